@@ -20,8 +20,8 @@ def paths_of(record: Record) -> Mapping[str, Field]:
     (1, True)
     """
     found: dict[str, Field] = {}
-    for path, field in _walked(record):
-        found.setdefault(path, field)
+    for path, entry in _walked(record):
+        found.setdefault(path, entry)
     return found
 
 
@@ -37,8 +37,8 @@ def _walked(record: Record) -> Iterator[tuple[str, Field]]:
                     f"{one.name}.kind",
                     Field("kind", Kind("choice", choices=_words(one.kind)), one.asked, word),
                 )
-            for path, field in _walked(inner):
-                yield f"{one.name}.{path}", field
+            for path, entry in _walked(inner):
+                yield f"{one.name}.{path}", entry
 
 
 def _tables(kind: Kind) -> list[Record]:

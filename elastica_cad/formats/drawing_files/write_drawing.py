@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Mapping
-from pathlib import Path
+from pathlib import Path as FilePath
 
 from elastica_cad._values import require_flag, require_path
 from elastica_cad.errors import InputError
@@ -36,7 +36,7 @@ def write_drawing(
     holding: HoldingTabs | None = None,
     marks: bool = True,
     force: bool = False,
-) -> Path:
+) -> FilePath:
     """Write a drawing for a laser cutter as .dxf or .svg.
 
     Parameters

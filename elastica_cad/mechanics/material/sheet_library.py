@@ -70,8 +70,8 @@ def plausible_number(value: object, key: str, where: str) -> float:
 
 def _advise_key(key: str, keys: Mapping[str, Field]) -> str:
     """Suggest the known key that is nearest to an unknown one."""
-    for known, field in keys.items():
-        stem = field.name
+    for known, entry in keys.items():
+        stem = entry.name
         if key.lower() == known.lower() or (
             key.lower().startswith(stem) and "range" not in key.removeprefix(stem)
         ):
@@ -243,7 +243,7 @@ def _sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, 
             fields["poisson_ratio"] = known["value"]
         else:
             fields["poisson_ratio"] = NominalRatio(known)
-        for key, (field, label) in _FIGURES.items():
+        for key, (stem, label) in _FIGURES.items():
             if key not in entry:
                 if key not in _ESTIMATED:
                     sources.append(f"{label} not published: measure it on a coupon")
@@ -253,11 +253,11 @@ def _sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, 
                 given[i] if isinstance(given, list) else given
                 for given in (figure["value"], figure.get("lowest"))
             )
-            fields[field] = value
+            fields[stem] = value
             if "range" in figure:
-                fields[f"{field}_range"] = tuple(figure["range"])
+                fields[f"{stem}_range"] = tuple(figure["range"])
             elif lowest is not None:
-                fields[f"{field}_range"] = (lowest, value)
+                fields[f"{stem}_range"] = (lowest, value)
             if "source" in figure:
                 sources.append(f"{label}: {figure['source']}")
         if isinstance(known, dict):
