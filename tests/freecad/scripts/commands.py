@@ -439,16 +439,15 @@ def long_work():
     made.Style, made.Columns, made.Rows = "Perforated", 8, 88
     seen, pressed = [], []
 
-    def look():
-        seen.append(Gui.getMainWindow().statusBar().currentMessage())
+    def look(message):
+        seen.append(message)
         if not pressed and "Escape" in seen[-1]:
             pressed.append(subprocess.Popen(["xdotool", "key", "Escape"]))
 
-    timer = QtCore.QTimer()
-    timer.timeout.connect(look)
-    timer.start(20)
+    bar = Gui.getMainWindow().statusBar()
+    bar.messageChanged.connect(look)  # no timer runs within a recompute
     document.recompute()
-    timer.stop()
+    bar.messageChanged.disconnect(look)
     for key in pressed:
         key.wait()
     answers["bar"] = sorted(set(filter(None, seen)))
