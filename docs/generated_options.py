@@ -12,9 +12,9 @@ from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
 from elastica_cad.declared import declared
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.formats.design_files.design_schema import told
+from elastica_cad.design.design_schema import told
+from elastica_cad.model.fixtures import EndFixture
+from elastica_cad.strip.strip_spec import StripSpec
 
 FILE = Path(__file__).resolve().parents[1] / "elastica_cad" / "kernel" / "strip_options.py"
 
@@ -36,7 +36,7 @@ class StripOptions(TypedDict, total=False):
 {strip}
 
 class FixtureSizes(TypedDict, total=False):
-    """Sizes of an end fixture; see `fabrication.EndFixture`."""
+    """Sizes of an end fixture; see `model.EndFixture`."""
 
 {fixture}'''
 

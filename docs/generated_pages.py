@@ -18,8 +18,8 @@ import click
 
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
-from elastica_cad.formats.design_files.design_schema import SCHEMA_FILE, design_schema, tables
-from elastica_cad.formats.design_files.formulae import CONSTANTS, FUNCTIONS
+from elastica_cad.design.design_schema import SCHEMA_FILE, design_schema, tables
+from elastica_cad.design.tables import CONSTANTS, FUNCTIONS
 
 NAMES = {
     "Curves": (
@@ -37,7 +37,7 @@ NAMES = {
         "StripSpec", "make_strip", "Strip", "Plain", "Perforated", "Laminated", "Tab", "Hole", "Slot",
         "FabricationLimits", "Drawing", "save",
     ),
-    "A strip that is moved": ("bend_strip", "fabrication.Travel", "plot.travel"),
+    "A strip that is moved": ("bend_strip", "strip.Travel", "plot.travel"),
     "Sheets": ("Sheet", "sheet_names", "load_sheets"),
     "Models": ("Model", "Placed", "save_model", "revolution", "revolve", "meridian", "meridian_through",
                "touching_widths"),

@@ -11,8 +11,8 @@ import matplotlib
 import numpy as np
 
 import elastica_cad as ec
+from elastica_cad.design.pair_table import read_pair
 from elastica_cad.files import read_curves
-from elastica_cad.formats.design_files.pair_table import read_pair
 from elastica_cad.plot.canvas import save_figure
 from elastica_cad.plot.pair_pictures import pair_sheet
 

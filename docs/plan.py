@@ -1,8 +1,8 @@
 """Draws the packages from their import statements.
 
-`python docs/plan.py` draws docs/plan.svg: the packages, their sub-packages, and the way of a drawn curve.
-`python docs/plan.py FOLDER` draws the modules of one folder (for instance elastica_cad/mechanics/rod) as FOLDER.svg
-in the current directory: who imports whom, with all arrows in one direction.
+`python docs/plan.py` draws docs/plan.svg (the packages, their modules, the path of a drawn curve) and writes the
+list of modules in docs/architecture.md. `python docs/plan.py FOLDER` draws the modules of one folder (for instance
+elastica_cad/mechanics) as FOLDER.svg in the current directory, with all arrows in one direction.
 """
 
 import ast
@@ -20,14 +20,17 @@ ROOTS = {
 FLOORS = (
     ("elastica_cad.cli", "command line"),
     ("elastica_cad.kit", "a folder of files for a strip or a model"),
-    ("elastica_cad.files", "the format taken from a file's name"),
+    ("elastica_cad.files", "format by file name"),
     ("elastica_cad.plot", "pictures (matplotlib)"),
     ("elastica_cad.build123d", "objects for build123d"),
     ("elastica_cad.cadquery", "functions for CadQuery"),
     ("elastica_cad.kernel", "OpenCASCADE"),
+    ("elastica_cad.design", "design files, reports"),
+    ("elastica_cad.model", "several strips"),
+    ("elastica_cad.pairs", "two rest shapes"),
+    ("elastica_cad.published", "the paper's own"),
     ("elastica_cad.formats", "files in and out"),
-    ("elastica_cad.fabrication", "what is cut, bent and held"),
-    ("elastica_cad.published", "the paper's own algorithms"),
+    ("elastica_cad.strip", "flat parts and bodies"),
     ("elastica_cad.forming", "curves that can be made"),
     ("elastica_cad.mechanics", "rods"),
     ("elastica_cad.geometry", "curves and paths"),
@@ -37,26 +40,29 @@ FLOORS = (
 BESIDE = {"plot", "build123d", "cadquery", "kernel"}
 """Packages that share a line of the drawing with the one before."""
 
-DIVIDED = ("geometry", "mechanics", "forming", "published", "fabrication", "formats")
-"""Packages that are drawn with their sub-packages."""
+DIVIDED = ("geometry", "mechanics", "forming", "strip", "formats", "model", "pairs", "design", "published")
+"""Packages that are drawn with their modules."""
+
+FIRST = ("geometry", "mechanics", "forming", "strip", "formats")
+"""The part to read first: nothing in it needs the packages above it."""
 
 WAY = {
     1: ("cli", "options and file names become one request"),
-    2: ("formats.curve_files", "the drawing is read: splines stay splines"),
-    3: ("fabrication.strip_spec", "the request, a StripSpec, is made"),
-    4: ("mechanics.theorem1", "Theorem 1: can it be bent, and if not, where"),
-    5: ("forming.nearest", "only with limits: the nearest curve that meets them"),
-    6: ("mechanics.stiffness", "the stiffness with the least ratio"),
+    2: ("formats.dxf_curves", "the drawing is read: splines stay splines"),
+    3: ("strip.strip_spec", "the request, a StripSpec, is made"),
+    4: ("mechanics.equilibrium_check", "Theorem 1: can it be bent, and if not, where"),
+    5: ("forming.nearest_search", "only with limits: the nearest curve that meets them"),
+    6: ("mechanics.least_ratio", "the stiffness with the least ratio"),
     7: ("mechanics.rod", "the rod: shape, stiffness, moment and force"),
-    8: ("fabrication.drawings", "stiffness is width: outline, marks, kerf"),
+    8: ("strip.drawing", "stiffness is width: outline, marks, kerf"),
     9: ("formats.drawing_files", "DXF and SVG"),
     10: ("kernel", "STEP"),
-    11: ("formats.reports", "the report"),
+    11: ("design.reports", "the report"),
     12: ("plot", "the picture"),
 }
-"""The way of a curve through `elastica strip`: number, place, what happens there."""
+"""The path of a curve through `elastica strip`: number, place, what happens there."""
 
-BOX = 142, 34
+BOX = 174, 34
 GAP = 8
 MOST_IN_LINE = 8
 """Parts beside each other: a screen's width."""
@@ -214,6 +220,29 @@ def packages() -> str:
     return page(widest + 4, y + top + 6 * 18, parts)
 
 
+def reading_order() -> str:
+    """The modules of the part to read first, in the order of their imports, with the first line of each."""
+    files = modules()
+    lines = []
+    for package in FIRST:
+        lines += [f"\n### {package}\n\n| module | what it holds |", "| --- | --- |"]
+        inside = ranks(parts_of(f"elastica_cad.{package}"))
+        for name in sorted(inside, key=lambda name: (inside[name], name)):
+            text = ast.get_docstring(
+                ast.parse(files[f"elastica_cad.{package}.{name}"].read_text(encoding="utf-8"))
+            )
+            title = (text or "").split("\n", maxsplit=1)[0].replace("|", "\\|")
+            lines.append(f"| `{name}` | {title} |")
+    return "\n".join(lines) + "\n"
+
+
+def with_reading_order(page: str) -> str:
+    """The page with the list of modules between its two marks made anew."""
+    begin, end = "<!-- modules: made by docs/plan.py -->\n", "<!-- end of modules -->"
+    before, _, rest = page.partition(begin)
+    return before + begin + reading_order() + "\n" + end + rest.partition(end)[2]
+
+
 def folder_plan(folder: str) -> str:
     """The modules of one folder; every arrow leads from an importing module to one at its left."""
     prefix = folder.strip("/").replace("freecad_workbench/freecad/", "freecad.").replace("/", ".")
@@ -255,7 +284,11 @@ def main(arguments: list[str]) -> None:
     if not arguments:
         target = ROOT / "docs" / "plan.svg"
         target.write_text(packages(), encoding="utf-8")
-        print(target)
+        architecture = ROOT / "docs" / "architecture.md"
+        architecture.write_text(
+            with_reading_order(architecture.read_text(encoding="utf-8")), encoding="utf-8"
+        )
+        print(target, architecture, sep="\n")
 
 
 if __name__ == "__main__":

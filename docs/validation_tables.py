@@ -11,11 +11,11 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from elastica_cad.forming.limits import Limits  # noqa: E402  # the checkout's
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod  # noqa: E402
-from elastica_cad.forming.revolution.meridian import meridian  # noqa: E402
-from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod  # noqa: E402
-from elastica_cad.mechanics.stability.stability_verdict import stability_determinant  # noqa: E402
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod  # noqa: E402
+from elastica_cad.forming.meridians import meridian  # noqa: E402
+from elastica_cad.forming.nearest_search import nearest_rod  # noqa: E402
+from elastica_cad.mechanics.discrete_rod import DiscreteRod  # noqa: E402
+from elastica_cad.mechanics.least_ratio import optimal_rod  # noqa: E402
+from elastica_cad.mechanics.stability import stability_determinant  # noqa: E402
 from tests.validation import test_cantilever_tables as cantilevers  # noqa: E402
 from tests.validation import test_elastica_tables as elasticas  # noqa: E402
 from tests.validation import test_nearest_published as nearest  # noqa: E402

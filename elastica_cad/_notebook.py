@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from elastica_cad._printable import html_text
+from elastica_cad._text import html_text
 from elastica_cad._types import FloatArray
 
 BLUE, RED, GREY, INK = "#2f6db3", "#c2452d", "#8a8f98", "#3c4658"  # read on light and dark

@@ -1,6 +1,8 @@
-"""Checks of what users fill records with: numbers, names of files, and records of a kind."""
+"""Checks of values that users give, equality of records, and numbers in sentences."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sized
+from dataclasses import fields, is_dataclass
+from functools import cache
 from os import PathLike
 from pathlib import Path
 from types import UnionType
@@ -10,6 +12,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError, quoted
+from elastica_cad.refusals import note
 
 LARGEST = 1e100
 """Of numbers that mean something here: their squares and cubes are numbers still."""
@@ -234,3 +237,103 @@ def several(
                 cure=cure and f", {cure}",
             )
     return found
+
+
+_KEPT = "_value_key"  # in a record's own dictionary
+_PLAIN = frozenset({type(None), bool, int, float, str})  # most fields hold one of these
+
+
+class EqualByValue:
+    """Base of a frozen dataclass (declared with `eq=False`) that is equal, and hashed, by all its fields."""
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, type(self)) and _record_key(self) == _record_key(other)
+
+    def __hash__(self) -> int:
+        return hash(_record_key(self))
+
+
+def value_key(value: Any) -> Any:
+    """What two values have in common where they are equal, as something that can be hashed.
+
+    Records count by their fields, arrays by their numbers, functions by being the same function.
+
+    Examples
+    --------
+    >>> value_key([1.0, np.array([2.0, 3.0])]) == value_key((1, np.array([2.0, 3.0])))
+    True
+    """
+    kind: Any = type(value)
+    if kind in _PLAIN:
+        return value
+    if isinstance(value, np.ndarray):
+        return value.shape, (np.asarray(value, dtype=float) + 0.0).tobytes()  # one zero, not two
+    if _compared(kind) is not None:
+        return _record_key(value)
+    if isinstance(value, tuple | list):
+        return tuple(value_key(one) for one in value)
+    return value
+
+
+def _record_key(record: Any) -> tuple[Any, ...]:
+    """That of a record; a frozen one keeps it, as a curve stands in several requests."""
+    kept = getattr(record, "__dict__", {}) if record.__dataclass_params__.frozen else {}
+    if _KEPT not in kept:
+        kind: Any = type(record)
+        names = _compared(kind) or ()
+        kept[_KEPT] = kind, *(value_key(getattr(record, name)) for name in names)
+    key: tuple[Any, ...] = kept[_KEPT]
+    return key
+
+
+@cache
+def _compared(kind: type) -> tuple[str, ...] | None:
+    """Names of the fields by which records of a class are compared, None of what is no record."""
+    if not is_dataclass(kind):
+        return None
+    return tuple(field.name for field in fields(kind) if field.compare)
+
+
+MORE_DIGITS = 9
+"""Beyond those that are usual: numbers that so many do not tell apart are as good as equal."""
+
+
+def counted(count: int, noun: str) -> str:
+    """How many there are.
+
+    Examples
+    --------
+    >>> counted(1, "strip"), counted(2, "strip")
+    ('1 strip', '2 strips')
+    """
+    return note(f"{{count}} {noun}{'' if count == 1 else 's'}", count=count)
+
+
+def and_more(found: Sized, noun: str = "") -> str:
+    """What follows the first of those found: how many more there are, nothing for a single one.
+
+    Examples
+    --------
+    >>> and_more("a", "pair"), and_more("abc", "pair"), and_more("abc")
+    ('', ' (and 2 more pairs)', ' (and 2 more)')
+    """
+    others = len(found) - 1
+    if others < 1:
+        return ""
+    if not noun:
+        return note(" (and {others} more)", others=others)
+    return note(" (and {more})", more=counted(others, f"more {noun}"))
+
+
+def told_apart(one: float, other: float, digits: str) -> tuple[float, float]:
+    """Two numbers rounded to as many digits as show that they differ, at least as their format says.
+
+    Examples
+    --------
+    >>> told_apart(2.51, 3.0, ".3g"), told_apart(2.9982, 3.0, ".3g"), told_apart(0.8729, 0.8734, ".2f")
+    ((2.51, 3.0), (2.998, 3.0), (0.8729, 0.8734))
+    """
+    usual, kind = int(digits[1:-1]), digits[-1]
+    digits_of = range(usual, usual + MORE_DIGITS)
+    told = [(float(f"{one:.{n}{kind}}"), float(f"{other:.{n}{kind}}")) for n in digits_of]
+    return next((pair for pair in told if pair[0] != pair[1]), told[0])

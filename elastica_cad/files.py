@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Any
 
 from elastica_cad._units import look_up_unit
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install, refuse_options_unlike
-from elastica_cad.formats.curve_files.chains import JOIN_TOLERANCE
-from elastica_cad.formats.curve_files.drawn_file import CurveList, DrawnFile
-from elastica_cad.formats.file_access.source_file import name_source, require_file
-from elastica_cad.geometry.curve_editing.polylines import FIT_TOLERANCE
+from elastica_cad.formats.chains import JOIN_TOLERANCE
+from elastica_cad.formats.drawn_file import CurveList, DrawnFile
+from elastica_cad.formats.source_file import name_source, require_file
+from elastica_cad.geometry.fairing import FIT_TOLERANCE
 
 if TYPE_CHECKING:
-    from elastica_cad.fabrication.drawings.drawing import Drawing
-    from elastica_cad.fabrication.strip.strip_record import Strip
-    from elastica_cad.forming.plane_sections.section_spec import Surface
+    from elastica_cad.forming.section_spec import Surface
+    from elastica_cad.strip.drawing import Drawing
+    from elastica_cad.strip.strip import Strip
 
 KERNEL_SUFFIXES = (".step", ".stp", ".brep")
 CURVE_SUFFIXES = (".dxf", ".svg", ".svgz", ".csv", ".txt", ".json", *KERNEL_SUFFIXES)
@@ -99,27 +99,27 @@ def read_drawing(
     with name_source(path) as file:
         suffix = file.suffix.lower()
         if suffix == ".dxf":
-            from elastica_cad.formats.curve_files.dxf_curves import read_dxf_drawing
+            from elastica_cad.formats.dxf_curves import read_dxf_drawing
 
             return read_dxf_drawing(
                 file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit, corners=corners
             )
         if suffix in (".svg", ".svgz"):
-            from elastica_cad.formats.svg_files.svg_curves import read_svg_drawing
+            from elastica_cad.formats.svg_curves import read_svg_drawing
 
             return read_svg_drawing(
                 file, tolerance=tolerance, fit_tolerance=fit_tolerance, unit=unit, corners=corners
             )
         if suffix == ".csv":
-            from elastica_cad.formats.curve_files.point_files import read_csv_drawing
+            from elastica_cad.formats.point_files import read_csv_drawing
 
             return read_csv_drawing(file, fit_tolerance=fit_tolerance, unit=unit)
         if suffix == ".txt":
-            from elastica_cad.formats.curve_files.point_files import read_text_drawing
+            from elastica_cad.formats.point_files import read_text_drawing
 
             return read_text_drawing(file, unit=unit)
         if suffix == ".json":
-            from elastica_cad.formats.curve_files.json_curves import read_json_drawing
+            from elastica_cad.formats.json_curves import read_json_drawing
 
             return read_json_drawing(file, unit=unit)
         if suffix in KERNEL_SUFFIXES:
@@ -154,7 +154,7 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
     path = require_file(path)
     suffix = path.suffix.lower()
     if suffix not in KERNEL_SUFFIXES:
-        from elastica_cad.formats.surface_files.mesh_files import MESH_SUFFIXES, mesh_surface
+        from elastica_cad.formats.mesh_files import MESH_SUFFIXES, mesh_surface
 
         if suffix not in MESH_SUFFIXES:
             known = ", ".join((*MESH_SUFFIXES, *KERNEL_SUFFIXES))
@@ -209,15 +209,15 @@ def save(made: "Drawing | Strip", path: str | Path, **options: Any) -> Path:
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
-    >>> from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, Drawing, LayeredPath
-    >>> from elastica_cad.geometry.paths.path import Path as Chain
+    >>> from elastica_cad.strip.drawing import CUT_OUTER, Drawing, LayeredPath
+    >>> from elastica_cad.geometry.path import Path as Chain
     >>> card = Drawing("card", [LayeredPath(CUT_OUTER, Chain.rectangle(85, 55))])
     >>> with TemporaryDirectory() as folder:
     ...     save(card, Path(folder, "card.svg"), kerf=0.15).name
     'card.svg'
     """
-    from elastica_cad.fabrication.strip.strip_record import Strip
-    from elastica_cad.formats.drawing_files.write_drawing import write_drawing
+    from elastica_cad.formats.drawing_files import write_drawing
+    from elastica_cad.strip.strip import Strip
 
     if isinstance(made, Strip):
         if Path(path).suffix.lower() in (".step", ".stp"):

@@ -7,7 +7,7 @@ from math import isfinite
 from string import Formatter
 from typing import Any, Literal
 
-from elastica_cad._printable import printable
+from elastica_cad._text import printable
 
 Severity = Literal["error", "warning", "note"]
 

@@ -13,9 +13,9 @@ from pathlib import Path
 import numpy as np
 
 import elastica_cad as ec
-from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.design.design_file import read_design
+from elastica_cad.forming import nearest_search as nearest_rod
 from elastica_cad.forming import rod_spec
-from elastica_cad.forming.nearest import nearest_rod
 
 HERE = Path(__file__).parent
 NUMBERS = HERE.parent / "docs" / "models_in_numbers.md"

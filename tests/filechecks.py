@@ -55,7 +55,7 @@ def check_drawing_file(path, *, open_cuts=False):
 
 def check_drawing(drawing, folder, *, open_cuts=False, **options):
     """Write a drawing as DXF and SVG, assert that both are sound and say what the drawing says."""
-    from elastica_cad.formats.drawing_files.write_drawing import write_drawing
+    from elastica_cad.formats.drawing_files import write_drawing
 
     for suffix in (".dxf", ".svg"):
         first = write_drawing(drawing, Path(folder) / f"checked{suffix}", force=True, **options)

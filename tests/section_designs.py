@@ -5,19 +5,18 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.integrate import solve_bvp
 
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
-from elastica_cad.mechanics.material.plain_section import WidthLaw
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import RoundLaw, ThicknessLaw
-from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.mechanics.least_ratio import optimal_laminate, optimal_rod
+from elastica_cad.mechanics.loads import Gravity
+from elastica_cad.mechanics.sections import WidthLaw
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.strip import Strip
 
 GLASS = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.012)
 RUBBERY = Sheet("rubbery", 2.0, 900.0, density=1150.0, max_strain=0.05, poisson_ratio=0.4)

@@ -3,13 +3,12 @@
 import numpy as np
 from scipy.spatial import cKDTree
 
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.strip.outline import Tab
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.model import Model
+from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.strip import Placed, Strip
 
 PLYWOOD = Sheet.named("birch-plywood-0.8")
 

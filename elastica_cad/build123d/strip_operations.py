@@ -17,23 +17,22 @@ from elastica_cad.build123d.strip_objects import (
 )
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.segments import Spline
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.option_help import lists
 from elastica_cad.kernel.strip_body import MadeStrip, end_angles, warn_of_missing_slots
 from elastica_cad.kernel.strip_on_path import section_requests
 from elastica_cad.kernel.strip_options import StripOptions
-from elastica_cad.mechanics.bending.between_clamps import elastica_between
-from elastica_cad.mechanics.loads.arguments import whole_number
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.between_clamps import elastica_between
+from elastica_cad.mechanics.loads import Gravity, whole_number
+from elastica_cad.mechanics.sheets import Sheet
 
 if TYPE_CHECKING:
-    from elastica_cad.fabrication.model.assembly import AssemblyPart, Holder
-    from elastica_cad.fabrication.model.strip_model import Model
-    from elastica_cad.forming.plane_sections.section_spec import SectionSpec
+    from elastica_cad.forming.section_spec import SectionSpec
+    from elastica_cad.model.assembly import AssemblyPart, Holder
+    from elastica_cad.model.model import Model
 
 
 @lists(StripOptions, drawn=True)
@@ -241,7 +240,7 @@ def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Com
     InputError
         Something else among `others`.
     """
-    from elastica_cad.fabrication.model.assembly import assembly_parts, require_model, shape_parts
+    from elastica_cad.model.assembly import assembly_parts, require_model, shape_parts
 
     require_model(model)
     parts = assembly_parts(model.placed, (*model.plates, *others))

@@ -10,18 +10,8 @@ from typing import TYPE_CHECKING, Any, Self, TypeAlias, TypeVar, Unpack
 import cadquery as cq
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.model.material_colors import FIXTURE_COLOR, sheet_color
-from elastica_cad.fabrication.solids.strip_solids import (
-    BentSolid,
-    BodyRecord,
-    FlatSolid,
-    PrismSolid,
-    bent_sheets,
-)
-from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.option_help import lists
 from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
@@ -32,7 +22,11 @@ from elastica_cad.kernel.strip_on_path import (
     make_strip_on,
 )
 from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.model import FIXTURE_COLOR, sheet_color
+from elastica_cad.strip.outline import ENDS, StripEnd
+from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, PrismSolid, bent_sheets
+from elastica_cad.strip.strip import Strip
 
 
 def _read_frame(location: cq.Location) -> Frame:

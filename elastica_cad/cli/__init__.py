@@ -10,7 +10,7 @@ import warnings
 from typing import TYPE_CHECKING
 
 from elastica_cad._exit_codes import INTERRUPTED, OUTPUT_CLOSED
-from elastica_cad._garbage_collection import RARE_COLLECTIONS
+from elastica_cad._process import RARE_COLLECTIONS
 
 if TYPE_CHECKING:
     import click
@@ -54,7 +54,7 @@ def _run(arguments: list[str] | None) -> int:
     import click
 
     if "_ELASTICA_COMPLETE" in os.environ:
-        from elastica_cad.cli.running import bash_completion
+        from elastica_cad.cli import bash_completion
 
         bash_completion.install()
 

@@ -9,24 +9,16 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH
-from elastica_cad.cli.asking.options import (
-    LENGTH,
-    POINT,
-    asked_sheet,
-    join_options,
-    output_options,
-    sheet_options,
-)
-from elastica_cad.cli.running.voice import answer, say, warn, wrote
+from elastica_cad.cli.options import LENGTH, POINT, asked_sheet, join_options, output_options, sheet_options
+from elastica_cad.cli.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError, rounded_up
-from elastica_cad.fabrication.batten import Batten, BattenSpec, camber_of
-from elastica_cad.fabrication.bench import bench_csv, bench_drawing
-from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.files import save, step_trouble
-from elastica_cad.formats.file_access.write_files import write_json, write_text, write_together
+from elastica_cad.formats.write_files import write_json, write_text, write_together
 from elastica_cad.kit.kit_files import left_out
-from elastica_cad.mechanics.material.stiffness_law import MOST_LEAVES, RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.stiffness_law import MOST_LEAVES, RoundLaw, ThicknessLaw
+from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawing, camber_of
 from elastica_cad.refusals import Length
+from elastica_cad.strip.strip import Strip
 
 LEAST_SHARE = 0.25  # of the stock's size, that is left unless told
 MOST_STATIONS = 1000

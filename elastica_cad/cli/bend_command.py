@@ -8,8 +8,8 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.asking.asked_curves import asked_curves, curve_argument, unit_option, which_options
-from elastica_cad.cli.asking.options import (
+from elastica_cad.cli.asked_curves import asked_curves, curve_argument, unit_option, which_options
+from elastica_cad.cli.options import (
     IDLE_DOWN,
     LENGTH,
     POINT,
@@ -19,28 +19,26 @@ from elastica_cad.cli.asking.options import (
     sheet_options,
     smooth_option,
 )
-from elastica_cad.cli.asking.settings import BentKeys, parsed_settings, set_option
-from elastica_cad.cli.asking.strip_options import spec_from_options, with_settings
-from elastica_cad.cli.asking.support_options import END_NAMES, read_curves_told
-from elastica_cad.cli.running.voice import answer, say, warn, wrote
+from elastica_cad.cli.settings import BentKeys, parsed_settings, set_option
+from elastica_cad.cli.strip_options import END_NAMES, read_curves_told, spec_from_options, with_settings
+from elastica_cad.cli.voice import answer, say, warn, wrote
+from elastica_cad.design.records import Reader, fields_of
+from elastica_cad.design.strip_request import SOLVED, FinishedStrip, read_request
+from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.travel import Travel, bend_strip
-from elastica_cad.formats.curve_files.json_curves import curves_json
-from elastica_cad.formats.design_files.records import Reader, fields_of
-from elastica_cad.formats.design_files.tables import Table
-from elastica_cad.formats.file_access.write_files import write_text, write_together
-from elastica_cad.formats.reports.strip_request import SOLVED, FinishedStrip, read_request
+from elastica_cad.formats.json_curves import curves_json
+from elastica_cad.formats.write_files import write_text, write_together
 from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec, accepted_rod
-from elastica_cad.mechanics.bending.bend_forward import bend_path
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.plain_section import WidthLaw
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
+from elastica_cad.mechanics.bending import bend_path
+from elastica_cad.mechanics.loads import Gravity, Supports
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sections import WidthLaw
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stability import Stability, stability
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.travel import Travel, bend_strip
 
 OF_A_CURVE = {
     "--curve": "number", "--layer": "layer", "--unit": "unit", "--smooth": "smooth", "--nearest": "nearest",

@@ -11,16 +11,10 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.asking.asked_curves import (
-    AskedCurve,
-    asked_curves,
-    curve_options,
-    split_option,
-    which_options,
-)
-from elastica_cad.cli.asking.options import smooth_option
-from elastica_cad.cli.asking.support_options import natural_curvature_of, support_options
-from elastica_cad.cli.running.suggestions import (
+from elastica_cad.cli.asked_curves import AskedCurve, asked_curves, curve_options, split_option, which_options
+from elastica_cad.cli.options import smooth_option
+from elastica_cad.cli.strip_options import natural_curvature_of, support_options
+from elastica_cad.cli.suggestions import (
     MOST_REFUSALS,
     changed_requests,
     first_that_holds,
@@ -29,18 +23,17 @@ from elastica_cad.cli.running.suggestions import (
     typed_length,
     typed_line,
 )
-from elastica_cad.cli.running.voice import answer, say, voice, warn, wrote
+from elastica_cad.cli.voice import answer, say, voice, warn, wrote
+from elastica_cad.design.reports import report_check, round_numbers
 from elastica_cad.errors import Change, ElasticaError, InputError
-from elastica_cad.formats.reports.check_report import report_check, round_numbers
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.forming.straight_ends import StraightEnds
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature
-from elastica_cad.mechanics.loads.supports import EndName, Supports
-from elastica_cad.mechanics.material.sheets_for_curve import sheets_for_curve
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, changes_of, measured_points
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import EndName, NaturalCurvature, Supports
+from elastica_cad.mechanics.sheets import sheets_for_curve
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck, changes_of, measured_points
 from elastica_cad.refusals import Length, Refusal, note
 
 NOT_REALIZABLE, BAD_INPUT = 1, 2
@@ -141,8 +134,8 @@ def _suggestion(
     if natural_curvature or smooth is not None or Path("out").exists():
         return ""
     # these import all that makes strips
-    from elastica_cad.cli.asking.strip_options import option_words
-    from elastica_cad.fabrication.strip_spec import StripSpec
+    from elastica_cad.cli.strip_options import option_words
+    from elastica_cad.strip.strip_spec import StripSpec
 
     curve = asked.curve
     width = float(np.clip(round(curve.length / 12), *WIDTHS_MM))

@@ -11,13 +11,13 @@ import click
 import numpy as np
 
 from elastica_cad._exit_codes import OUTPUT_CLOSED
-from elastica_cad._shell import MADE_BY, command_of_drawings
-from elastica_cad.cli.asking.options import UNITS, Length, option_name
-from elastica_cad.cli.running.suggestions import TYPED, suggestion_below
-from elastica_cad.cli.running.voice import echo, progress_shown, remake_on_change, voice, warn
+from elastica_cad._text import MADE_BY, command_of_drawings
+from elastica_cad.cli.options import UNITS, Length, option_name
+from elastica_cad.cli.suggestions import TYPED, suggestion_below
+from elastica_cad.cli.voice import echo, progress_shown, remake_on_change, voice, warn
 from elastica_cad.errors import RENAMED, ElasticaError, InputError, NotMetError, StrainError, near_names
-from elastica_cad.formats.curve_files.number_gate import LARGEST_NUMBER, LARGEST_SIZE
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.formats.source_file import LARGEST_NUMBER, LARGEST_SIZE
+from elastica_cad.mechanics.theorem1 import NotRealizable
 
 COMMANDS = {
     "new": "new_command:new",
@@ -195,8 +195,8 @@ def _instead_of(problem: click.NoSuchOption) -> str:
             return f"{typed} is {'now ' if name in RENAMED else ''}called {typed_new}"
         name = new
     if context is not None and any(one.name == "settings" for one in context.command.params):
-        from elastica_cad.cli.asking.settings import DEEPEST, KEYS_OF
-        from elastica_cad.formats.design_files.key_paths import near_path, paths_of
+        from elastica_cad.cli.settings import DEEPEST, KEYS_OF
+        from elastica_cad.design.records import near_path, paths_of
 
         keys = paths_of(KEYS_OF[str(context.command.name)])
         listed = [path for path in keys if path.count(".") <= DEEPEST]

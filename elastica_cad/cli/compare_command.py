@@ -4,15 +4,10 @@ from pathlib import Path
 
 import click
 
-from elastica_cad.cli.running.voice import answer, say, wrote
+from elastica_cad.cli.voice import answer, say, wrote
+from elastica_cad.design.measuring_sheet import blank_readings, measuring_page, read_measuring, read_readings
 from elastica_cad.files import save
-from elastica_cad.formats.file_access.write_files import write_text, write_together
-from elastica_cad.formats.reports.measuring_sheet import (
-    blank_readings,
-    measuring_page,
-    read_measuring,
-    read_readings,
-)
+from elastica_cad.formats.write_files import write_text, write_together
 
 
 @click.command()

@@ -7,18 +7,17 @@ from typing import Any
 
 import click
 
-from elastica_cad._shell import quote_words
-from elastica_cad.cli.asking.options import LENGTH, POINT, output_options
-from elastica_cad.cli.running.suggestions import name_program
-from elastica_cad.cli.running.voice import answer, say, warn, wrote
+from elastica_cad._text import quote_words
+from elastica_cad.cli.options import LENGTH, POINT, output_options
+from elastica_cad.cli.suggestions import name_program
+from elastica_cad.cli.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overhang
 from elastica_cad.files import save
-from elastica_cad.formats.file_access.write_files import write_text, write_together
-from elastica_cad.mechanics.material.section_limits import OUTCOMES
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.sheet_library import library_folders, plausible_number
-from elastica_cad.mechanics.studies.calibration import Calibration, calibrate_cantilever
+from elastica_cad.formats.write_files import write_text, write_together
+from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
+from elastica_cad.mechanics.section_limits import OUTCOMES
+from elastica_cad.mechanics.sheets import Sheet, library_folders, plausible_number
+from elastica_cad.strip.coupon import coupon_drawing, coupon_overhang
 
 GUESSED_MPA, GUESSED_STRAIN = 4000.0, 0.004
 """Of a sheet that nobody knows: E between card and plywood, for the length of its coupon; what most boards bear."""

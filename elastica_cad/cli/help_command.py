@@ -2,9 +2,9 @@
 
 import click
 
-from elastica_cad.cli.asking.settings import completed, explained, listed
-from elastica_cad.cli.asking.strip_options import typed_name
-from elastica_cad.cli.running.voice import answer, say
+from elastica_cad.cli.settings import completed, explained, listed
+from elastica_cad.cli.strip_options import typed_name
+from elastica_cad.cli.voice import answer, say
 
 
 @click.command("help")

@@ -6,17 +6,17 @@ from pathlib import Path
 
 import click
 
-from elastica_cad._counts import and_more, counted
-from elastica_cad.cli.asking.options import output_options
-from elastica_cad.cli.asking.settings import parsed_settings, set_option
-from elastica_cad.cli.running.suggestions import changed_requests, first_that_holds, suggest_later
-from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn
+from elastica_cad._values import and_more, counted
+from elastica_cad.cli.options import output_options
+from elastica_cad.cli.settings import parsed_settings, set_option
+from elastica_cad.cli.suggestions import changed_requests, first_that_holds, suggest_later
+from elastica_cad.cli.voice import answer, say, say_step, voice, warn
+from elastica_cad.design.design_file import Design, read_design
+from elastica_cad.design.model_tables import DesignKeys
 from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.files import read_curves, read_surface
-from elastica_cad.formats.curve_files.drawn_file import CurveList
-from elastica_cad.formats.design_files.design_file import Design, read_design
-from elastica_cad.formats.design_files.model_tables import DesignKeys
-from elastica_cad.geometry.paths.point_distance import largest_deviation
+from elastica_cad.formats.drawn_file import CurveList
+from elastica_cad.geometry.path import largest_deviation
 from elastica_cad.kit.kit_contents import Kit, count_strips, kit_of
 from elastica_cad.kit.kit_files import check_kit_folder, kit_report, left_behind, left_out, write_kit
 from elastica_cad.refusals import Refusal, is_told, note

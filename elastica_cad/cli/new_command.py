@@ -8,14 +8,14 @@ from pathlib import Path
 import click
 import numpy as np
 
-from elastica_cad._shell import quote_words
-from elastica_cad.cli.asking.options import output_options
-from elastica_cad.cli.running.suggestions import name_program
-from elastica_cad.cli.running.voice import answer, say, wrote
-from elastica_cad.formats.curve_files.write_curves import write_curves
-from elastica_cad.formats.design_files.design_schema import SCHEMA_FILE, design_schema
-from elastica_cad.formats.file_access.write_files import write_text, write_together
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad._text import quote_words
+from elastica_cad.cli.options import output_options
+from elastica_cad.cli.suggestions import name_program
+from elastica_cad.cli.voice import answer, say, wrote
+from elastica_cad.design.design_schema import SCHEMA_FILE, design_schema
+from elastica_cad.formats.curve_writer import write_curves
+from elastica_cad.formats.write_files import write_text, write_together
+from elastica_cad.geometry.plane_curve import PlaneCurve
 
 KINDS = ("arch", "lamp", "pavilion", "revolution", "sections", "schema")
 

@@ -5,8 +5,8 @@ from typing import Any
 
 import click
 
-from elastica_cad.cli.asking.asked_curves import asked_curves, unit_option
-from elastica_cad.cli.asking.options import (
+from elastica_cad.cli.asked_curves import asked_curves, unit_option
+from elastica_cad.cli.options import (
     asked_sheet,
     given_of,
     join_options,
@@ -14,23 +14,23 @@ from elastica_cad.cli.asking.options import (
     output_options,
     sheet_options,
 )
-from elastica_cad.cli.asking.settings import PairKeys, parsed_settings, set_option
-from elastica_cad.cli.asking.strip_options import with_settings
-from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
+from elastica_cad.cli.settings import PairKeys, parsed_settings, set_option
+from elastica_cad.cli.strip_options import with_settings
+from elastica_cad.cli.voice import answer, say, say_step, warn, wrote
 from elastica_cad.declared import declared
+from elastica_cad.design.kit_spec import Cutting
+from elastica_cad.design.pair_table import cutting_of, read_cutting, read_pair
+from elastica_cad.design.records import Reader
+from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.cutting import DEFAULT_KERF_MM
-from elastica_cad.fabrication.flexure_spec import FlexureSpec
 from elastica_cad.files import read_curves
-from elastica_cad.formats.design_files.kit_spec import Cutting
-from elastica_cad.formats.design_files.pair_table import cutting_of, read_cutting, read_pair
-from elastica_cad.formats.design_files.records import Reader
-from elastica_cad.formats.design_files.tables import Table
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kit.pair_kit import PairKit, write_pair
-from elastica_cad.mechanics.material.section_limits import judge_strain
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.section_limits import judge_strain
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.refusals import Length, note
+from elastica_cad.strip.drawing import DEFAULT_KERF_MM
 
 FILE = click.Path(path_type=Path)
 

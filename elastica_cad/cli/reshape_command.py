@@ -8,18 +8,18 @@ from typing import Any
 import click
 
 from elastica_cad._types import FloatArray
-from elastica_cad.cli.asking.asked_curves import UNIT, curve_argument, drawn_curves, which_options
-from elastica_cad.cli.asking.options import LENGTH, POINT, option_name, output_options
-from elastica_cad.cli.running.voice import answer, say, warn, wrote
+from elastica_cad.cli.asked_curves import UNIT, curve_argument, drawn_curves, which_options
+from elastica_cad.cli.options import LENGTH, POINT, option_name, output_options
+from elastica_cad.cli.voice import answer, say, warn, wrote
+from elastica_cad.design.drawn_curves import CORNERS, map_corners
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.write_curves import FitWarning, write_curves
-from elastica_cad.formats.design_files.reshaping import CORNERS, map_corners
-from elastica_cad.formats.file_access.write_files import write_together
+from elastica_cad.formats.curve_writer import FitWarning, write_curves
+from elastica_cad.formats.write_files import write_together
 from elastica_cad.forming.rod_spec import RodSpec
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.curves.projective_maps import four_point_map
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.projective_maps import four_point_map
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.theorem1 import require_bendable
 
 NO_MAP = "No such map makes a curve that can be bent of one that cannot: redraw it."
 

@@ -7,7 +7,7 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.asking.options import (
+from elastica_cad.cli.options import (
     LENGTH,
     SPACE_POINT,
     Length,
@@ -16,19 +16,19 @@ from elastica_cad.cli.asking.options import (
     output_options,
     sheet_options,
 )
-from elastica_cad.cli.running.voice import answer, say, say_step, warn, wrote
+from elastica_cad.cli.voice import answer, say, say_step, warn, wrote
+from elastica_cad.design.sections_table import compose_section_design
+from elastica_cad.design.toml_text import seen_from
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.files import read_surface
-from elastica_cad.formats.curve_files.json_curves import curves_json
-from elastica_cad.formats.curve_files.point_files import read_path_points
-from elastica_cad.formats.curve_files.write_curves import write_curves
-from elastica_cad.formats.design_files.sections_table import compose_section_design
-from elastica_cad.formats.design_files.toml_text import seen_from
-from elastica_cad.formats.file_access.source_file import require_file
-from elastica_cad.formats.file_access.write_files import write_text, write_together
-from elastica_cad.formats.surface_files.mesh_files import read_sized_surface
-from elastica_cad.forming.plane_sections.section_curves import AT_CORNERS, AT_TWO_PLACES, SectionCurve
-from elastica_cad.forming.plane_sections.section_spec import (
+from elastica_cad.formats.curve_writer import write_curves
+from elastica_cad.formats.json_curves import curves_json
+from elastica_cad.formats.mesh_files import read_sized_surface
+from elastica_cad.formats.point_files import read_path_points
+from elastica_cad.formats.source_file import require_file
+from elastica_cad.formats.write_files import write_text, write_together
+from elastica_cad.forming.section_lines import AT_CORNERS, AT_TWO_PLACES, SectionCurve
+from elastica_cad.forming.section_spec import (
     AlongPath,
     CornerSplit,
     ParallelCuts,
@@ -39,9 +39,9 @@ from elastica_cad.forming.plane_sections.section_spec import (
     Split,
     Surface,
 )
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.refusals import Refusal
 
 USUAL_RATIO = 3.5

@@ -2,16 +2,16 @@
 
 import click
 
-from elastica_cad.cli.running.voice import answer, say, warn
-from elastica_cad.mechanics.material.sheet import (
+from elastica_cad.cli.voice import answer, say, warn
+from elastica_cad.mechanics.sheets import (
     PLYWOOD_SOURCE,
     Sheet,
     least_plywood_radius,
+    library_folders,
     library_sheets,
     sheet_names,
     sheets_by_kind,
 )
-from elastica_cad.mechanics.material.sheet_library import library_folders
 
 
 @click.command()

@@ -10,16 +10,10 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.asking.asked_curves import AskedCurve, asked_curves, curve_argument
-from elastica_cad.cli.asking.settings import FileKeys
-from elastica_cad.cli.asking.strip_options import (
-    grouped,
-    option_words,
-    spec_from_options,
-    strip_options,
-    table_of,
-)
-from elastica_cad.cli.running.suggestions import (
+from elastica_cad.cli.asked_curves import AskedCurve, asked_curves, curve_argument
+from elastica_cad.cli.settings import FileKeys
+from elastica_cad.cli.strip_options import grouped, option_words, spec_from_options, strip_options, table_of
+from elastica_cad.cli.suggestions import (
     MOST_REFUSALS,
     Candidate,
     changed_requests,
@@ -28,8 +22,14 @@ from elastica_cad.cli.running.suggestions import (
     suggest_later,
     typed_line,
 )
-from elastica_cad.cli.running.voice import answer, say, say_step, voice, warn, wrote
+from elastica_cad.cli.voice import answer, say, say_step, voice, warn, wrote
 from elastica_cad.declared import kind_of
+from elastica_cad.design.kit_spec import Cutting
+from elastica_cad.design.records import Reader
+from elastica_cad.design.reports import tell_blank
+from elastica_cad.design.strip_table import PLANE
+from elastica_cad.design.tables import Table
+from elastica_cad.design.toml_text import seen_from, toml_text
 from elastica_cad.errors import (
     Change,
     ElasticaError,
@@ -37,23 +37,17 @@ from elastica_cad.errors import (
     StrainError,
     rounded_up,
 )
-from elastica_cad.fabrication.holders.holding_template import tell_ends
-from elastica_cad.fabrication.holding.held_shape import about
-from elastica_cad.fabrication.makeability.makeable_strip import compensate_within
-from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.formats.design_files.kit_spec import Cutting
-from elastica_cad.formats.design_files.records import Reader
-from elastica_cad.formats.design_files.strip_table import PLANE
-from elastica_cad.formats.design_files.tables import Table
-from elastica_cad.formats.design_files.toml_text import seen_from, toml_text
-from elastica_cad.formats.file_access.write_files import check_folder, write_text, write_together
-from elastica_cad.formats.reports.strip_report import tell_blank
-from elastica_cad.geometry.curves.plane_curve import split_at_corners
+from elastica_cad.formats.write_files import check_folder, write_text, write_together
+from elastica_cad.geometry.plane_curve import split_at_corners
 from elastica_cad.kit.kit_files import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
-from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
-from elastica_cad.mechanics.theorem1.verdict import stray_point
+from elastica_cad.mechanics.sheets import Sheet, sheet_names
+from elastica_cad.mechanics.theorem1 import stray_point
 from elastica_cad.refusals import is_told
+from elastica_cad.strip.held_shape import about
+from elastica_cad.strip.holding_template import tell_ends
+from elastica_cad.strip.makeable_strip import compensate_within
+from elastica_cad.strip.strip_spec import StripSpec
 
 STRAYED_SHARE = 3e-4
 """Of the length: a strip that strays more as it is made is told what other widths would do."""
@@ -271,7 +265,7 @@ def _tell(kit: StripKit, written: Iterable[Path], *, several: bool) -> None:
         say(made.backing_side)
     if near is not None:
         from elastica_cad.forming.limits import FAR_SHARE
-        from elastica_cad.forming.nearest.nearest_record import advise
+        from elastica_cad.forming.nearest_record import advise
 
         moved = f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}"
         if near.deviation > FAR_SHARE * rod.length:

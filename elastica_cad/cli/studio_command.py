@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from elastica_cad.cli.running.voice import answer, say
+from elastica_cad.cli.voice import answer, say
 from elastica_cad.errors import MissingDependencyError
 
 NEEDED = ("starlette", "uvicorn", "websockets", "tomlkit")

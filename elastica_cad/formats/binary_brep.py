@@ -10,7 +10,12 @@ from struct import pack
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.fabrication.solids.boundary_records import (
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.splines import knot_runs
+from elastica_cad.strip.bent_boundary import (
     Boundary,
     CylinderSurface,
     Edge,
@@ -24,12 +29,7 @@ from elastica_cad.fabrication.solids.boundary_records import (
     Surface,
     trace_turn,
 )
-from elastica_cad.fabrication.solids.flat_pattern import on_segment
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Line, Segment, Spline
-from elastica_cad.geometry.polynomials.splines import knot_runs
+from elastica_cad.strip.flat_pattern import on_segment
 
 EDGE_TOLERANCE_MM = 1e-7  # mm: OpenCASCADE's own tolerance of edges and faces
 VERTEX_TOLERANCE_MM = 1e-6  # mm: gap that records may have between edges

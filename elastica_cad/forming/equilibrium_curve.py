@@ -13,21 +13,21 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import require_flag
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curve_editing.control_point_constraints import (
+from elastica_cad.geometry.control_point_constraints import (
     CollinearInflections,
     Constraint,
     EndPositions,
     EndTangents,
     FixedLength,
 )
-from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod
-from elastica_cad.mechanics.rod.rod_record import DEFAULT_SAMPLES
-from elastica_cad.mechanics.stiffness.moment_conditions import BalancedStiffness, RodRequest
-from elastica_cad.mechanics.stiffness.optimal_balance import balance_without_weight
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
+from elastica_cad.mechanics.discrete_rod import DiscreteRod
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.moment_conditions import BalancedStiffness, RodRequest
+from elastica_cad.mechanics.optimal_balance import balance_without_weight
+from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 
 _PARTS = 96  # of a panel, where K is bounded: a step moves its extremes
 

@@ -7,26 +7,19 @@ import numpy as np
 
 from elastica_cad._values import is_number, is_series, require_record
 from elastica_cad.errors import ElasticaError, InputError, quoted
-from elastica_cad.geometry.curve_editing.fairing import (
-    Fairing,
-    fair_curve,
-    may_step,
-    round_corners,
-    usual_tolerance,
-)
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.arguments import require_supports
-from elastica_cad.mechanics.loads.rest_curvature import (
+from elastica_cad.geometry.fairing import Fairing, fair_curve, may_step, round_corners, usual_tolerance
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import (
     ExcessCurvature,
     NaturalCurvature,
+    Supports,
     require_natural_curvature,
+    require_supports,
 )
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.curvature_conditions import curvature_jump, require_bendable
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import measured_points, stray_point
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.theorem1 import curvature_jump, measured_points, require_bendable, stray_point
 from elastica_cad.refusals import Length, note
 
 LARGEST_SMOOTH = 1000.0

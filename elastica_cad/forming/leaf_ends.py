@@ -7,11 +7,11 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.weight import Weight
-from elastica_cad.mechanics.material.stiffness_law import LaidLeaves, Leaf, LeavesLaw
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.loads import Weight
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stiffness_law import LaidLeaves, Leaf, LeavesLaw
 
 NODES = 401
 """Nodes of the rods that are compared. A step inside a cell counts by its share, so the shape depends on its

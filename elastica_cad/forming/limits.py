@@ -11,8 +11,8 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_one_of, is_series, numbers, pair, require_positive
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.loads.arguments import require_ratio
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.loads import require_ratio
+from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import note
 
 Symmetry: TypeAlias = Literal["mirror", "turn"]

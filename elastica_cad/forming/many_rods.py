@@ -8,12 +8,10 @@ from typing import Any, NamedTuple
 from elastica_cad._values import is_series
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest.nearest_record import NearestRod
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.arguments import whole_number
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
+from elastica_cad.forming.nearest_record import NearestRod
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import Gravity, Supports, whole_number
 from elastica_cad.refusals import note
 
 AHEAD = 64

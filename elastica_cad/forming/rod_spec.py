@@ -5,33 +5,32 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from elastica_cad._equality import EqualByValue
-from elastica_cad._values import require_record
+from elastica_cad._values import EqualByValue, require_record
 from elastica_cad.errors import Change, InputError, NotMetError, rounded_up
 from elastica_cad.forming.fairing_request import Smoothing, check_smooth, smooth_curve
 from elastica_cad.forming.limits import Keep, Limits, require_limits
-from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.loads.arguments import (
+from elastica_cad.forming.nearest_record import NearestRod, Status
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.equilibrium_check import examine
+from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.mechanics.least_ratio import optimal_laminate, optimal_rod
+from elastica_cad.mechanics.loads import (
+    Gravity,
+    NaturalCurvature,
+    Supports,
+    Weight,
     require_curve,
     require_gravity,
+    require_natural_curvature,
     require_supports,
     whole_number,
 )
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, require_natural_curvature
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.loads.weight import Weight
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
-from elastica_cad.mechanics.material.plain_section import PlainSection, WidthRange
-from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stiffness.optimal_balance import OverloadError
-from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import examine
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+from elastica_cad.mechanics.optimal_balance import OverloadError
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sections import PlainSection, WidthRange
+from elastica_cad.mechanics.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.refusals import Length, note
 
 
@@ -171,7 +170,7 @@ class RodSpec(EqualByValue):
             As `optimal_rod`, `optimal_laminate` and `nearest_rod`.
         """
         if self.may_change:
-            from elastica_cad.forming.nearest.nearest_rod import nearest_rod
+            from elastica_cad.forming.nearest_search import nearest_rod
 
             return nearest_rod(
                 self.smoothing.curve,

@@ -11,17 +11,17 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats
 from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import EquilibriumCurve
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.arguments import (
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.loads import (
+    End,
+    Supports,
     require_curve,
     require_ratio,
     require_supports,
     require_tolerance,
 )
-from elastica_cad.mechanics.loads.supports import End, Supports
-from elastica_cad.mechanics.theorem1.curvature_conditions import examine_curvature
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable, lengths
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, examine_curvature, lengths
 from elastica_cad.refusals import Length, Listed, note
 
 _SHORTEST_SHARE = 1e-4  # pieces shorter than this, relative to the domain, are none

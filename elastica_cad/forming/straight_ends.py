@@ -5,10 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import ArrayLike
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, RestCurvature
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.theorem1.verdict import measured_points
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import NaturalCurvature, RestCurvature, Supports
+from elastica_cad.mechanics.theorem1 import measured_points
 from elastica_cad.refusals import Length, Refusal, note
 
 SHORTEST_RUN_IN_MM = 1.0

@@ -1,4 +1,9 @@
-from elastica_cad.geometry.curve_editing.control_point_constraints import (
+from elastica_cad.geometry.approximations import (
+    as_arcs as as_arcs,
+    as_cubics as as_cubics,
+    as_polyline as as_polyline,
+)
+from elastica_cad.geometry.control_point_constraints import (
     CollinearInflections as CollinearInflections,
     EndPositions as EndPositions,
     EndTangents as EndTangents,
@@ -6,27 +11,18 @@ from elastica_cad.geometry.curve_editing.control_point_constraints import (
     InflectionsOnLine as InflectionsOnLine,
     least_norm_newton as least_norm_newton,
 )
-from elastica_cad.geometry.curves.plane_curve import (
+from elastica_cad.geometry.fairing import FIT_TOLERANCE as FIT_TOLERANCE
+from elastica_cad.geometry.frame import Frame as Frame
+from elastica_cad.geometry.offset import offset_path as offset_path
+from elastica_cad.geometry.path import Path as Path
+from elastica_cad.geometry.plane_curve import (
     Break as Break,
     CurvatureZero as CurvatureZero,
     CurveSamples as CurveSamples,
+    line_crossings as line_crossings,
     PlaneCurve as PlaneCurve,
     TangentBreak as TangentBreak,
-    line_crossings as line_crossings,
 )
-from elastica_cad.geometry.curves.projective_maps import four_point_map as four_point_map
-from elastica_cad.geometry.frame import Frame as Frame
-from elastica_cad.geometry.paths.approximations import (
-    as_arcs as as_arcs,
-    as_cubics as as_cubics,
-    as_polyline as as_polyline,
-)
-from elastica_cad.geometry.paths.offset import offset_path as offset_path
-from elastica_cad.geometry.paths.path import Path as Path
-from elastica_cad.geometry.paths.profile import Profile as Profile
-from elastica_cad.geometry.paths.segments import (
-    Arc as Arc,
-    Line as Line,
-    Segment as Segment,
-    Spline as Spline,
-)
+from elastica_cad.geometry.profile import Profile as Profile
+from elastica_cad.geometry.projective_maps import four_point_map as four_point_map
+from elastica_cad.geometry.segments import Arc as Arc, Line as Line, Segment as Segment, Spline as Spline

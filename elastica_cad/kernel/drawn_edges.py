@@ -8,12 +8,12 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_series
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.edges import Edge as DrawnEdge
-from elastica_cad.formats.curve_files.edges import Run
-from elastica_cad.formats.curve_files.number_gate import check_places
-from elastica_cad.formats.curve_files.placed_curve import edge_chains, placed_curve
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.formats.edges import Edge as DrawnEdge
+from elastica_cad.formats.edges import Run
+from elastica_cad.formats.placed_curve import edge_chains, placed_curve
+from elastica_cad.formats.source_file import check_places
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.occt import sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 

@@ -8,25 +8,24 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad._counts import told_apart
 from elastica_cad._types import ArrayLike, FloatArray, IntArray
-from elastica_cad._values import is_number, require_record
+from elastica_cad._values import is_number, require_record, told_apart
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.model.assembly import layer_names
-from elastica_cad.fabrication.model.material_colors import sheet_color
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, centred_thickness
-from elastica_cad.fabrication.strip.strip_layers import Layer
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.formats.file_access.write_files import write_atomically
-from elastica_cad.formats.surface_files.animated_glb import MovingMesh, encode_animation
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.formats.animated_glb import MovingMesh, encode_animation
+from elastica_cad.formats.write_files import write_atomically
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.mesh_files import face_triangles
 from elastica_cad.kernel.occt import make_solid
 from elastica_cad.kernel.strip_body import Point, StripBody, end_angles
-from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.bending import bend, bend_path
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.model.assembly import layer_names
+from elastica_cad.model.model import sheet_color
+from elastica_cad.strip.layers import Layer
+from elastica_cad.strip.solids import BentSolid, centred_thickness
+from elastica_cad.strip.strip import Strip
 
 TURN_RAD = 2.5
 """Of the circle that a strip is bent into to be meshed: any that keeps the tabs apart."""
@@ -148,7 +147,7 @@ class Travel:
 
     Examples
     --------
-    >>> from elastica_cad.mechanics.material.sheet import Sheet
+    >>> from elastica_cad.mechanics.sheets import Sheet
     >>> arch = bend(Rod.straight(100.0, samples=101), end=(90.0, 0.0))
     >>> travel = Travel(Strip(arch, Sheet.named("pom-0.5"), max_width=10), Frame(), (70.0, 0.0))
     >>> travel.length, bool(abs(travel.rod(20.0).position[:, 1].max() - 31.4) < 0.1)

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError
-from elastica_cad.formats.file_access.write_files import write_atomically
+from elastica_cad.formats.write_files import write_atomically
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.occt import sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.boundary_records import Boundary
-from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid, PrismSolid, glued
 from elastica_cad.formats.binary_brep import BinaryBrep, boundary_brep, face_brep, wire_brep
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.path import Path
 from elastica_cad.kernel.ocp_import import Shape, kernel
+from elastica_cad.strip.bent_boundary import Boundary
+from elastica_cad.strip.solids import BodyRecord, FlatSolid, PrismSolid, glued
 
 
 def make_wire(path: Path, frame: Frame | None = None) -> Shape:

@@ -8,7 +8,7 @@ from importlib import import_module
 from types import SimpleNamespace
 from typing import Any, TypeAlias
 
-from elastica_cad._interrupts import interrupts_held
+from elastica_cad._process import interrupts_held
 from elastica_cad.errors import MissingDependencyError, how_to_install
 from elastica_cad.refusals import note
 

@@ -7,13 +7,13 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.chains import join_runs
-from elastica_cad.formats.curve_files.edges import Edge
-from elastica_cad.forming.plane_sections.mesh_sections import refuse_odd_planes
-from elastica_cad.forming.plane_sections.section_lines import PlaneSection, collect_section, tidy_points
-from elastica_cad.forming.plane_sections.section_spec import Surface
+from elastica_cad.formats.chains import join_runs
+from elastica_cad.formats.edges import Edge
+from elastica_cad.forming.plane_sections import refuse_odd_planes
+from elastica_cad.forming.section_lines import PlaneSection, collect_section, tidy_points
+from elastica_cad.forming.section_spec import Surface
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.running_sums import lengths_along
+from elastica_cad.geometry.plane_points import lengths_along
 from elastica_cad.kernel.drawn_edges import drawn_edges
 from elastica_cad.kernel.occt import plane_axes_of
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel

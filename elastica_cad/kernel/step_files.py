@@ -19,22 +19,20 @@ import numpy as np
 
 from elastica_cad._units import look_up_unit
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.model.assembly import Holder, assembly_parts, bent_names, shape_parts
-from elastica_cad.fabrication.model.material_colors import Color, sheet_color
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid, bent_sheets, frame_beside
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, DrawnFile, list_things
-from elastica_cad.formats.curve_files.edges import Run
-from elastica_cad.formats.curve_files.number_gate import check_size
-from elastica_cad.formats.curve_files.placed_curve import drawing_plane, flatten_run, place_chain
-from elastica_cad.formats.curve_files.read_report import ReadUnit, kinds_of
-from elastica_cad.formats.file_access.write_files import write_atomically
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.formats.drawn_file import DrawnCurve, DrawnFile, ReadUnit, kinds_of, list_things
+from elastica_cad.formats.edges import Run
+from elastica_cad.formats.placed_curve import drawing_plane, flatten_run, place_chain
+from elastica_cad.formats.source_file import check_size
+from elastica_cad.formats.write_files import write_atomically
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.drawn_edges import free_chains
 from elastica_cad.kernel.occt import make_location, make_solid, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
+from elastica_cad.model.assembly import Holder, assembly_parts, bent_names, shape_parts
+from elastica_cad.model.model import Color, Model, sheet_color
+from elastica_cad.strip.solids import BentSolid, FlatSolid, bent_sheets, frame_beside
+from elastica_cad.strip.strip import Strip
 
 LEAST_S, S_PER_MB = 5, 5
 """What a trial may take of the processor: ten times what sound files take."""

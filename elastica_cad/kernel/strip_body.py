@@ -7,27 +7,26 @@ from dataclasses import dataclass, replace
 from math import degrees, hypot
 from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, TypedDict
 
-from elastica_cad._printable import printable
+from elastica_cad._text import printable
 from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError, refuse_unknown
-from elastica_cad.fabrication.interlocking.collisions import self_contact
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.solids.flat_pattern import in_smooth_pieces
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, bent_sheets
-from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel.occt import make_face, make_sheets
 from elastica_cad.kernel.ocp_import import Shape
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.bending.between_clamps import angles_in_rad
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.between_clamps import angles_in_rad
+from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck
+from elastica_cad.model.collisions import self_contact
 from elastica_cad.refusals import Length, note
+from elastica_cad.strip.flat_pattern import in_smooth_pieces
+from elastica_cad.strip.solids import BentSolid, bent_sheets
+from elastica_cad.strip.strip import Placed, Strip
 
 if TYPE_CHECKING:
-    from elastica_cad.fabrication.model.strip_model import Model
+    from elastica_cad.model.model import Model
 
 
 LEAST_DEGREES = 7.0
@@ -43,7 +42,7 @@ class StripWarning(UserWarning):
 
 def warn_of_missing_slots(model: "Model") -> None:
     """Warn of strips of a model that run through each other without a slot."""
-    from elastica_cad.fabrication.interlocking.collisions import missing_slots
+    from elastica_cad.model.collisions import missing_slots
 
     for text in missing_slots(model.placed, model.joints):
         warn(text)
@@ -262,7 +261,7 @@ class StripBody:
 
     def _layers(self) -> Iterator[tuple[Shape, str, Sheet]]:
         """The bent sheets, the base first: TopoDS_Solid, name, material."""
-        from elastica_cad.fabrication.model.assembly import bent_names
+        from elastica_cad.model.assembly import bent_names
 
         names = bent_names(self.strip.label or "strip", self.strip)
         records = BentSolid.layers(self.strip, self.frame)

@@ -7,10 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from elastica_cad._values import is_series
 from elastica_cad.errors import InputError, UnknownOptionError, refuse_unknown
-from elastica_cad.fabrication.strip.outline import StripEnd
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.drawn_edges import plane_curve
 from elastica_cad.kernel.ocp_import import bare
 from elastica_cad.kernel.strip_body import (
@@ -22,14 +20,16 @@ from elastica_cad.kernel.strip_body import (
     warn_of_strain,
 )
 from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import Length, note
+from elastica_cad.strip.outline import StripEnd
+from elastica_cad.strip.strip import Strip
 
 # what solves and holds strips is imported when it is asked for: a skin is then there soon after its library
 if TYPE_CHECKING:
-    from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-    from elastica_cad.fabrication.strip_spec import StripSpec
-    from elastica_cad.forming.plane_sections.section_curves import SectionCurve
+    from elastica_cad.forming.section_lines import SectionCurve
+    from elastica_cad.model.fixtures import EndFixture
+    from elastica_cad.strip.strip_spec import StripSpec
 
 FAR_SHARE = 0.01
 """Of the length: a nearest strip that leaves the drawn curve by more is told."""
@@ -56,11 +56,11 @@ NO_CURVES = {
 
 
 class FixtureOptions(StripOptions, FixtureSizes, total=False):
-    """The options of a strip, with the sizes of an end fixture, mm; see `fabrication.EndFixture`."""
+    """The options of a strip, with the sizes of an end fixture, mm; see `model.EndFixture`."""
 
 
 class BlockOptions(FixtureSizes, total=False):
-    """What the fixture of a strip that is made takes; see `fabrication.EndFixture`."""
+    """What the fixture of a strip that is made takes; see `model.EndFixture`."""
 
     floor: Any
     """Plane of any library that the block stands on; square to the tab unless given."""
@@ -90,8 +90,7 @@ def make_strip_on(
         Edges that are no smooth, plane curve, or lie in another plane; options that are not known, or that
         come too late for a strip that is made; and as `StripSpec.make`.
     """
-    from elastica_cad.fabrication.strip_checks import told_in_python
-    from elastica_cad.fabrication.strip_spec import StripSpec
+    from elastica_cad.strip.strip_spec import StripSpec, told_in_python
 
     drawn = getattr(path, "line", None)
     path = (
@@ -159,7 +158,7 @@ def make_fixture_on(
     `floor` and `workplane` are planes of any library, `asked` as `FixtureOptions`; errors as of `EndFixture` and
     `make_strip_on`.
     """
-    from elastica_cad.fabrication.holders.end_fixtures import EndFixture
+    from elastica_cad.model.fixtures import EndFixture
 
     sizes = {name: asked.pop(name) for name in FIXTURE_SIZES if name in asked}
     _refuse_unknown(asked, FIXTURE_SIZES)
@@ -180,7 +179,7 @@ def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sec
     InputError
         No faces, or no section that a strip could follow.
     """
-    from elastica_cad.forming.plane_sections.section_spec import GivenCuts, SectionSpec
+    from elastica_cad.forming.section_spec import GivenCuts, SectionSpec
     from elastica_cad.kernel.shape_sections import shape_surface
 
     if not isinstance(planes, SectionSpec):
@@ -212,7 +211,7 @@ def section_requests(
 @lru_cache(maxsize=KEPT_REQUESTS)
 def _made(spec: "StripSpec") -> tuple[Strip, float]:
     """The strip and its deviation."""
-    from elastica_cad.forming.nearest.nearest_record import NearestRod
+    from elastica_cad.forming.nearest_record import NearestRod
 
     found = spec.rod_spec.solve()
     changed = found.deviation if isinstance(found, NearestRod) else 0.0
@@ -226,7 +225,7 @@ def _warn_of(strip: Strip) -> None:
 
 def _refuse_unknown(asked: Mapping[str, Any], sizes: Sequence[str] = ()) -> None:
     """Names that are no options; of those of a style with what to give instead."""
-    from elastica_cad.fabrication.strip_spec import StripSpec
+    from elastica_cad.strip.strip_spec import StripSpec
 
     known = {"plane", *sizes, *(field.name for field in fields(StripSpec))} - {"curve", "sheet", "frame"}
     for name in asked:

@@ -5,18 +5,15 @@ from typing import TYPE_CHECKING, Any, TypedDict
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from elastica_cad.fabrication.holding.expected_error import MakingTolerance
-    from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
-    from elastica_cad.fabrication.slots.slot import Slot
-    from elastica_cad.fabrication.strip.outline import Tab
-    from elastica_cad.fabrication.strip.styles import Style
     from elastica_cad.forming.limits import Keep, Limits
     from elastica_cad.kernel.strip_body import Point
-    from elastica_cad.mechanics.loads.gravity import Gravity
-    from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
-    from elastica_cad.mechanics.loads.supports import Supports
-    from elastica_cad.mechanics.loads.weight import PointMass, Weight
-    from elastica_cad.mechanics.material.stiffness_law import BoundedLaw
+    from elastica_cad.mechanics.loads import Gravity, PointMass, RestCurvature, Supports, Weight
+    from elastica_cad.mechanics.stiffness_law import BoundedLaw
+    from elastica_cad.strip.held_shape import MakingTolerance
+    from elastica_cad.strip.outline import Tab
+    from elastica_cad.strip.slots import Slot
+    from elastica_cad.strip.styles import Style
+    from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
 
 class StripOptions(TypedDict, total=False):
@@ -74,7 +71,7 @@ class StripOptions(TypedDict, total=False):
 
 
 class FixtureSizes(TypedDict, total=False):
-    """Sizes of an end fixture; see `fabrication.EndFixture`."""
+    """Sizes of an end fixture; see `model.EndFixture`."""
 
     clearance: "float"
     """Room around the tab in its pocket (mm)."""

@@ -5,10 +5,10 @@ from functools import partial
 from pathlib import Path
 from typing import TypeAlias
 
-from elastica_cad.fabrication.drawings.drawing import Drawing
+from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.files import save
-from elastica_cad.formats.design_files.kit_spec import Cutting
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.drawing import Drawing
 
 Writer: TypeAlias = Callable[[Path], object]
 

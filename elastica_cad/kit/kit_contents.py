@@ -6,32 +6,29 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from elastica_cad._counts import and_more, counted
+from elastica_cad._values import and_more, counted
+from elastica_cad.design.kit_spec import KitSpec
+from elastica_cad.design.model_report import report_model
+from elastica_cad.design.reports import tell_blank
+from elastica_cad.design.strip_table import StripEntry
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture, crowded_blocks
-from elastica_cad.fabrication.holders.held_tabs import hold_each, holder_plays, rocking_tabs
-from elastica_cad.fabrication.holding.held_shape import HeldShape
-from elastica_cad.fabrication.interlocking.collisions import tell_missing_slots
-from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
-from elastica_cad.fabrication.makeability.makeable_strip import Splice, joined_within, spliced
-from elastica_cad.fabrication.makeability.uncuttable_parts import accept_faults, find_strip_faults
-from elastica_cad.fabrication.model.assembly import Holder, unheld_ends
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import distinct_names
-from elastica_cad.fabrication.sheets.cut_list import CutList, cut_list
-from elastica_cad.fabrication.sheets.nesting import NestedSheet, Nesting, nest_pieces, widened_by
-from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
-from elastica_cad.fabrication.slots.slot import CLEARANCE_MM
-from elastica_cad.fabrication.strip.outline import ENDS, StripEnd
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.formats.design_files.kit_spec import KitSpec
-from elastica_cad.formats.design_files.strip_table import StripEntry
-from elastica_cad.formats.reports.model_report import report_model
-from elastica_cad.formats.reports.strip_report import tell_blank
 from elastica_cad.kit.cutting_files import Writer
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.model.assembly import Holder, unheld_ends
+from elastica_cad.model.collisions import tell_missing_slots
+from elastica_cad.model.fixtures import EndFixture, crowded_blocks
+from elastica_cad.model.held_tabs import hold_each, holder_plays, rocking_tabs
+from elastica_cad.model.model import Model
+from elastica_cad.model.nesting import CutList, NestedSheet, Nesting, cut_list, nest_pieces, widened_by
 from elastica_cad.refusals import Length, note
+from elastica_cad.strip.held_shape import HeldShape
+from elastica_cad.strip.makeable_strip import Splice, joined_within, spliced
+from elastica_cad.strip.outline import ENDS, StripEnd
+from elastica_cad.strip.pieces import Piece, strip_pieces
+from elastica_cad.strip.slots import CLEARANCE_MM
+from elastica_cad.strip.strip import Strip, distinct_names
+from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults, find_strip_faults
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,25 +10,23 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 import numpy as np
 
-from elastica_cad._counts import and_more, counted
-from elastica_cad._garbage_collection import rare_collections
-from elastica_cad._values import require_path, require_record
+from elastica_cad._process import rare_collections
+from elastica_cad._values import and_more, counted, require_path, require_record
+from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting, KitSpec
+from elastica_cad.design.model_report import compose_start_page
 from elastica_cad.errors import InputError, how_to_install, refusing_old_names
-from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, SHEET, Drawing, LayeredPath
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.holding_template import holding_template
-from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS, FabricationLimits
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.sheets.cut_list import CutList
-from elastica_cad.fabrication.sheets.nesting import NestedSheet, Nesting, nest_pieces
-from elastica_cad.fabrication.sheets.pieces import Piece, distinct, file_word
 from elastica_cad.files import step_trouble
-from elastica_cad.formats.design_files.kit_spec import DEFAULT_CUTTING, Cutting, KitSpec
-from elastica_cad.formats.file_access.write_files import check_folder, write_json, write_text, write_together
-from elastica_cad.formats.reports.model_report import compose_start_page
-from elastica_cad.geometry.paths.path import Path as ClosedPath
+from elastica_cad.formats.write_files import check_folder, write_json, write_text, write_together
+from elastica_cad.geometry.path import Path as ClosedPath
 from elastica_cad.kit.cutting_files import Writer, cutting_files
 from elastica_cad.kit.kit_contents import Kit, count_strips, kit_of
+from elastica_cad.model.fixtures import EndFixture
+from elastica_cad.model.model import Model
+from elastica_cad.model.nesting import CutList, NestedSheet, Nesting, nest_pieces
+from elastica_cad.strip.drawing import CUT_OUTER, SHEET, Drawing, LayeredPath
+from elastica_cad.strip.holding_template import holding_template
+from elastica_cad.strip.pieces import Piece, distinct, file_word
+from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
 PARTS, SHEETS, MODEL = "parts", "sheets", "model"
 """Folders of a kit; the start page, lists and the report lie beside them."""
@@ -190,9 +188,9 @@ def save_model(
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
-    >>> from elastica_cad.fabrication.model.strip_model import Placed
-    >>> from elastica_cad.fabrication.strip_spec import make_strip
-    >>> from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+    >>> from elastica_cad.model.model import Placed
+    >>> from elastica_cad.strip.strip_spec import make_strip
+    >>> from elastica_cad.geometry.plane_curve import PlaneCurve
     >>> arch = make_strip(PlaneCurve.arc((0, 0), 60, 0.3, 3.1), "birch-plywood-0.8", max_width=30, label="A")
     >>> model = Model([Placed(arch, (0, 0, 0), (1, 0, 0), (0, 0, 1))], name="arch")
     >>> with TemporaryDirectory() as folder:

@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad.fabrication.flexure import Flexure
-from elastica_cad.fabrication.flexure_spec import FlexureSpec
+from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.files import step_trouble
-from elastica_cad.formats.design_files.kit_spec import Cutting
-from elastica_cad.formats.file_access.write_files import write_json, write_together
+from elastica_cad.formats.write_files import write_json, write_together
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.kit.cutting_files import Writer, cutting_files
+from elastica_cad.pairs.flexure import Flexure
+from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.refusals import Length, Refusal, note
 
 USUAL_KERF_MM = 0.2

@@ -8,24 +8,24 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from elastica_cad.design.kit_spec import Cutting
+from elastica_cad.design.reports import report_strip
+from elastica_cad.design.strip_request import request_record
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.bench import bench_csv, bench_drawing
-from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.holders.holding_template import holding_template
-from elastica_cad.fabrication.makeability.makeable_strip import spliced
-from elastica_cad.fabrication.slots.marks import Cuts, end_numbers
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save, step_trouble
-from elastica_cad.formats.design_files.kit_spec import Cutting
-from elastica_cad.formats.file_access.write_files import write_json, write_text, write_together
-from elastica_cad.formats.reports.strip_report import report_strip
-from elastica_cad.formats.reports.strip_request import request_record
-from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.formats.write_files import write_json, write_text, write_together
+from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kit.cutting_files import cutting_files
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stability import Stability, stability
+from elastica_cad.model.batten import bench_csv, bench_drawing
+from elastica_cad.strip.drawing import Drawing
+from elastica_cad.strip.holding_template import holding_template
+from elastica_cad.strip.makeable_strip import spliced
+from elastica_cad.strip.slots import Cuts, end_numbers
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip_spec import StripSpec
 
 UPRIGHT = Frame(y_axis=(0.0, 0.0, 1.0))
 """The plane of a curve that says none, as screens show it."""
@@ -198,10 +198,10 @@ class StripKit:
         write_strip_step(self.strip, path, frame=self.spec.frame)
 
     def _write_glb(self, path: Path) -> None:
-        from elastica_cad.fabrication.model.strip_model import Model
-        from elastica_cad.fabrication.placed_strip import Placed
         from elastica_cad.kernel.mesh_files import write_glb
         from elastica_cad.kernel.step_files import model_shapes
+        from elastica_cad.model.model import Model
+        from elastica_cad.strip.strip import Placed
 
         frame = self.spec.frame or UPRIGHT
         placed = Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis)

@@ -7,23 +7,22 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad._counts import counted
 from elastica_cad._types import FloatArray
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.placed_tab import PlacedTab, place_tabs
-from elastica_cad.fabrication.holders.slotted_frame import Rib
-from elastica_cad.fabrication.model.assembly import (
+from elastica_cad._values import counted
+from elastica_cad.model.assembly import (
     AssemblyStep,
     Holder,
     SingleHolder,
     list_assembly_steps,
     single_holders,
 )
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.sheets.cut_list import CutList
+from elastica_cad.model.fixtures import EndFixture, PlacedTab, place_tabs
+from elastica_cad.model.frames import Rib
+from elastica_cad.model.model import Model
+from elastica_cad.model.nesting import CutList
 from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons, write_pages
 from elastica_cad.plot.model_pictures import look_from, rule_strip, screen_of
+from elastica_cad.strip.strip import Placed
 
 PAGE_INCHES = (11.69, 8.27)  # A4 in landscape
 ELEVATION_DEG, AZIMUTH_DEG = 24.0, -60.0  # of the eye

@@ -7,12 +7,12 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from elastica_cad._shell import MADE_BY
+from elastica_cad._text import MADE_BY
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_path
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
-from elastica_cad.formats.file_access.write_files import write_atomically
-from elastica_cad.geometry.boxes import box_about
+from elastica_cad.formats.write_files import write_atomically
+from elastica_cad.geometry.plane_points import box_about
 
 Figure: TypeAlias = Any
 Axes: TypeAlias = Any

@@ -11,22 +11,21 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_series, is_whole, numbers, require_number, several
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.plates import BasePlate
-from elastica_cad.fabrication.holders.slotted_frame import Rib
-from elastica_cad.fabrication.model.assembly import HOLDERS, Holder, require_model, single_holders
-from elastica_cad.fabrication.model.material_colors import FIXTURE_COLOR, Color, sheet_color
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.sheets.pieces import EqualStrips
-from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Line
-from elastica_cad.geometry.running_sums import numbers_in_groups
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_points import numbers_in_groups
+from elastica_cad.geometry.segments import Line
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.model.assembly import HOLDERS, Holder, require_model, single_holders
+from elastica_cad.model.fixtures import EndFixture
+from elastica_cad.model.frames import Rib
+from elastica_cad.model.model import FIXTURE_COLOR, Color, Model, sheet_color
+from elastica_cad.model.plates import BasePlate
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, paint_patches
 from elastica_cad.plot.strip_pictures import paint_flat
+from elastica_cad.strip.pieces import EqualStrips
+from elastica_cad.strip.solids import FlatSolid
+from elastica_cad.strip.strip import Placed
 
 APART_MM = 1e-7
 """Stations nearer than this are one: slabs between them could not be seen."""

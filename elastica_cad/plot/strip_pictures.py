@@ -7,18 +7,18 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
-from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.holders.holding_template import HeldEnd, distance_between, held_ends
-from elastica_cad.fabrication.model.material_colors import sheet_color
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.travel import Travel
-from elastica_cad.geometry.boxes import box_about
-from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.loads.arguments import require_curve
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
+from elastica_cad.geometry.plane_points import box_about
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.loads import require_curve
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.model.model import sheet_color
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
+from elastica_cad.strip.drawing import Drawing
+from elastica_cad.strip.holding_template import HeldEnd, distance_between, held_ends
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.travel import Travel
 
 LAYER_COLORS = {
     "CUT_OUTER": "#c2452d",

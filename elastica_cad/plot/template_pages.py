@@ -11,9 +11,9 @@ from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import is_number, require_record
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.drawing import Drawing
 from elastica_cad.plot.canvas import INK, write_pages
 from elastica_cad.plot.strip_pictures import LAYER_COLORS
+from elastica_cad.strip.drawing import Drawing
 
 PAPERS = {
     "A4": (210.0, 297.0), "A3": (297.0, 420.0), "A2": (420.0, 594.0), "A1": (594.0, 841.0), "A0": (841.0, 1189.0),
@@ -68,8 +68,8 @@ def _tile_drawing(drawing: Drawing, paper: str = "A4", *, overlap: float = OVERL
 
     Examples
     --------
-    >>> from elastica_cad.fabrication.drawings.drawing import LayeredPath
-    >>> from elastica_cad.geometry.paths.path import Path
+    >>> from elastica_cad.strip.drawing import LayeredPath
+    >>> from elastica_cad.geometry.path import Path
     >>> long = Drawing("long", [LayeredPath("CUT_OUTER", Path.rectangle(400, 20))])
     >>> _tile_drawing(long).names
     ('A1', 'B1')

@@ -1,14 +1,12 @@
-from elastica_cad.published.constraint_projection import (
-    EnforcedCurve as EnforcedCurve,
+from elastica_cad.published.control_points import (
     enforce_constraints as enforce_constraints,
+    EnforcedCurve as EnforcedCurve,
 )
-from elastica_cad.published.ratio_optimization import (
+from elastica_cad.published.recovery import (
+    optimize_ratio as optimize_ratio,
     OptimizedRatio as OptimizedRatio,
     RatioStatus as RatioStatus,
-    optimize_ratio as optimize_ratio,
-)
-from elastica_cad.published.stability_recovery import (
+    recover_stability as recover_stability,
     RecoveredStability as RecoveredStability,
     RecoveryStatus as RecoveryStatus,
-    recover_stability as recover_stability,
 )

@@ -6,8 +6,8 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.stiffness.minimax_lp import minimax_ratio
+from elastica_cad.mechanics.loads import Gravity
+from elastica_cad.mechanics.minimax_lp import minimax_ratio
 
 
 @dataclass(frozen=True, eq=False)

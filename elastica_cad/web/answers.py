@@ -13,35 +13,35 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad.design.design_file import Design, design_of, parse_design
+from elastica_cad.design.pair_table import cutting_of, pair_of
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
-from elastica_cad.fabrication.drawings.drawing import LAYERS, Drawing
-from elastica_cad.fabrication.drawings.lettering import text_strokes
-from elastica_cad.fabrication.flexure_spec import FlexureSpec
-from elastica_cad.fabrication.model.assembly import assembly_parts
-from elastica_cad.fabrication.solids.strip_solids import FlatSolid, PrismSolid
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip.styles import Bends
-from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.fabrication.travel import bend_strip
 from elastica_cad.files import read_curves
-from elastica_cad.formats.design_files.design_file import Design, design_of, parse_design
-from elastica_cad.formats.design_files.pair_table import cutting_of, pair_of
-from elastica_cad.formats.file_access.source_file import read_below
+from elastica_cad.formats.source_file import read_below
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest.nearest_record import NearestRod, advise
+from elastica_cad.forming.nearest_record import NearestRod, advise
 from elastica_cad.forming.rod_spec import accepted_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kit.kit_contents import kit_of
 from elastica_cad.kit.kit_files import write_kit
 from elastica_cad.kit.pair_kit import PairKit, write_pair
 from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
-from elastica_cad.mechanics.material.sheet import Sheet, sheet_names
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN, stability
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet, sheet_names
+from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck
+from elastica_cad.model.assembly import assembly_parts
+from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.refusals import Refusal, note
+from elastica_cad.strip.drawing import LAYERS, Drawing
+from elastica_cad.strip.lettering import text_strokes
+from elastica_cad.strip.solids import FlatSolid, PrismSolid
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.styles import Bends
+from elastica_cad.strip.travel import bend_strip
 from elastica_cad.web.saved_design import (
     OF_MODELS,
     compose_design,
@@ -587,9 +587,9 @@ def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
 
 
 def _stl(made: Strip, path: FilePath) -> bytes:
-    from elastica_cad.fabrication.solids.strip_solids import BentSolid
     from elastica_cad.kernel.mesh_files import write_stl
     from elastica_cad.kernel.occt import make_solid
+    from elastica_cad.strip.solids import BentSolid
 
     write_stl(make_solid(BentSolid.layers(made)[0]), path)
     return path.read_bytes()

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from elastica_cad._exports import installed_modules
 from elastica_cad.errors import MissingDependencyError, how_to_install
-from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.arguments import require_curve
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import require_curve
+from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.web.answers import asked_spec
 from elastica_cad.web.saved_design import curve_table
 from elastica_cad.web.vocabulary import page_words

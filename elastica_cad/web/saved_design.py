@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
+from elastica_cad.design.design_file import design_of, parse_design
+from elastica_cad.design.pair_table import pair_of
+from elastica_cad.design.records import CurveReader
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
-from elastica_cad.formats.design_files.design_file import design_of, parse_design
-from elastica_cad.formats.design_files.pair_table import pair_of
-from elastica_cad.formats.design_files.records import CurveReader
-from elastica_cad.formats.file_access.source_file import read_below, require_file
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.formats.source_file import read_below, require_file
+from elastica_cad.geometry.plane_curve import PlaneCurve
 
 Tables = dict[str, Any]
 

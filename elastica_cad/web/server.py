@@ -25,7 +25,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from elastica_cad.errors import ElasticaError, InputError
-from elastica_cad.formats.file_access.write_files import write_atomically
+from elastica_cad.formats.write_files import write_atomically
 from elastica_cad.refusals import Refusal
 from elastica_cad.web.answers import CHANGED
 from elastica_cad.web.saved_design import file_mark, open_design, start_designs

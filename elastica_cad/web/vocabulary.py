@@ -4,11 +4,11 @@ from collections.abc import Iterator
 from importlib.util import find_spec
 from typing import Any
 
-from elastica_cad.fabrication.flexure_spec import FlexureSpec
+from elastica_cad.design.records import described
+from elastica_cad.design.strip_table import SharedKeys
 from elastica_cad.files import step_trouble
-from elastica_cad.formats.design_files.records import described
-from elastica_cad.formats.design_files.strip_table import SharedKeys
-from elastica_cad.mechanics.material.sheet import sheets_by_kind
+from elastica_cad.mechanics.sheets import sheets_by_kind
+from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.refusals import Wording
 from elastica_cad.web.answers import DOWNLOADS
 from elastica_cad.web.worker import wording_of

@@ -7,7 +7,7 @@ from build123d import Box, Color, Compound, Cylinder, Edge, Plane, Pos, RigidJoi
 
 import elastica_cad as ec
 from elastica_cad.build123d import BentStrip
-from elastica_cad.fabrication.strip.outline import Hole
+from elastica_cad.strip.outline import Hole
 
 SHEET = ec.Sheet.named("birch-plywood-0.8")
 SPAN, RISE = 260, 110  # mm

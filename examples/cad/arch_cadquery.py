@@ -7,7 +7,7 @@ import cadquery as cq
 
 import elastica_cad as ec
 from elastica_cad.cadquery import bent_strip
-from elastica_cad.fabrication.strip.outline import Hole
+from elastica_cad.strip.outline import Hole
 
 SHEET = ec.Sheet.named("birch-plywood-0.8")
 SPAN, RISE = 260, 110  # mm

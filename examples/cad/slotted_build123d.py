@@ -7,7 +7,7 @@ from build123d import BuildLine, BuildPart, Compound, Plane, Pos, Spline, export
 
 import elastica_cad as ec
 from elastica_cad.build123d import elastic_strip
-from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.strip.slots import Slot
 
 SHEET = ec.Sheet.named("birch-plywood-0.8")
 POINTS, TANGENTS = [(0, 0), (95, 65), (210, 0)], [(0.7, 1), (0.9, -1)]

@@ -7,7 +7,7 @@ import cadquery as cq
 
 import elastica_cad as ec
 from elastica_cad.cadquery import register
-from elastica_cad.fabrication.slots.slot import Slot
+from elastica_cad.strip.slots import Slot
 
 register()
 

@@ -29,8 +29,8 @@ def build():
     frames = [((np.cos(a), np.sin(a), 0.0), (0.0, 0.0, 1.0)) for a in angles]
     placed = tuple(ec.Placed(strips[i % 2], (0, 0, 0), *frame) for i, frame in enumerate(frames))
     rings = tuple(
-        ec.fabrication.ring_plate(
-            [ec.fabrication.PlacedTab.of(one.strip, end, one.frame) for one in placed],
+        ec.model.ring_plate(
+            [ec.model.PlacedTab.of(one.strip, end, one.frame) for one in placed],
             board,
             name=f"ring-{end}",
         )

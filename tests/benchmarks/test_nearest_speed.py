@@ -8,10 +8,10 @@ import pytest
 
 from elastica_cad import _native
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest.nearest_record import Status
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.forming.nearest_record import Status
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import Gravity
 
 pytestmark = pytest.mark.benchmark(timer=time.process_time)
 
@@ -120,7 +120,7 @@ def test_unstable_s(benchmark, reference_data):
 
 
 def test_march_with_sensitivities(benchmark):
-    from elastica_cad.forming.nearest.rod_map import StiffnessBasis, StripGrid
+    from elastica_cad.forming.rod_map import StiffnessBasis, StripGrid
 
     grid = StripGrid(StiffnessBasis(38).at(np.linspace(0, 1, 201)), np.array([1.0, 2.0]))
     z = np.concatenate([np.full(38, 1.5), [4.0, 9.0, -7.0, 0.0, 0.0, 0.3, 1.0]])

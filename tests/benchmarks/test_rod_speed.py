@@ -5,9 +5,9 @@ import pytest
 import scipy.linalg
 from scipy.integrate import solve_bvp
 
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stability import stability
 from tests.benchmarks.timing import seconds
 
 

@@ -4,21 +4,21 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
-from elastica_cad.fabrication.strip.outline import Tab
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.paths.segments import Arc, Line, Spline
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.segments import Arc, Line, Spline
 from elastica_cad.kernel import occt
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.solids import BentSolid, FlatSolid
+from elastica_cad.strip.strip import Strip
 
 
 def flat_area(outline, holes):

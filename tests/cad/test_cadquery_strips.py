@@ -14,7 +14,7 @@ from elastica_cad.cadquery import (
     strip_outline,
 )
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip.outline import Hole, Tab
+from elastica_cad.strip.outline import Hole, Tab
 
 POINTS = [(0, 0), (40, 40), (90, 50), (140, 0)]
 SHEET = "birch-plywood-0.8"

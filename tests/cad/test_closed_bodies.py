@@ -5,7 +5,7 @@ import cadquery as cq
 import pytest
 
 from elastica_cad import build123d, cadquery
-from elastica_cad.fabrication.solids.strip_solids import GLUE_MM
+from elastica_cad.strip.solids import GLUE_MM
 
 SHEET = "birch-plywood-0.8"
 AT_THE_JOINT = (20, 20, 30)  # mm: reaches over the width of the strip

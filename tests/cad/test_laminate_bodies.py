@@ -8,15 +8,15 @@ import pytest
 
 from elastica_cad import build123d, cadquery
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.outline import Hole, Tab
-from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.path import Path
 from elastica_cad.kernel import occt
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.outline import Hole, Tab
+from elastica_cad.strip.solids import BentSolid, FlatSolid
+from elastica_cad.strip.strip import Strip
 from tests.campaign.bank import CURVES
 
 BASES = ("card-200gsm", "pom-0.5", "birch-plywood-0.8")

@@ -5,18 +5,18 @@ from dataclasses import fields
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.outline import Hole, Tab
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.limits import Limits
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.strip_body import StripWarning
 from elastica_cad.kernel.strip_on_path import StripOptions
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.model import Model
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.outline import Hole, Tab
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip_spec import StripSpec
 
 CURVE = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
 SHEET = "birch-plywood-0.8"

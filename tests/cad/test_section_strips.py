@@ -5,7 +5,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.plane_sections.section_spec import ParallelCuts, PlaneSplit, SectionSpec
+from elastica_cad.forming.section_spec import ParallelCuts, PlaneSplit, SectionSpec
 from elastica_cad.kernel.strip_body import StripWarning
 
 CARD = "card-200gsm"

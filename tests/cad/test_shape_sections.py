@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.forming.plane_sections.section_curves import section_curves
-from elastica_cad.forming.plane_sections.section_spec import parallel_planes, radial_planes
+from elastica_cad.forming.section_lines import section_curves
+from elastica_cad.forming.section_spec import parallel_planes, radial_planes
 from elastica_cad.kernel.shape_sections import shape_sections
 
 

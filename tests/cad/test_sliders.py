@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.strip_solids import BentSolid
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.end_travel import Travel, skin_meshes
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.solids import BentSolid
+from elastica_cad.strip.strip import Strip
 
 END = (118.0, 9.0)
 

@@ -3,16 +3,15 @@
 import numpy as np
 import pytest
 
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.solids.strip_solids import BentSolid
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel import occt
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.model import Model
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.solids import BentSolid
+from elastica_cad.strip.strip import Placed, Strip
 
 CARD = Sheet.named("card-200gsm")
 

@@ -5,7 +5,7 @@ import cadquery as cq
 import pytest
 
 from elastica_cad import build123d, cadquery
-from elastica_cad.fabrication.strip.outline import Tab
+from elastica_cad.strip.outline import Tab
 
 SHEET = "birch-plywood-0.8"
 OPTIONS = {"max_width": 30, "ends": (Tab(10), Tab(10)), "label": "same"}

@@ -9,20 +9,20 @@ import pytest
 from build123d import Bezier, export_step
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.strip_solids import FlatSolid
-from elastica_cad.fabrication.strip.outline import Tab
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.files import read_curves
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.path import Path as Chain
-from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.geometry.path import Path as Chain
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Spline
 from elastica_cad.kernel import occt
 from elastica_cad.kernel import step_files as step
 from elastica_cad.kernel.ocp_import import kernel
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.solids import FlatSolid
+from elastica_cad.strip.strip import Strip
 
 
 def entities(path, name):
@@ -97,7 +97,7 @@ def test_curves_come_back_from_a_file(curve, tilted, tmp_path):
 
 
 def test_several_curves_and_a_solid_in_one_file(plain, tmp_path):
-    from elastica_cad.geometry.paths.segments import Arc, Line
+    from elastica_cad.geometry.segments import Arc, Line
 
     path = tmp_path / "mixed.step"
     step.write_step(

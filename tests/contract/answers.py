@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import ElasticaError
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.files import save
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip_spec import make_strip
 from tests.contract.table import Request
 
 LABEL = "S1"

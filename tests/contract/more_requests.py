@@ -5,12 +5,10 @@ A row may be refused: then all front ends must refuse it alike.
 
 from itertools import product
 
-from elastica_cad.fabrication.strip.lamination import Laminated
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.loads.weight import PointMass
-from elastica_cad.mechanics.material.stiffness_law import ThicknessLaw
+from elastica_cad.mechanics.loads import PointMass, RestCurvature, Supports
+from elastica_cad.mechanics.stiffness_law import ThicknessLaw
+from elastica_cad.strip.lamination import Laminated
 from tests.contract.table import (
     ARCH,
     BOW,

@@ -9,20 +9,17 @@ limit, and all that a curve may keep.
 from dataclasses import dataclass
 from typing import Any
 
-from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.outline import Hole, Tab, TSlot
-from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.forming.limits import Box, HalfPlane, Keep, Limits
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.loads.weight import PointMass, Weight
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import Gravity, PointMass, RestCurvature, Supports, Weight
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.outline import Hole, Tab, TSlot
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
 Points = list[tuple[float, float]]
 """Control points of a clamped uniform spline, mm."""

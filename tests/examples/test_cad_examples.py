@@ -5,7 +5,7 @@ import runpy
 
 import pytest
 
-from elastica_cad.fabrication.solids.flat_pattern import in_smooth_pieces
+from elastica_cad.strip.flat_pattern import in_smooth_pieces
 
 SCRIPTS = [f"{name}_{kernel}" for name in ("lamp", "arch", "slotted") for kernel in ("build123d", "cadquery")]
 FILES = {

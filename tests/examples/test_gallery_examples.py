@@ -10,8 +10,8 @@ import pytest
 from scipy.integrate import trapezoid
 
 import elastica_cad as ec
-from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
-from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.design.design_file import read_design
+from elastica_cad.strip.drawing import CUT_OUTER
 
 CARD = ec.Sheet.named("card-200gsm")
 REALIZED = 0.1  # mm between the bent strip as made and its design
@@ -222,7 +222,7 @@ def test_every_tab_finds_its_slot_in_a_ring(name, deep, built):
     for end, ring in zip(("start", "end"), model.plates, strict=True):
         assert len(ring.slots) == len(model.placed)
         for one, slot in zip(model.placed, ring.slots, strict=True):
-            tab = ec.fabrication.PlacedTab.of(one.strip, end, one.frame)
+            tab = ec.model.PlacedTab.of(one.strip, end, one.frame)
             corners, middle = ring.frame.local(tab.edges), ring.frame.local(tab.tip)
             assert middle[2] < -deep
             step = (middle - ring.frame.local(tab.frame.origin)) / tab.length

@@ -10,10 +10,10 @@ import shapely
 from click.testing import CliRunner
 
 from elastica_cad.cli.commands import elastica
-from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
-from elastica_cad.fabrication.holders.held_tabs import rocking_tabs
+from elastica_cad.design.design_file import read_design
 from elastica_cad.files import read_curves
-from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.model.held_tabs import rocking_tabs
+from elastica_cad.strip.drawing import CUT_OUTER
 
 MARGIN = 2.0
 

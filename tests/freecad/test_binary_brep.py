@@ -10,19 +10,19 @@ import pytest
 from freecad.elastica_wb.shapes.part_shapes import make_face, make_solid, make_wire
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.boundary_records import SpaceCurve, SpaceSurface
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
-from elastica_cad.fabrication.strip.outline import Hole, Tab
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
 from elastica_cad.formats.binary_brep import boundary_brep
 from elastica_cad.forming.limits import Limits
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Line
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Line
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.bent_boundary import SpaceCurve, SpaceSurface
+from elastica_cad.strip.outline import Hole, Tab
+from elastica_cad.strip.solids import BentSolid, FlatSolid
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip_spec import StripSpec, make_strip
 
 PLACE = Frame((5.0, -7.0, 11.0), (2.0, -1.0, 2.0), (2.0, 2.0, -1.0))
 STRETCHES = {"arch": 1, "wave": 2}  # of the outline, between its kinks

@@ -33,12 +33,12 @@ from freecad.elastica_wb.live.sketch_drag import Dragged
 from freecad.elastica_wb.shapes.part_shapes import make_wire
 
 from elastica_cad.errors import InputError, MissingDependencyError, NotConvergedError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.curves.projective_maps import four_point_map
-from elastica_cad.geometry.paths.path import Path as PlanePath
-from elastica_cad.geometry.paths.segments import Arc, Line
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.geometry.path import Path as PlanePath
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.projective_maps import four_point_map
+from elastica_cad.geometry.segments import Arc, Line
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.sheets import Sheet
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 BAD = [(0, 0), (40, 60), (80, -55), (120, 10), (160, 30), (180, 0)]

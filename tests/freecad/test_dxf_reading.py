@@ -9,8 +9,8 @@ import Part
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
-from elastica_cad.fabrication.strip.outline import Hole
+from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER
+from elastica_cad.strip.outline import Hole
 
 
 @pytest.fixture

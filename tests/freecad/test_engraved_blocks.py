@@ -3,11 +3,11 @@
 import pytest
 from freecad.elastica_wb.shapes import part_shapes
 
-from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
-from elastica_cad.fabrication.holders.end_fixtures import engraved
-from elastica_cad.fabrication.solids.strip_solids import FlatSolid, PrismSolid
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.path import Path
+from elastica_cad.geometry.path import Path
+from elastica_cad.model.fixtures import engraved
+from elastica_cad.strip.lettering import Text, text_strokes
+from elastica_cad.strip.solids import FlatSolid, PrismSolid
 
 
 @pytest.mark.campaign

@@ -16,9 +16,9 @@ from freecad.elastica_wb.shapes.part_shapes import make_solid
 from freecad.elastica_wb.solving import strip_cache
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.interlocking import interlock
-from elastica_cad.fabrication.sheets.pieces import distinct
-from elastica_cad.fabrication.solids.strip_solids import PrismSolid
+from elastica_cad.model import interlocking as interlock
+from elastica_cad.strip.pieces import distinct
+from elastica_cad.strip.solids import PrismSolid
 
 ARCH = [(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)]
 

@@ -12,11 +12,11 @@ from freecad.elastica_wb.features import flat, strip
 from freecad.elastica_wb.shapes.part_shapes import make_face, make_solid, make_wire
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.solids import BentSolid, FlatSolid
+from elastica_cad.strip.strip import Strip
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 WAVE = [(0, 0), (40, 60), (80, -60), (120, 0)]

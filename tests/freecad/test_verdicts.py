@@ -17,12 +17,12 @@ from freecad.elastica_wb.solving.strip_cache import find_nearest_now, sharpest_b
 from freecad.elastica_wb.solving.strip_faults import strip_faults
 
 from elastica_cad.errors import ElasticaError, StrainError
-from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import save
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.rod_spec import RodSpec
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.strip_spec import StripSpec
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 SHOULDERS = [(0, 0), (10, 70), (70, 90), (130, 70), (140, 0)]

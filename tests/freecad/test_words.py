@@ -11,32 +11,31 @@ from freecad.elastica_wb.host import words
 from freecad.elastica_wb.host.words import Unit, capital, worded
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.makeability.uncuttable_parts import Fault
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.stability.sideways import SidewaysStability
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.refusals import Length, Listed, Point, Span, note, sentences
+from elastica_cad.strip.uncuttable_parts import Fault
 
 ROOT = Path(__file__).resolve().parents[2]
 CORE, WORKBENCH = ROOT / "elastica_cad", ROOT / "freecad_workbench" / "freecad" / "elastica_wb"
 CATALOGUES = ROOT / "elastica_cad" / "words"
 SPOKEN = """
-    _counts.py refusals.py geometry/curves/curve_derivatives.py geometry/pen_curves mechanics/bending
-    mechanics/loads/rest_curvature.py mechanics/material/section_limits.py mechanics/stability
-    mechanics/theorem1 mechanics/stiffness/moment_conditions.py mechanics/stiffness/optimal_balance.py
-    mechanics/stiffness/optimal_rod.py mechanics/studies/calibration.py forming/fairing_request.py
-    forming/limits.py forming/nearest/nearest_record.py forming/nearest/nearest_task.py
-    forming/plane_sections/mesh_sections.py forming/plane_sections/section_curves.py
-    forming/plane_sections/section_lines.py forming/rod_spec.py forming/splitting.py forming/straight_ends.py
-    fabrication/drawings/cutting.py fabrication/flexure.py fabrication/holders/end_fixtures.py
-    fabrication/holders/held_tabs.py fabrication/holders/plate_pairs.py fabrication/holders/plates.py
-    fabrication/holding fabrication/interlocking/collisions.py fabrication/model/stand.py kit/kit_contents.py
-    fabrication/interlocking/interlock.py fabrication/makeability fabrication/model/strip_model.py
-    fabrication/sheets/nesting.py fabrication/slots fabrication/solids/bent_boundary.py
-    fabrication/solids/strip_solids.py fabrication/strip fabrication/strip_checks.py
-    fabrication/strip_spec.py formats/curve_files/chains.py formats/curve_files/drawn_file.py
-    formats/curve_files/edges.py formats/curve_files/placed_curve.py formats/curve_files/read_report.py
-    formats/design_files/kit_spec.py formats/file_access/write_files.py formats/reports/strip_report.py
+    _values.py design/kit_spec.py design/reports.py formats/chains.py formats/drawn_file.py
+    formats/edges.py formats/placed_curve.py formats/write_files.py forming/fairing_request.py
+    forming/limits.py forming/nearest_record.py forming/nearest_task.py forming/plane_sections.py
+    forming/rod_spec.py forming/section_lines.py forming/splitting.py forming/straight_ends.py
+    geometry/measured_points.py geometry/nurbs_curve.py geometry/tangent_healing.py kit/kit_contents.py
+    mechanics/bending.py mechanics/between_clamps.py mechanics/calibration.py
+    mechanics/equilibrium_check.py mechanics/least_ratio.py mechanics/loads.py
+    mechanics/moment_conditions.py mechanics/newton_continuation.py mechanics/optimal_balance.py
+    mechanics/section_limits.py mechanics/sideways.py mechanics/stability.py mechanics/theorem1.py
+    model/collisions.py model/fixtures.py model/held_tabs.py model/interlocking.py model/model.py
+    model/nesting.py model/plate_pairs.py model/plates.py pairs/flexure.py pairs/pushed_rod.py refusals.py
+    strip/as_made.py strip/bent_boundary.py strip/drawing.py strip/held_shape.py strip/lamination.py
+    strip/layers.py strip/makeable_strip.py strip/outline.py strip/perforation.py strip/slots.py
+    strip/solids.py strip/strip.py strip/strip_spec.py strip/styles.py strip/tab_seats.py
+    strip/uncuttable_parts.py
 """
 """Where the core makes what a user of the workbench or of the studio reads."""
 

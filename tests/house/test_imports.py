@@ -39,7 +39,7 @@ def test_no_module_reaches_itself(plan, imports):
 
 
 def test_no_room_reaches_itself(plan):
-    """Rooms are the sub-packages of a floor, and single modules beside them; the workbench is one floor."""
+    """Rooms are the modules of a package; the workbench is one package."""
     inside = [f"elastica_cad.{f.name}" for f in plan.ROOTS["elastica_cad"].iterdir() if f.is_dir()]
     found = {floor: plan.circles(plan.parts_of(floor)) for floor in (*plan.ROOTS, *inside)}
     assert {floor: circles for floor, circles in found.items() if circles} == {}
@@ -80,3 +80,5 @@ def test_an_underscore_says_what_is_private(plan, modules):
 def test_the_drawing_of_the_packages_is_of_these_imports(plan):
     """`make generate` draws it again."""
     assert (ROOT / "docs" / "plan.svg").read_text(encoding="utf-8") == plan.packages()
+    architecture = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    assert architecture == plan.with_reading_order(architecture)

@@ -15,8 +15,8 @@ DATA = (
     "cli/templates/arch.toml",
     "py.typed",
     "__init__.pyi",
-    "mechanics/material/sheets.toml",
-    "fabrication/drawings/glyphs.toml",
+    "mechanics/sheets.toml",
+    "strip/glyphs.toml",
 )
 
 

@@ -12,8 +12,19 @@ import pytest
 
 import elastica_cad as ec
 
-MOST = 72
-ROOMS = ("geometry", "mechanics", "forming", "fabrication", "formats", "published", "plot")
+MOST = 76
+ROOMS = (
+    "geometry",
+    "mechanics",
+    "forming",
+    "strip",
+    "formats",
+    "model",
+    "pairs",
+    "design",
+    "published",
+    "plot",
+)
 FIXED = {
     "curves": ("PlaneCurve", "read_curves", "check_equilibrium", "Supports"),
     "sheets": ("Sheet", "sheet_names", "Gravity"),

@@ -40,7 +40,7 @@ def test_the_version_here_is_the_lower_bound(requirement):
 
 
 # SVG holds no spline of degree 4
-@pytest.mark.filterwarnings("ignore::elastica_cad.formats.curve_files.write_curves.FitWarning")
+@pytest.mark.filterwarnings("ignore::elastica_cad.formats.curve_writer.FitWarning")
 @pytest.mark.parametrize("drawn", ["arch.dxf", "arch.svg"])
 def test_a_drawn_curve_becomes_files(drawn, tmp_path):
     (curve,) = ec.read_curves(ARCH)

@@ -6,7 +6,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve, line_crossings
+from elastica_cad.geometry.plane_curve import PlaneCurve, line_crossings
 
 pytestmark = pytest.mark.core
 

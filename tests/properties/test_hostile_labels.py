@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.lettering import engravable
-from elastica_cad.fabrication.sheets.pieces import file_word
 from elastica_cad.kit.kit_files import save_model
+from elastica_cad.strip.lettering import engravable
+from elastica_cad.strip.pieces import file_word
 
 SHEET = ec.Sheet.named("birch-plywood-0.8")
 ARCH = ec.make_strip(ec.PlaneCurve.arc((0, 0), 60, 0.3, 3.1), SHEET, max_width=30, label="A")

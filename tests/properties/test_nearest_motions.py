@@ -6,9 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import Gravity
 
 pytestmark = pytest.mark.core
 

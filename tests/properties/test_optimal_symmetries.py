@@ -6,12 +6,11 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import Gravity, Supports
+from elastica_cad.mechanics.theorem1 import NotRealizable
 
 pytestmark = pytest.mark.core
 

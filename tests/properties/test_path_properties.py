@@ -7,11 +7,11 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.approximations import as_arcs, as_polyline
-from elastica_cad.geometry.paths.offset import offset_path
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.geometry.approximations import as_arcs, as_polyline
+from elastica_cad.geometry.offset import offset_path
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Spline
 
 few = settings(max_examples=40, deadline=None)
 unit = st.floats(0, 1)

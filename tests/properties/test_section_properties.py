@@ -5,10 +5,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastica_cad.mechanics.material.anticlastic import anticlastic_factor, plate_width
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
-from elastica_cad.mechanics.material.moment_curvature import ElasticPlasticLaw, PolynomialLaw, TabulatedLaw
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.mechanics.moment_curvature import ElasticPlasticLaw, PolynomialLaw, TabulatedLaw
+from elastica_cad.mechanics.sections import anticlastic_factor, plate_width
+from elastica_cad.mechanics.sheets import Sheet
 
 pytestmark = pytest.mark.core
 

@@ -6,11 +6,11 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from shapely.geometry import LineString, Polygon
 
-from elastica_cad.fabrication.slots.slot import Slot, slot_cut
-from elastica_cad.fabrication.strip.outline import Tab
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.slots import Slot, slot_cut
+from elastica_cad.strip.strip import Strip
 
 CARD = Sheet.named("card-200gsm")
 EXACT = 1e-4  # mm, of the polygons

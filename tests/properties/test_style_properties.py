@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
+from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.slots import Slot
 
 pytestmark = pytest.mark.core
 

@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given, reject, settings
 from hypothesis import strategies as st
 
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.theorem1 import NotRealizable
 
 pytestmark = pytest.mark.core
 

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import ElasticaError
-from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.files import read_curves, read_drawing, save
 from elastica_cad.forming.fairing_request import smooth_curve
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.theorem1 import require_bendable
+from elastica_cad.strip.strip import Strip
 
 PRECISION = """<inkscape xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" version="1">
 <group id="options"><group id="svgoutput" numericprecision="{digits}"/></group></inkscape>"""

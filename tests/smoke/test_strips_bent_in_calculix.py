@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.fabrication.strip.shoulders import corner_factor
+from elastica_cad.strip.strip import corner_factor
 from tests.campaign.finite_elements.bent_strip import bend_cut_strip
 from tests.campaign.finite_elements.calculix import Material
 from tests.campaign.finite_elements.cases import CASES

@@ -9,12 +9,11 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.declared import Asked, declared, kind_of
+from elastica_cad.design.records import Reader, described, parsed_line, require_path_of
+from elastica_cad.design.strip_table import StripKeys
+from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.formats.design_files.key_paths import require_path_of
-from elastica_cad.formats.design_files.records import Reader, described, parsed_line
-from elastica_cad.formats.design_files.strip_table import StripKeys
-from elastica_cad.formats.design_files.tables import Table
+from elastica_cad.strip.strip_spec import StripSpec
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -5,8 +5,8 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.measuring import Measuring
 from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad.strip.measuring import Measuring
 
 ARCH = ec.PlaneCurve.spline([(0, 0), (30, 14), (70, 14), (100, 0)], degree=3)
 

@@ -5,17 +5,16 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest.nearest_record import NearestRod
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.forming.nearest_record import NearestRod
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.model import Model
+from elastica_cad.strip.drawing import CUT_OUTER
+from elastica_cad.strip.strip import Placed, Strip
 
 pytestmark = pytest.mark.core
 

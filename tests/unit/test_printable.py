@@ -7,9 +7,9 @@ from click.testing import CliRunner
 
 import elastica_cad as ec
 from elastica_cad._notebook import html_table
-from elastica_cad._printable import printable
+from elastica_cad._text import printable
 from elastica_cad.cli.commands import elastica
-from elastica_cad.formats.reports.model_report import compose_start_page
+from elastica_cad.design.model_report import compose_start_page
 
 CLIPBOARD, RED, BACKWARDS = "\x1b]52;c;eA==\x07", "\x9b31m", "\u202e\u2066"
 NAME = f"L{CLIPBOARD}{RED}{BACKWARDS}"

@@ -9,6 +9,7 @@ from click.testing import CliRunner
 
 from elastica_cad import PlaneCurve
 from elastica_cad.cli.commands import elastica
+from elastica_cad.design.tables import Table
 from elastica_cad.errors import (
     Change,
     InputError,
@@ -17,11 +18,10 @@ from elastica_cad.errors import (
     UnknownOptionError,
     refusing_old_names,
 )
-from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.formats.design_files.tables import Table
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.refusals import Listed, Point, note, sentences
+from elastica_cad.strip.strip_spec import StripSpec
 
 WAVE = [(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)]  # no strip takes it
 FAR = InputError(

@@ -7,9 +7,10 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad._values import alike, is_number, is_one_of, is_series, require_flag, several
-from elastica_cad.fabrication import LeafStack, PrismSolid, TabSeat, base_plate, interlock
 from elastica_cad.geometry import Line
 from elastica_cad.mechanics import InflectionLine, WidthLaw, elastica_between
+from elastica_cad.model import LeafStack, base_plate, interlock
+from elastica_cad.strip import PrismSolid, TabSeat
 
 TWO, NONE, ONE, TABLE = np.ones(2), np.zeros(0), np.array(1.0), np.ones((2, 2, 2))
 SHEET = ec.Sheet.named("card-200gsm")

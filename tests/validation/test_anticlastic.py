@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.material.anticlastic import anticlastic_factor, plate_width
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection, laminate_factor
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.laminated_section import LaminatedSection, laminate_factor
+from elastica_cad.mechanics.sections import anticlastic_factor, plate_width
+from elastica_cad.mechanics.sheets import Sheet
 
 pytestmark = pytest.mark.core
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.material.sheet import Sheet, load_sheets
-from elastica_cad.mechanics.studies.calibration import calibrate_cantilever, cantilever_droop
+from elastica_cad.mechanics.calibration import calibrate_cantilever, cantilever_droop
+from elastica_cad.mechanics.sheets import Sheet, load_sheets
 
 pytestmark = pytest.mark.core
 

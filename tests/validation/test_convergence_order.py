@@ -3,11 +3,10 @@
 import numpy as np
 import pytest
 
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.loads import Gravity, Supports
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stability import stability
 
 pytestmark = pytest.mark.core
 

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import stability
-from elastica_cad.mechanics.studies.stability_limit import stability_limit
+from elastica_cad.mechanics.bending import bend, bend_path
+from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.mechanics.stability_limits import stability_limit
 
 pytestmark = pytest.mark.core
 

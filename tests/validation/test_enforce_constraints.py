@@ -5,14 +5,14 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.curve_editing.control_point_constraints import (
+from elastica_cad.geometry.control_point_constraints import (
     EndPositions,
     EndTangents,
     FixedLength,
     InflectionsOnLine,
     least_norm_newton,
 )
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_curve import PlaneCurve
 
 pytestmark = pytest.mark.core
 

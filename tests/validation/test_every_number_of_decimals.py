@@ -13,9 +13,9 @@ from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_drawing
 from elastica_cad.forming.fairing_request import smooth_curve
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1 import require_bendable
 
 pytest.importorskip("svgelements")
 

@@ -11,17 +11,16 @@ from scipy.optimize import root
 from elastica_cad.errors import InputError
 from elastica_cad.forming.leaf_ends import FINE_NODES, NODES, LeafedRod, _Search, lay_leaves, leaf_bends
 from elastica_cad.forming.limits import Box, Keep, Limits
-from elastica_cad.forming.nearest.nearest_record import Status
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import LaidLeaves, LeavesLaw
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import stability
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.forming.nearest_record import Status
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import Gravity, Supports
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.mechanics.stiffness_law import LaidLeaves, LeavesLaw
 from tests.section_designs import camber_place, designs
 
 pytestmark = pytest.mark.core

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest.nearest_record import Status
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.forming.nearest_record import Status
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import Gravity
 
 pytestmark = pytest.mark.core
 

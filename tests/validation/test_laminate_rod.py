@@ -4,14 +4,13 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.weight import PointMass
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.mechanics.least_ratio import optimal_laminate, optimal_rod
+from elastica_cad.mechanics.loads import PointMass
+from elastica_cad.mechanics.sheets import Sheet
 
 pytestmark = pytest.mark.core
 

@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 from scipy.linalg import null_space
 
-from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.plain_section import WidthLaw
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.sections import WidthLaw
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.strip.strip_spec import make_strip
 from tests.validation.test_blanks_that_curl import moment
 
 pytestmark = pytest.mark.core

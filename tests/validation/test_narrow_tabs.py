@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from elastica_cad.fabrication.strip.as_made import idle_length
-from elastica_cad.mechanics.material.plain_section import crack_energy
+from elastica_cad.mechanics.sections import crack_energy
+from elastica_cad.strip.as_made import idle_length
 from tests.campaign.finite_elements.drawn_by_seed import tab_requests
 
 pytestmark = pytest.mark.core

@@ -7,12 +7,12 @@ import pytest
 
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.many_rods import nearest_rods
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import stability
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending import bend, bend_path
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import Gravity
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stability import stability
 
 pytestmark = pytest.mark.core
 

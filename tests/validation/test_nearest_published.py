@@ -8,16 +8,16 @@ from scipy.interpolate import BSpline
 from scipy.spatial import cKDTree
 
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.forming.plane_sections.mesh_sections import mesh_sections
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.forming.plane_sections import mesh_sections
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import stability
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending import bend, bend_path
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import Gravity
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stability import stability
 
 pytestmark = pytest.mark.core
 

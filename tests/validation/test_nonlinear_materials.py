@@ -4,12 +4,11 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import ElasticaError
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.moment_curvature import ElasticPlasticLaw, PlasticLaw, PolynomialLaw
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.loads import Gravity, Supports
+from elastica_cad.mechanics.moment_curvature import ElasticPlasticLaw, PlasticLaw, PolynomialLaw
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stability import stability
 
 pytestmark = pytest.mark.core
 

@@ -6,15 +6,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.fabrication.holders.held_tabs import held_shapes
-from elastica_cad.fabrication.holders.plate_pairs import plate_pair
-from elastica_cad.fabrication.interlocking.collisions import missing_slots
-from elastica_cad.fabrication.makeability.fabrication_limits import DEFAULT_LIMITS
-from elastica_cad.fabrication.makeability.uncuttable_parts import find_strip_faults
-from elastica_cad.fabrication.model.compensated_model import interlock_compensated
-from elastica_cad.fabrication.strip.outline import Tab
+from elastica_cad.design.design_file import read_design
 from elastica_cad.files import read_curves
-from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.model.collisions import missing_slots
+from elastica_cad.model.held_tabs import held_shapes
+from elastica_cad.model.model import interlock_compensated
+from elastica_cad.model.plate_pairs import plate_pair
+from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, find_strip_faults
 
 
 @pytest.fixture(scope="module")

@@ -5,10 +5,10 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.formats.surface_files.mesh_files import read_mesh
-from elastica_cad.forming.plane_sections.mesh_sections import mesh_sections
-from elastica_cad.forming.plane_sections.section_curves import section_curves
-from elastica_cad.forming.plane_sections.section_spec import radial_planes
+from elastica_cad.formats.mesh_files import read_mesh
+from elastica_cad.forming.plane_sections import mesh_sections
+from elastica_cad.forming.section_lines import section_curves
+from elastica_cad.forming.section_spec import radial_planes
 from elastica_cad.geometry.frame import Frame
 
 UNIT = 60.0  # mm per mesh unit

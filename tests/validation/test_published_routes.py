@@ -5,22 +5,21 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.curve_editing.control_point_constraints import (
+from elastica_cad.geometry.control_point_constraints import (
     EndPositions,
     EndTangents,
     FixedLength,
     InflectionsOnLine,
 )
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.point_distance import distances
-from elastica_cad.geometry.paths.segments import Spline
-from elastica_cad.mechanics.stability.stability_verdict import stability
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import InflectionLine
-from elastica_cad.published.constraint_projection import enforce_constraints
-from elastica_cad.published.ratio_optimization import optimize_ratio
-from elastica_cad.published.stability_recovery import recover_stability
+from elastica_cad.geometry.path import distances
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Spline
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.mechanics.theorem1 import InflectionLine
+from elastica_cad.published.control_points import enforce_constraints
+from elastica_cad.published.recovery import optimize_ratio, recover_stability
 
 pytestmark = pytest.mark.core
 

@@ -7,21 +7,19 @@ import pytest
 from scipy.integrate import solve_bvp
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest.nearest_record import Status
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.rest_curvature import ExcessCurvature, RestCurvature
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import stability
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.forming.nearest_record import Status
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import ExcessCurvature, Gravity, RestCurvature, Supports
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad.strip.strip_spec import make_strip
 from tests.section_designs import Design
 
 pytestmark = pytest.mark.core

@@ -5,10 +5,10 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.studies.tolerance_study import Imperfection, perturb_rod
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.loads import Gravity
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.tolerances import Imperfection, perturb_rod
 
 pytestmark = pytest.mark.core
 

@@ -5,16 +5,15 @@ import pytest
 
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.weight import PointMass, Weight
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import RoundLaw
-from elastica_cad.mechanics.stability.stability_verdict import stability
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import Gravity, PointMass, Weight
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.mechanics.stiffness_law import RoundLaw
+from elastica_cad.mechanics.theorem1 import NotRealizable
 from tests.section_designs import LAWS, Design, designs, errors, judged, laminates, perforated
 
 pytestmark = pytest.mark.core

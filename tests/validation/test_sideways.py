@@ -12,19 +12,18 @@ from scipy.sparse import lil_matrix
 from scipy.sparse.linalg import spsolve
 from scipy.special import ellipeinc, ellipj, ellipk
 
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.strip_record import Strip, strip_sideways
-from elastica_cad.fabrication.strip_spec import make_strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import End, Supports
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.sideways import SidewaysSection, sideways_margin, sideways_stability
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import End, Gravity, Supports
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sideways import SidewaysSection, sideways_margin, sideways_stability
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.strip import Strip, strip_sideways
+from elastica_cad.strip.strip_spec import make_strip
 
 pytestmark = pytest.mark.core
 

@@ -5,16 +5,16 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, bending_moments, node_weights, shoot
-from elastica_cad.mechanics.stability.stability_verdict import (
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.discrete_rod import DiscreteRod, bending_moments, node_weights, shoot
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.stability import (
     conjugate_point,
     determinant_gradient,
     stability,
     stability_determinant,
 )
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
 
 pytestmark = pytest.mark.core
 

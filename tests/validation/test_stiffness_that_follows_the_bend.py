@@ -9,12 +9,12 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import RectBivariateSpline
 from scipy.optimize import root
 
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.laps import PLATE_CUT, PLATE_END, LapPlates
-from elastica_cad.fabrication.strip_spec import make_strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection, laminate_factor
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.laminated_section import LaminatedSection, laminate_factor
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.layers import PLATE_CUT, PLATE_END, LapPlates
+from elastica_cad.strip.strip_spec import make_strip
 
 pytestmark = pytest.mark.core
 

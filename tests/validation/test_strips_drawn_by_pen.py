@@ -5,12 +5,12 @@ import pytest
 
 from elastica_cad.files import read_drawing
 from elastica_cad.forming.fairing_request import smooth_curve
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.rod import Rod
 from tests.validation.test_every_number_of_decimals import smooth_path, written
 
 pytest.importorskip("svgelements")

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from scipy.interpolate import RectBivariateSpline
 
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip_spec import make_strip
-from elastica_cad.fabrication.travel import bend_strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection, laminate_factor
-from elastica_cad.mechanics.material.sheet import NominalRatio, Sheet
-from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.laminated_section import LaminatedSection, laminate_factor
+from elastica_cad.mechanics.sheets import NominalRatio, Sheet
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad.strip.travel import bend_strip
 
 pytestmark = pytest.mark.core
 

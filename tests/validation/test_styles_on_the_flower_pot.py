@@ -8,12 +8,12 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.model.touching_widths import touching_widths
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
-from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
+from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.mechanics.least_ratio import optimal_laminate
+from elastica_cad.model.revolution_model import touching_widths
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.perforation import Perforated
 
 pytestmark = pytest.mark.core
 

@@ -10,16 +10,14 @@ import pytest
 from scipy.optimize import brentq
 from scipy.special import jv, yv
 
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import End, Supports
-from elastica_cad.mechanics.loads.weight import Weight
-from elastica_cad.mechanics.material.plain_section import WidthLaw
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import RoundLaw, ThicknessLaw
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.loads import End, Gravity, Supports, Weight
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sections import WidthLaw
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
 
 pytestmark = pytest.mark.core
 

@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.travel import bend_strip
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.travel import bend_strip
 
 pytestmark = pytest.mark.core
 

@@ -6,29 +6,19 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip.strip_record import Strip, strip_sideways
-from elastica_cad.fabrication.strip_spec import make_strip
-from elastica_cad.fabrication.travel import bend_strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
-from elastica_cad.mechanics.material.anticlastic import SheetCurl
-from elastica_cad.mechanics.material.plain_section import WidthLaw
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod, resample
-from elastica_cad.mechanics.stability.sideways import (
-    SidewaysSection,
-    sideways_stability_of,
-    stations_of_sideways,
-)
-from elastica_cad.mechanics.stability.stability_verdict import stability
-from elastica_cad.mechanics.studies.stability_limit import stability_limit
-from elastica_cad.mechanics.studies.tolerance_study import (
-    Imperfection,
-    ToleranceRanges,
-    perturb_rod,
-    tolerance_study,
-)
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.bending import bend, bend_path
+from elastica_cad.mechanics.rod import CurlingLaw, Rod, resample
+from elastica_cad.mechanics.sections import SheetCurl, WidthLaw
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sideways import SidewaysSection, sideways_stability_of, stations_of_sideways
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.mechanics.stability_limits import stability_limit
+from elastica_cad.mechanics.tolerances import Imperfection, ToleranceRanges, perturb_rod, tolerance_study
+from elastica_cad.strip.strip import Strip, strip_sideways
+from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad.strip.travel import bend_strip
 
 pytestmark = pytest.mark.core
 

@@ -11,7 +11,7 @@ from freecad.elastica_wb.features import flat, strip
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.shapes.part_shapes import spline_geometry
 
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_curve import PlaneCurve
 
 SPAN = 400.0
 LEFT = [(0, 0), (40, 5), (80, 40), (125, 160), (SPAN / 2, 175)]

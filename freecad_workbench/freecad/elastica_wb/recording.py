@@ -10,7 +10,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 import __main__
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_curve import PlaneCurve
 
 MADE = "elastica_made"
 """Name, in macros and in the console, of what was made last."""

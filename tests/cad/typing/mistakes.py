@@ -3,8 +3,8 @@
 import build123d as bd
 
 from elastica_cad.build123d import BentStrip, Elastica, EndFixture, FlatStrip, StripOutline, elastic_strip
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.outline import Tab
+from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.slots import Slot
 
 
 def mistakes() -> None:

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.formats.drawing_files.write_drawing import write_drawing
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.formats.drawing_files import write_drawing
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.strip.strip import Strip
 from tests.campaign.finite_elements.bricks import Bricks, extrude
 from tests.campaign.finite_elements.calculix import Answer, Material, solve
 from tests.campaign.finite_elements.flat_mesh import mesh_cut_files

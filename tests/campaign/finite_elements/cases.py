@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.outline import Tab
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.strip_spec import StripSpec
 
 __all__ = ["CASES", "CURVES", "Case"]
 

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 from scipy.special import ellipeinc, ellipj
 
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.strip import Strip
 from tests.campaign.finite_elements.bent_strip import bend_cut_strip
 
 __all__ = ["Known", "arc", "elastica", "known_answers", "uniform_strip"]

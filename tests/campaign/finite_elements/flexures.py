@@ -7,13 +7,13 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial import cKDTree
 
-from elastica_cad.fabrication.flexure import CentreLine, Flexure, FlexureTravel
-from elastica_cad.fabrication.flexure_spec import FlexureSpec
+from elastica_cad.design.pair_table import read_pair
 from elastica_cad.files import read_curves
-from elastica_cad.formats.design_files.pair_table import read_pair
-from elastica_cad.formats.drawing_files.write_drawing import write_drawing
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.formats.drawing_files import write_drawing
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.pairs.flexure import CentreLine, Flexure, FlexureTravel
+from elastica_cad.pairs.flexure_spec import FlexureSpec
 from tests.campaign.finite_elements.bricks import Bricks, extrude
 from tests.campaign.finite_elements.calculix import Material, displaced, model_cards, run_deck, strict
 from tests.campaign.finite_elements.flat_mesh import mesh_cut_files

@@ -9,8 +9,8 @@ import numpy as np
 from scipy.sparse import csr_matrix
 from scipy.sparse.linalg import splu
 
-from elastica_cad.fabrication.flexure import CentreLine, Flexure
-from elastica_cad.formats.drawing_files.write_drawing import write_drawing
+from elastica_cad.formats.drawing_files import write_drawing
+from elastica_cad.pairs.flexure import CentreLine, Flexure
 from tests.campaign.finite_elements.flat_mesh import _surface
 from tests.campaign.finite_elements.flexures import HELD_MM, _along
 

@@ -10,13 +10,13 @@ from pathlib import Path
 import numpy as np
 from scipy.special import ellipk
 
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.strip_record import Strip, strip_sideways
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.material.plain_section import areal_weight
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sections import areal_weight
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.strip import Strip, strip_sideways
 from tests.campaign.finite_elements.bent_strip import BentStrip, bend_cut_strip
 from tests.campaign.finite_elements.closed_forms import GRAVITY_MM_S2, LENGTH, arc, elastica, uniform_strip
 

@@ -40,7 +40,10 @@ EPOCH = "1700000000"
 WHOLE_S = 300.0
 """Processor seconds of the whole bank, about twice."""
 
-IMPORTED = ("geometry", "mechanics", "forming", "fabrication", "formats", "cli", "kit", "files", "plot")
+IMPORTED = (
+    "geometry", "mechanics", "forming", "strip", "formats", "model", "pairs", "design",
+    "cli", "kit", "files", "plot",
+)  # fmt: skip
 """What is imported before lines are counted."""
 
 FEWEST = 5

@@ -53,10 +53,10 @@ def case(seed: int, number: int) -> tuple[str, bytes]:
 
 def read(path: Path) -> str:
     """What a file gives: "curves", or the sentence that refuses it."""
+    from elastica_cad.design.design_file import read_design
     from elastica_cad.errors import ElasticaError
     from elastica_cad.files import read_curves, read_drawing, read_surface
-    from elastica_cad.formats.design_files.design_file import read_design
-    from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+    from elastica_cad.mechanics.equilibrium_check import check_equilibrium
 
     try:
         if path.suffix == ".toml":
@@ -95,8 +95,6 @@ def verdict(path: Path) -> tuple[str, str]:
 
 def work(seed: int, first: int, cases: int, folder: Path) -> None:
     """Read cases and print a line of JSON for each."""
-    import elastica_cad.files
-    import elastica_cad.formats.design_files.design_file  # noqa: F401 - before limits are set
 
     for kind in SHARES:
         originals(kind)

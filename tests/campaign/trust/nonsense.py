@@ -27,7 +27,18 @@ import numpy as np
 from elastica_cad.errors import ElasticaError
 from tests.properties.test_public_doors import INNER, example_calls
 
-FLOORS = ("geometry", "mechanics", "forming", "fabrication", "formats", "plot", "published")
+FLOORS = (
+    "geometry",
+    "mechanics",
+    "forming",
+    "strip",
+    "formats",
+    "model",
+    "pairs",
+    "design",
+    "plot",
+    "published",
+)
 FRONT_ENDS = ("build123d", "cadquery")
 LONGEST_S, MOST_MIB = 10, 1536
 NONSENSE = (

@@ -134,8 +134,8 @@ def typed_line(line: str) -> object:
 
 def keyed_design(number: int) -> object:
     """A design of those that together use every key."""
-    from elastica_cad.formats.curve_files.write_curves import write_curves
-    from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+    from elastica_cad.formats.curve_writer import write_curves
+    from elastica_cad.geometry.plane_curve import PlaneCurve
     from tests.campaign.trust.corpus import originals
 
     write_curves([PlaneCurve.arc((0, 0), 50, 0.2, 2.0)], "one.json")
@@ -230,8 +230,8 @@ def rod(rng: random.Random) -> object:
 def strip(rng: random.Random) -> object:
     """A strip of any style, its drawings in lines and arcs, and its sheets."""
     import elastica_cad as ec
-    from elastica_cad.fabrication.sheets.nesting import nest_pieces
-    from elastica_cad.fabrication.sheets.pieces import strip_pieces
+    from elastica_cad.model.nesting import nest_pieces
+    from elastica_cad.strip.pieces import strip_pieces
     from tests.campaign.trust.written import STOCK_MM, strip_of
 
     made = strip_of(rng)
@@ -249,8 +249,8 @@ def strip(rng: random.Random) -> object:
 def file(kind: str, number: int) -> object:
     """A sound file, or a broken one, as its reader gives it."""
     import elastica_cad as ec
+    from elastica_cad.design.design_file import read_design
     from elastica_cad.files import read_drawing, read_surface
-    from elastica_cad.formats.design_files.design_file import read_design
     from tests.campaign.trust.corpus import originals
     from tests.campaign.trust.mutations import mutated
 

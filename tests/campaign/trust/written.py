@@ -17,8 +17,8 @@ import numpy as np
 import shapely
 
 import elastica_cad as ec
-from elastica_cad.fabrication.sheets.nesting import nest_pieces
-from elastica_cad.fabrication.sheets.pieces import strip_pieces
+from elastica_cad.model.nesting import nest_pieces
+from elastica_cad.strip.pieces import strip_pieces
 from tests.campaign.trust.numbered_cases import arguments, run_cases
 
 SHEETS = ("birch-plywood-0.8", "card-200gsm", "birch-plywood-4", "pom-0.5")

@@ -12,13 +12,12 @@ from scipy.integrate import solve_bvp
 
 from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.fabrication.batten import BattenSpec
-from elastica_cad.fabrication.bench import bench_drawing
-from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kit.strip_kit import StripFiles, StripKit
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import RoundLaw, ThicknessLaw
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
+from elastica_cad.model.batten import BattenSpec, bench_drawing
+from elastica_cad.strip.strip_spec import StripSpec
 
 ASKED = ("--sheet", "pom-1", "--length", "2400", "--camber", "10", "--at", "40")
 

@@ -10,13 +10,13 @@ import pytest
 from click.testing import CliRunner
 
 from elastica_cad.cli.commands import elastica
-from elastica_cad.fabrication.strip_spec import make_strip
-from elastica_cad.fabrication.travel import bend_strip
 from elastica_cad.files import read_curves
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.studies.stability_limit import stability_limit
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stability_limits import stability_limit
+from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad.strip.travel import bend_strip
 
 ARCH = "0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n"
 

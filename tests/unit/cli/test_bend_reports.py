@@ -10,19 +10,17 @@ import pytest
 from click.testing import CliRunner
 
 from elastica_cad.cli.commands import elastica
-from elastica_cad.fabrication.strip.outline import Hole, Tab, TSlot
-from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
-from elastica_cad.fabrication.travel import bend_strip
+from elastica_cad.design.strip_request import RECORDS, SOLVED, FinishedStrip, request_record
 from elastica_cad.files import read_curves, read_drawing
-from elastica_cad.formats.reports.strip_request import RECORDS, SOLVED, FinishedStrip, request_record
 from elastica_cad.forming.limits import Limits
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.loads.weight import PointMass
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import LeavesLaw, ThicknessLaw
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.loads import PointMass, RestCurvature, Supports
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import LeavesLaw, ThicknessLaw
+from elastica_cad.strip.outline import Hole, Tab, TSlot
+from elastica_cad.strip.strip_spec import StripSpec, make_strip
+from elastica_cad.strip.travel import bend_strip
 
 ARCH = "0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n"
 SINE = PlaneCurve.fit(

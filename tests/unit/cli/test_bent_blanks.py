@@ -6,12 +6,12 @@ import pytest
 from click.testing import CliRunner
 
 from elastica_cad.cli.commands import elastica
-from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.design.design_file import read_design
 from elastica_cad.files import read_curves
-from elastica_cad.formats.curve_files.json_curves import curves_json
-from elastica_cad.formats.design_files.design_file import read_design
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
+from elastica_cad.formats.json_curves import curves_json
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import RestCurvature
+from elastica_cad.strip.strip_spec import make_strip
 
 ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)], degree=4)
 FLATTER = PlaneCurve.spline([(0, 0), (40, 30), (90, 42), (140, 30), (184, 0)], degree=4)

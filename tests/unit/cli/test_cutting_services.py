@@ -7,9 +7,9 @@ import pytest
 from click.testing import CliRunner
 
 from elastica_cad.cli.commands import elastica
+from elastica_cad.design import Cutting, read_design
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
-from elastica_cad.formats import Cutting, read_design
 from elastica_cad.kit.kit_files import save_model
 
 KIT = """schema = 1

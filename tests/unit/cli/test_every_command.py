@@ -14,6 +14,7 @@ import pytest
 from click.testing import CliRunner
 
 from elastica_cad.cli.commands import elastica
+from elastica_cad.strip.measuring import ANGLES, LENGTHS
 
 ROOT = Path(__file__).resolve().parents[3]
 SHEET = ("--sheet", "birch-plywood-0.8")
@@ -52,7 +53,14 @@ def typed(*words, cwd):
 def folder(tmp_path):
     (tmp_path / "bow.txt").write_text(BOW)
     (tmp_path / "flat.txt").write_text(BOW.replace("60\n", "40\n"))
-    chord = {"marks": [], "expected": {"chord": 90}, "uncertain": {"chord": 1}, "causes": {}}
+    measures = dict.fromkeys((*LENGTHS, *ANGLES), 90)
+    chord = {
+        "marks": [],
+        "expected": measures,
+        "uncertain": measures,
+        "causes": {},
+        "shape": [[0, 0], [90, 0]],
+    }
     (tmp_path / "made.json").write_text(json.dumps({"measuring": chord}))
     (tmp_path / "read.toml").write_text("chord = 90.5")
     for kind in ("arch", "sections"):

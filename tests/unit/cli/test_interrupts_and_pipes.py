@@ -5,8 +5,8 @@ import sys
 
 import pytest
 
-from elastica_cad._interrupts import interrupts_held
-from elastica_cad.cli.running.voice import Voice, progress_shown
+from elastica_cad._process import interrupts_held
+from elastica_cad.cli.voice import Voice, progress_shown
 
 
 def test_ctrl_c_in_an_import_that_catches_all_exceptions_ends_the_command_behind_it():
@@ -39,8 +39,8 @@ def test_a_closed_pipe_ends_a_command_quietly():
 
 def test_a_command_that_takes_long_shows_its_step(monkeypatch, tmp_path):
     speaker = Voice("model", step="made strip A (3 of 9)")
-    monkeypatch.setattr("elastica_cad.cli.running.voice.voice", lambda: speaker)
-    monkeypatch.setattr("elastica_cad.cli.running.voice.PATIENCE_S", 0.01)
+    monkeypatch.setattr("elastica_cad.cli.voice.voice", lambda: speaker)
+    monkeypatch.setattr("elastica_cad.cli.voice.PATIENCE_S", 0.01)
     with (tmp_path / "err").open("w+") as screen:
         monkeypatch.setattr(sys, "__stderr__", screen)
         with progress_shown():

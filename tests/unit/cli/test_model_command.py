@@ -13,12 +13,12 @@ from click.testing import CliRunner
 import elastica_cad as ec
 from elastica_cad.cli import model_command
 from elastica_cad.cli.commands import elastica
-from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
-from elastica_cad.fabrication.model.assembly import list_assembly_steps
-from elastica_cad.formats.curve_files.json_curves import curves_json
-from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.design.design_file import read_design
+from elastica_cad.formats.json_curves import curves_json
 from elastica_cad.kit.kit_contents import kit_of
+from elastica_cad.model.assembly import list_assembly_steps
 from elastica_cad.plot.assembly_sheet import save_assembly_sheet
+from elastica_cad.strip.drawing import CUT_OUTER
 
 DESIGN = """
 schema = 1

@@ -16,8 +16,8 @@ import pytest
 from click.testing import CliRunner
 
 import elastica_cad as ec
+from elastica_cad.cli import suggestions
 from elastica_cad.cli.commands import elastica
-from elastica_cad.cli.running import suggestions
 from elastica_cad.formats import write_curves
 
 CURVES = {
@@ -361,8 +361,7 @@ label = "B"
 def test_limits_that_two_strips_miss_are_told_before_what_would_help_the_first(tmp_path):
     (tmp_path / "pair.toml").write_text(FLATTER_THAN_THEY_CAN_BE)
     slow = (
-        "import elastica_cad.forming.nearest.nearest_record as a, time; "
-        "a._ways_out = lambda _: time.sleep(60) or ()"
+        "import elastica_cad.forming.nearest_record as a, time; a._ways_out = lambda _: time.sleep(60) or ()"
     )
     verdict, rest, code = ended_by_ctrl_c(["model", "pair.toml", "-o", "out"], tmp_path, first=slow)
     assert verdict.startswith("Not within these limits: A: The limits cannot be met")
@@ -375,7 +374,7 @@ def test_limits_that_two_strips_miss_are_told_before_what_would_help_the_first(t
 def test_what_would_help_is_sought_once_and_for_the_first_alone(tmp_path):
     (tmp_path / "pair.toml").write_text(FLATTER_THAN_THEY_CAN_BE)
     counted = (
-        "import elastica_cad.forming.nearest.nearest_record as a, sys; said = a._ways_out;"
+        "import elastica_cad.forming.nearest_record as a, sys; said = a._ways_out;"
         "a._ways_out = lambda near: (print('sought'), said(near))[1]"
     )
     run = f"{counted}; from elastica_cad.cli import main; main()"

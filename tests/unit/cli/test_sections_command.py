@@ -8,7 +8,7 @@ from click.testing import CliRunner
 
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
-from elastica_cad.formats.curve_files.point_files import read_path_points
+from elastica_cad.formats.point_files import read_path_points
 
 
 def run(*arguments):
@@ -103,7 +103,7 @@ def test_parallel_planes_stand_in_equal_slices(dome, tmp_path):
     mesh = written(tmp_path / "dome.obj", *dome)
     made = run("sections", mesh, "--parallel", 4, "--axis", 0, 1, 0, "--sheet", "card-200gsm", "-o", tmp_path)
     assert made.exit_code == 0, made.output
-    design = ec.formats.read_design(tmp_path / "dome-sections.toml", ec.read_curves)
+    design = ec.design.read_design(tmp_path / "dome-sections.toml", ec.read_curves)
     assert [wish.frame.origin[1] for wish in design.entries] == pytest.approx([-75, -25, 25, 75], abs=0.2)
     offsets = [word for y in (-30, 30) for word in ("--offset", y)]
     made = run("sections", mesh, *offsets, "--axis", 0, 1, 0, "--point", 0, 0, 0, "-o", tmp_path / "two")

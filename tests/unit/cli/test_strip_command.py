@@ -10,7 +10,7 @@ from click.testing import CliRunner
 
 import elastica_cad as ec
 from elastica_cad.cli import commands
-from elastica_cad.formats.curve_files.json_curves import curves_json
+from elastica_cad.formats.json_curves import curves_json
 
 
 def elastica(*arguments, cwd="."):

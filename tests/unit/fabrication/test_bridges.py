@@ -5,9 +5,8 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.cutting import HoldingTabs, add_holding_tabs
-from elastica_cad.fabrication.drawings.drawing import Drawing, LayeredPath
-from elastica_cad.formats.drawing_files.write_drawing import write_drawing
+from elastica_cad.formats.drawing_files import write_drawing
+from elastica_cad.strip.drawing import Drawing, HoldingTabs, LayeredPath, add_holding_tabs
 
 CARD = ec.Sheet.named("card-200gsm")
 

@@ -8,23 +8,23 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
+from elastica_cad.design.reports import report_strip
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.interlocking.collisions import self_contact
-from elastica_cad.fabrication.solids.strip_solids import BentSolid
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.outline import Tab
-from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
-from elastica_cad.formats.reports.strip_report import report_strip
 from elastica_cad.forming.limits import Limits
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.pen_curves.provenance import Provenance
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stability.stability_verdict import stability
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.curvature_conditions import begin_at, flattest_place
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.geometry.measured_points import Provenance
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import Gravity
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.mechanics.theorem1 import begin_at, flattest_place
+from elastica_cad.model.collisions import self_contact
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.solids import BentSolid
+from elastica_cad.strip.strip_spec import StripSpec, make_strip
 
 pytestmark = pytest.mark.core
 

@@ -2,19 +2,19 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.cutting import compensate_kerf
-from elastica_cad.fabrication.drawings.drawing import (
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Line, Spline
+from elastica_cad.strip.drawing import (
     CUT_INNER,
     CUT_OUTER,
     ENGRAVE,
     MARK,
     Drawing,
     LayeredPath,
+    compensate_kerf,
 )
-from elastica_cad.fabrication.drawings.lettering import Text, text_strokes
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Line, Spline
+from elastica_cad.strip.lettering import Text, text_strokes
 
 pytestmark = pytest.mark.core
 

@@ -6,19 +6,17 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture, end_fixtures
-from elastica_cad.fabrication.holders.placed_tab import PlacedTab
-from elastica_cad.fabrication.holders.plates import BasePlate, TabSlot, base_plate
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.solids.strip_solids import FlatSolid, convex_corners
-from elastica_cad.fabrication.strip.outline import Hole, Tab
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.fixtures import EndFixture, PlacedTab, end_fixtures
+from elastica_cad.model.model import Model
+from elastica_cad.model.plates import BasePlate, TabSlot, base_plate
+from elastica_cad.strip.outline import Hole, Tab
+from elastica_cad.strip.solids import FlatSolid, convex_corners
+from elastica_cad.strip.strip import Placed, Strip
 
 PLY = Sheet.named("birch-plywood-0.8")
 MDF = Sheet.named("mdf-3")
@@ -178,7 +176,7 @@ def test_every_tab_goes_through_its_slot(arch, shape, check_drawing):
 def test_labels_keep_off_the_slots(arch):
     import shapely
 
-    from elastica_cad.fabrication.drawings.lettering import text_strokes
+    from elastica_cad.strip.lettering import text_strokes
 
     base = standing(arch, *np.linspace(0, 6, 16)).base_plate(MDF)
     slots = shapely.MultiPolygon([shapely.Polygon(slot.corners) for slot in base.slots])

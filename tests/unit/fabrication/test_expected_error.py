@@ -7,12 +7,11 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holding.expected_error import MakingTolerance
-from elastica_cad.fabrication.holding.held_shape import HeldShape, about
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.studies.tolerance_study import Imperfection, perturb_rod
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.tolerances import Imperfection, perturb_rod
+from elastica_cad.strip.held_shape import HeldShape, MakingTolerance, about
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.strip import Strip
 
 pytestmark = pytest.mark.core
 

@@ -7,7 +7,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip.outline import Hole
+from elastica_cad.strip.outline import Hole
 
 pytestmark = pytest.mark.core
 CARD = ec.Sheet.named("card-200gsm")

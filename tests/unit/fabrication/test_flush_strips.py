@@ -6,17 +6,16 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from elastica_cad.fabrication.interlocking.collisions import missing_slots, tell_missing_slots
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.strip.outline import Tab
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip_spec import make_strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import RoundLaw, ThicknessLaw
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
+from elastica_cad.model.collisions import missing_slots, tell_missing_slots
+from elastica_cad.model.model import Model
+from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad.strip.strip_spec import make_strip
 
 pytestmark = pytest.mark.core
 

@@ -7,22 +7,20 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.interlocking.collisions import missing_slots, tell_missing_slots
-from elastica_cad.fabrication.interlocking.crossings import strip_crossings
-from elastica_cad.fabrication.interlocking.interlock import slot_width
-from elastica_cad.fabrication.interlocking.ruled_strip import RuledStrip, strips_may_meet
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.sheets.pieces import cut_key
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.collisions import missing_slots, tell_missing_slots
+from elastica_cad.model.crossings import RuledStrip, strip_crossings, strips_may_meet
+from elastica_cad.model.interlocking import slot_width
+from elastica_cad.model.model import Model
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.pieces import cut_key
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.strip import Placed, Strip
 
 pytestmark = pytest.mark.core
 

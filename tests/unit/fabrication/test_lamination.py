@@ -8,15 +8,15 @@ import shapely
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.solids.strip_solids import BentSolid
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.outline import Hole
-from elastica_cad.fabrication.strip.perforation import Perforated
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.loads.weight import Weight
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
-from elastica_cad.mechanics.stiffness.optimal_laminate import optimal_laminate
+from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.mechanics.least_ratio import optimal_laminate
+from elastica_cad.mechanics.loads import Weight
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.outline import Hole
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.solids import BentSolid
 
 CARD = ec.Sheet.named("card-200gsm")
 THICK = ec.Sheet("card-400", 0.4, 2.5 * CARD.youngs_modulus, density=900.0, max_strain=0.006)

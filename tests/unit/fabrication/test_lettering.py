@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.lettering import Text, text_strokes, text_width
+from elastica_cad.strip.lettering import Text, text_strokes, text_width
 
 pytestmark = pytest.mark.core
 

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.outline import Tab
-from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.forming.limits import Keep
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import Gravity
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.strip_spec import make_strip
 
 pytestmark = pytest.mark.core
 

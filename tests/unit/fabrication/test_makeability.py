@@ -7,22 +7,22 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError, StrainError
-from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
-from elastica_cad.fabrication.makeability.uncuttable_parts import (
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.outline import Hole, Tab
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad.strip.uncuttable_parts import (
+    FabricationLimits,
     find_plate_faults,
     find_slot_faults,
     find_strip_faults,
     find_thin_places,
 )
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.outline import Hole, Tab
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip_spec import make_strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
 
 pytestmark = pytest.mark.core
 

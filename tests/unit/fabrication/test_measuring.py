@@ -7,9 +7,9 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.measuring import Measuring, _measured
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.measuring import Measuring, _measured
+from elastica_cad.strip.strip import Strip
 
 pytestmark = pytest.mark.core
 

@@ -9,18 +9,15 @@ import pytest
 import shapely
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.cutting import compensate_kerf
-from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.sheets.cut_list import cut_list
-from elastica_cad.fabrication.sheets.nesting import nest_pieces
-from elastica_cad.fabrication.sheets.pieces import Piece
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.geometry.path import Path
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.model import Model
+from elastica_cad.model.nesting import cut_list, nest_pieces
+from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath, compensate_kerf
+from elastica_cad.strip.pieces import Piece
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.strip import Placed, Strip
 
 CARD = Sheet.named("card-200gsm")
 MDF = Sheet("board", 3.0, 3000.0, 700.0, 0.01, kerf=0.16)  # no grain

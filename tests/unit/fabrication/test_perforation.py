@@ -8,14 +8,14 @@ import shapely
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.corner_rounding import round_corners
-from elastica_cad.fabrication.drawings.cutting import compensate_kerf
-from elastica_cad.fabrication.drawings.lettering import text_strokes
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.outline import Hole
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.mechanics.material.plain_section import PerforatedSection
-from elastica_cad.mechanics.material.section_limits import ScaleRange
+from elastica_cad.mechanics.section_limits import ScaleRange
+from elastica_cad.mechanics.sections import PerforatedSection
+from elastica_cad.strip.corner_rounding import round_corners
+from elastica_cad.strip.drawing import compensate_kerf
+from elastica_cad.strip.lettering import text_strokes
+from elastica_cad.strip.outline import Hole
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.slots import Slot
 
 CARD = ec.Sheet.named("card-200gsm")
 STATIONS = 1000

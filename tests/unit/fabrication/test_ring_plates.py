@@ -8,10 +8,10 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.lettering import text_strokes
-from elastica_cad.fabrication.holders.placed_tab import PlacedTab
-from elastica_cad.fabrication.holders.plate_pairs import end_plates
-from elastica_cad.fabrication.strip.outline import ENDS, Tab
+from elastica_cad.model.fixtures import PlacedTab
+from elastica_cad.model.plate_pairs import end_plates
+from elastica_cad.strip.lettering import text_strokes
+from elastica_cad.strip.outline import ENDS, Tab
 
 CARD = ec.Sheet.named("card-200gsm")
 MDF = ec.Sheet.named("mdf-3")

@@ -6,19 +6,18 @@ from shapely.geometry import MultiLineString, Polygon
 from shapely.ops import unary_union
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER
-from elastica_cad.fabrication.drawings.lettering import text_strokes
-from elastica_cad.fabrication.slots.marks import TEXT_DISTANCE_MM
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.solids.strip_solids import BentSolid
-from elastica_cad.fabrication.strip.outline import Hole, Tab
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.segments import Line, Spline
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Line, Spline
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER
+from elastica_cad.strip.lettering import text_strokes
+from elastica_cad.strip.outline import Hole, Tab
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.slots import TEXT_DISTANCE_MM, Slot
+from elastica_cad.strip.solids import BentSolid
+from elastica_cad.strip.strip import Strip
 
 CARD = Sheet.named("card-200gsm")
 ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])

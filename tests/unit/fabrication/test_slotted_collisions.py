@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from elastica_cad.design.kit_spec import KitSpec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.interlocking.collisions import missing_slots
-from elastica_cad.formats.design_files.kit_spec import KitSpec
 from elastica_cad.kit.kit_contents import kit_of
+from elastica_cad.model.collisions import missing_slots
 
 COLLIDING = (12, 32, 44, 62, 71, 76, 96, 98, 118)
 """Edges in faces, ends in faces, faces in faces, edges across edges."""

@@ -5,17 +5,16 @@ import pytest
 import shapely
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.lettering import text_strokes
-from elastica_cad.fabrication.holders.placed_tab import PlacedTab
-from elastica_cad.fabrication.holders.slotted_frame import SHOULDER_MM, slotted_frame
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.strip.outline import Tab
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.fixtures import PlacedTab
+from elastica_cad.model.frames import SHOULDER_MM, slotted_frame
+from elastica_cad.model.model import Model
+from elastica_cad.strip.lettering import text_strokes
+from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.strip import Placed, Strip
 
 PLY = Sheet.named("birch-plywood-0.8")
 MDF = Sheet.named("mdf-3")
@@ -98,8 +97,8 @@ def test_nothing_collides(model, frame):
     from OCP.BRepGProp import BRepGProp
     from OCP.GProp import GProp_GProps
 
-    from elastica_cad.fabrication.solids.strip_solids import BentSolid
     from elastica_cad.kernel.occt import make_solid
+    from elastica_cad.strip.solids import BentSolid
 
     plates = [make_solid(solid) for _, solid in frame.solids]
     bent = [make_solid(BentSolid.of(p.strip, p.frame)) for p in model.placed]

@@ -3,16 +3,16 @@
 import numpy as np
 import pytest
 
-from elastica_cad.fabrication.solids import flat_pattern
-from elastica_cad.fabrication.solids.flat_pattern import in_smooth_pieces
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.paths.segments import Arc, Line, Spline
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.segments import Arc, Line, Spline
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip import flat_pattern
+from elastica_cad.strip.flat_pattern import in_smooth_pieces
+from elastica_cad.strip.strip import Strip
 
 pytestmark = pytest.mark.core
 

@@ -13,17 +13,17 @@ from scipy.optimize import root
 
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
+from elastica_cad.design.kit_spec import HolderSpec, KitSpec
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK
-from elastica_cad.fabrication.drawings.lettering import text_strokes
-from elastica_cad.fabrication.makeability.makeable_strip import Splice, joined_within, splice, spliced
-from elastica_cad.fabrication.sheets.nesting import Nesting
-from elastica_cad.fabrication.strip.laps import PLATE_CUT, PLATE_END, LapPlates
-from elastica_cad.formats.design_files.kit_spec import HolderSpec, KitSpec
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.path_intersections import clip_across
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path_intersections import clip_across
 from elastica_cad.kit.kit_contents import kit_of
-from elastica_cad.mechanics.material.stiffness_law import ThicknessLaw
+from elastica_cad.mechanics.stiffness_law import ThicknessLaw
+from elastica_cad.model.nesting import Nesting
+from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK
+from elastica_cad.strip.layers import PLATE_CUT, PLATE_END, LapPlates
+from elastica_cad.strip.lettering import text_strokes
+from elastica_cad.strip.makeable_strip import Splice, joined_within, splice, spliced
 
 PLY = ec.Sheet.named("birch-plywood-4")
 ARCH = ec.PlaneCurve.spline([(0, 0), (300, 900), (1500, 1400), (2700, 900), (3000, 0)])  # 3.7 m

@@ -8,11 +8,11 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.cli import main
-from elastica_cad.fabrication.holders.holding_template import held_ends, holding_template, tell_ends
-from elastica_cad.fabrication.model.assembly import list_assembly_steps
-from elastica_cad.formats.design_files.kit_spec import HolderSpec, KitSpec
+from elastica_cad.design.kit_spec import HolderSpec, KitSpec
 from elastica_cad.kit.kit_contents import kit_of
 from elastica_cad.kit.kit_files import write_kit
+from elastica_cad.model.assembly import list_assembly_steps
+from elastica_cad.strip.holding_template import held_ends, holding_template, tell_ends
 
 BENT = [(60, 0), (110, 0), (160, 120), (250, 150), (340, 120), (390, 0), (440, 0)]
 

@@ -4,21 +4,20 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.plate_pairs import plate_pair, ring_pair
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.sheets.pieces import count_shapes
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.outline import Hole, Tab
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip_spec import make_strip
 from elastica_cad.forming.limits import Limits
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod, csv_text
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.rod import Rod, csv_text
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad.model.model import Model
+from elastica_cad.model.plate_pairs import plate_pair, ring_pair
+from elastica_cad.strip.outline import Hole, Tab
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.pieces import count_shapes
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad.strip.strip_spec import make_strip
 
 pytestmark = pytest.mark.core
 

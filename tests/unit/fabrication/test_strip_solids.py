@@ -4,24 +4,24 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.bent_boundary import bent_maps
-from elastica_cad.fabrication.solids.boundary_records import (
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Arc, Line
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.bent_boundary import (
     CylinderSurface,
     ExtrudedSurface,
     PlacedSegment,
     PlaneSurface,
     StraightTrace,
+    bent_maps,
 )
-from elastica_cad.fabrication.solids.flat_pattern import cut_across, on_segment
-from elastica_cad.fabrication.solids.strip_solids import BentSolid
-from elastica_cad.fabrication.strip.outline import Hole, Tab, long_sides
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Line
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.strip.flat_pattern import cut_across, on_segment
+from elastica_cad.strip.outline import Hole, Tab, long_sides
+from elastica_cad.strip.solids import BentSolid
+from elastica_cad.strip.strip import Strip
 
 pytestmark = pytest.mark.core
 

@@ -6,18 +6,16 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.outline import Tab
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
 from elastica_cad.forming.limits import HalfPlane, Keep, Limits
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.loads.weight import PointMass, Weight
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import Gravity, PointMass, Supports, Weight
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.strip_spec import StripSpec, make_strip
 
 POLES = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 CARD = Sheet.named("card-200gsm")

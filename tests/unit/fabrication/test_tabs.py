@@ -7,12 +7,12 @@ import pytest
 import shapely
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.solids.strip_solids import FlatSolid
-from elastica_cad.fabrication.strip.outline import Hole, Tab, TSlot
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.fixtures import EndFixture
+from elastica_cad.strip.outline import Hole, Tab, TSlot
+from elastica_cad.strip.solids import FlatSolid
+from elastica_cad.strip.strip import Strip
 
 PLY = Sheet.named("birch-plywood-3")
 

@@ -6,22 +6,22 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.leaf_stack import LeafStack
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, FlatSolid, bent_sheets
-from elastica_cad.fabrication.strip.outline import Hole, Tab
-from elastica_cad.fabrication.strip_spec import StripSpec, make_strip
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.loads.weight import PointMass
-from elastica_cad.mechanics.material.plain_section import WidthLaw
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import PointMass
+from elastica_cad.mechanics.sections import WidthLaw
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.model.fixtures import EndFixture
+from elastica_cad.model.leaf_stack import LeafStack
+from elastica_cad.model.model import Model
+from elastica_cad.strip.outline import Hole, Tab
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.solids import BentSolid, FlatSolid, bent_sheets
+from elastica_cad.strip.strip import Placed
+from elastica_cad.strip.strip_spec import StripSpec, make_strip
 
 pytestmark = pytest.mark.core
 

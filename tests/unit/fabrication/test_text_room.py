@@ -5,15 +5,15 @@ import pytest
 import shapely
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.drawing import CUT_INNER, CUT_OUTER, MARK
-from elastica_cad.fabrication.drawings.lettering import text_strokes
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.outline import Hole, Tab
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.lettering import text_strokes
+from elastica_cad.strip.outline import Hole, Tab
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.strip import Strip
 
 CARD = Sheet.named("card-200gsm")
 LONG = "pergola-north-west-segment-042"

@@ -6,13 +6,12 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.model.touching_widths import touching_widths
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.revolution_model import touching_widths
+from elastica_cad.strip.strip import Placed, Strip
 
 pytestmark = pytest.mark.core
 

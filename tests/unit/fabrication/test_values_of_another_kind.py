@@ -6,44 +6,40 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.cutting import HoldingTabs, compensate_kerf
-from elastica_cad.fabrication.drawings.drawing import Drawing
-from elastica_cad.fabrication.drawings.lettering import Text
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.interlocking.interlock import interlock
-from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.model.touching_widths import touching_widths
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.sheets.nesting import nest_pieces
-from elastica_cad.fabrication.sheets.pieces import Piece, strip_pieces
-from elastica_cad.fabrication.slots.slot import Slot
-from elastica_cad.fabrication.strip.lamination import Laminated
-from elastica_cad.fabrication.strip.outline import Hole, Tab, TSlot
-from elastica_cad.fabrication.strip.perforation import Perforated
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.files import read_curves
-from elastica_cad.formats.curve_files.write_curves import write_curves
-from elastica_cad.formats.drawing_files.write_drawing import write_drawing
+from elastica_cad.formats.curve_writer import write_curves
+from elastica_cad.formats.drawing_files import write_drawing
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.many_rods import nearest_rods
-from elastica_cad.forming.revolution.meridian import meridian
+from elastica_cad.forming.meridians import meridian
 from elastica_cad.forming.splitting import split
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Arc
 from elastica_cad.kit.kit_files import save_model
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import End
-from elastica_cad.mechanics.loads.weight import PointMass, Weight
-from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
-from elastica_cad.mechanics.material.moment_curvature import PolynomialLaw, TabulatedLaw
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import RoundLaw
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.loads import End, Gravity, PointMass, Weight
+from elastica_cad.mechanics.moment_curvature import PolynomialLaw, TabulatedLaw
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sections import anticlastic_factor
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import RoundLaw
+from elastica_cad.model.fixtures import EndFixture
+from elastica_cad.model.interlocking import interlock
+from elastica_cad.model.model import Model
+from elastica_cad.model.nesting import nest_pieces
+from elastica_cad.model.revolution_model import touching_widths
+from elastica_cad.strip.drawing import Drawing, HoldingTabs, compensate_kerf
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.lettering import Text
+from elastica_cad.strip.outline import Hole, Tab, TSlot
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.pieces import Piece, strip_pieces
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
 pytestmark = pytest.mark.core
 

@@ -6,7 +6,7 @@ import struct
 import numpy as np
 import pytest
 
-from elastica_cad.formats.surface_files.animated_glb import MovingMesh, encode_animation
+from elastica_cad.formats.animated_glb import MovingMesh, encode_animation
 
 pytestmark = pytest.mark.core
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.file_access.write_files import write_atomically
+from elastica_cad.formats.write_files import write_atomically
 
 pytestmark = pytest.mark.core
 

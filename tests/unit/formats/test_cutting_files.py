@@ -9,8 +9,14 @@ import svgelements
 from scipy.interpolate import BSpline
 
 from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.fabrication.drawings.cutting import separate_parts
-from elastica_cad.fabrication.drawings.drawing import (
+from elastica_cad.formats.drawing_files import encode_svg, write_drawing
+from elastica_cad.formats.drawing_style import CURVES, style_layers
+from elastica_cad.formats.dxf_drawing import DXF_VERSIONS, encode_dxf
+from elastica_cad.geometry.approximations import as_beziers
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Arc, Line, Spline
+from elastica_cad.strip.drawing import (
     CUT_INNER,
     CUT_OUTER,
     ENGRAVE,
@@ -18,16 +24,9 @@ from elastica_cad.fabrication.drawings.drawing import (
     SHEET,
     Drawing,
     LayeredPath,
+    separate_parts,
 )
-from elastica_cad.fabrication.drawings.lettering import Text
-from elastica_cad.formats.drawing_files.drawing_style import CURVES, style_layers
-from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS, encode_dxf
-from elastica_cad.formats.drawing_files.svg_drawing import encode_svg
-from elastica_cad.formats.drawing_files.write_drawing import write_drawing
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.approximations import as_beziers
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Line, Spline
+from elastica_cad.strip.lettering import Text
 
 
 def waved(degree=3):
@@ -217,7 +216,7 @@ def test_same_drawing_same_bytes_in_another_process(tmp_path):
     code = (
         "import sys, hashlib, numpy as np\n"
         "from elastica_cad.geometry import *\n"
-        "from elastica_cad.fabrication import *\n"
+        "from elastica_cad.strip import *\n"
         "from elastica_cad.formats import *\n"
         "curve = PlaneCurve.spline([(0, 0), (9, 5), (20, -3), (30, 0)], 3)\n"
         "loop = Path([Spline(curve), Line((30, 0), (0, 0))], closed=True)\n"

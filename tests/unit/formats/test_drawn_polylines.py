@@ -8,8 +8,8 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
-from elastica_cad.geometry.curve_editing.fairing import round_corners
-from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
+from elastica_cad.geometry.fairing import round_corners
+from elastica_cad.mechanics.theorem1 import require_bendable
 
 
 def read(tmp_path, vertices, kind):

@@ -7,12 +7,12 @@ import pytest
 from scipy.interpolate import BSpline, CubicSpline
 
 from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.fabrication.drawings.drawing import MARK, Drawing, LayeredPath
 from elastica_cad.files import read_curves, read_drawing
-from elastica_cad.formats.drawing_files.dxf_drawing import encode_dxf
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Line
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.formats.dxf_drawing import encode_dxf
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.segments import Line
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.strip.drawing import MARK, Drawing, LayeredPath
 
 S_POINTS = np.array([(0, 0), (30, 40), (60, -40), (90, 10), (120, 0)], dtype=float)
 

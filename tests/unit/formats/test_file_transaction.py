@@ -9,7 +9,7 @@ import time
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.file_access.write_files import check_folder, write_atomically, write_together
+from elastica_cad.formats.write_files import check_folder, write_atomically, write_together
 
 pytestmark = pytest.mark.core
 
@@ -131,7 +131,7 @@ def test_other_refusals_stay_as_they_are(tmp_path):
 
 KILLED = """
 import os, signal, sys
-from elastica_cad.formats.file_access.write_files import write_together
+from elastica_cad.formats.write_files import write_together
 with write_together(sys.argv[1], ["a.txt"]) as workshop:
     (workshop / "a.txt").write_text("half")
     os.kill(os.getpid(), signal.SIGKILL)

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from elastica_cad.design.tables import CONSTANTS, FUNCTIONS, Formula
 from elastica_cad.errors import InputError
-from elastica_cad.formats.design_files.formulae import CONSTANTS, FUNCTIONS, Formula
 
 pytestmark = pytest.mark.core
 

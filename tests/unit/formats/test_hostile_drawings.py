@@ -10,9 +10,9 @@ import pytest
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.files import read_curves, read_drawing
-from elastica_cad.formats.curve_files.json_curves import curves_json
-from elastica_cad.formats.file_access.source_file import require_file
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.formats.json_curves import curves_json
+from elastica_cad.formats.source_file import require_file
+from elastica_cad.geometry.plane_curve import PlaneCurve
 
 pytest.importorskip("svgelements")
 ezdxf = pytest.importorskip("ezdxf")

@@ -5,12 +5,9 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
-from elastica_cad.formats.curve_files.json_curves import (
-    curve_record,
-    curves_json,
-)
-from elastica_cad.formats.curve_files.write_curves import write_curves
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.formats.curve_writer import write_curves
+from elastica_cad.formats.json_curves import curve_record, curves_json
+from elastica_cad.geometry.plane_curve import PlaneCurve
 
 pytestmark = pytest.mark.core
 

@@ -5,7 +5,7 @@ import json
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.formats.design_files.design_file import read_design
+from elastica_cad.design.design_file import read_design
 from elastica_cad.kit.kit_contents import kit_of
 from elastica_cad.kit.kit_files import write_kit
 

@@ -6,8 +6,8 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.curve_files.number_gate import half_last_place
-from elastica_cad.formats.svg_files.path_data import path_data
+from elastica_cad.formats.source_file import half_last_place
+from elastica_cad.formats.svg_path_data import path_data
 
 svgpathtools = pytest.importorskip("svgpathtools")
 

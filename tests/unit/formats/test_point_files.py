@@ -3,7 +3,7 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves, read_drawing
-from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
+from elastica_cad.mechanics.theorem1 import require_bendable
 
 pytestmark = pytest.mark.core
 

@@ -9,8 +9,8 @@ import pytest
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.files import read_drawing
 from elastica_cad.forming.fairing_request import SEEN, smooth_curve
-from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1 import require_bendable
 
 pytest.importorskip("svgelements")
 pytest.importorskip("ezdxf")

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.fabrication.drawings.drawing import Drawing, LayeredPath
 from elastica_cad.files import CURVE_SUFFIXES, read_curves, save
-from elastica_cad.formats.curve_files.json_curves import curves_json
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.path import Path as GeometryPath
-from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.formats.json_curves import curves_json
+from elastica_cad.geometry.path import Path as GeometryPath
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Spline
+from elastica_cad.strip.drawing import Drawing, LayeredPath
 
 
 def test_the_suffix_chooses_the_reader(tmp_path):

@@ -5,14 +5,14 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.fabrication.strip_spec import make_strip
+from elastica_cad.design.design_file import read_design
+from elastica_cad.design.reports import report_blank, tell_blank
 from elastica_cad.files import read_curves
-from elastica_cad.formats.design_files.design_file import read_design
-from elastica_cad.formats.reports.strip_report import report_blank, tell_blank
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kit.kit_contents import kit_of
 from elastica_cad.kit.kit_files import write_kit
-from elastica_cad.mechanics.loads.rest_curvature import RestCurvature
+from elastica_cad.mechanics.loads import RestCurvature
+from elastica_cad.strip.strip_spec import make_strip
 
 LEFT = PlaneCurve.arc((0, 0), 100, 0, 1)
 DESIGN = """schema = 1

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
+from elastica_cad.design.design_file import read_design
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.formats.design_files.design_file import read_design
 from elastica_cad.kit.kit_contents import kit_of
 
 HEAD = 'schema = 1\nname = "vase"\nsheet = "card-200gsm"\n'
@@ -44,7 +44,7 @@ def test_a_gap_makes_two_rings_at_either_end(read):
     assert [plate.name for plate in model.plates] == [
         "ring-start", "ring-start-outer", "ring-end", "ring-end-outer",
     ]  # fmt: skip
-    assert not ec.fabrication.rocking_tabs(model.placed, model.plates)
+    assert not ec.model.rocking_tabs(model.placed, model.plates)
 
 
 def test_constants_and_other_strips_beside_it(read):

@@ -8,8 +8,8 @@ import pytest
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves, read_drawing
 from elastica_cad.forming.fairing_request import smooth_curve
-from elastica_cad.mechanics.theorem1.curvature_conditions import require_bendable
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.theorem1 import require_bendable
 
 pytest.importorskip("svgelements")
 

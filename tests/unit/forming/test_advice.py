@@ -11,16 +11,16 @@ from click.testing import CliRunner
 
 from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import NotConvergedError, NotMetError
-from elastica_cad.formats.curve_files.json_curves import curves_json
+from elastica_cad.formats.json_curves import curves_json
 from elastica_cad.forming.limits import Box, Keep, Limits
-from elastica_cad.forming.nearest.nearest_record import NearestRod, Status, advise
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
+from elastica_cad.forming.nearest_record import NearestRod, Status, advise
+from elastica_cad.forming.nearest_search import nearest_rod
 from elastica_cad.forming.splitting import split
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stability.stability_verdict import stability
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.loads import Gravity
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stability import stability
 from elastica_cad.refusals import Length
 
 ARCH = PlaneCurve.spline([(0, 0), (20, 70), (60, 90), (110, 60), (120, 0)], degree=4)

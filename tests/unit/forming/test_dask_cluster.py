@@ -6,8 +6,8 @@ import pytest
 
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.many_rods import nearest_rods, stream_nearest_rods
-from elastica_cad.forming.nearest.nearest_record import Status
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.forming.nearest_record import Status
+from elastica_cad.geometry.plane_curve import PlaneCurve
 
 ARCHES = [PlaneCurve.spline([(0, 0), (20, h), (80, h), (100, 0)], degree=3) for h in (40, 60, 80)]
 

@@ -13,10 +13,10 @@ from elastica_cad.errors import InputError
 from elastica_cad.forming import many_rods
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.many_rods import nearest_rods, stream_nearest_rods
-from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.gravity import Gravity
+from elastica_cad.forming.nearest_record import NearestRod, Status
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import Gravity
 
 pytestmark = pytest.mark.core
 

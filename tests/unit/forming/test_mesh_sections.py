@@ -5,16 +5,17 @@ import pytest
 from scipy.spatial import cKDTree
 
 from elastica_cad.errors import InputError
-from elastica_cad.forming.plane_sections.mesh_sections import Mesh, mesh_sections
-from elastica_cad.forming.plane_sections.section_curves import (
+from elastica_cad.forming.plane_sections import Mesh, mesh_sections
+from elastica_cad.forming.section_lines import (
+    SectionLine,
     remove_false_inflections,
     section_curves,
     smooth_polyline,
+    tidy_points,
 )
-from elastica_cad.forming.plane_sections.section_lines import SectionLine, tidy_points
-from elastica_cad.forming.plane_sections.section_spec import parallel_planes, planes_along, radial_planes
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.forming.section_spec import parallel_planes, planes_along, radial_planes
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_curve import PlaneCurve
 
 pytestmark = pytest.mark.core
 

@@ -6,18 +6,17 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.forming.editable_curve import coarse_curve
 from elastica_cad.forming.limits import Box, HalfPlane, Keep, Limits
-from elastica_cad.forming.nearest.editable_curve import coarse_curve
-from elastica_cad.forming.nearest.nearest_record import NearestRod, Status
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.stability.stability_verdict import stability
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.forming.nearest_record import NearestRod, Status
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import Gravity, Supports
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stability import stability
 
 pytestmark = pytest.mark.core
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from elastica_cad.forming.optimizer.quadratic_program import QuadraticProgram, solve_quadratic
+from elastica_cad.forming.quadratic_program import QuadraticProgram, solve_quadratic
 
 pytestmark = pytest.mark.core
 

@@ -5,21 +5,21 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.forming.limits import Box, HalfPlane
-from elastica_cad.forming.nearest import constraints as kept
-from elastica_cad.forming.nearest import constraints as limits
-from elastica_cad.forming.nearest.curve_distance import (
+from elastica_cad.forming import constraints as kept
+from elastica_cad.forming import constraints as limits
+from elastica_cad.forming.curve_distance import (
     ClosestDistance,
     LargestDistance,
     MeanDistance,
     TargetCurve,
     measure_deviation,
 )
-from elastica_cad.forming.nearest.rod_map import SectionScale, StiffnessBasis, StripGrid
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.plain_section import WidthLaw
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.forming.limits import Box, HalfPlane
+from elastica_cad.forming.rod_map import SectionScale, StiffnessBasis, StripGrid
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.sections import WidthLaw
+from elastica_cad.mechanics.sheets import Sheet
 
 pytestmark = pytest.mark.core
 

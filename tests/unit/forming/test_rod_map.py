@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from elastica_cad.forming.nearest.rod_map import StiffnessBasis, StripGrid
-from elastica_cad.mechanics.rod.discrete_rod import bending_moments, edge_forces, node_weights, shoot
+from elastica_cad.forming.rod_map import StiffnessBasis, StripGrid
+from elastica_cad.mechanics.discrete_rod import bending_moments, edge_forces, node_weights, shoot
 
 pytestmark = pytest.mark.core
 
@@ -97,9 +97,9 @@ def test_a_rod_that_winds_up_says_so():
 
 
 def test_a_start_that_winds_up_is_left():
-    from elastica_cad.forming.nearest.curve_distance import MeanDistance
-    from elastica_cad.forming.nearest.rod_problem import RodProblem
-    from elastica_cad.forming.optimizer.sqp import minimize
+    from elastica_cad.forming.curve_distance import MeanDistance
+    from elastica_cad.forming.rod_problem import RodProblem
+    from elastica_cad.forming.sqp import minimize
 
     g = grid()
     u = g.unknowns

@@ -7,11 +7,11 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.forming.splitting import split
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.theorem1 import NotRealizable
 
 pytestmark = pytest.mark.core
 

@@ -3,20 +3,14 @@
 import numpy as np
 import pytest
 
+from elastica_cad.forming.constraints import EndPosition
+from elastica_cad.forming.curve_distance import LargestDistance, MeanDistance, TargetCurve
 from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest.constraints import EndPosition
-from elastica_cad.forming.nearest.curve_distance import LargestDistance, MeanDistance, TargetCurve
-from elastica_cad.forming.nearest.nearest_rod import nearest_rod
-from elastica_cad.forming.nearest.rod_map import StiffnessBasis, StripGrid
-from elastica_cad.forming.nearest.rod_problem import RodProblem
-from elastica_cad.forming.optimizer.nonlinear_program import (
-    all_equalities,
-    close_iterate,
-    follow_step,
-    iterate_at,
-    meet_equalities,
-)
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad.forming.rod_map import StiffnessBasis, StripGrid
+from elastica_cad.forming.rod_problem import RodProblem
+from elastica_cad.forming.sqp import all_equalities, close_iterate, follow_step, iterate_at, meet_equalities
+from elastica_cad.geometry.plane_curve import PlaneCurve
 
 pytestmark = pytest.mark.core
 

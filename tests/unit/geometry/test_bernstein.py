@@ -3,7 +3,7 @@ from math import comb
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.polynomials import bernstein
+from elastica_cad.geometry import polynomials as bernstein
 
 pytestmark = pytest.mark.core
 

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.geometry.curve_editing.control_point_constraints import (
+from elastica_cad.geometry.control_point_constraints import (
     CollinearInflections,
     CurvatureAt,
     EndPositions,
@@ -12,7 +12,7 @@ from elastica_cad.geometry.curve_editing.control_point_constraints import (
     PointsOnLine,
     least_norm_newton,
 )
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_curve import PlaneCurve
 
 WAVE = np.array(
     [

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import make_interp_spline
 
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve, line_crossings
+from elastica_cad.geometry.plane_curve import PlaneCurve, line_crossings
 
 pytestmark = pytest.mark.core
 

@@ -5,19 +5,19 @@ import pytest
 
 from elastica_cad.errors import InputError
 from elastica_cad.forming.fairing_request import smooth_curve
-from elastica_cad.geometry.curve_editing.fairing import (
+from elastica_cad.geometry.fairing import (
     fair_curve,
     may_step,
     smooth_for_corners,
     two_sided_distance,
     usual_tolerance,
 )
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.pen_curves.provenance import Provenance
-from elastica_cad.geometry.polynomials.splines import elevate_degree
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.curvature_conditions import begin_at, require_bendable
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
+from elastica_cad.geometry.measured_points import Provenance
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.splines import elevate_degree
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.theorem1 import begin_at, require_bendable
 
 pytestmark = pytest.mark.core
 

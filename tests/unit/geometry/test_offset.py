@@ -2,10 +2,10 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.offset import offset_path
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.segments import Arc, Line, Spline
+from elastica_cad.geometry.offset import offset_path
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Arc, Line, Spline
 
 pytestmark = pytest.mark.core
 

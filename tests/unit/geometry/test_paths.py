@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip.outline import graph
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve, clamp_ends
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.paths.path_intersections import clip_across, self_crossing, trim_across
-from elastica_cad.geometry.paths.segments import Arc, Line, Spline, trim_segment
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path_intersections import clip_across, self_crossing, trim_across
+from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
+from elastica_cad.geometry.segments import Arc, Line, Spline, trim_segment
+from elastica_cad.strip.outline import graph
 
 pytestmark = pytest.mark.core
 

@@ -8,7 +8,7 @@ from scipy.interpolate import BSpline
 from scipy.special import ellipeinc
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_curve import PlaneCurve
 
 pytestmark = pytest.mark.core
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.point_distance import distances, largest_deviation
-from elastica_cad.geometry.paths.segments import Spline
+from elastica_cad.geometry.path import distances, largest_deviation
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Spline
 
 pytestmark = pytest.mark.core
 

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.paths.path_intersections import polylines_cross, self_crossing
+from elastica_cad.geometry.path_intersections import polylines_cross, self_crossing
 
 pytestmark = pytest.mark.core
 

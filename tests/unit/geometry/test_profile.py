@@ -3,8 +3,8 @@ import pytest
 from scipy.interpolate import BSpline
 
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.profile import Profile
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
 
 pytestmark = pytest.mark.core
 

@@ -7,10 +7,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import _compiled_scipy as compiled_scipy
-from elastica_cad.geometry.polynomials.splines import (
-    bezier_spans,
-    spline_through,
-)
+from elastica_cad.geometry.splines import bezier_spans, spline_through
 
 pytestmark = pytest.mark.core
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.pen_curves.tangent_healing import SURE, heal_tangents
-from elastica_cad.geometry.polynomials.splines import elevate_degree
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.splines import elevate_degree
+from elastica_cad.geometry.tangent_healing import SURE, heal_tangents
 
 pytestmark = pytest.mark.core
 

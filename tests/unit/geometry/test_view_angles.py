@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.curves.self_intersections import find_view_angles
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.self_intersections import find_view_angles
 
 pytestmark = pytest.mark.core
 

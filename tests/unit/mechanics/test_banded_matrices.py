@@ -5,7 +5,7 @@ import pytest
 import scipy.linalg
 
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.mechanics.rod.banded_matrices import (
+from elastica_cad.mechanics.discrete_rod import (
     constrained_inertia,
     count_negative,
     lowest_constrained,

@@ -4,14 +4,12 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.bending.bend_forward import bend, bend_path
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.loads.weight import PointMass, Weight
-from elastica_cad.mechanics.material.moment_curvature import PolynomialLaw
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.bending import bend, bend_path
+from elastica_cad.mechanics.loads import Gravity, PointMass, Supports, Weight
+from elastica_cad.mechanics.moment_curvature import PolynomialLaw
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stability import stability
 
 pytestmark = pytest.mark.core
 

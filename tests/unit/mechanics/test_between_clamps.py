@@ -6,9 +6,9 @@ from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.bending.between_clamps import elastica_between
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
+from elastica_cad.mechanics.between_clamps import elastica_between
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import Gravity
 
 pytestmark = pytest.mark.core
 

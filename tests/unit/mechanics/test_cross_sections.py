@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.material.laminated_section import LaminatedSection
-from elastica_cad.mechanics.material.plain_section import PerforatedSection, PlainSection, WidthLaw
-from elastica_cad.mechanics.material.section_limits import ScaleRange
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.material.stiffness_law import LeavesLaw, RoundLaw, StiffnessLaw, ThicknessLaw
+from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.mechanics.section_limits import ScaleRange
+from elastica_cad.mechanics.sections import PerforatedSection, PlainSection, WidthLaw
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import LeavesLaw, RoundLaw, StiffnessLaw, ThicknessLaw
 
 pytestmark = pytest.mark.core
 

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.anticlastic import anticlastic_factor
-from elastica_cad.mechanics.material.moment_curvature import PolynomialLaw
-from elastica_cad.mechanics.rod.rod_record import CurlingLaw, Rod, as_bent
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.moment_curvature import PolynomialLaw
+from elastica_cad.mechanics.rod import CurlingLaw, Rod, as_bent
+from elastica_cad.mechanics.sections import anticlastic_factor
 
 pytestmark = pytest.mark.core
 

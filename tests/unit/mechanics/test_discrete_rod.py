@@ -4,16 +4,11 @@ import numpy as np
 import pytest
 import scipy.linalg
 
-from elastica_cad.mechanics.bending.bend_forward import bend, state_of, system_of
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.rod.discrete_rod import DiscreteRod, edge_forces
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import (
-    conjugate_point,
-    determinant_gradient,
-    stability_determinant,
-)
+from elastica_cad.mechanics.bending import bend, state_of, system_of
+from elastica_cad.mechanics.discrete_rod import DiscreteRod, edge_forces
+from elastica_cad.mechanics.loads import Gravity, Supports
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stability import conjugate_point, determinant_gradient, stability_determinant
 
 pytestmark = pytest.mark.core
 

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.supports import End, Supports
-from elastica_cad.mechanics.theorem1.equilibrium_check import (
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.equilibrium_check import (
     check_equilibrium,
     find_separating_line,
     fit_inflection_line,
 )
-from elastica_cad.mechanics.theorem1.verdict import InflectionLine, NotRealizable
+from elastica_cad.mechanics.loads import End, Supports
+from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
 
 pytestmark = pytest.mark.core
 

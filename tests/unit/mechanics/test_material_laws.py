@@ -6,13 +6,8 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.material.moment_curvature import (
-    ElasticPlasticLaw,
-    PlasticLaw,
-    PolynomialLaw,
-    TabulatedLaw,
-)
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.moment_curvature import ElasticPlasticLaw, PlasticLaw, PolynomialLaw, TabulatedLaw
+from elastica_cad.mechanics.sheets import Sheet
 
 pytestmark = pytest.mark.core
 

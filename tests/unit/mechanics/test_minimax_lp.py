@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from elastica_cad.mechanics.stiffness import minimax_lp
-from elastica_cad.mechanics.stiffness.minimax_lp import least_variation, minimax_ratio
+from elastica_cad.mechanics import minimax_lp
+from elastica_cad.mechanics.minimax_lp import least_variation, minimax_ratio
 from elastica_cad.published.sampled_lp import sampled_stiffness
 
 pytestmark = pytest.mark.core
@@ -141,7 +141,7 @@ def test_least_variation_is_that_of_the_program_as_it_is_written(numbers, seed):
 def test_highs_is_silent():
     """Of late it prints its name as it is made, past Python, into what programs read."""
     words = (
-        "import numpy as np; from elastica_cad.mechanics.stiffness.minimax_lp import _by_highs; "
+        "import numpy as np; from elastica_cad.mechanics.minimax_lp import _by_highs; "
         "_by_highs(np.eye(2), np.ones(2))"
     )
     ran = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=True)

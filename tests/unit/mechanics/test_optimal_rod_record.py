@@ -7,16 +7,14 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.loads.weight import STANDARD_GRAVITY_M_S2, PointMass, Weight
-from elastica_cad.mechanics.rod.rod_record import DEFAULT_SAMPLES, Rod
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, Gravity, PointMass, Supports, Weight
+from elastica_cad.mechanics.rod import DEFAULT_SAMPLES, Rod
+from elastica_cad.mechanics.theorem1 import NotRealizable
 
 pytestmark = pytest.mark.core
 

@@ -4,15 +4,15 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.geometry.curve_editing.fairing import fair_curve
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.theorem1.equilibrium_check import (
+from elastica_cad.geometry.fairing import fair_curve
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.equilibrium_check import (
     check_equilibrium,
     fit_inflection_line,
     project_inflections,
 )
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import Supports
 
 pytestmark = pytest.mark.core
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.polynomials.panel_functions import LEFT, NODES, RIGHT, WEIGHTS, PanelFunction
-from elastica_cad.mechanics.stiffness.quadrature_panels import cut_into_panels
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.polynomials import LEFT, NODES, RIGHT, WEIGHTS, PanelFunction
+from elastica_cad.mechanics.quadrature_panels import cut_into_panels
 
 pytestmark = pytest.mark.core
 

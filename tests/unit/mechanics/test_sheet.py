@@ -7,18 +7,16 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.material.sheet import (
+from elastica_cad.mechanics.sheets import (
+    NominalRatio,
     Sheet,
     least_plywood_radius,
+    library_files,
+    library_folders,
     library_sheets,
     load_sheets,
     sheet_keys,
     sheet_names,
-)
-from elastica_cad.mechanics.material.sheet_library import (
-    NominalRatio,
-    library_files,
-    library_folders,
 )
 
 pytestmark = pytest.mark.core

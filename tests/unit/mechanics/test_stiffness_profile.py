@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.geometry.polynomials import spline_fits as approximation
-from elastica_cad.mechanics.stiffness.moment_conditions import RodRequest
-from elastica_cad.mechanics.stiffness.optimal_balance import balance_without_weight
+from elastica_cad.geometry import splines as approximation
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.moment_conditions import RodRequest
+from elastica_cad.mechanics.optimal_balance import balance_without_weight
 
 pytestmark = pytest.mark.core
 

@@ -8,22 +8,15 @@ import numpy as np
 import pytest
 
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.profile import Profile
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.loads.weight import PointMass, Weight
-from elastica_cad.mechanics.material.sheet import Sheet
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stiffness.optimal_rod import optimal_rod
-from elastica_cad.mechanics.studies import tolerance_study as tolerance
-from elastica_cad.mechanics.studies.tolerance_study import (
-    Imperfection,
-    ToleranceRanges,
-    perturb_rod,
-    tolerance_study,
-)
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics import tolerances as tolerance
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import Gravity, PointMass, Supports, Weight
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.tolerances import Imperfection, ToleranceRanges, perturb_rod, tolerance_study
 
 pytestmark = pytest.mark.core
 

@@ -12,9 +12,9 @@ FOLLOW = """
 from glob import glob
 from os import getpid
 from time import sleep
-from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.stability import stability
 
 def follow(height):
     curve = PlaneCurve.spline([(0, 0), (30, 60), (70, height), (120, 60), (150, 0)])

@@ -9,14 +9,14 @@ from PIL import Image
 
 from elastica_cad import plot
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
-from elastica_cad.fabrication.drawings.lettering import Text
-from elastica_cad.fabrication.makeability.fabrication_limits import FabricationLimits
-from elastica_cad.fabrication.strip.outline import Hole, Tab
-from elastica_cad.fabrication.strip_spec import make_strip
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.mechanics.rod.rod_record import Rod
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.strip.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
+from elastica_cad.strip.lettering import Text
+from elastica_cad.strip.outline import Hole, Tab
+from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
 CURVES = {
     "arch": PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]),

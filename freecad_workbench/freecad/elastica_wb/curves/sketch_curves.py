@@ -14,8 +14,8 @@ from freecad.elastica_wb.shapes.part_shapes import plane_curve, report_on_edges,
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import note
 
 MOST_DRAGGED = 24

@@ -23,16 +23,15 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import Unit, Words, user_language
 from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
 
+from elastica_cad.design.kit_spec import Cutting
+from elastica_cad.design.reports import tell_blank
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.model.material_colors import sheet_color
-from elastica_cad.fabrication.sheets.cut_list import cut_list
-from elastica_cad.fabrication.sheets.nesting import nest_pieces
-from elastica_cad.fabrication.sheets.pieces import distinct, file_word
-from elastica_cad.fabrication.solids.strip_solids import FlatSolid, frame_beside
-from elastica_cad.formats.design_files.kit_spec import Cutting
-from elastica_cad.formats.file_access.write_files import write_together
-from elastica_cad.formats.reports.strip_report import tell_blank
+from elastica_cad.formats.write_files import write_together
 from elastica_cad.kit.cutting_files import cutting_files
+from elastica_cad.model.model import sheet_color
+from elastica_cad.model.nesting import cut_list, nest_pieces
+from elastica_cad.strip.pieces import distinct, file_word
+from elastica_cad.strip.solids import FlatSolid, frame_beside
 
 
 def tell_later_features(obj: Any) -> list[str]:

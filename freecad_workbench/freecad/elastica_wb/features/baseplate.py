@@ -13,9 +13,9 @@ from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.declared import declared
-from elastica_cad.fabrication.holders.plates import BasePlate, base_plate
-from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.model.plates import BasePlate, base_plate
+from elastica_cad.strip.solids import FlatSolid
 
 NAMES = {"play": "Play", "clearance": "Clearance", "border": "Border", "shape": "Outline"}
 SIZES = {NAMES[one.name]: one for one in declared(base_plate) if one.name in NAMES}

@@ -32,11 +32,11 @@ from freecad.elastica_wb.shapes.part_shapes import spline_geometry
 from freecad.elastica_wb.solving.strip_cache import find_nearest_to_drag, find_nearest_to_draw
 
 from elastica_cad.errors import InputError
-from elastica_cad.forming.plane_sections.section_curves import AT_TWO_PLACES, SectionCurve
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending.bend_forward import bend
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.forming.section_lines import AT_TWO_PLACES, SectionCurve
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stability import stability
 from elastica_cad.refusals import Listed, note, sentences
 
 MOVES = ("StartX", "StartY", "EndX", "EndY", "StartAngle", "EndAngle")

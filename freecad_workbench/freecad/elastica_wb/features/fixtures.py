@@ -21,10 +21,9 @@ from freecad.elastica_wb.solving.strip_cache import remembered
 
 from elastica_cad.declared import declared
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.holders.end_fixtures import EndFixture
-from elastica_cad.fabrication.holders.held_tabs import holder_plays
-from elastica_cad.fabrication.holders.placed_tab import place_tabs
-from elastica_cad.fabrication.model.strip_model import Model
+from elastica_cad.model.fixtures import EndFixture, place_tabs
+from elastica_cad.model.held_tabs import holder_plays
+from elastica_cad.model.model import Model
 
 SIZES = {one.name.title().replace("_", ""): one for one in declared(EndFixture)}
 """What blocks are asked for, by its properties."""

@@ -17,7 +17,7 @@ from freecad.elastica_wb.shapes.part_shapes import is_bounded
 from freecad.elastica_wb.solving.strip_cache import flat_shape
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.strip.strip import Strip
 
 GAP_MM = 10.0  # mm between the curve and the flat part
 

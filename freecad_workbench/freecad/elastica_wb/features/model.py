@@ -27,12 +27,11 @@ from freecad.elastica_wb.solving.strip_cache import bent_shape, remembered
 
 from elastica_cad.declared import declared
 from elastica_cad.errors import ElasticaError, InputError
-from elastica_cad.fabrication.drawings.lettering import engravable
-from elastica_cad.fabrication.interlocking.collisions import missing_slots
-from elastica_cad.fabrication.interlocking.interlock import interlock
-from elastica_cad.fabrication.model.strip_model import Model
-from elastica_cad.fabrication.placed_strip import Placed
-from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.model.collisions import missing_slots
+from elastica_cad.model.interlocking import interlock
+from elastica_cad.model.model import Model
+from elastica_cad.strip.lettering import engravable
+from elastica_cad.strip.strip import Placed, Strip
 
 _overlaps: WeakKeyDictionary[Model, "Future[tuple[str, ...]]"] = WeakKeyDictionary()
 """What is known of models, or sought in another thread; the cache of models keeps them."""

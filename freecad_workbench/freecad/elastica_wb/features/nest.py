@@ -17,7 +17,7 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import report_warning
 from freecad.elastica_wb.shapes.part_shapes import is_bounded, make_wire
 
-from elastica_cad.fabrication.sheets.nesting import nest_pieces
+from elastica_cad.model.nesting import nest_pieces
 
 SPACE_MM = 50.0  # between a nest and what stood before it
 SHEET_GAP_MM = 30.0  # mm between sheets

@@ -21,8 +21,8 @@ from freecad.elastica_wb.features.strip import is_strip, shown_strips, strip_of
 from freecad.elastica_wb.solving.bent_blanks import told_blanks
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.sheets.pieces import Piece, distinct
-from elastica_cad.fabrication.strip.strip_record import Strip
+from elastica_cad.strip.pieces import Piece, distinct
+from elastica_cad.strip.strip import Strip
 
 CHANGED = {
     "Part::Cut": ("Base",),

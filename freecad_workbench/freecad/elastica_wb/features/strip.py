@@ -32,12 +32,12 @@ from freecad.elastica_wb.solving.strip_cache import (
 )
 from freecad.elastica_wb.solving.strip_faults import strip_faults
 
+from elastica_cad.design.reports import tell_blank
 from elastica_cad.errors import ElasticaError, InputError, StrainError
-from elastica_cad.fabrication.model.material_colors import sheet_color
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.formats.reports.strip_report import tell_blank
-from elastica_cad.mechanics.theorem1.verdict import NotRealizable
+from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad.model.model import sheet_color
 from elastica_cad.refusals import Length, note, sentences
+from elastica_cad.strip.strip import Strip
 
 BODY = "PartDesign::Body"
 SAME_COLOR = 1e-2  # FreeCAD keeps colours in single precision or in 256 steps

@@ -13,8 +13,8 @@ from freecad.elastica_wb.features.proxy import CONTAINERS
 from freecad.elastica_wb.host.property_table import Property, declared_property, result
 
 from elastica_cad.declared import Field, declared
-from elastica_cad.formats.design_files.key_paths import paths_of
-from elastica_cad.formats.design_files.strip_table import StripKeys
+from elastica_cad.design.records import paths_of
+from elastica_cad.design.strip_table import StripKeys
 
 FORMS = ["Bent", "Flat"]
 STYLES = ["Plain", "Perforated", "Laminated"]

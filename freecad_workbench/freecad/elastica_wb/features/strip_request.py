@@ -14,20 +14,17 @@ from freecad.elastica_wb.host.property_table import NOTHING, require_choices
 from freecad.elastica_wb.host.sheet_store import sheet_called
 
 from elastica_cad.declared import Field
+from elastica_cad.design.records import BY_KIND, Reader, names_of, parsed_line, put
+from elastica_cad.design.strip_table import read_fields, read_request
+from elastica_cad.design.tables import Table, merged
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.strip.styles import Style
-from elastica_cad.fabrication.strip_checks import pull_in_plane
-from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.formats.design_files.key_paths import put
-from elastica_cad.formats.design_files.records import BY_KIND, Reader, names_of, parsed_line
-from elastica_cad.formats.design_files.strip_table import read_fields, read_request
-from elastica_cad.formats.design_files.tables import Table, merged
 from elastica_cad.forming.limits import BOTH_ENDS
 from elastica_cad.forming.rod_spec import RodSpec
-from elastica_cad.mechanics.loads.gravity import Gravity
-from elastica_cad.mechanics.loads.supports import Supports
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.loads import Gravity, Supports
+from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import Length, note
+from elastica_cad.strip.strip_spec import StripSpec, pull_in_plane
+from elastica_cad.strip.styles import Style
 
 LONGEST_MM, THINNEST_MM = 1e6, 1e-3  # a kilometre; thinner than any foil
 BLANK_LINE = "stations = [0, 300], curvatures = [0, 0.01]"

@@ -12,8 +12,8 @@ import FreeCAD as App
 from freecad.elastica_wb.host.words import worded
 
 from elastica_cad.declared import Field
+from elastica_cad.design.records import written
 from elastica_cad.errors import InputError
-from elastica_cad.formats.design_files.records import written
 
 OUTPUT, TRANSIENT = 8, 2  # FreeCAD's flags: a change asks for no recompute; not saved
 

@@ -11,9 +11,8 @@ import FreeCAD as App
 from freecad.elastica_wb.host.words import report_warning
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.file_access.write_files import reason, write_atomically
-from elastica_cad.mechanics.material.sheet import Sheet, load_sheets, sheet_names, sheets_from_table
-from elastica_cad.mechanics.material.sheet_library import built_in_figures
+from elastica_cad.formats.write_files import reason, write_atomically
+from elastica_cad.mechanics.sheets import Sheet, built_in_figures, load_sheets, sheet_names, sheets_from_table
 
 
 def own_sheets_file() -> Path:

@@ -12,7 +12,7 @@ from freecad.elastica_wb.host.qt import QtCore, QtGui, QtWidgets
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import report, report_error, report_warning, worded
 
-from elastica_cad._printable import printable
+from elastica_cad._text import printable
 
 STATUS_MS = 20_000  # that a sentence stays in the status bar: long enough to be read after a look at the view
 MOST_FILES = 12  # named in a window

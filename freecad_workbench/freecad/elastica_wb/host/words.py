@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import FreeCAD as App
 from freecad.elastica_wb.host.resources import translate
 
-from elastica_cad._printable import printable
+from elastica_cad._text import printable
 from elastica_cad.words import Translated
 
 USUAL_MM = 10.0  # mm: a strip's width tells which of its units FreeCAD would use for all

@@ -12,13 +12,13 @@ from freecad.elastica_wb.live.verdict import Answer, Verdict, quick_answer
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.mechanics.loads.rest_curvature import nodal_curvature
-from elastica_cad.mechanics.material.section_limits import STRAIN_SLACK
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck
+from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
+from elastica_cad.mechanics.loads import nodal_curvature
+from elastica_cad.mechanics.section_limits import STRAIN_SLACK
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.refusals import Length
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip_spec import StripSpec
 
 TEETH = 161  # of the comb: as smooth as a screen shows it
 COMB_HEIGHT = 0.2  # of the curve's extent

@@ -41,12 +41,12 @@ from freecad.elastica_wb.solving.strip_cache import (
 )
 from pivy import coin
 
-from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
-from elastica_cad.mechanics.stability.stability_verdict import SAFE_MARGIN
+from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.refusals import Length, note, sentences
+from elastica_cad.strip.strip_spec import StripSpec
 
 FREE_RATIO = 9.5  # of a strip without limits of its own: 30 mm wide, it can just be cut where it is narrowest
 REST_MS = 40  # without a move, after which the slower answers are computed

@@ -12,12 +12,12 @@ from freecad.elastica_wb.solving.strip_cache import sharpest_bend
 from freecad.elastica_wb.solving.strip_faults import Fault, strain_words, strip_faults, width_fault
 
 from elastica_cad.errors import ElasticaError, StrainError
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.mechanics.material.section_limits import judge_strain
-from elastica_cad.mechanics.theorem1.verdict import EquilibriumCheck, NotRealizable
+from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
+from elastica_cad.mechanics.section_limits import judge_strain
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 from elastica_cad.refusals import Length, Span, note, sentences
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip_spec import StripSpec
 
 
 class Verdict(Enum):

@@ -15,10 +15,10 @@ from freecad.elastica_wb.preview.handles import Preview
 from freecad.elastica_wb.recording import record_value, recorded
 
 from elastica_cad.errors import ElasticaError
-from elastica_cad.fabrication.strip.strip_record import strip_sideways
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import stability
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.stability import stability
 from elastica_cad.refusals import Length, note, sentences
+from elastica_cad.strip.strip import strip_sideways
 
 
 class BendPanel(Panel):

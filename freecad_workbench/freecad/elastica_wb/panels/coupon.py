@@ -21,12 +21,12 @@ from freecad.elastica_wb.recording import recorded
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.drawings.drawing import CUT_OUTER
-from elastica_cad.fabrication.sheets.coupon import coupon_drawing, coupon_overhang
-from elastica_cad.fabrication.solids.strip_solids import FlatSolid
 from elastica_cad.files import save
-from elastica_cad.mechanics.studies.calibration import Calibration, calibrate_cantilever
+from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
 from elastica_cad.refusals import Length, note, sentences
+from elastica_cad.strip.coupon import coupon_drawing, coupon_overhang
+from elastica_cad.strip.drawing import CUT_OUTER
+from elastica_cad.strip.solids import FlatSolid
 
 
 class CouponPanel(Panel):

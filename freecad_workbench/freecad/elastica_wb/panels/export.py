@@ -25,10 +25,10 @@ from freecad.elastica_wb.panels.widgets.fields import put_choices, set_value
 from freecad.elastica_wb.panels.widgets.file_dialogs import ask_folder
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.sheets.pieces import Piece
-from elastica_cad.formats.drawing_files.drawing_style import CURVES
-from elastica_cad.formats.drawing_files.dxf_drawing import DXF_VERSIONS
+from elastica_cad.formats.drawing_style import CURVES
+from elastica_cad.formats.dxf_drawing import DXF_VERSIONS
 from elastica_cad.refusals import Length, note, sentences
+from elastica_cad.strip.pieces import Piece
 
 
 class ExportPanel(Panel):

@@ -28,8 +28,8 @@ from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel, Told
 from freecad.elastica_wb.solving.bent_blanks import told_blanks
 
-from elastica_cad.fabrication.holding.held_shape import about
 from elastica_cad.refusals import Length, note
+from elastica_cad.strip.held_shape import about
 
 
 def _strip_numbers(obj: Any) -> Told:

@@ -18,7 +18,7 @@ from freecad.elastica_wb.live import session as live
 from freecad.elastica_wb.panels.widgets.fields import calm, into_sight, on_change, set_value, value_of
 from freecad.elastica_wb.recording import record_end_of_step, record_recompute, record_step
 
-from elastica_cad._printable import printable
+from elastica_cad._text import printable
 from elastica_cad.errors import InputError
 
 PAUSE_MS = 60  # ms after the last key before anything is computed

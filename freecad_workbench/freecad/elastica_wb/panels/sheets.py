@@ -12,7 +12,7 @@ from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sh
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.fields import set_value
 
-from elastica_cad.mechanics.material.sheet import Sheet
+from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import Length, note
 
 NUMBERS = ("thickness", "youngs_modulus", "density", "max_strain", "kerf", "poisson_ratio", "shear_modulus")

@@ -14,7 +14,7 @@ from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.widgets.bar_chart import bar_chart
 
 from elastica_cad.errors import ElasticaError
-from elastica_cad.mechanics.studies.tolerance_study import ToleranceStudy, tolerance_study
+from elastica_cad.mechanics.tolerances import ToleranceStudy, tolerance_study
 from elastica_cad.refusals import note
 
 

@@ -16,17 +16,16 @@ import numpy as np
 import Part
 
 from elastica_cad.errors import InputError
-from elastica_cad.fabrication.solids.strip_solids import BodyRecord, FlatSolid, PrismSolid
 from elastica_cad.formats.binary_brep import BinaryBrep, boundary_brep, face_brep, wire_brep
-from elastica_cad.formats.curve_files.chains import holes_on_chains
-from elastica_cad.formats.curve_files.drawn_file import DrawnCurve, report_on
-from elastica_cad.formats.curve_files.edges import Edge
-from elastica_cad.formats.curve_files.placed_curve import edge_chains, in_plane, placed_curve
-from elastica_cad.formats.curve_files.read_report import ReadReport, ReadUnit
-from elastica_cad.geometry.curves.plane_curve import PlaneCurve
+from elastica_cad.formats.chains import holes_on_chains
+from elastica_cad.formats.drawn_file import DrawnCurve, ReadReport, ReadUnit, report_on
+from elastica_cad.formats.edges import Edge
+from elastica_cad.formats.placed_curve import edge_chains, in_plane, placed_curve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.paths.path import Path
-from elastica_cad.geometry.polynomials.splines import knot_runs
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.splines import knot_runs
+from elastica_cad.strip.solids import BodyRecord, FlatSolid, PrismSolid
 
 OFFSET_TOLERANCE_MM = 1e-6  # mm: curves that are no NURBS are followed this closely
 ENDLESS_MM = 1e99  # FreeCAD gives datum planes and axes boxes of 1e100 mm

@@ -8,8 +8,8 @@ from collections.abc import Iterable
 import numpy as np
 from freecad.elastica_wb.host.words import together, worded
 
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.formats.reports.strip_report import tell_blank
+from elastica_cad.design.reports import tell_blank
+from elastica_cad.strip.strip import Strip
 
 
 def is_bent_beforehand(strip: Strip) -> bool:

@@ -16,20 +16,20 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError, NotMetError
-from elastica_cad.fabrication.holding.held_shape import HeldShape
-from elastica_cad.fabrication.solids.strip_solids import BentSolid, BodyRecord, FlatSolid, glued
-from elastica_cad.fabrication.strip.strip_record import Strip
-from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.forming.nearest.editable_curve import coarse_curve
-from elastica_cad.forming.nearest.nearest_record import NearestRod
+from elastica_cad.forming.editable_curve import coarse_curve
+from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
-from elastica_cad.geometry.curves.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.loads.rest_curvature import NaturalCurvature, nodal_curvature
-from elastica_cad.mechanics.material.section_limits import STRAIN_SLACK
-from elastica_cad.mechanics.rod.rod_record import Rod
-from elastica_cad.mechanics.stability.stability_verdict import Stability, stability
+from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
+from elastica_cad.mechanics.loads import NaturalCurvature, nodal_curvature
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.section_limits import STRAIN_SLACK
+from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import Length, note
+from elastica_cad.strip.held_shape import HeldShape
+from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, glued
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip_spec import StripSpec
 
 remembered = lru_cache(maxsize=256)
 """Answers by their arguments: for each of a hundred strips the present one and the one before, for undo."""

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 from freecad.elastica_wb.solving.strip_cache import judged
 
-from elastica_cad.fabrication.strip.strip_record import Strip
 from elastica_cad.forming.fairing_request import outline_steps
-from elastica_cad.mechanics.material.section_limits import StrainVerdict
+from elastica_cad.mechanics.section_limits import StrainVerdict
 from elastica_cad.refusals import Length, Refusal, note
+from elastica_cad.strip.strip import Strip
 
 SLENDER = 2.0
 """Length over width from which a strip bends as a rod."""

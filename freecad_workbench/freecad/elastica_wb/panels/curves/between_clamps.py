@@ -22,7 +22,7 @@ from freecad.elastica_wb.recording import record_call, record_end_of_step, recor
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
-from elastica_cad.mechanics.bending.between_clamps import ElasticaBetween, elastica_between
+from elastica_cad.mechanics.between_clamps import ElasticaBetween, elastica_between
 
 REACH = 0.25  # of the distance of the ends: how far the handles of the tangents stand off
 SLACK = 1.3  # lengths of the chord that a new strip has

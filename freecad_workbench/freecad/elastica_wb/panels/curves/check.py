@@ -15,8 +15,8 @@ from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.solving.strip_cache import solve_strip
 
 from elastica_cad.errors import ElasticaError
-from elastica_cad.fabrication.strip_spec import StripSpec
 from elastica_cad.refusals import sentences
+from elastica_cad.strip.strip_spec import StripSpec
 
 
 class CheckPanel(Panel):

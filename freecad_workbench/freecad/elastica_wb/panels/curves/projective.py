@@ -26,9 +26,9 @@ from freecad.elastica_wb.solving.strip_cache import solve_strip
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
-from elastica_cad.fabrication.strip_spec import StripSpec
-from elastica_cad.geometry.curves.projective_maps import four_point_map
+from elastica_cad.geometry.projective_maps import four_point_map
 from elastica_cad.refusals import sentences
+from elastica_cad.strip.strip_spec import StripSpec
 
 FIELDS = [f"{axis}{number}" for number in (1, 2, 3, 4) for axis in "xy"]
 

@@ -8,7 +8,7 @@ from freecad.elastica_wb.export.cutting_files import cutting_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.qt import QtWidgets
 
-from elastica_cad.formats.design_files.kit_spec import Cutting
+from elastica_cad.design.kit_spec import Cutting
 
 
 def ask_file(title: str, name: str, kinds: str) -> str:

@@ -1,0 +1,97 @@
+"""Text for people: foreign text made printable, and commands as a shell takes them."""
+
+import os
+import re
+import shlex
+import subprocess
+from collections.abc import Iterable
+from contextvars import ContextVar
+from html import escape
+from pathlib import PurePath, PurePosixPath, PureWindowsPath
+
+_SUSPECT = re.compile(
+    r"[^ -~\n\xa0\u1680\u2000-\u200a\u202f\u205f\u3000]"
+)  # all but ASCII, line ends and spaces
+
+
+def printable(text: str) -> str:
+    r"""The text, signs that cannot be seen (control codes, marks of direction, lone surrogates) as their numbers.
+
+    Such signs recolour a terminal, write to its clipboard, or let a line read backwards; line ends and spaces stay.
+    The number is written as JSON writes it, so a JSON record holds the same after as before.
+
+    Examples
+    --------
+    >>> printable("plain"), printable("a\x1b[31m\u202eb")
+    ('plain', 'a\\u001b[31m\\u202eb')
+    """
+    return _SUSPECT.sub(_shown, text)
+
+
+def html_text(text: object) -> str:
+    """The text as HTML and SVG hold it.
+
+    Examples
+    --------
+    >>> html_text("<b>")
+    '&lt;b&gt;'
+    """
+    return escape(printable(str(text)))
+
+
+def _shown(found: re.Match[str]) -> str:
+    sign = found[0]
+    if sign.isprintable():
+        return sign
+    pair = sign.encode("utf-16-be", "surrogatepass").hex()
+    return "".join(f"\\u{pair[at : at + 4]}" for at in range(0, len(pair), 4))
+
+
+MADE_BY: ContextVar[str] = ContextVar("made_by", default="")
+"""The running command, for the files that it writes; empty in a script."""
+
+_PLAIN = re.compile(r"[^&|<>^()%!]+")
+"""What cmd leaves as it is."""
+
+_NOT_OF_DRAWINGS = {
+    "-o": 1, "--output": 1, "--force": 0, "--json": 0, "-v": 0, "--verbose": 0, "-q": 0, "--quiet": 0, "--watch": 0,
+}  # fmt: skip
+"""Options that change nothing in a drawing, and how many words follow them."""
+
+
+def quote_words(words: Iterable[str], *, windows: bool = os.name == "nt") -> str:
+    """The words as they are typed, in quotes where the shell of this system, or cmd of Windows, needs them.
+
+    Examples
+    --------
+    >>> quote_words(["strip", "my arch.dxf"], windows=False), quote_words(["strip", "my arch.dxf"], windows=True)
+    ("strip 'my arch.dxf'", 'strip "my arch.dxf"')
+    """
+    if not windows:
+        return shlex.join(words)
+    # cmd takes & and the like for its own outside of quotes, which `list2cmdline` sets around blanks alone
+    lines = (subprocess.list2cmdline([word]) for word in words)
+    return " ".join(one if one[0] == '"' or _PLAIN.fullmatch(one) else f'"{one}"' for one in lines)
+
+
+def command_of_drawings(words: Iterable[str], *, windows: bool = os.name == "nt") -> str:
+    """The command that makes the same drawings again, from the words behind the program's name.
+
+    It has no place to write to, and of paths from the root, which tell of their owner, the name alone.
+
+    Examples
+    --------
+    >>> command_of_drawings(["strip", "/home/jo/arch.dxf", "--sheet", "pom-1", "-o", "out"], windows=False)
+    'elastica strip arch.dxf --sheet pom-1'
+    """
+    kept, rest = ["elastica"], iter(words)
+    path: type[PurePath] = PureWindowsPath if windows else PurePosixPath
+    for word in rest:
+        option, given, value = word.partition("=") if word.startswith("--") else ("", "", word)
+        if (name := option or word) in _NOT_OF_DRAWINGS or word.startswith("-o"):
+            if not given and _NOT_OF_DRAWINGS.get(name):  # its value is the next word
+                next(rest, "")
+            continue
+        shown = path(value).name if path(value).is_absolute() else value
+        kept.append(f"{option}{given}{shown}")
+    return quote_words(kept, windows=windows)

@@ -1,0 +1,281 @@
+"""The CURVE argument: which curves of a file a command is asked for, each with what is said and written of it."""
+
+import re
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, TypeVar
+
+import click
+
+from elastica_cad.cli.options import join_options
+from elastica_cad.cli.voice import say, voice, warn
+from elastica_cad.errors import InputError
+from elastica_cad.files import read_drawing
+from elastica_cad.formats.drawn_file import DrawnCurve, DrawnFile
+from elastica_cad.formats.source_file import LARGEST_FILE
+from elastica_cad.geometry.fairing import round_corners
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.theorem1 import require_bendable
+from elastica_cad.strip.lettering import engravable
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+CHOICE = "--curve 1 .. --curve {count}, --curve ID or --layer NAME"
+"""How one curve of several is chosen."""
+
+
+def curve_argument(*, required: bool = True) -> Callable[[F], F]:
+    """Return a decorator that adds the argument CURVE: a file, or - for standard input."""
+    return click.argument(
+        "curve",
+        type=click.Path(path_type=Path, allow_dash=True),
+        required=required,
+        callback=lambda ctx, _, path: _standard_input(ctx) if str(path) == "-" else path,
+    )
+
+
+def _standard_input(ctx: click.Context) -> Path:
+    """What comes through standard input, in a file while the command runs; what it is, its contents tell.
+
+    Raises
+    ------
+    InputError
+        Nothing, or more than is read.
+    """
+    if ctx.find_root().params.get("watch"):
+        raise InputError("standard input does not change: give --watch a file")
+    data = sys.stdin.buffer.read(LARGEST_FILE + 1)
+    if not data.strip():
+        raise InputError("standard input is empty: pipe a drawing into it (cat arch.svg | elastica check -)")
+    if len(data) > LARGEST_FILE:
+        raise InputError(
+            "standard input has more than {largest_file} MB: leave out what is no curve",
+            largest_file=LARGEST_FILE // 2**20,
+        )
+    folder = TemporaryDirectory(prefix="elastica-")
+    ctx.call_on_close(folder.cleanup)
+    path = Path(folder.name, f"stdin{_kind(data)}")
+    path.write_bytes(data)
+    return path
+
+
+def _kind(data: bytes) -> str:
+    """The suffix of files that begin like this."""
+    head = data[:4096].lstrip(b"\xef\xbb\xbf \t\r\n")
+    if head.startswith((b"<", b"\x1f\x8b")):
+        return ".svg"
+    if head.startswith((b"{", b"[")):
+        return ".json"
+    if head.startswith(b"ISO-10303-21"):
+        return ".step"
+    if head.startswith(b"AutoCAD Binary DXF") or re.match(rb"(999\s.*\s+)?0\s+SECTION", head):
+        return ".dxf"
+    return ".txt" if re.match(rb"\d+[ \t]+\d+[ \t]*\r?\n", head) else ".csv"
+
+
+UNIT = click.Choice(["mm", "cm", "m", "in", "px", "pt"])
+"""What the numbers of a file may be in."""
+
+unit_option = click.option(
+    "--unit", type=UNIT,
+    help="Unit of the file's numbers, where the file does not say or says it wrongly.",
+)  # fmt: skip
+
+curve_options = join_options(curve_argument(), unit_option)
+"""The CURVE argument and how to read it."""
+
+which_options = join_options(
+    click.option("--curve", "number", metavar="N|ID",
+                 help="Which curve of the file: its number from 1, or its id."),
+    click.option("--layer", metavar="NAME", help="Only curves on this layer of the drawing."),
+)  # fmt: skip
+"""Which curve of the file."""
+
+split_option = click.option(
+    "--split-corners", is_flag=True, help="Cut curves at their corners; every piece is a curve of its own."
+)
+"""Curves in pieces between corners."""
+
+
+@dataclass(frozen=True, eq=False)
+class AskedCurve:
+    """One curve that a command is asked for.
+
+    Attributes
+    ----------
+    path : Path
+        The file that draws it.
+    drawn : DrawnCurve
+    whole : DrawnCurve
+        The curve that it is a piece of; itself where nothing is split.
+    count : int
+        Curves in the file.
+    name : str
+        What files made from it are called.
+    which : tuple of str
+        Words that choose it in its file, where several were asked for.
+    unit : str or None
+        Of the file, where it was told.
+    own : str
+        The name that a person gave the curve, where several are in the file; else empty.
+    alone : bool
+        No other has that name.
+    """
+
+    path: Path
+    drawn: DrawnCurve
+    whole: DrawnCurve
+    count: int
+    name: str
+    which: tuple[str, ...] = ()
+    unit: str | None = None
+    own: str = ""
+    alone: bool = False
+
+    @property
+    def label(self) -> str:
+        """What is engraved on its strip unless it is told: its own name with the piece, or that of its files."""
+        piece = f"-{self.drawn.piece}" if self.drawn.pieces > 1 else ""
+        return engravable(f"{self.own}{piece}" if self.own else self.name)
+
+    @property
+    def curve(self) -> PlaneCurve:
+        """The curve as drawn, corners and all.
+
+        Raises
+        ------
+        InputError
+            Its numbers make none; file and curve are named.
+        """
+        with self._named():
+            return self.drawn.curve
+
+    def bendable(self, smooth: float | None) -> PlaneCurve:
+        """Return the curve as drawn, and refuse it where it has corners that rounding by `smooth` mm would not
+        remove.
+
+        Raises
+        ------
+        InputError
+            It is not; file and curve are named.
+        """
+        with self._named():
+            drawn = self.drawn.curve
+            require_bendable(round_corners(drawn, smooth)[0] if smooth else drawn)
+            return drawn
+
+    @contextmanager
+    def _named(self) -> Iterator[None]:
+        """A complaint names file and curve."""
+        try:
+            yield
+        except InputError as problem:
+            if str(self.path) in str(problem):
+                raise
+            which = f", {self.drawn.called} of {self.count}" if self.count > 1 else ""
+            problem.at(file=f"{self.path}{which}")
+            raise
+
+
+def asked_curves(
+    path: Path,
+    unit: str | None,
+    number: str | None,
+    layer: str | None,
+    *,
+    every: bool = False,
+    split: bool = False,
+    corners: bool = True,
+    how: str = CHOICE,
+) -> tuple[AskedCurve, ...]:
+    """Return the one curve that number, id or layer select, or every one so selected; with `split` their pieces.
+
+    Without `corners`, curves that meet at a corner stay apart, and nothing is printed about where curves meet.
+    `how` tells what to choose one of several by.
+
+    Raises
+    ------
+    InputError
+        No such curve, or several of which one is asked for; the file is named.
+    """
+    drawing = drawn_curves(path, unit, number, layer, how, corners=corners)
+    several = every and len(drawing) > 1 and number is None
+    found = drawing.chosen(number, layer) if every else (drawing.one(number, layer, how),)
+    in_files = _names(found)
+    in_drawing = _names(drawing.curves) if len(drawing) > 1 else {}
+    return tuple(
+        AskedCurve(
+            path,
+            one,
+            whole,
+            len(drawing),
+            _file_stem(
+                path,
+                (in_files[whole.number][0] or str(whole.number)) if every else number,
+                one.piece if one.pieces > 1 else None,
+            ),
+            ("--curve", str(one.number)) if several else (),
+            unit,
+            *in_drawing.get(whole.number, ("", False)),
+        )
+        for whole in found
+        for one in (whole.split_at_corners() if split else (whole,))
+    )
+
+
+def drawn_curves(
+    path: Path,
+    unit: str | None,
+    number: str | None,
+    layer: str | None,
+    how: str = CHOICE,
+    *,
+    corners: bool = True,
+) -> DrawnFile:
+    """Read a file, print a note where something was left out, and return what number, id or layer may select from.
+
+    Raises
+    ------
+    InputError
+        No such curve; the file is named.
+    """
+    drawing = read_drawing(path, unit=unit, corners=corners)
+    for text in drawing.notes:
+        warn(f"{path.name}: {text}")
+    chosen = drawing.chosen(number, layer)
+    if not chosen:
+        drawing.one(number, layer, how)
+    report = drawing.report(chosen)
+    if report is not None:
+        voice().read = report.as_dict()
+        say(f"Read  {report}")
+    return drawing
+
+
+def _names(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]]:
+    """What curves are called, by their numbers: the name that a person gave each, with its number where others have
+    that too, or empty for none; and whether no other has that name."""
+    often = Counter(_word(one.name).casefold() for one in curves)
+    found = {}
+    for one in curves:
+        alone = often[_word(one.name).casefold()] == 1
+        named = re.match(r"_|[^\W\d]", one.name) is not None
+        called = (one.name if alone else f"{one.name}-{one.number}") if named else ""
+        found[one.number] = called, named and alone
+    return found
+
+
+def _word(name: str) -> str:
+    """A name as files have it."""
+    return re.sub(r"[^-.A-Za-z0-9_]+", "_", engravable(name.strip()))
+
+
+def _file_stem(path: Path, number: str | None, piece: int | None) -> str:
+    """The drawing's name, the curve's number or id, and the piece."""
+    words = [] if number is None else [_word(number) or "1"]
+    return "-".join([path.stem, *words, *([] if piece is None else [str(piece)])])

@@ -1,1 +1,0 @@
-"""What is typed behind a command: options, and the records that they become."""

@@ -1,0 +1,177 @@
+"""Options that several commands share, with lengths in units."""
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from elastica_cad._units import MILLIMETRES, MM_PER_INCH, read_number
+from elastica_cad.declared import Field
+
+if TYPE_CHECKING:
+    from elastica_cad.mechanics.sheets import Sheet
+
+
+UNITS = {"mm": 1.0, "inch": MM_PER_INCH}
+"""What `--units` may say, in mm."""
+
+_NAMED = MILLIMETRES | {"inch": MM_PER_INCH, '"': MM_PER_INCH}
+
+
+class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
+    """A length in mm: "38", "1.5in", "5/16in", "3.8cm"; without a unit it is of `elastica --units`.
+
+    Parameters
+    ----------
+    positive : bool
+        Refuse zero and less.
+    words : tuple of str
+        What may stand instead of a length.
+    """
+
+    name = "length"
+
+    def __init__(self, *, positive: bool = False, words: tuple[str, ...] = ()) -> None:
+        self.positive, self.words = positive, words
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float | str:
+        """The length in mm, or one of the words; a default is mm already."""
+        if not isinstance(value, str):
+            return float(value)
+        if value in self.words:
+            return value
+        plain = UNITS[(ctx.find_root().params.get("units") if ctx else None) or "mm"]
+        found = re.fullmatch(r"\s*([-+.\deE/ ]+?)\s*([a-z]+|\")\s*", value)
+        number, scale = (value, plain) if found is None else (found[1], _NAMED.get(found[2], 0.0))
+        try:
+            length = scale * read_number(number)
+        except ValueError:
+            scale = 0.0
+        if not scale:
+            known = ", ".join(["a number of mm", *(f"the word {word}" for word in self.words)])
+            self.fail(
+                f"{value!r} is no length: give {known}, or a length with its unit such as 1.5in or 4cm",
+                param,
+                ctx,
+            )
+        if self.positive and not length > 0:
+            self.fail(f"{value} is no length above 0", param, ctx)
+        return length
+
+
+LENGTH = Length()
+IDLE_DOWN = "--down says how weight pulls, which is left out: add --gravity"
+POINT, SPACE_POINT = (LENGTH, LENGTH), (LENGTH, LENGTH, LENGTH)
+
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def option_name(name: str) -> str:
+    """Return the option that sets a parameter, as it is typed: `--max-width`."""
+    return f"--{name.replace('_', '-')}"
+
+
+def option_of(
+    field: Field, name: str = "", *, default: str = "", switch: bool = False, required: bool = False
+) -> Callable[[Any], Any]:
+    """The option of a declared field, called as the field unless told otherwise.
+
+    Parameters
+    ----------
+    default : str
+        What help tells of an option that is not given.
+    switch : bool
+        It can only be turned on.
+    """
+    told = f"  [default: {default}]" if default else ""
+    typed, help = option_name(name or field.name), f"{field.help.rstrip('.')}.{told}"
+    if switch or field.kind.name == "flag":
+        words = typed if switch else f"{typed}/--no-{typed[2:]}"
+        return click.option(words, is_flag=True, default=None, help=help)
+    kind, shown = _typed_as(field)
+    return click.option(typed, type=kind, metavar=shown, required=required, help=help)
+
+
+def _typed_as(field: Field) -> tuple[Any, str | None]:
+    """What is typed behind an option, and how help shows it."""
+    from elastica_cad.design.records import written  # imports all records
+
+    kinds = written(field.kind).alternatives
+    words = tuple(word for one in kinds for word in one.choices)
+    if any(one.name == "number" for one in kinds):
+        if field.asked.unit != "mm":
+            return float, "NUMBER"
+        return (Length(words=words), "|".join(("MM", *words))) if words else (LENGTH, "MM")
+    return (click.Choice(words), None) if words else (str, "NAME" if field.name == "sheet" else "TEXT")
+
+
+def given_of(chosen: Mapping[str, Any], names: Iterable[str]) -> dict[str, Any]:
+    """Return those of the named parameters that the user gave."""
+    return {name: chosen[name] for name in names if chosen[name] is not None}
+
+
+def join_options(*options: Callable[[Any], Any]) -> Callable[[F], F]:
+    """Return one decorator that adds several options; help lists them in this order."""
+
+    def add(function: F) -> F:
+        for option in reversed(options):
+            function = option(function)
+        return function
+
+    return add
+
+
+smooth_option = click.option(
+    "--smooth", type=LENGTH, metavar="MM",
+    help="Smooth the curve (curvature without jumps) within this distance; 0: exactly as drawn  [default: "
+    "0.1 or 5e-4 of the length where the width would step, 0 for all others]",
+)  # fmt: skip
+"""How far a curve may be moved to become fair."""
+
+
+class _Folder(click.Path):
+    """A folder for results; a forgotten name, which makes the next option the folder, is refused."""
+
+    def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> Any:
+        if str(value).startswith("-"):
+            self.fail(
+                f"'{value}' reads as an option: name a folder before it, or write ./{value}", param, context
+            )
+        return super().convert(value, param, context)
+
+
+output_options = join_options(
+    click.option("--force", is_flag=True, help="Overwrite files that exist."),
+    click.option("-o", "--output", type=_Folder(path_type=Path), default=Path(), help="Folder for files."),
+)
+"""Where files are written, and over what."""
+
+
+def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
+    """Return a decorator that adds options for the material, by name or from a file, and for another thickness of
+    it.
+    """
+
+    return join_options(
+        click.option("--sheet", required=required, metavar="NAME|FILE",
+                     help=f"{use}: a name of `elastica sheets`, or a file of yours, my.toml or my.toml:NAME."),
+        click.option("--thickness", type=LENGTH, metavar="MM",
+                     help="Thickness, where it is not that of the sheet named."),
+    )  # fmt: skip
+
+
+def asked_sheet(chosen: Mapping[str, Any]) -> "Sheet":
+    """Return the sheet that the options of `sheet_options` select.
+
+    Raises
+    ------
+    InputError
+        No such sheet or file, or a thickness that no sheet has.
+    """
+    from elastica_cad.mechanics.sheets import Sheet
+
+    sheet = Sheet.named(chosen["sheet"])
+    return sheet if chosen["thickness"] is None else sheet.with_thickness(chosen["thickness"])

@@ -1,0 +1,307 @@
+"""Options of one strip and its supports, and the request that they make together."""
+
+import tomllib
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, get_args
+
+import click
+
+from elastica_cad._toml import parse_toml
+from elastica_cad.cli.asked_curves import asked_curves, unit_option
+from elastica_cad.cli.options import IDLE_DOWN, POINT, join_options, option_name, option_of, output_options
+from elastica_cad.cli.settings import GROUPS, CommandKeys, parsed_settings, set_option, twice
+from elastica_cad.cli.suggestions import typed_length
+from elastica_cad.declared import kind_of
+from elastica_cad.design.records import Reader, paths_of, put
+from elastica_cad.design.strip_table import read_request
+from elastica_cad.design.tables import Table, merged
+from elastica_cad.errors import Change, InputError, quoted
+from elastica_cad.forming.limits import BOTH_ENDS
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import EndName, NaturalCurvature
+from elastica_cad.mechanics.stability import SAFE_MARGIN
+from elastica_cad.strip.drawing import DEFAULT_KERF_MM
+from elastica_cad.strip.strip_spec import StripSpec
+
+END_NAMES = get_args(EndName)
+
+
+def read_curves_told(path: Path, *, unit: str | None = None) -> list[PlaneCurve]:
+    """The one curve of a file, told where its size is in doubt."""
+    (drawn,) = asked_curves(path, unit, None, None)
+    return [drawn.bendable(None)]
+
+
+def natural_curvature_of(value: Any) -> NaturalCurvature:
+    """Return the value of the option as a number (1/mm) or a record."""
+    if isinstance(value, float):
+        return value
+    from elastica_cad.design.records import Reader  # imports all records
+    from elastica_cad.design.tables import Table
+
+    kind, table = kind_of(NaturalCurvature), Table({"natural_curvature": value}, "", {})
+    found: NaturalCurvature = Reader(read_curves=read_curves_told).value(kind, table, "natural_curvature")
+    return found
+
+
+class Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
+    """A parameter type for `natural_curvature`: a number (1/mm), a table, or a drawing of the unloaded strip."""
+
+    name = "blank"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the value as the key `natural_curvature` of a design file takes it."""
+        try:
+            return float(value)
+        except ValueError:
+            pass
+        if "=" in value:
+            try:
+                return parse_toml(f"blank = {{{value}}}")["blank"]
+            except tomllib.TOMLDecodeError as error:
+                raise InputError(
+                    "--natural-curvature: {line} cannot be read: write keys and values, such as "
+                    "stations = [0, 300], curvatures = [0, 0.01]",
+                    line=quoted(value),
+                ) from error
+        if not Path(value).is_file():
+            self.fail(
+                f"{value!r} is no number and no file: give 1/mm, 'stations = [0, 300], curvatures = [0, 0.01]', or "
+                "a drawing of the blank",
+                param,
+                ctx,
+            )
+        return {"curve": value}
+
+
+support_options = join_options(
+    *(
+        click.option(f"--{end}", type=click.Choice(END_NAMES), default="clamped", show_default=True,
+                     help=f"Support of the {end} of the curve.")
+        for end in ("start", "end")
+    ),
+    click.option("--natural-curvature", type=Blank(), default=0.0, metavar="1/MM|KEYS|FILE",
+                 help="Curvature of the strip before bending (0: flat); along it as 'stations = [0, 300], "
+                      "curvatures = [0, 0.01]', or a drawing of the bent blank."),
+)  # fmt: skip
+"""What the ends are held by, and a pre-curved rest shape."""
+
+
+CALLED = {
+    "style.kind": "style", "style.width": "outer_width", "keep.length": "keep_length", "ends.length": "tab",
+}  # fmt: skip
+"""Options that are not called as the last name of the key that they set."""
+
+BY_HAND = ("style", "keep", "ends", "supports", "gravity", "natural_curvature", "limits", "cut", "keep.ends",
+           "keep.tangents", "limits.strain")  # fmt: skip
+"""Keys with options whose values are written otherwise than in a table, or that their own keys stand for."""
+
+FLAGS = ("keep.length", "ignore_limits")
+"""Keys that an option without a value sets to true."""
+
+
+def typed_name(path: str) -> str:
+    """How a key is typed: its option where it has one, else by `--set`.
+
+    Examples
+    --------
+    >>> typed_name("max_width"), typed_name("limits.curvature"), typed_name("supports")
+    ('--max-width', '--set limits.curvature', '--start')
+    """
+    if path in _OWN_OPTIONS or path in OPTIONS:
+        return option_name(_OWN_OPTIONS.get(path) or OPTIONS[path])
+    return f"--set {path}" if path in paths_of(CommandKeys) else ""
+
+
+CHANGED = {"nearest": "limits", "lap": "shop.lap", "split_corners": "curve.split_corners"}
+"""Keys that changes of a refusal set, where they are called otherwise."""
+
+
+def option_words(change: Change) -> tuple[str, ...]:
+    """The words that make a change that a refusal names; none where no key does."""
+    path = CHANGED.get(change.field, change.field)
+    name = typed_name(path)
+    if not name:
+        return ()
+    if name.startswith("--set "):
+        value = "true" if change.value is True else f"{change.value:g}"
+        return "--set", f"{path}={value}"
+    return (name,) if change.value is True else (name, typed_length(change.value))
+
+
+def _common() -> dict[str, str]:
+    """The options of common keys, by the path of the key."""
+    found = {}
+    for path, one in paths_of(CommandKeys).items():
+        below_common = all(paths_of(CommandKeys)[way].asked.common for way in _ways(path))
+        if one.asked.common and below_common and path not in BY_HAND:
+            found[path] = CALLED.get(path, path.rpartition(".")[2])
+    return found
+
+
+def _ways(path: str) -> list[str]:
+    parts = path.split(".")
+    return [".".join(parts[:k]) for k in range(1, len(parts))]
+
+
+_OWN_OPTIONS = {
+    "style": "style", "limits": "nearest", "limits.strain": "keep_strain", "keep": "keep_ends",
+    "keep.ends": "keep_ends", "keep.tangents": "keep_tangents", "supports": "start", "ends": "tab",
+    "gravity": "gravity",
+    "natural_curvature": "natural_curvature",
+}  # fmt: skip
+OPTIONS = _common()
+"""Parameters of the options that are made from declarations, by the path of the key that they set."""
+
+DEFAULTS = {
+    "label": "the file's name", "ends.length": "10", "style.kind": "plain", "cut.kerf": f"{DEFAULT_KERF_MM:g}",
+}  # fmt: skip
+"""What help tells of options that are not given."""
+
+
+def _option(path: str, name: str) -> Callable[[Any], Any]:
+    """The option of a common key."""
+    field = paths_of(CommandKeys)[path]
+    return option_of(
+        field, name, default=DEFAULTS.get(path, ""), switch=path in FLAGS, required=path == "sheet"
+    )
+
+
+_HAND_MADE: dict[str, tuple[Any, ...]] = {
+    "curve": (
+        unit_option,
+        click.option("--curve", "number", metavar="N|ID",
+                     help="Which curve of the file: its number from 1, or its id."),
+        click.option("--all", "every", is_flag=True, help="A strip for every curve of the file, each for itself."),
+        click.option("--natural-curvature", type=Blank(), metavar="1/MM|KEYS|FILE",
+                     help="Curvature of the strip before bending; along it as 'stations = [0, 300], curvatures = "
+                          "[0, 0.01]', or a drawing of the bent blank  [default: 0]"),
+    ),
+    "ends": tuple(
+        click.option(f"--{end}", type=click.Choice(END_NAMES),
+                     help=f"Support of the {end} of the curve  [default: clamped]")
+        for end in ("start", "end")
+    ),
+    "limits": (
+        click.option("--nearest", is_flag=True, help="Change the curve, as little as it takes."),
+        click.option("--stable", is_flag=True, help=f"Make sure that it stays put (a margin of {SAFE_MARGIN:g})."),
+        click.option("--keep-strain", is_flag=True, help="Keep within the strain that the sheet bears."),
+        click.option("--keep-tangents", is_flag=True, help="Keep the tangents of both ends."),
+        click.option("--keep-ends", type=click.Choice(list(BOTH_ENDS)),
+                     help="Which ends of a curve that may change stay  [default: both]"),
+    ),
+    "weight": (
+        click.option("--gravity", is_flag=True, help="Let the strip carry its own weight."),
+        click.option("--down", type=POINT, metavar="X Y",
+                     help="The direction in which things fall, in the drawing  [default: 0 -1]"),
+    ),
+    "files": (
+        click.option("--step/--no-step", default=True,
+                     help="Write NAME.step: the flat and the bent strip (needs a CAD kernel)."),
+        click.option("--pictures/--no-pictures", default=True, help="Draw NAME.png (needs matplotlib)."),
+        click.option("--save-design", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+                     help="Write what is asked for as a design file, which `elastica model` makes."),
+        output_options,
+    ),
+}  # fmt: skip
+
+
+def strip_options(function: Any) -> Any:
+    """All that can be asked of one strip, but for its file: common keys, and `--set` for the others."""
+    groups = []
+    for group in GROUPS:
+        own = [(path, name) for path, name in OPTIONS.items() if _group(path) == group]
+        groups += [*(_option(*one) for one in own), *_HAND_MADE.get(group, ())]
+    return join_options(*groups, set_option(CommandKeys))(function)
+
+
+def _group(path: str) -> str:
+    return paths_of(CommandKeys)[path.partition(".")[0]].asked.group
+
+
+def grouped(parameters: list[click.Parameter]) -> dict[str, list[click.Parameter]]:
+    """Options by the group in which help lists them; what every command has comes last."""
+    of = {name: _group(path) for path, name in OPTIONS.items()}
+    for group, options in _HAND_MADE.items():
+        probe: Any = join_options(*options)(lambda: None)
+        of |= {str(one.name): group for one in probe.__click_params__}
+    found: dict[str, list[click.Parameter]] = {group: [] for group in (*GROUPS, "all else")}
+    for one in parameters:
+        found[of.get(str(one.name), "all else")].append(one)
+    return found
+
+
+def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
+    """The table that options ask for, as a design file writes it; `--set` goes before them.
+
+    Raises
+    ------
+    InputError
+        Options that exclude each other or mean nothing, or a key that is not known.
+    """
+    table: dict[str, Any] = {}
+    for path, name in OPTIONS.items():
+        if chosen[name] is not None:
+            put(table, path, chosen[name])
+    if chosen["stable"] and chosen["margin"] is None:
+        put(table, "limits.margin", SAFE_MARGIN)
+    if chosen["nearest"]:
+        table.setdefault("limits", {})
+    if chosen["keep_strain"]:
+        put(table, "limits.strain", True)
+    if chosen["keep_tangents"]:
+        put(table, "keep.tangents", True)
+    if chosen["keep_ends"] is not None:
+        kept = BOTH_ENDS[chosen["keep_ends"]]
+        put(table, "keep.ends", kept if isinstance(kept, bool) else list(kept))
+    if chosen["gravity"]:
+        table["gravity"] = True if chosen["down"] is None else list(chosen["down"])
+    elif chosen["down"] is not None:
+        raise InputError(IDLE_DOWN)
+    if chosen["start"] or chosen["end"]:
+        table["supports"] = [chosen["start"] or "clamped", chosen["end"] or "clamped"]
+    if chosen["natural_curvature"] is not None:
+        table["natural_curvature"] = chosen["natural_curvature"]
+    table = with_settings(table, parsed_settings(chosen["settings"], CommandKeys))
+    if "keep" in table and "limits" not in table:
+        raise InputError("what a curve keeps is asked of one that may change: add --nearest")
+    return table
+
+
+def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict[str, Any]:
+    """The table of options with that of `--set`.
+
+    Raises
+    ------
+    InputError
+        Both say the same.
+    """
+    for path in twice(table, settings):
+        raise InputError(
+            "{option} and --set {path} say the same: leave one of them out",
+            option=typed_name(path) or option_name(path),
+            path=path,
+        )
+    return merged(table, settings)
+
+
+def spec_from_options(curve: PlaneCurve, label: str, table: Mapping[str, Any]) -> StripSpec:
+    """The strip that the table of the options asks for, with this `label` unless it says another.
+
+    Raises
+    ------
+    InputError
+        What the reader or `StripSpec` refuses, with the options to look at.
+    """
+    keys = {
+        "label": label,
+        **{k: one for k, one in table.items() if k not in ("curve", "cut", "files")},
+    }
+    try:
+        return read_request(Table(keys, "", {}), Reader(read_curves=read_curves_told), curve)
+    except InputError as problem:
+        named = problem.refusal.where.get("field", ())
+        fields = (named,) if isinstance(named, str) else named
+        problem.at(option=", ".join(filter(None, map(typed_name, fields))))
+        raise

@@ -1,0 +1,189 @@
+"""The command that was typed, and suggestions of one that would work."""
+
+import re
+import shutil
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from itertools import islice
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
+
+import click
+import numpy as np
+
+from elastica_cad._text import quote_words
+from elastica_cad.cli.voice import voice
+from elastica_cad.errors import Change, ElasticaError
+
+if TYPE_CHECKING:
+    from elastica_cad.strip.strip_spec import StripSpec
+
+
+def name_program() -> str:
+    """Return how to call this program: by name, by path where the name finds another, or as a module."""
+    called = Path(sys.argv[0])
+    if called.parts[-2:] == ("elastica_cad", "__main__.py"):
+        return f"{quote_words([sys.executable])} -m elastica_cad"
+    found = shutil.which("elastica")
+    if called.stem == "elastica" and called.exists() and not (found and called.samefile(found)):
+        return quote_words([sys.argv[0]])
+    return "elastica"
+
+
+TYPED = "elastica.typed"
+"""Key of the words that the user typed, in click's `meta`."""
+
+MOST_REFUSALS = 7
+"""Curves of a file whose refusals are printed."""
+
+
+def _command_line(*words: str) -> str:
+    """A command as it is typed."""
+    return f"{name_program()} {quote_words(words)}"
+
+
+def typed_line(*added: str, instead: str | None = None) -> str:
+    """The running command as it was typed with options behind it, which outweigh those of the same name before.
+
+    `instead` names another command that takes the same options, but for those that print.
+    """
+    context = click.get_current_context()
+    words: Sequence[str] = context.meta.get(TYPED, ())
+    if instead is not None:
+        words = [instead if word == context.info_name else word for word in words if word != "--json"]
+    return _command_line(*words, *added)
+
+
+def typed_length(mm: float) -> str:
+    """Return a length (mm) as the running command takes it, with its unit where the command uses another."""
+    context = click.get_current_context(silent=True)
+    units = "mm" if context is None else context.find_root().params.get("units", "mm")
+    return f"{mm:g}" if units == "mm" else f"{mm:g}mm"
+
+
+def first_told(refused: int) -> str:
+    """Return which of many refused curves are printed, behind how many there are."""
+    if refused <= MOST_REFUSALS:
+        return ""
+    return f", of which the first {MOST_REFUSALS} are told: -v tells all"
+
+
+MOST_TRIED = 3
+"""Candidates of one refusal."""
+
+TRIAL_S, TRIAL_BYTES = 2.0, 300 * 2**20
+"""What all of them may take together, beyond what the refusal took."""
+
+LONGEST_REFUSED_S = 2.0
+"""A request that took longer is not tried again otherwise."""
+
+WIDEST_SHARE = 0.5
+"""Of its length: what is wider bends as a plate."""
+
+SUGGEST = "elastica.suggest"
+"""Key, in click's `meta`, of the function that looks for a suggestion below the refusal of the running command."""
+
+Candidate: TypeAlias = "tuple[str, Callable[[], Sequence[StripSpec]]]"
+"""What would be said of it, and the requests of its strips."""
+
+
+class _OutOfTimeError(BaseException):
+    """The trials have taken as long as they may; no reader of files takes it for an error of the system."""
+
+
+def suggest_later(look: Callable[[ElasticaError], str]) -> None:
+    """Register a function that looks for a suggestion after a refusal of the running command was printed."""
+    context = click.get_current_context()
+
+    def look_here(problem: ElasticaError) -> str:
+        with context.scope(cleanup=False):
+            return look(problem)
+
+    context.meta[SUGGEST] = look_here
+
+
+def suggestion_below(problem: ElasticaError) -> str:
+    """Return a sentence with a request that would work; empty where none was found."""
+    look = click.get_current_context().meta.get(SUGGEST)
+    return "" if look is None else look(problem)
+
+
+def changed_requests(spec: "StripSpec", change: Change) -> "Sequence[StripSpec]":
+    """Return the requests that a change makes of this one; none where it changes nothing."""
+    changed = spec.with_change(change)
+    return [] if changed is None else [changed]
+
+
+def first_that_holds(candidates: Iterable[Candidate], nearest: Iterable[Candidate] = ()) -> str:
+    """A sentence with the first candidate of which strips were made that hold; else with all of `nearest` that do,
+    which change more than the request; empty where none was in time.
+    """
+    if time.perf_counter() - voice().since > LONGEST_REFUSED_S:
+        return ""
+    found = []
+    with suppress(KeyboardInterrupt, _OutOfTimeError, MemoryError), _limits():
+        for told, requests in islice(candidates, MOST_TRIED):
+            if held := _held(requests):
+                return f"This works: {told} ({held})."
+        for told, requests in nearest:
+            if held := _held(requests):
+                found.append(f"{told} ({held})")
+    return f"Nearest to working: {'; or '.join(found)}." if found else ""
+
+
+@contextmanager
+def _limits() -> Iterator[None]:
+    """Ends what runs inside by an error of its own or MemoryError; where the system cannot, before it begins."""
+    try:
+        import resource
+        from signal import ITIMER_REAL, SIGALRM, setitimer, signal
+    except ImportError:  # Windows
+        raise _OutOfTimeError from None
+    if threading.current_thread() is not threading.main_thread():
+        raise _OutOfTimeError
+    most = resource.getrlimit(resource.RLIMIT_DATA)
+
+    def end(*_: object) -> None:
+        raise _OutOfTimeError
+
+    before = signal(SIGALRM, end)
+    with suppress(OSError, ValueError):  # systems that do not tell have the limit of time alone
+        used = re.search(r"VmData:\s+(\d+) kB", Path("/proc/self/status").read_text(encoding="ascii"))
+        if used is not None:
+            resource.setrlimit(resource.RLIMIT_DATA, (1024 * int(used[1]) + TRIAL_BYTES, most[1]))
+    setitimer(ITIMER_REAL, TRIAL_S)
+    try:
+        yield
+    finally:
+        setitimer(ITIMER_REAL, 0)
+        signal(SIGALRM, before)
+        resource.setrlimit(resource.RLIMIT_DATA, most)
+
+
+def _held(requests: Callable[[], Sequence["StripSpec"]]) -> str:
+    """How near strips come and how far they are strained; empty where one is not made or does not hold."""
+    from elastica_cad.forming.limits import FAR_SHARE
+    from elastica_cad.forming.nearest_record import NearestRod
+    from elastica_cad.mechanics.stability import stability
+
+    farthest, used, name = 0.0, 0, ""
+    try:
+        for spec in requests():
+            found = spec.rod_spec.solve()
+            made = spec.make(found)
+            away = spec.rod_spec.smoothing.moved + (found.deviation if isinstance(found, NearestRod) else 0.0)
+            size = float(np.hypot(*np.ptp(spec.curve.bounds, axis=0)))
+            wide = float(made.width.extremes[1]) > WIDEST_SHARE * made.rod.length
+            if wide or away > FAR_SHARE * size or not made.strain_verdict.allowed:
+                return ""
+            if not stability(made.rod).stable:
+                return ""
+            farthest, used = max(farthest, away), max(used, made.strain_verdict.percent)
+            name = made.sheet.name
+    except ElasticaError:
+        return ""
+    near = f"within {farthest:.2g} mm of the drawn curve" if farthest else "the curve as drawn"
+    return f"{near}, {used} % of the strain that {name} bears" if name else ""

@@ -1,0 +1,252 @@
+"""One voice for people and programs: what is said, warned and answered, and remaking on change."""
+
+import json
+import sys
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field, fields, is_dataclass
+from enum import Enum
+from pathlib import Path, PurePath
+from threading import Event, Thread
+from typing import Any
+
+import click
+import numpy as np
+
+from elastica_cad._text import printable
+from elastica_cad.design.reports import round_numbers
+from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.formats.source_file import FileMark, mark_file, note_reads
+
+_KEY = "elastica.voice"
+
+
+@dataclass
+class Voice:
+    """How the running command speaks, and what it has to say to programs.
+
+    Attributes
+    ----------
+    command : str
+        Its schema is "elastica-COMMAND/1".
+    step : str
+        What it is doing.
+    as_json, quiet, verbose : bool
+        One record instead of lines; problems only; every step and all notes.
+    """
+
+    command: str
+    as_json: bool = False
+    quiet: bool = False
+    verbose: bool = False
+    record: dict[str, Any] | list[dict[str, Any]] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    files: list[str] = field(default_factory=list)
+    read: dict[str, Any] = field(default_factory=dict)
+    since: float = field(default_factory=time.perf_counter)
+    step: str = "working"
+
+    @property
+    def schema(self) -> str:
+        """The name of the JSON record's schema."""
+        return f"elastica-{self.command}/1"
+
+    def begin(self) -> None:
+        """Forget all that an earlier run of the command said."""
+        self.record, self.notes, self.files, self.read = {}, [], [], {}
+        self.since, self.step = time.perf_counter(), "working"
+
+    def conclude(self) -> None:
+        """Print the JSON record, where `--json` asks for one."""
+        _clear_step()
+        if not self.as_json:
+            return
+        read = {"read": self.read} if self.read else {}
+        if isinstance(self.record, list):
+            _print_json([{"schema": self.schema, **read, **one} for one in self.record])
+        else:
+            told = {"notes": self.notes, "files": self.files}
+            _print_json({"schema": self.schema, **read, **self.record, **told})
+
+    def refuse(self, said: str, problem: ElasticaError, code: int, suggest: Callable[[], str]) -> None:
+        """Print why there is no answer, then a suggestion, which is searched for until Ctrl-C."""
+        _clear_step()
+        advice = suggestion = ""
+        with suppress(KeyboardInterrupt):
+            echo(said, nl=False, err=True)
+            advice = " ".join(problem.advice)
+        with suppress(KeyboardInterrupt):
+            echo(f" {advice}" if advice else "", err=True)
+            suggestion = "" if self.quiet else suggest()
+        if suggestion:
+            echo(suggestion, err=True)
+        if self.as_json:
+            record = problem.refusal.record | {"message": f"{said} {advice}".rstrip()}
+            found = {"suggestion": suggestion} if suggestion else {}
+            _print_json(
+                {
+                    "schema": "elastica-error/2",
+                    "command": self.command,
+                    "exit_code": code,
+                    "error": record,
+                    **found,
+                }
+            )
+
+
+def voice() -> Voice:
+    """Return the output of the running command."""
+    ctx = click.get_current_context()
+    found: Voice = ctx.meta.setdefault(_KEY, Voice(ctx.info_name or "elastica"))
+    return found
+
+
+def echo(text: str, *, nl: bool = True, err: bool = False) -> None:
+    """Write a line with control codes made visible, so that no text from a file steers a terminal."""
+    click.echo(printable(text), nl=nl, err=err)
+
+
+def say(text: str = "") -> None:
+    """Print a line of the answer, for people."""
+    if not (voice().as_json or voice().quiet):
+        _clear_step()
+        echo(text)
+
+
+def warn(text: str, *, told: bool = True) -> None:
+    """Print a warning to stderr, and add it to the notes of the JSON record.
+
+    Where it is not `told`, people read it with -v only.
+    """
+    voice().notes.append(text)
+    if not voice().quiet and (told or voice().verbose):
+        _clear_step()
+        echo(text, err=True)
+
+
+def wrote(paths: Iterable[PurePath]) -> None:
+    """Report files as written."""
+    for path in paths:
+        voice().files.append(str(path))
+        say(f"wrote {path}")
+
+
+def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:
+    """Print the answer for programs: records, arrays and paths become plain JSON."""
+    voice().record = _simplify(record)
+
+
+def say_step(text: str, number: int = 0, count: int = 0) -> None:
+    """Report a step in progress to stderr: on a terminal one line that is overwritten, with -v one line each."""
+    speaker = voice()
+    speaker.step = counted = f"{text} ({number} of {count})" if count > 1 else text
+    if speaker.verbose:
+        echo(f"{time.perf_counter() - speaker.since:7.2f} s  {counted}", err=True)
+    elif not (speaker.quiet or speaker.as_json) and sys.stderr.isatty():
+        _clear_step()
+        echo(f"{counted} ...", nl=False, err=True)
+
+
+PATIENCE_S = 5.0
+"""Seconds after which a command shows that it is working, and again after as many."""
+
+
+@contextmanager
+def progress_shown() -> Iterator[None]:
+    """Show on stderr which step takes more than a few seconds, and for how long the command has been running."""
+    speaker, screen, ended = voice(), sys.__stderr__, Event()
+
+    def show() -> None:
+        while screen is not None and not ended.wait(PATIENCE_S):
+            text = printable(
+                f"{speaker.step} ... {time.perf_counter() - speaker.since:.0f} s, Ctrl-C ends it"
+            )
+            with suppress(OSError, ValueError):  # a closed stderr
+                screen.write(f"\r\x1b[2K{text}" if screen.isatty() else f"{text}\n")
+                screen.flush()
+
+    if not (speaker.quiet or speaker.as_json):
+        Thread(target=show, daemon=True).start()
+    try:
+        yield
+    finally:
+        ended.set()
+
+
+def _clear_step() -> None:
+    if sys.stderr.isatty():
+        click.echo("\r\x1b[2K", nl=False, err=True)
+
+
+def _print_json(record: Any) -> None:
+    echo(json.dumps(record, indent=1, ensure_ascii=False))
+
+
+def _simplify(value: Any) -> Any:
+    """The value as JSON has it; numbers to ten digits, those that are not finite as null.
+
+    Examples
+    --------
+    >>> _simplify({"at": np.array([1.0, np.inf]), "file": PurePath("a.dxf")})
+    {'at': [1.0, None], 'file': 'a.dxf'}
+    """
+    if is_dataclass(value) and not isinstance(value, type):
+        return {one.name: _simplify(getattr(value, one.name)) for one in fields(value)}
+    if isinstance(value, Mapping):
+        return {str(key): _simplify(one) for key, one in value.items()}
+    if isinstance(value, np.ndarray):
+        return _simplify(value.tolist())
+    if isinstance(value, list | tuple):
+        return [_simplify(one) for one in value]
+    if isinstance(value, Enum):
+        return value.name.lower()
+    if isinstance(value, PurePath):
+        return str(value)
+    if isinstance(value, np.generic):
+        return _simplify(value.item())
+    if isinstance(value, float):
+        return round_numbers(value) if np.isfinite(value) else None
+    return value
+
+
+LOOK_S = 0.2
+"""Between two looks at the files: soon enough for people, nothing for the machine."""
+
+GONE_LOOKS = 5
+"""How long a file may be gone while a program replaces it."""
+
+
+def remake_on_change(make: Callable[[], None], tell: Callable[[str], None]) -> None:
+    """Run `make`, and again after every change of a file that it read, until the user interrupts.
+
+    Files that programs replace, or are still writing, are waited for; changes while `make` runs count too.
+
+    Raises
+    ------
+    InputError
+        It read no file.
+    """
+    try:
+        while True:
+            with note_reads() as read:
+                make()
+            if not read:
+                raise InputError("there is nothing to watch: no file was read")
+            tell(f"watching {', '.join(path.name for path in read)}: save to run again, Ctrl-C to end")
+            _wait_for_change(read)
+    except KeyboardInterrupt:
+        tell("no longer watching")
+
+
+def _wait_for_change(read: dict[Path, FileMark]) -> None:
+    """Until a file is another than the one that was read, and all are at rest."""
+    before, still = read, 0
+    while True:
+        time.sleep(LOOK_S)
+        now = {path: mark_file(path) for path in read}
+        still = still + 1 if now == before else 0
+        gone = any(was and not mark for mark, was in zip(now.values(), read.values(), strict=True))
+        if now != read and still >= (GONE_LOOKS if gone else 1):
+            return
+        before = now

@@ -1,0 +1,5 @@
+"""Design files, and reports as plain data."""
+
+from elastica_cad._exports import exports
+
+__getattr__, __dir__, __all__ = exports(__file__, __name__)

@@ -1,0 +1,441 @@
+"""Design files: a whole model written down in TOML, read, checked and made.
+
+Every number may be a formula in quotes (see `formulae`); lengths are mm, angles rad (30 * degrees). All keys, with
+what they say, are in `keys`.
+"""
+
+import tomllib
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields, replace
+from os import PathLike
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from elastica_cad._toml import parse_toml
+from elastica_cad._values import several, value_key
+from elastica_cad.design.kit_spec import KitSpec
+from elastica_cad.design.model_tables import PATTERNS, DesignKeys, read_kit
+from elastica_cad.design.records import CurveReader, Reader, names_of
+from elastica_cad.design.revolution_table import INHERITED, RevolutionTable, read_revolution
+from elastica_cad.design.sections_table import read_sections
+from elastica_cad.design.strip_table import StripEntry, StripKeys, read_strip
+from elastica_cad.design.tables import Slips, Table, merged
+from elastica_cad.errors import (
+    ElasticaError,
+    InputError,
+    NotConvergedError,
+    NotMetError,
+    Refusal,
+    quoted,
+    toml_slip,
+)
+from elastica_cad.formats.source_file import read_below, require_below, require_file
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.mechanics.sheets import Sheet, load_sheets, sheets_from_table
+from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad.model.interlocking import interlock
+from elastica_cad.model.model import Model
+from elastica_cad.refusals import note
+from elastica_cad.strip.strip import Placed, Strip
+
+if TYPE_CHECKING:
+    from elastica_cad.formats.mesh_files import SurfaceReader
+    from elastica_cad.forming.section_lines import SectionCurve
+    from elastica_cad.model.plates import Ring
+
+DESIGN_SCHEMA = 1
+
+
+@dataclass(frozen=True, eq=False)
+class Design:
+    """A design file, read and checked; `model` makes it.
+
+    Attributes
+    ----------
+    name : str
+    entries : tuple of StripEntry
+        Strips in the order of the file.
+    patterns : tuple of (name, options)
+        "mirror", "rotate", "repeat", applied in order.
+    interlock : dict or None
+        Options of `Model.interlock`, where asked for.
+    kit : KitSpec
+        What goes with the strips.
+    reports : tuple of str
+        What sections of meshes and meridians have to say.
+    revolution : RevolutionTable or None
+        A surface of revolution, made before all strips.
+    """
+
+    name: str
+    entries: tuple[StripEntry, ...]
+    patterns: tuple[tuple[str, dict[str, Any]], ...] = ()
+    interlock: dict[str, Any] | None = None
+    kit: KitSpec = field(default_factory=KitSpec)
+    reports: tuple[str, ...] = ()
+    revolution: RevolutionTable | None = None
+
+    def with_limits_ignored(self) -> "Design":
+        """Return the design with `ignore_limits`: parts that cannot be cut or handled are made, with a warning."""
+        return replace(
+            self,
+            entries=tuple(replace(one, spec=one.spec.changed(ignore_limits=True)) for one in self.entries),
+            revolution=None if self.revolution is None else replace(self.revolution, ignore_limits=True),
+            kit=replace(self.kit, ignore_limits=True),
+        )
+
+    def nearest(self) -> "Design":
+        """Return the design with strips that may leave their curves, as little as they must."""
+        freed = (
+            one if one.spec.may_change else replace(one, spec=one.spec.changed(limits=Limits(), keep=Keep()))
+            for one in self.entries
+        )
+        return replace(self, entries=tuple(freed))
+
+    def model(self, done: Callable[[str], None] | None = None) -> Model:
+        """Make all strips, put them in their places, repeat and interlock them.
+
+        Parameters
+        ----------
+        done : callable, optional
+            Called with the label of each strip that has been made.
+
+        Raises
+        ------
+        NotRealizable, NotConvergedError, InputError
+            What `StripSpec.make` and `Model.interlock` refuse, with the part's name, all parts in one. A section
+            that no strip can follow is left out and reported; the first is raised where none is left.
+        """
+        made: dict[Any, Strip] = {}
+        placed: list[Placed] = []
+        failed: list[ElasticaError] = []
+        refused: list[ElasticaError] = []
+        for entry in self.entries:
+            key = _likeness(entry)
+            if key not in made:
+                try:
+                    made[key] = _make(entry, slotted=self.interlock is not None)
+                except (NotRealizable, NotConvergedError, InputError) as problem:
+                    (failed if entry.section else refused).append(problem)
+                    continue
+            strip = replace(made[key], label=entry.label, engrave=entry.spec.engrave, slots=entry.spec.slots)
+            placed.append(Placed(strip, entry.frame.origin, entry.frame.x_axis, entry.frame.y_axis))
+            if done is not None:
+                done(entry.label)
+        if refused:
+            raise _all_of(refused)
+        plates: tuple[Ring, ...] = ()
+        if self.revolution is not None:
+            surface = self.revolution.model(self.name)
+            placed, plates = [*surface.placed, *placed], surface.plates
+        if failed and not placed:
+            raise failed[0]
+        without = tuple(note("{said} This section is left out.", said=said) for said in _in_words(failed))
+        model = Model(tuple(placed), self.name, reports=(*without, *self.reports), plates=plates)
+        for kind, options in self.patterns:
+            model = getattr(model, _PATTERNS[kind])(**options)
+        if self.interlock is None:
+            return model
+        which = {entry.label for entry in self.entries if entry.spec.compensate}
+        if not which:
+            return model.interlock(**self.interlock)
+        from elastica_cad.model.model import interlock_compensated
+
+        return interlock_compensated(model, which, **self.interlock)
+
+
+_PATTERNS = {"mirror": "mirrored", "rotate": "rotated", "repeat": "repeated"}
+
+
+def read_design(
+    path: str | Path,
+    read_curves: CurveReader,
+    read_surface: "SurfaceReader | None" = None,
+    *,
+    below: Sequence[str | Path] = (),
+    changes: Mapping[str, Any] = MappingProxyType({}),
+) -> Design:
+    """Read a design file: compute its formulae, read its curve files, and check every value.
+
+    Parameters
+    ----------
+    path : path-like
+        TOML with `schema = 1`; files in it are relative to its folder.
+    read_curves : callable
+        Reads a curve file: `elastica_cad.read_curves`.
+    read_surface : callable
+        Reads a surface for sections: of meshes alone unless given, or of STEP bodies too,
+        `elastica_cad.files.read_surface`.
+    below : sequence of path-like
+        Folders from which it may read files, besides its own and the working folder.
+    changes : mapping
+        Values of the file's own keys that stand in place of those in it.
+
+    Raises
+    ------
+    InputError
+        No TOML, unknown keys, missing files, files elsewhere, values that make no sense: the place in the file is
+        named.
+    """
+    path = require_file(path)
+    below = several("folders to read from", below, str | PathLike, "path")
+    with read_below(path.parent, Path(), *below):
+        return design_of(merged(parse_design(path), changes), path, read_curves, read_surface)
+
+
+def design_of(
+    data: Mapping[str, Any],
+    path: Path,
+    read_curves: CurveReader,
+    read_surface: "SurfaceReader | None" = None,
+) -> Design:
+    """Make a design from parsed tables, as `read_design` does from a file at `path`.
+
+    Raises
+    ------
+    InputError
+        As `read_design`.
+    """
+    top, slips = Table(data, str(path), {}), Slips()
+    with slips.gathering():
+        top.only(*names_of(DesignKeys))
+    if data.get("schema") != DESIGN_SCHEMA:
+        slips.add(note(
+            "{file}: schema is {schema}; this version reads schema = {known}",
+            file=path, schema=quoted(data.get("schema")), known=DESIGN_SCHEMA,
+        ))  # fmt: skip
+    top.scope = top.within(data.get("let", {}))
+    reader = Reader(own_sheets(top, path), path.parent, read_curves)
+    revolution = None
+    with slips.gathering():
+        revolution = _read_revolution(top, reader)
+    entries, reports = _read_strips(top, reader, read_surface, slips)
+    patterns: list[tuple[str, dict[str, Any]]] = []
+    for table in top.tables("patterns"):
+        with slips.gathering():
+            patterns.append(_pattern(table, reader))
+    interlocked, kit = None, KitSpec()
+    with slips.gathering():
+        interlocked = reader.given(interlock, top.table("interlock")) if top.has("interlock") else None
+    with slips.gathering():
+        kit = read_kit(top, reader)
+    slips.tell()
+    if top.has("pair"):
+        raise InputError(
+            "{place} holds a part with two rest shapes: `elastica pair` makes it", place=top.where
+        )
+    if not entries and revolution is None:
+        raise InputError("{place} has no strips: write at least one table [[strips]]", place=top.where)
+    return Design(
+        name=top.text("name", path.stem),
+        entries=tuple(entries),
+        patterns=tuple(patterns),
+        interlock=interlocked,
+        kit=kit,
+        reports=reports if revolution is None else (*revolution.reports, *reports),
+        revolution=revolution,
+    )
+
+
+def parse_design(path: Path) -> dict[str, Any]:
+    """Return the tables of a TOML file, parsed but not checked.
+
+    Raises
+    ------
+    InputError
+        No TOML, or nothing that can be read.
+    """
+    try:
+        text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
+        return parse_toml(text)
+    except UnicodeDecodeError as error:
+        raise InputError(
+            "{path} is no TOML file, which are UTF-8: save it as text in UTF-8", path=path
+        ) from error
+    except RecursionError as error:
+        raise InputError(
+            "{path} nests lists or tables too deep: write them one within a few others", path=path
+        ) from error
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(
+            "{path} is no TOML file: {error}; {toml_slip}, or begin with one of `elastica new`",
+            path=path,
+            error=error,
+            toml_slip=toml_slip(text, error),
+        ) from error
+
+
+def _read_revolution(top: Table, reader: Reader) -> RevolutionTable | None:
+    """The surface of revolution, where the design has one; keys that it leaves out are those of the design."""
+    if not top.has("revolution"):
+        return None
+    table = top.table("revolution")
+    table.defaults = Table({key: top.raw(key) for key in INHERITED if top.has(key)}, top.where, top.scope)
+    return read_revolution(table, reader)
+
+
+class _Sheets(dict[str, Sheet]):
+    """Sheets that a design brings along, by name; and those of files beside it, by the file's name."""
+
+    folder = Path()
+
+    def __contains__(self, name: object) -> bool:
+        return super().__contains__(name) or ".toml" in str(name)
+
+    def __missing__(self, name: str) -> Sheet:
+        if ".toml" in name:
+            require_below(self.folder / f"{name.partition('.toml')[0]}.toml")
+        return Sheet.named(name, folder=self.folder)
+
+
+def own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
+    """Return the sheets that a design defines itself, by name."""
+    sheets = _Sheets()
+    sheets.folder = path.parent
+    if top.has("sheets_file"):
+        sheets.update(load_sheets(require_file(path.parent / top.text("sheets_file"))))
+    if top.has("sheets"):
+        sheets.update(sheets_from_table(top.raw("sheets"), where=str(path)))
+    return sheets
+
+
+def _read_strips(
+    top: Table, reader: Reader, read_surface: "SurfaceReader | None", slips: Slips
+) -> tuple[list[StripEntry], tuple[str, ...]]:
+    """All strips in order, and what sections of meshes have to say; what is wrong goes to `slips`."""
+    entries: list[StripEntry] = []
+    failed: list[InputError] = []
+    reports: list[str] = []
+    labels: set[str] = set()
+    for table in top.tables("strips"):
+        sections: tuple[SectionCurve | None, ...] = ()
+        with slips.gathering():
+            table.only(*names_of(StripKeys))
+            if table.has("sections"):
+                sections, told = read_sections(_only_sections(table), reader, read_surface)
+                reports += told
+            else:
+                sections = (None,) * table.count("count", 1)
+        first = len(entries)
+        for i, section in enumerate(sections, start=1):
+            where = f"{table.where}, i = {i}" if len(sections) > 1 else table.where
+            one = Table(table.data, where, {**top.scope, "i": float(i)}, top)
+            try:
+                one.scope = one.within(table.data.get("let", {}))
+                label = table.text("label", f"S{len(entries) + 1}").replace("{i}", str(i))
+                one.where = f"{where} ({label})"
+                entries.append(read_strip(one, label, reader, section))
+            except InputError as problem:
+                if section is None:
+                    slips.add(str(problem), one.where)
+                else:
+                    failed.append(problem)
+        with slips.gathering():
+            _require_labels(labels, entries[first:], top.where)
+            entries[first:] = _side_by_side(entries[first:])
+        labels.update(entry.label for entry in entries[first:])
+    if failed and not entries:
+        raise failed[0]
+    return entries, (
+        *reports,
+        *(note("{problem} This section is left out.", problem=problem) for problem in failed),
+    )
+
+
+COPIES_APART_MM = 20.0
+"""Between copies of one part that the file places in one place: they stand behind each other."""
+
+
+def _side_by_side(entries: Sequence[StripEntry]) -> list[StripEntry]:
+    """The entries of one table; copies of one part that lie in one place are moved apart, behind each other."""
+    alike = len({entry.label for entry in entries}) < len(entries)
+    if not alike or np.ptp([entry.frame.origin for entry in entries], axis=0).any():
+        return list(entries)
+    widths = [entry.spec.max_width or getattr(entry.spec.style, "width", None) for entry in entries]
+    apart = COPIES_APART_MM + max((w for w in widths if isinstance(w, int | float)), default=0.0)
+    return [
+        replace(entry, spec=entry.spec.changed(frame=entry.frame.shifted(z=k * apart)))
+        for k, entry in enumerate(entries)
+    ]
+
+
+def _require_labels(taken: Container[str], entries: Sequence[StripEntry], where: str) -> None:
+    """Refuse one label for two strips, but for copies of one part, which are in one table."""
+    alike = dict[str, Any]()
+    for entry in entries:
+        if entry.label in taken or alike.setdefault(entry.label, _likeness(entry)) != _likeness(entry):
+            raise InputError(
+                "{place}: two strips are labelled {twice!r}; give each its own label, with {{i}} for the count",
+                place=where,
+                twice=entry.label,
+            )
+
+
+def _only_sections(table: Table) -> Table:
+    """The table of sections, which say themselves how many there are and where they lie."""
+    idle = [key for key in ("count", "curve", "origin", "x_axis", "y_axis") if key in table.data]
+    if idle:
+        raise InputError("{place} means nothing beside sections: leave it out", place=table.place(idle[0]))
+    return table.table("sections")
+
+
+def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
+    """One of mirror, rotate and repeat."""
+    table.only(*_PATTERNS)
+    if len(table.data) != 1:
+        raise InputError(
+            "{place} must hold one of {patterns}", place=table.where, patterns=", ".join(_PATTERNS)
+        )
+    (kind,) = table.data
+    return kind, reader.given(PATTERNS[kind], table.table(kind))
+
+
+SAME_DIGITS = 11
+"""Digits, in lengths of the curve, to which curves and gravity are the same: mirrored places differ by rounding."""
+
+
+def _likeness(entry: StripEntry) -> Any:
+    """Strips with equal keys are made alike: the same curve but for rounding, the same request."""
+    spec, curve, gravity = entry.spec, entry.curve, entry.spec.gravity_in_plane
+    numbers = [curve.knots - curve.knots[0], curve.control_points.ravel()]
+    numbers += [] if curve.weights is None else [curve.weights]
+    numbers += [] if gravity is None else [[gravity.length, *gravity.direction]]
+    digits = np.round(np.concatenate(numbers) / curve.length, SAME_DIGITS) + 0.0
+    placed = ("curve", "frame", "gravity", "slots", "label", "engrave")
+    asked = [getattr(spec, one.name) for one in fields(spec) if one.name not in placed]
+    return digits.tobytes(), value_key(asked)
+
+
+def _in_words(problems: Sequence[ElasticaError]) -> Iterator[str]:
+    """What is wrong with each part; advice, which takes searches of its own, for the first alone."""
+    advised = False
+    for problem in problems:
+        yield problem.verdict if advised else str(problem)
+        advised = advised or bool(problem.advice)
+
+
+def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
+    """One that tells all of them, of the kind of the first."""
+    first, slips = problems[0], Slips()
+    if len(problems) == 1:
+        return first
+    for problem in problems:
+        slips.add(problem.verdict)
+    if isinstance(first, NotMetError):
+        return NotMetError(slips.text, lambda: first.advice and ("What would help the first:", *first.advice))
+    first.refusal = Refusal(first.refusal.kind, slips.text)  # what would mend the first mends not all
+    return first
+
+
+def _make(entry: StripEntry, *, slotted: bool) -> Strip:
+    """The strip without its slots, with complaints that name it; what is slotted later is compensated with them."""
+    asked = entry.spec.compensate
+    spec = entry.spec.changed(slots=(), compensate=False if asked and slotted else asked)
+    try:
+        return spec.make()
+    except (NotRealizable, InputError, NotConvergedError) as problem:
+        problem.at(strip=entry.called)
+        raise

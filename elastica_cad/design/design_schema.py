@@ -1,0 +1,113 @@
+"""All tables of a design file with their keys, and as JSON schema for editors."""
+
+from functools import cache
+from typing import Any, TypeAlias
+
+from elastica_cad.declared import Field, Kind, Record
+from elastica_cad.design.model_tables import DesignKeys
+from elastica_cad.design.records import fields_of, title, word_of, written
+
+SCHEMA_FILE = "elastica.schema.json"
+"""Beside a design file, which names it in its first line."""
+
+Fragment: TypeAlias = dict[str, Any]
+Keys: TypeAlias = dict[str, tuple[Fragment, str]]
+"""Key -> its value as JSON schema, and what it says."""
+
+_PLAIN: dict[str, Fragment] = {
+    "number": {"type": ["number", "string"]},  # a formula is a text
+    "count": {"type": ["integer", "string"]},
+    "flag": {"type": "boolean"},
+    "text": {"type": "string"},
+}
+
+
+@cache
+def tables() -> dict[str, Keys]:
+    """Return the keys of every table by its name; the file itself is "design".
+
+    Examples
+    --------
+    >>> tables()["point mass"]["mass"][1]
+    'Mass that hangs there (g).'
+    """
+    found: dict[str, Record] = {"design": DesignKeys}
+    waiting: list[Record] = [DesignKeys]
+    while waiting:
+        for one in fields_of(waiting.pop()):
+            for inner in _records(written(one.kind)):
+                if title(inner) not in found:
+                    found[title(inner)] = inner
+                    waiting.append(inner)
+    return {name: _keys(record) for name, record in found.items()}
+
+
+def _records(kind: Kind) -> list[Record]:
+    """What the tables in a value make."""
+    inner = [record for one in kind.of for record in _records(written(one))]
+    return [*inner, *([kind.record] if kind.record is not None else [])]
+
+
+def _keys(record: Record) -> Keys:
+    word = word_of(record)
+    kinds: Keys = (
+        {} if word is None else {"kind": ({"enum": [word]}, str(record.__doc__).partition(".")[0] + ".")}
+    )
+    return kinds | {one.name: _entry(one) for one in fields_of(record)}
+
+
+@cache
+def _entry(field: Field) -> tuple[Fragment, str]:
+    return fragment(written(field.kind)), told(field.help, field.asked.unit)
+
+
+def told(help: str, unit: str) -> str:
+    """Return the help of a field followed by its unit."""
+    return f"{help.rstrip('.')} ({unit})." if unit else help
+
+
+def fragment(kind: Kind) -> Fragment:
+    """Return the JSON schema of a kind of value."""
+    if kind.name in _PLAIN:
+        return _PLAIN[kind.name]
+    if kind.name == "choice":
+        return {"enum": list(kind.choices)}
+    if kind.name == "table":
+        assert kind.record is not None
+        return {"$ref": f"#/definitions/{title(kind.record)}"}
+    inner = [fragment(written(one)) for one in kind.of]
+    if kind.name == "names":
+        return {"type": "object", "additionalProperties": inner[0]}
+    if kind.name == "either":
+        return {"anyOf": inner}
+    limits = {"minItems": 0} if kind.size is None else {"minItems": kind.size, "maxItems": kind.size}
+    return {"type": "array", "items": inner[0], **limits}
+
+
+def _table(keys: Keys) -> Fragment:
+    """The table as JSON schema: these keys and no others."""
+    return {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {
+            key: {"description": text, **({"allOf": [value]} if "$ref" in value else value)}
+            for key, (value, text) in keys.items()
+        },
+    }
+
+
+def design_schema() -> dict[str, Any]:
+    """Return the JSON schema of design files, in draft 4, which TOML editors know best.
+
+    Examples
+    --------
+    >>> sorted(design_schema()["definitions"]["point mass"]["properties"])
+    ['at', 'mass']
+    """
+    return {
+        "$schema": "http://json-schema.org/draft-04/schema#",
+        "title": "Design file of elastica_cad",
+        **_table(tables()["design"]),
+        "required": ["schema"],
+        "definitions": {name: _table(keys) for name, keys in tables().items() if name != "design"},
+    }

@@ -1,0 +1,298 @@
+"""Curves that a design file draws, and handles that reshape them."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Annotated, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.declared import Asked, Kind, kind_of
+from elastica_cad.design.records import Reader, reads
+from elastica_cad.design.tables import Formula, Table
+from elastica_cad.errors import InputError
+from elastica_cad.formats.drawn_file import CurveList
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import box_around
+from elastica_cad.geometry.projective_maps import four_point_map
+from elastica_cad.refusals import Length
+
+Point: TypeAlias = tuple[float, float]
+Handles: TypeAlias = tuple[Point, Point, Point, Point]
+
+_TO = "New place"
+
+CORNERS = ("bottom_left", "bottom_right", "top_right", "top_left")
+"""Handles of the box around the drawn curves, by name."""
+
+
+def _box_around_curves(curves: Sequence[PlaneCurve]) -> FloatArray:
+    """Lower left and upper right corner (2, 2) of the box around curves, mm."""
+    return box_around(np.array([curve.bounds for curve in curves]))
+
+
+def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -> FloatArray:
+    """Return the projective map (3, 3) that takes corners of the box around curves to `places`, mm; other corners
+    stay.
+
+    Raises
+    ------
+    InputError
+        An unknown corner, a box without height or width, corners that make no map (see `four_point_map`).
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.arc((0, 0), 50, 0, np.pi)
+    >>> leaning = arch.transformed(map_corners([arch], {"top_right": (70, 60)}))
+    >>> leaning.bounds.round(6).tolist()[0]
+    [-50.0, 0.0]
+    """
+    for name in places:
+        if name not in CORNERS:
+            raise InputError(
+                "a box has no corner {name!r}: use {corners}", name=name, corners=", ".join(CORNERS)
+            )
+    (left, low), (right, high) = _box_around_curves(curves)
+    if min(right - left, high - low) <= 1e-9 * max(right - left, high - low):
+        raise InputError(
+            "the box around the curve measures {left:.4g} by {low:.4g}: too thin for handles at "
+            "its corners; give four handles of your own",
+            left=right - left,
+            low=Length(high - low),
+        )
+    before = [(left, low), (right, low), (right, high), (left, high)]
+    after = [np.asarray(places.get(name, corner)) for name, corner in zip(CORNERS, before, strict=True)]
+    return four_point_map(before, after)
+
+
+@dataclass(frozen=True)
+class Reshape:
+    """How a curve is pulled by handles: corners of its box by name, or `handles` and where they go, `to`.
+
+    Raises
+    ------
+    InputError
+        Both kinds of handles, or one without the other.
+    """
+
+    bottom_left: Annotated[Point | None, Asked(f"{_TO} of the lower left corner of its box.", "mm")] = None
+    bottom_right: Annotated[Point | None, Asked(f"{_TO} of the lower right corner.", "mm")] = None
+    top_right: Annotated[Point | None, Asked(f"{_TO} of the upper right corner.", "mm")] = None
+    top_left: Annotated[Point | None, Asked(f"{_TO} of the upper left corner.", "mm")] = None
+    handles: Annotated[Handles | None, Asked("In place of corners: four points.", "mm")] = None
+    to: Annotated[Handles | None, Asked("Where the handles go.", "mm")] = None
+
+    def __post_init__(self) -> None:
+        own = [one for one in (self.handles, self.to) if one is not None]
+        if bool(own) == bool(self.corners) or len(own) == 1:
+            raise InputError(
+                "reshape must hold corners of the curve's box with their new places ({corners}), or four points "
+                "as handles and four as to",
+                corners=", ".join(CORNERS),
+            )
+
+    @property
+    def corners(self) -> dict[str, Point]:
+        """The new places of the corners that are named, mm."""
+        return {name: place for name in CORNERS if (place := getattr(self, name)) is not None}
+
+    def of(self, curve: PlaneCurve) -> PlaneCurve:
+        """Return the curve with the handles pulled to their new places.
+
+        Raises
+        ------
+        InputError
+            Handles that make no map, or a curve sent through infinity.
+        """
+        if self.handles is not None and self.to is not None:
+            return curve.transformed(four_point_map(self.handles, self.to))
+        return curve.transformed(map_corners([curve], self.corners))
+
+
+@dataclass(frozen=True)
+class _Curve:
+    reshape: Annotated[Reshape | None, Asked("Pull the curve by four handles.")] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurveOfFile(_Curve):
+    """The table of a curve that is read from a file; `number` or `layer` choose one of several."""
+
+    file: Annotated[str, Asked("File beside the design: DXF, SVG, CSV, JSON, STEP.")]
+    number: Annotated[int | None, Asked("Which curve of the file.", least=1)] = None
+    id: Annotated[str | None, Asked("Which curve, by its name in the file.")] = None
+    layer: Annotated[str | None, Asked("Which curve, by its layer.")] = None
+    unit: Annotated[str | None, Asked("Unit of the file, where it does not say.")] = None
+
+    def drawn(self, reader: Reader, where: str, _: Table) -> PlaneCurve:
+        """Read the file, and return the curve that the table chooses."""
+        path = reader.folder / self.file
+        if not path.is_file():
+            raise InputError(
+                "{place}: there is no file {path}; names are relative to the design file",
+                place=where,
+                path=path,
+            )
+        assert reader.read_curves is not None
+        curves = reader.read_curves(path, unit=self.unit)
+        if isinstance(curves, CurveList):
+            number = None if self.number is None else str(self.number)
+            choice = "number = 1 .. {count}, id or layer"
+            return curves.file.one(self.id or number, self.layer, choice).curve
+        if (self.number or 1) > len(curves) or (len(curves) > 1 and self.number is None):
+            raise InputError(
+                "{place}: {name} holds {count} curve{given}: choose one with number = 1 .. {count}",
+                place=where,
+                name=path.name,
+                count=len(curves),
+                given="s" if len(curves) > 1 else "",
+            )
+        return curves[(self.number or 1) - 1]
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurveOfFormulae(_Curve):
+    """The table of a curve that is given by two formulae, x and y in mm as functions of t."""
+
+    x: Annotated[Formula, Asked("Formula in t.", "mm")]
+    y: Annotated[Formula, Asked("Formula in t.", "mm")]
+    t: Annotated[tuple[float, float], Asked("Range of t.")]
+    breaks: Annotated[
+        tuple[Point, ...], Asked("[t, continuity] where the formulae are joined from pieces.")
+    ] = ()
+
+    def drawn(self, _: Reader, where: str, table: Table) -> PlaneCurve:
+        """Return a spline fitted to points that the formulae give."""
+        start, end = self.t
+        if not start < end:
+            raise InputError(
+                "{place} is [{start:g}, {end:g}]: it must be a range, least first",
+                place=f"{where}: t",
+                start=start,
+                end=end,
+            )
+
+        def point(t: FloatArray) -> FloatArray:
+            return np.column_stack([np.broadcast_to(f(table.scope, t=t), t.shape) for f in (self.x, self.y)])
+
+        return PlaneCurve.fit_function(
+            point, start, end, breaks=[(place, int(order)) for place, order in self.breaks]
+        )
+
+
+@dataclass(frozen=True)
+class EllipseArc:
+    """An arc of an ellipse: what lies between two parameters, or above a height."""
+
+    semi_axes: Annotated[Point, Asked("Both semi-axes.", "mm", least=0)]
+    center: Annotated[Point, Asked("Its centre.", "mm")] = (0.0, 0.0)
+    rotation: Annotated[float, Asked("Angle of the first axis.", "rad")] = 0.0
+    start: Annotated[float | None, Asked("Parameter where it begins.", "rad")] = None
+    end: Annotated[float | None, Asked("Parameter where it ends.", "rad")] = None
+    above: Annotated[float | None, Asked("In place of start and end: what lies above this height.", "mm")] = (
+        None
+    )
+
+    def drawn(self, where: str) -> PlaneCurve:
+        """Return the arc as an exact rational curve."""
+        center, axes, rotation = self.center, self.semi_axes, self.rotation
+        if self.above is None:
+            end = 2 * np.pi if self.end is None else self.end
+            return PlaneCurve.ellipse(center, axes, rotation, self.start or 0.0, end)
+        idle = [key for key in ("start", "end") if getattr(self, key) is not None]
+        if idle:
+            raise InputError(
+                "{place} means nothing beside above: leave one of them out", place=f"{where}: {idle[0]}"
+            )
+        rise = self.above - center[1]
+        # y - center = a sin(rotation) cos v + b cos(rotation) sin v = reach cos(v - top)
+        tall = axes[0] * np.sin(rotation), axes[1] * np.cos(rotation)
+        reach, top = float(np.hypot(*tall)), float(np.arctan2(tall[1], tall[0]))
+        if not -reach < rise < reach:
+            raise InputError(
+                "{place}: the ellipse lies between y = {reach:.4g} and {reach_2:.4g}, so y = "
+                "{rise:.4g} does not cut it",
+                place=f"{where}: above",
+                reach=center[1] - reach,
+                reach_2=Length(center[1] + reach),
+                rise=Length(rise + center[1]),
+            )
+        half = float(np.arccos(rise / reach))
+        return PlaneCurve.ellipse(center, axes, rotation, top - half, top + half)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurveOfEllipse(_Curve):
+    """The table of a curve with the key `ellipse`: an exact arc of an ellipse."""
+
+    ellipse: Annotated[EllipseArc, Asked("An exact arc of an ellipse.")]
+
+    def drawn(self, _: Reader, where: str, __: Table) -> PlaneCurve:
+        """Return the arc as an exact rational curve."""
+        return self.ellipse.drawn(f"{where}: ellipse")
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurveOfSpline(_Curve):
+    """The table of a curve with the key `spline`: a B-spline given by its control points.
+
+    Its knots are evenly spaced and clamped at both ends unless they are given; with knots it may have weights,
+    which make it rational (NURBS).
+    """
+
+    spline: Annotated[tuple[Point, ...], Asked("Control points.", "mm")]
+    degree: Annotated[int, Asked("Degree of its pieces.", least=1)] = 4
+    knots: Annotated[
+        tuple[float, ...] | None, Asked("Full knot vector; evenly spaced with clamped ends unless given.")
+    ] = None
+    weights: Annotated[
+        tuple[float, ...] | None, Asked("Weights of the control points; all alike unless given.")
+    ] = None
+
+    def drawn(self, _: Reader, where: str, __: Table) -> PlaneCurve:
+        """Return the B-spline exactly as it is given."""
+        if self.knots is None:
+            if self.weights is not None:
+                raise InputError("{place} needs knots beside it: give both", place=f"{where}: weights")
+            return PlaneCurve.spline(self.spline, degree=self.degree)
+        weights = None if self.weights is None else np.array(self.weights)
+        return PlaneCurve(np.array(self.knots), np.array(self.spline), self.degree, weights)
+
+
+CURVES = {"file": CurveOfFile, "x": CurveOfFormulae, "ellipse": CurveOfEllipse, "spline": CurveOfSpline}
+"""What draws a curve, by the key that its table must hold."""
+
+
+def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneCurve:
+    """Return the curve that a key describes, by the name of a file or by a table.
+
+    Raises
+    ------
+    InputError
+        Unknown keys or values, missing files, curves that make no sense; the place is named.
+    """
+    given = table.raw(key)
+    if given is None:
+        raise InputError(
+            "{place} is missing; give a file, formulae x, y and t, an ellipse or a spline",
+            place=table.place(key),
+        )
+    if isinstance(given, str):
+        return CurveOfFile(file=given).drawn(reader, table.place(key), table)
+    curve = table.table(key)
+    found = [kind for kind in CURVES if kind in curve.data]
+    if len(found) != 1:
+        raise InputError(
+            "{place} must hold one of file, x (with y and t), ellipse or spline, not {given}",
+            place=curve.where,
+            given=", ".join(curve.data) or "nothing",
+        )
+    asked = reader.record(CURVES[found[0]], curve)
+    with curve.naming():
+        drawn: PlaneCurve = asked.drawn(reader, curve.where, curve)
+        return drawn if asked.reshape is None else asked.reshape.of(drawn)
+
+
+reads(
+    PlaneCurve, Kind("either", (Kind("text"), *(kind_of(one) for one in CURVES.values()))), read_drawn_curve
+)

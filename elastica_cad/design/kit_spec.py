@@ -1,0 +1,266 @@
+"""What goes with the strips of a model: sheets, cutting files, base, frame, fixtures, further pieces."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+
+from elastica_cad.declared import Asked, Field, declared, require_declared
+from elastica_cad.errors import InputError
+from elastica_cad.formats.drawing_style import Scheme
+from elastica_cad.formats.dxf_drawing import DxfVersion
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.nesting import Nesting
+from elastica_cad.strip.drawing import DEFAULT_KERF_MM, Drawing, HoldingTabs, separate_parts
+from elastica_cad.strip.strip import strip_names
+from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
+
+if TYPE_CHECKING:
+    from elastica_cad.model.fixtures import EndFixture
+    from elastica_cad.model.frames import Rib
+    from elastica_cad.model.model import Model
+    from elastica_cad.model.plates import BasePlate
+    from elastica_cad.strip.pieces import Piece
+
+
+def cutting_keys() -> dict[str, Field]:
+    """Return the fields of `Cutting` by their keys: Python reserves the word `for`."""
+    return {"for" if one.name == "recipient" else one.name: one for one in declared(Cutting)}
+
+
+@dataclass(frozen=True)
+class Cutting:
+    """How cutting files are written.
+
+    `kerf` is in mm, or None for each sheet's own. `curves` of None are splines, and arcs for a service. Without
+    `holding` there are no holding tabs.
+    """
+
+    FIELDS: ClassVar[Callable[[], Mapping[str, Field]]] = staticmethod(cutting_keys)
+    recipient: Annotated[
+        Literal["workshop", "service"],
+        Asked(
+            "Who cuts: a service cuts every line, so each file holds one part and nothing but its cuts.",
+            group="files",
+        ),
+    ] = "workshop"
+    marks: Annotated[
+        bool, Asked("Draw guide lines and the names of mating strips on the parts.", group="files")
+    ] = True
+    kerf: Annotated[
+        float | None,
+        Asked(
+            "Width that the laser burns away; the word sheet takes that of the sheet.",
+            "mm",
+            least=0,
+            group="files",
+            common=True,
+            written=float | Literal["sheet"],
+        ),
+    ] = DEFAULT_KERF_MM
+    curves: Annotated[
+        str | None,
+        Asked(
+            "What curved edges are written as; spline by default, arc for a service.",
+            group="files",
+            written=Literal["spline", "bezier", "arc", "polyline"],
+        ),
+    ] = None
+    tolerance: Annotated[
+        float, Asked("Largest error of arcs and polylines.", "mm", least=1e-4, most=10, group="files")
+    ] = 0.02
+    version: Annotated[str, Asked("Version of the DXF files.", group="files", written=DxfVersion)] = "R2010"
+    colors: Annotated[
+        str,
+        Asked(
+            "Colours of cuts and engraving, as another program expects them.", group="files", written=Scheme
+        ),
+    ] = "elastica"
+    holding: Annotated[
+        HoldingTabs | None, Asked("Bridges that hold the parts in the sheet.", group="files")
+    ] = None
+
+    def __post_init__(self) -> None:
+        require_declared(Cutting, vars(self), "cutting")
+        if self.service and self.holding is not None:
+            raise InputError(
+                "cut.holding interrupts the outlines, and cut.for = service needs closed ones: leave out one of "
+                "these keys"
+            )
+
+    @property
+    def service(self) -> bool:
+        """Whether a cutting service gets the files."""
+        return self.recipient == "service"
+
+    def file_name(self, stem: str, suffix: str) -> str:
+        """Return the name of a file, with the unit where the file cannot hold it or a service gets it.
+
+        Examples
+        --------
+        >>> [Cutting(version="R12").file_name("arch", suffix) for suffix in ("dxf", "svg")]
+        ['arch-mm.dxf', 'arch.svg']
+        """
+        drawn = self.service and suffix in ("dxf", "svg")
+        return f"{stem}{'-mm' if drawn or (self.version, suffix) == ('R12', 'dxf') else ''}.{suffix}"
+
+    def drawings(self, drawing: Drawing) -> tuple[Drawing, ...]:
+        """Return the drawing of each file that a drawing is written to: a service gets one part a file."""
+        return separate_parts(drawing) if self.service else (drawing,)
+
+    def options(self, sheet: Sheet) -> dict[str, Any]:
+        """Return the options of `save` for pieces that are cut from this sheet.
+
+        Raises
+        ------
+        InputError
+            The sheet's own kerf is asked for, and not known.
+        """
+        if self.kerf is None and sheet.kerf == 0:
+            raise InputError(
+                "no kerf is known for {name}: give a number of mm instead of the word sheet", name=sheet.name
+            )
+        kerf = sheet.kerf if self.kerf is None else self.kerf
+        return {
+            "kerf": kerf,
+            "curves": self.curves or ("arc" if self.service else "spline"),
+            "tolerance": self.tolerance,
+            "version": self.version,
+            "layers": self.colors,
+            "holding": self.holding,
+            "marks": self.marks,
+        }
+
+
+DEFAULT_CUTTING = Cutting()
+
+HolderKind = Literal["base", "rings", "frame", "fixtures", "stand"]
+
+
+@dataclass(frozen=True, eq=False)
+class HolderSpec:
+    """Which kind of holder is requested, and for which strips.
+
+    Attributes
+    ----------
+    kind : "base", "rings", "frame", "fixtures" or "stand"
+        One plate, a plate for each end, two rails with ribs, printed blocks, or the simplest of these.
+    sheet : Sheet or None
+        Of plates; None for blocks.
+    options : mapping
+        Of `base_plate`, `end_plates`, `slotted_frame`, `end_fixtures`.
+    nesting : Nesting
+        The sheets that plates are cut from.
+    strips : tuple of str
+        Which strips: labels, with * and ? for letters.
+    where : str
+        What messages call it.
+    """
+
+    kind: HolderKind
+    sheet: Sheet | None = None
+    options: Mapping[str, Any] = field(default_factory=dict)
+    nesting: Nesting = field(default_factory=Nesting)
+    strips: tuple[str, ...] = ("*",)
+    where: str = ""
+
+    @property
+    def name(self) -> str:
+        """The holder's own name, or its kind where it has none."""
+        return str(self.options.get("name", self.kind))
+
+    def made(
+        self, model: "Model", shop: FabricationLimits = DEFAULT_LIMITS, *, ignore_limits: bool = False
+    ) -> "tuple[tuple[BasePlate | Rib | EndFixture, ...], str]":
+        """Make the plates, ribs and blocks, with a sentence on what was chosen, or an empty one.
+
+        Raises
+        ------
+        InputError
+            No such strips, or what these cannot be held by.
+        """
+        from elastica_cad.model.fixtures import end_fixtures
+        from elastica_cad.model.frames import add_feet, slotted_frame
+        from elastica_cad.model.model import stand
+        from elastica_cad.model.plate_pairs import end_plates, plate_pair
+        from elastica_cad.model.plates import base_plate
+
+        named = zip(model.placed, strip_names(model.placed), strict=True)
+        placed = [one for one, name in named if any(fnmatchcase(name, text) for text in self.strips)]
+        if not placed:
+            labels = ", ".join(dict.fromkeys(strip_names(model.placed)))
+            raise InputError(
+                "{place}: no strip is called {strips}: there are {labels}",
+                place=self.where,
+                strips=" or ".join(self.strips),
+                labels=labels,
+            )
+        if self.sheet is None:
+            return end_fixtures(placed, **self.options), ""
+        if self.kind == "stand":
+            called = self.options.get("name")
+            chosen = stand(placed, self.sheet, name=called, shop=shop, ignore_limits=ignore_limits)
+            return chosen.holders, f"{model.name}: {chosen.sentence}"
+        options = {**self.options, "shop": shop, "ignore_limits": ignore_limits}
+        feet = options.pop("feet", None)
+        ribs: tuple[Rib, ...] = ()
+        plates: tuple[BasePlate, ...]
+        if self.kind == "frame":
+            frame = slotted_frame(placed, self.sheet, **options)
+            plates, ribs = frame.rails, frame.ribs
+        elif self.kind == "rings":
+            plates = end_plates(placed, self.sheet, **options)
+        elif "gap" in options:
+            plates = plate_pair(placed, self.sheet, **options)
+        else:
+            plates = (base_plate(placed, self.sheet, **options),)
+        return (*(plates if feet is None else add_feet(plates, feet)), *ribs), ""
+
+
+@dataclass(frozen=True, eq=False)
+class KitSpec:
+    """What is requested of a kit beside its strips.
+
+    Attributes
+    ----------
+    nesting : Nesting
+    cutting : Cutting
+    holders : tuple of HolderSpec
+        What holds the strips.
+    coupon : bool
+        Cut a coupon of every sheet.
+    reference_bar : float or None
+        Length of a bar to check the machine's scale with, mm.
+    pages : str or None
+        Paper on which every part is printed at full size, in one PDF.
+    shop : FabricationLimits
+        What the workshop can make.
+    ignore_limits : bool
+        Make what it cannot, and say so in the report.
+    """
+
+    nesting: Nesting = field(default_factory=Nesting)
+    cutting: Cutting = field(default_factory=Cutting)
+    holders: tuple[HolderSpec, ...] = ()
+    coupon: bool = False
+    reference_bar: float | None = None
+    pages: str | None = None
+    shop: FabricationLimits = DEFAULT_LIMITS
+    ignore_limits: bool = False
+
+    def extras(self, model: "Model") -> "tuple[Piece, ...]":
+        """Return coupons of the model's sheets and the reference bar, where they are requested.
+
+        A cutting service gets no bar, because its machine is not the user's.
+        """
+        from elastica_cad.strip.coupon import coupon_drawing, reference_bar
+        from elastica_cad.strip.pieces import Piece
+
+        sheets = list(dict.fromkeys(strip.sheet for strip in model.strips))
+        pieces = []
+        if self.coupon:
+            names = ["coupon"] if len(sheets) == 1 else [f"coupon-{n}" for n in range(1, len(sheets) + 1)]
+            pieces += [Piece(name, coupon_drawing(s), s) for name, s in zip(names, sheets, strict=True)]
+        if self.reference_bar is not None and not self.cutting.service:
+            pieces.append(Piece("reference-bar", reference_bar(self.reference_bar), sheets[0]))
+        return tuple(pieces)

@@ -1,0 +1,145 @@
+"""The page with which a bent strip is measured, and the readings that come back."""
+
+import json
+from collections.abc import Mapping
+from itertools import pairwise
+from pathlib import Path as FilePath
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._toml import parse_toml
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.segments import Line
+from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
+from elastica_cad.strip.lettering import Text
+from elastica_cad.strip.measuring import ANGLES, LENGTHS, MARKS, MEANINGS, Measuring
+
+WIDE_MM, LETTER_MM, LINE_MM = 180.0, 3.0, 6.0
+"""Of the page: its width, its letters, its lines."""
+
+LARGEST = 1e6
+"""Of a length, mm, or an angle, degrees, in a report or a reading."""
+
+WORDS = {
+    "chord": "from end to end of the free part",
+    "height_1": "from that line to mark 1",
+    "height_2": "from that line to mark 2",
+    "height_3": "from that line to mark 3",
+    "start_angle": "between that line and the tab at the start",
+    "end_angle": "between that line and the tab at the end",
+}
+
+
+def measuring_record(measuring: Measuring) -> dict[str, Any]:
+    """Return what is to be measured as plain data for a report; `read_measuring` reads it back."""
+    return {
+        "marks": list(measuring.marks),
+        "expected": dict(measuring.expected),
+        "uncertain": dict(measuring.uncertain),
+        "causes": {cause: [dict(one) for one in own] for cause, own in measuring.causes.items()},
+        "shape": [list(point) for point in measuring.shape],
+    }
+
+
+def read_measuring(path: FilePath) -> Measuring:
+    """Read from the report of a strip what is to be measured on it.
+
+    Raises
+    ------
+    InputError
+        The file is no such report.
+    """
+    try:
+        record = json.loads(path.read_text(encoding="utf-8"))["measuring"]
+        causes = {cause: tuple(map(_measures, changes)) for cause, changes in record["causes"].items()}
+        measuring = Measuring(
+            tuple(map(_number, record["marks"])),
+            _measures(record["expected"]),
+            _measures(record["uncertain"]),
+            causes,
+            tuple((_number(x), _number(y)) for x, y in record["shape"]),
+        )
+        if not (
+            causes.keys() <= MEANINGS.keys()
+            and all(causes.values())
+            and min(measuring.uncertain.values()) > 0
+        ):
+            raise ValueError
+        if len(set(measuring.shape)) < 2:
+            raise ValueError
+        return measuring
+    except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
+        raise InputError(
+            "{path} is no report of an open strip with what to measure: give the .json that `elastica strip` wrote",
+            path=path,
+        ) from error
+
+
+def _measures(given: Mapping[str, Any]) -> dict[str, float]:
+    return {name: _number(given[name]) for name in (*LENGTHS, *ANGLES)}
+
+
+def _number(value: Any) -> float:
+    if isinstance(value, bool) or not abs(value) <= LARGEST:
+        raise ValueError
+    return float(value)
+
+
+def read_readings(path: FilePath) -> dict[str, float]:
+    """Return the readings of a TOML file by name; those left empty are left out.
+
+    Raises
+    ------
+    InputError
+        No such file, not TOML, or a reading that is no number.
+    """
+    try:
+        given = parse_toml(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError) as error:
+        raise InputError("{path} cannot be read: {error}", path=path, error=error) from error
+    readings = {}
+    for name, value in given.items():
+        try:
+            readings[name] = _number(value)
+        except (TypeError, ValueError) as error:
+            raise InputError("{path}: {name} is no number", path=path, name=name) from error
+    return readings
+
+
+def blank_readings(measuring: Measuring) -> str:
+    """Return a TOML file in which the readings are still to be filled in."""
+    lines = ["# Take the sign # away from what you have measured; lengths in mm, angles in degrees."]
+    lines += [f"# {name} = {value:.1f}  # {WORDS[name]}" for name, value in measuring.expected.items()]
+    return "\n".join(lines) + "\n"
+
+
+def measuring_page(name: str, measuring: Measuring) -> Drawing:
+    """The bent strip small enough for a page, where to measure, what is expected, and what differences mean."""
+    position = np.array(measuring.shape)
+    low, high = position.min(axis=0), position.max(axis=0)
+    scale = min(1.0, WIDE_MM / float((high - low).max()))
+    points = (position - [low[0], low[1]]) * scale
+    marks = [np.array([np.interp(s, np.linspace(0, 1, len(points)), axis) for axis in points.T])
+             for s in MARKS]  # fmt: skip
+    chord = Path([Line(points[0], points[-1])])
+    drawn = Path([Line(a, b) for a, b in pairwise(points)])
+    crosses = [Path([Line(at - reach, at + reach)]) for at in marks for reach in np.diag([2.0, 2.0])]
+    paths = [LayeredPath(ENGRAVE, drawn), *(LayeredPath(MARK, one) for one in (chord, *crosses))]
+    texts = [Text((float(x) + 2, float(y) + 2), str(k), LETTER_MM) for k, (x, y) in enumerate(marks, 1)]
+    places = ", ".join(f"{place:.1f}" for place in measuring.marks)
+    lines = [f"{name}: measure it where it is held", f"marks 1, 2, 3 at {places} mm along the free part"]
+    for measure in (*LENGTHS, *ANGLES):
+        unit = "mm" if measure in LENGTHS else "degrees"
+        lines.append(f"{measure}: {WORDS[measure]}: {measuring.expected[measure]:.1f} {unit}, "
+                     f"give or take {measuring.uncertain[measure]:.1f}")  # fmt: skip
+    lines.append("What differences may mean, and how large they are then:")
+    for cause, changes in measuring.causes.items():
+        lines.append(MEANINGS[cause].format(amount=1))
+        if len(changes) == 1:
+            largest = sorted(changes[0].items(), key=lambda change: -abs(change[1]))[:3]
+            lines.append(f"    {', '.join(f'{name} {value:+.1f}' for name, value in largest)}")
+    top = -LINE_MM * 2
+    texts += [Text((0.0, top - k * LINE_MM), line, LETTER_MM) for k, line in enumerate(lines)]
+    return Drawing(f"{name}-measure", tuple(paths), tuple(texts))

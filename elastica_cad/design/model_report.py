@@ -1,0 +1,171 @@
+"""What is told of a model: its numbers as a record, and the page that lists its files."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import PurePosixPath
+from typing import Any
+from urllib.parse import quote
+
+from elastica_cad._text import html_text
+from elastica_cad._values import require_record
+from elastica_cad.design.reports import list_versions, report_blank, report_held, round_numbers
+from elastica_cad.design.strip_table import StripEntry
+from elastica_cad.geometry.path import largest_deviation
+from elastica_cad.model.model import Model
+from elastica_cad.model.nesting import CutList, NestedSheet
+from elastica_cad.strip.held_shape import HeldShape
+from elastica_cad.strip.strip import Strip
+
+MODEL_SCHEMA = "elastica-model/1"
+
+
+def report_model(
+    model: Model,
+    *,
+    cut_list: CutList,
+    nests: Sequence[NestedSheet],
+    files: Mapping[str, str],
+    held: Mapping[str, HeldShape],
+    entries: Sequence[StripEntry] = (),
+) -> dict[str, Any]:
+    """Return the report of a model as plain data for JSON.
+
+    Parameters
+    ----------
+    model : Model
+    cut_list : CutList
+        All pieces.
+    nests : sequence of NestedSheet
+    files : mapping
+        What each file is, by its name.
+    held : mapping
+        The shapes of strips as made and held, by their names.
+    entries : sequence of StripEntry
+        What the strips were made after; the report says how far they are from it.
+    """
+    require_record(model, Model, "the model", "a Model")
+    require_record(cut_list, CutList, "the cut list", "a CutList, as model.cut_list() makes one")
+    for value, what in ((files, "files"), (held, "held")):
+        require_record(value, Mapping, what, "a mapping from names")
+    drawn = {entry.label: entry for entry in entries}
+    return {
+        "schema": MODEL_SCHEMA,
+        "name": model.name,
+        "versions": list_versions(),
+        "units": {
+            "length": "mm",
+            "curvature": "1/mm",
+            "strain": "1",
+            "mass": "g",
+            "area": "mm2",
+            "angle": "rad",
+        },
+        "strips": len(model.placed),
+        "parts": [
+            {
+                **_strip(part.strip),
+                **(_departure(part.strip, drawn[part.strip.label]) if part.strip.label in drawn else {}),
+                "name": part.name,
+                "count": part.count,
+            }
+            for part in model.parts
+        ],
+        "held": {name: report_held(shape) for name, shape in held.items()},
+        "joints": [
+            {
+                "strips": [model.single_name_of(i) for i in joint.members],
+                "angle": round_numbers(joint.angle),
+                "position": round_numbers(joint.position),
+            }
+            for joint in model.joints
+        ],
+        "sheets": [
+            {
+                "drawing": nest.name,
+                "size": round_numbers(nest.sheet_size),
+                "pieces": nest.counts,
+                "grain": nest.grain,
+                "filled": round_numbers(nest.filled / nest.used),
+                "share": round_numbers(nest.share),
+            }
+            for nest in nests
+        ],
+        "pieces": cut_list.count,
+        "cut_length": round_numbers(cut_list.cut_length),
+        "mass": round_numbers(cut_list.mass),
+        "reports": list(model.reports),
+        "files": dict(files),
+    }
+
+
+def _departure(strip: Strip, entry: StripEntry) -> dict[str, Any]:
+    """How far the strip's shape is from the curve it was made after, and that from its section, mm."""
+    found = strip.rod.curve
+    told: dict[str, Any] = {"deviation": round_numbers(largest_deviation(entry.curve, found))}
+    if entry.section:
+        told |= {"section": entry.section, "curve_off_section": round_numbers(entry.off_section)}
+    return told
+
+
+def _strip(strip: Strip) -> dict[str, Any]:
+    low, high = strip.width.extremes
+    return {
+        "sheet": strip.sheet.name,
+        "length": round_numbers(strip.rod.length),
+        "ratio": round_numbers(strip.rod.ratio),
+        "width": {"least": round_numbers(low), "largest": round_numbers(high)},
+        "largest_strain": round_numbers(strip.max_strain),
+        "mass": round_numbers(strip.mass),
+        "blank": report_blank(strip),
+        "slots": len(strip.slots),
+        "warnings": list(strip.warnings),
+    }
+
+
+STYLE = (
+    "body{font:15px/1.5 sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#1f2430}"
+    "img{max-width:100%;border:1px solid #ddd}figure{margin:1rem 0}"
+    "td,th{padding:.15rem .8rem .15rem 0;text-align:left}"
+)
+
+
+def compose_start_page(
+    name: str, lines: Sequence[str], notes: Sequence[str], files: Mapping[str, str]
+) -> str:
+    """Return the HTML page that a kit opens with: what was made, what to know, and its files.
+
+    Parameters
+    ----------
+    name : str
+        Of the model.
+    lines : sequence of str
+        What was made, in a few sentences.
+    notes : sequence of str
+        What a maker should know before cutting.
+    files : mapping
+        What each file is, by its name with / between folders; pictures are shown.
+
+    Examples
+    --------
+    >>> page = compose_start_page("arch", ["1 strip"], [], {"sheets/arch 1.dxf": "nested sheet"})
+    >>> '<a href="sheets/arch%201.dxf">' in page
+    True
+    """
+    pictures = [file for file in files if file.endswith(".png")]
+    shown = "".join(
+        f'<figure><a href="{quote(file)}"><img src="{quote(file)}" alt="{html_text(files[file])}"></a>'
+        f"<figcaption>{html_text(files[file])}: {html_text(PurePosixPath(file).name)}</figcaption></figure>"
+        for file in pictures
+    )
+    rows = "".join(
+        f'<tr><td><a href="{quote(file)}">{html_text(file)}</a></td><td>{html_text(what)}</td></tr>'
+        for file, what in files.items()
+        if file not in pictures
+    )
+    told = "".join(f"<p>{html_text(line)}</p>" for line in lines)
+    warned = "".join(f"<li>{html_text(note)}</li>" for note in notes)
+    return (
+        f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{html_text(name)}</title>'
+        f"<style>{STYLE}</style></head><body><h1>{html_text(name)}</h1>{told}"
+        f"{f'<h2>Before you cut</h2><ul>{warned}</ul>' if warned else ''}{shown}"
+        f"<h2>Files</h2><table><tr><th>file</th><th>what it is</th></tr>{rows}</table></body></html>\n"
+    )

@@ -1,0 +1,237 @@
+"""Tables of what goes with the strips of a model, and of a part with two rest shapes."""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Annotated, Any, ClassVar, Literal, TypeAlias
+
+from elastica_cad.declared import Asked, Field, Record
+from elastica_cad.design.kit_spec import Cutting, HolderKind, HolderSpec, KitSpec
+from elastica_cad.design.records import Reader, fields_of
+from elastica_cad.design.revolution_table import RevolutionTable
+from elastica_cad.design.strip_table import SharedKeys, StripKeys
+from elastica_cad.design.tables import Table
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.sheets import Sheet, sheet_keys
+from elastica_cad.model.fixtures import EndFixture
+from elastica_cad.model.frames import slotted_frame
+from elastica_cad.model.interlocking import interlock as slots_at_crossings
+from elastica_cad.model.model import mirror, repeat, rotate
+from elastica_cad.model.nesting import Nesting
+from elastica_cad.model.plate_pairs import end_plates
+from elastica_cad.model.plates import base_plate
+from elastica_cad.pairs.flexure_spec import FlexureSpec
+from elastica_cad.strip.outline import StripEnd
+
+Pair: TypeAlias = tuple[float, float]
+Names: TypeAlias = str | tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class OwnSheet:
+    """A sheet that a design defines: the fields of `Sheet`, by keys that name their unit."""
+
+    FIELDS: ClassVar[Callable[[], Mapping[str, Field]]] = staticmethod(sheet_keys)
+
+
+@dataclass(frozen=True)
+class _Holder:
+    strips: Annotated[Names, Asked('Labels of the strips that it holds; "A*" for all that begin so.')] = "*"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Stand(_Holder):
+    """The simplest of the other holders that holds all tabs."""
+
+    sheet: Annotated[Sheet, Asked("Sheet of the plates.")]
+    thickness: Annotated[
+        float | None, Asked("Thickness of that sheet, where it is another than its own.", "mm", least=0)
+    ] = None
+    sheet_size: Annotated[Pair | None, Asked("Sheets that plates are cut from.", "mm", least=0)] = None
+    margin: Annotated[float | None, Asked("Least distance between parts on these sheets.", "mm", least=0)] = (
+        None
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class NamedStand(Stand):
+    """The simplest of the other holders that holds all tabs."""
+
+    name: Annotated[str | None, Asked("What its plates are called.")] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Plates(Stand):
+    feet: Annotated[
+        float | None, Asked("Small plates of this size glued beside inclined tabs.", "mm", least=0)
+    ] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Base(_Plates):
+    """A plate with a slot for every tab."""
+
+    BESIDE: ClassVar[Record] = base_plate
+    height: Annotated[float, Asked("Height of its upper face.", "mm")] = 0.0
+    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rings(_Plates):
+    """A plate for each end."""
+
+    BESIDE: ClassVar[Record] = end_plates
+
+
+@dataclass(frozen=True, kw_only=True)
+class FrameOfPlates(_Plates):
+    """Two rails with ribs between."""
+
+    BESIDE: ClassVar[Record] = slotted_frame
+
+
+@dataclass(frozen=True, kw_only=True)
+class Fixtures(_Holder):
+    """Printed blocks that hold the ends of strips."""
+
+    BESIDE: ClassVar[Record] = EndFixture
+    floor: Annotated[
+        float | None, Asked("Height that the blocks stand on.", "mm", least=-10_000, most=10_000)
+    ] = None
+    ends: Annotated[StripEnd | None, Asked("Which tabs; all unless given.")] = None
+
+
+HOLDERS: dict[HolderKind, Record] = {
+    "base": Base, "rings": Rings, "frame": FrameOfPlates, "fixtures": Fixtures, "stand": NamedStand,
+}  # fmt: skip
+"""In the order in which kits hold them."""
+
+
+@dataclass(frozen=True)
+class MirrorPattern:
+    """A pattern."""
+
+    mirror: Annotated[Any, Asked("A mirror image.", written=mirror)]
+
+
+@dataclass(frozen=True)
+class RotatePattern:
+    """A pattern."""
+
+    rotate: Annotated[Any, Asked("Copies about an axis.", written=rotate)]
+
+
+@dataclass(frozen=True)
+class RepeatPattern:
+    """A pattern."""
+
+    repeat: Annotated[Any, Asked("Copies in a row.", written=repeat)]
+
+
+PATTERNS: dict[str, Record] = {"mirror": mirror, "rotate": rotate, "repeat": repeat}
+"""What the tables of patterns give the options of."""
+
+
+@dataclass(frozen=True)
+class Extras:
+    """What is cut besides."""
+
+    coupon: Annotated[bool, Asked("A coupon of every sheet.")] = False
+    reference_bar: Annotated[
+        float | None, Asked("Length of a bar to check the scale of the machine with.", "mm", least=0)
+    ] = None
+    pages: Annotated[
+        Literal["A4", "A3", "letter"] | None,
+        Asked(
+            "Every part once at full size, small ones together on this paper, in one PDF with a bar to check the "
+            "printer by."
+        ),
+    ] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class DesignKeys(SharedKeys):
+    """All keys at the top of a design file."""
+
+    schema: Annotated[Literal[1], Asked("1: which version of these keys the file is written for.")]
+    name: Annotated[str | None, Asked("Name of the model, and of its files.", most=60)] = None
+    let: Annotated[dict[str, float] | None, Asked("Names for formulae: each may use those before it.")] = None
+    sheets: Annotated[dict[str, OwnSheet] | None, Asked("Sheets of your own, [sheets.NAME].")] = None
+    sheets_file: Annotated[str | None, Asked("A file with sheets of your own.")] = None
+    strips: Annotated[tuple[StripKeys, ...], Asked("One or several strips each.")] = ()
+    revolution: Annotated[RevolutionTable | None, Asked("A surface about z, tiled by equal strips.")] = None
+    patterns: Annotated[
+        tuple[MirrorPattern | RotatePattern | RepeatPattern, ...], Asked("Copies of all strips, in order.")
+    ] = ()
+    pair: Annotated[
+        FlexureSpec | None,
+        Asked("A part that rests in two curves: `elastica pair` makes it, alone in its file."),
+    ] = None
+    interlock: Annotated[Any, Asked("Slots wherever two strips cross.", written=slots_at_crossings)] = None
+    base: Annotated[Any, Asked("A plate with a slot for every tab.", written=Base | tuple[Base, ...])] = None
+    rings: Annotated[Any, Asked("A plate for each end.", written=Rings | tuple[Rings, ...])] = None
+    frame: Annotated[
+        Any, Asked("Two rails with ribs between.", written=FrameOfPlates | tuple[FrameOfPlates, ...])
+    ] = None
+    fixtures: Annotated[Any, Asked("Printed blocks.", written=Fixtures | tuple[Fixtures, ...])] = None
+    stand: Annotated[
+        Any, Asked("The simplest of these that holds all tabs.", written=NamedStand | tuple[NamedStand, ...])
+    ] = None
+    nest: Annotated[Nesting | None, Asked("The sheets that parts are laid on.")] = None
+    cut: Annotated[Cutting | None, Asked("How cutting files are written.")] = None
+    extras: Annotated[Extras | None, Asked("What is cut besides.")] = None
+
+
+def read_kit(top: Table, reader: Reader) -> KitSpec:
+    """Read from a whole design what is made beside the strips: holders, nesting, cutting, coupons."""
+    known = {one.name: one for one in fields_of(DesignKeys)}
+
+    def given(key: str) -> dict[str, Any]:
+        return {key: reader.value(known[key].kind, top, key)} if top.has(key) else {}
+
+    nesting = given("nest").get("nest", Nesting())
+    extras = given("extras").get("extras", Extras())
+    return KitSpec(
+        nesting=nesting,
+        cutting=given("cut").get("cut", Cutting()),
+        holders=tuple(_read_holders(top, reader, nesting)),
+        coupon=extras.coupon,
+        reference_bar=extras.reference_bar,
+        pages=extras.pages,
+        **given("shop"),
+        **given("ignore_limits"),
+    )
+
+
+def _read_holders(top: Table, reader: Reader, nesting: Nesting) -> Iterator[HolderSpec]:
+    """Base plates, rings, frames, fixtures: one table of each, or a list of them."""
+    for kind in HOLDERS:
+        if isinstance(top.raw(kind), list):
+            tables = top.tables(kind)
+        else:
+            tables = [top.table(kind)] if top.has(kind) else []
+        for number, table in enumerate(tables, start=1):
+            yield _read_holder(kind, table, number if len(tables) > 1 else 0, reader, nesting)
+
+
+def _read_holder(kind: HolderKind, table: Table, number: int, reader: Reader, nesting: Nesting) -> HolderSpec:
+    """One of them; those of a list have numbers in their names unless they bring their own."""
+    options = reader.given(HOLDERS[kind], table)
+    options.pop("thickness", None)  # the sheet is read with it
+    strips, sheet = options.pop("strips", "*"), options.pop("sheet", None)
+    laid = {key: options.pop(key) for key in ("sheet_size", "margin") if key in options}
+    if number and kind in ("base", "rings"):
+        options.setdefault("name", f"{kind.removesuffix('s')}-{number}")
+    if "ends" in options:
+        options["ends"] = (options["ends"],)
+    if kind == "base":
+        options["frame"] = Frame((0.0, 0.0, options.pop("height", 0.0)))
+    if "floor" in options:
+        options["floor"] = Frame((0.0, 0.0, options["floor"]))
+    return HolderSpec(
+        kind,
+        sheet,
+        options,
+        replace(nesting, **laid),
+        (strips,) if isinstance(strips, str) else strips,
+        table.where,
+    )

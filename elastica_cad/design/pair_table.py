@@ -1,0 +1,61 @@
+"""The table [pair] of a design file: a part with two rest shapes."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+from elastica_cad.design.design_file import own_sheets, parse_design
+from elastica_cad.design.kit_spec import Cutting
+from elastica_cad.design.model_tables import DesignKeys
+from elastica_cad.design.records import CurveReader, Reader, names_of
+from elastica_cad.design.tables import Table, merged
+from elastica_cad.errors import InputError
+from elastica_cad.formats.source_file import require_file
+from elastica_cad.pairs.flexure_spec import FlexureSpec
+
+
+def read_pair(
+    path: Path, read_curves: CurveReader, changes: Mapping[str, Any] = MappingProxyType({})
+) -> FlexureSpec:
+    """Read the part that the table [pair] of a design file requests, with `changes` of its keys.
+
+    Raises
+    ------
+    InputError
+        No such table, an unknown key, a value of the wrong kind, a curve that cannot be read; the place is named.
+    """
+    path = require_file(path)
+    asked = parse_design(path)
+    changed = merged(asked, {"pair": changes}) if changes else asked
+    return pair_of(changed, path, read_curves)
+
+
+def read_cutting(path: Path, changes: Mapping[str, Any]) -> Cutting:
+    """Read from a design file how cutting files are written, with `changes` of these keys."""
+    asked = parse_design(require_file(path))
+    return cutting_of(merged(asked, {"cut": changes}), str(path))
+
+
+def cutting_of(data: Mapping[str, Any], where: str = "") -> Cutting:
+    """Make the record of the table [cut] from parsed tables."""
+    found: Cutting = Reader().record(Cutting, Table(data, where, {}).table("cut"))
+    return found
+
+
+def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> FlexureSpec:
+    """Make the request of a two-state part from parsed tables, as `read_pair` does from a file at `path`.
+
+    Raises
+    ------
+    InputError
+        As `read_pair`.
+    """
+    top = Table(data, str(path), {}).only(*names_of(DesignKeys))
+    if not top.has("pair"):
+        raise InputError("{path} has no table [pair]: give two curves, or ask `elastica model`", path=path)
+    top.scope = top.within(top.raw("let", {}))
+    found: FlexureSpec = Reader(own_sheets(top, path), path.parent, read_curves).record(
+        FlexureSpec, top.table("pair")
+    )
+    return found

@@ -1,0 +1,505 @@
+"""Records from tables of design files, and keys by their path."""
+
+import tomllib
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cache
+from inspect import signature
+from pathlib import Path
+from typing import Annotated, Any
+
+from elastica_cad._toml import parse_toml
+from elastica_cad.declared import (
+    REQUIRED,
+    Asked,
+    Field,
+    Kind,
+    Record,
+    declared,
+    kind_of,
+    name_of,
+    require_bounds,
+)
+from elastica_cad.design.kit_spec import Cutting, cutting_keys
+from elastica_cad.design.tables import Formula, Table
+from elastica_cad.errors import RENAMED, InputError, near_names, quoted
+from elastica_cad.forming.limits import Limits
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import EndName, RestCurvature, Supports
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.strip.drawing import DEFAULT_KERF_MM
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.styles import Plain, Style
+
+CurveReader = Callable[..., list[PlaneCurve]]
+"""`read_curves(path, unit=...)`."""
+
+Range = tuple[float, float]
+
+
+def _thickness(
+    sheet: Sheet,
+    limits: Annotated[Range, Asked("Least and largest thickness.", "mm", least=0)],
+    width: Annotated[float, Asked("Width of the batten.", "mm", least=0)],
+) -> ThicknessLaw:
+    """A batten of one width, planed thinner."""
+    return ThicknessLaw(sheet, *limits, width=width)
+
+
+def _rod(
+    sheet: Sheet, limits: Annotated[Range, Asked("Least and largest diameter.", "mm", least=0)]
+) -> RoundLaw:
+    """A round rod, turned thinner."""
+    return RoundLaw(sheet, *limits)
+
+
+def _tube(
+    sheet: Sheet,
+    limits: Annotated[Range, Asked("Least and largest outer diameter.", "mm", least=0)],
+    bore: Annotated[float, Asked("Inner over outer diameter.", least=0, most=1)],
+) -> RoundLaw:
+    """A tube, turned thinner."""
+    return RoundLaw(sheet, *limits, bore=bore)
+
+
+def _leaves(
+    sheet: Sheet,
+    leaves: Annotated[int, Asked("Leaves of the sheet, at most.", least=2)],
+    width: Annotated[float, Asked("Width of the leaves.", "mm", least=0)],
+    fewest: Annotated[int, Asked("Leaves that go all the way.", least=1)] = 1,
+) -> LeavesLaw:
+    """Leaves of the sheet, glued; some end before others. Needs limits or keep."""
+    return LeavesLaw(sheet, leaves, width, fewest)
+
+
+def _blank(
+    stations: Annotated[
+        tuple[float, ...], Asked("From 0 to the length of the strip; one twice is a step.", "mm")
+    ],
+    curvatures: Annotated[tuple[float, ...], Asked("At each station, straight between them.", "1/mm")],
+) -> RestCurvature:
+    """A blank whose curvature goes straight from station to station."""
+    return RestCurvature.linear(stations, curvatures)
+
+
+def _drawn_blank(
+    curve: Annotated[PlaneCurve, Asked("In which the blank lies before it is bent.")],
+) -> RestCurvature:
+    """A blank that is drawn as it lies unbent."""
+    return RestCurvature.of(curve)
+
+
+def _limits(strain: bool | float | None = None, *, sheet: Sheet | None, **limits: Any) -> Limits:
+    """Limits of a strip of the sheet: strain is true for what that bears."""
+    own = None if isinstance(strain, bool) else strain
+    return Limits(sheet=sheet if strain else None, strain=own, **limits)
+
+
+def _cutting(kerf: float | str = DEFAULT_KERF_MM, **options: Any) -> Cutting:
+    named = {cutting_keys()[key].name: value for key, value in options.items()}
+    return Cutting(kerf=None if isinstance(kerf, str) else kerf, **named)
+
+
+BY_KIND: dict[Record, dict[str, Record]] = {
+    Style: {"plain": Plain, "perforated": Perforated, "laminated": Laminated},
+    BoundedLaw: {"thickness": _thickness, "rod": _rod, "tube": _tube, "leaves": _leaves},
+}
+"""What a table makes by the word of its key `kind`; the first is meant where it is left out."""
+
+MADE_BY: dict[Record, Callable[..., Any]] = {Limits: _limits, Cutting: _cutting}
+"""Records that are made from their table by another function."""
+
+WRITTEN: dict[Record, Kind] = {
+    Sheet: Kind("text"),
+    Formula: Kind("number"),
+    Supports: kind_of(tuple[EndName, EndName]),
+    RestCurvature: Kind("either", (kind_of(_blank), kind_of(_drawn_blank))),
+}
+"""How records are written that are no tables of their fields; modules that read others add theirs."""
+
+
+def written(kind: Kind) -> Kind:
+    """Return the kind as a file writes it, with every form that a record may be written in."""
+    if kind.name == "either":
+        found = [one for inner in kind.of for one in written(inner).alternatives]
+        return Kind("either", tuple(dict.fromkeys(found)))
+    if kind.name == "table" and kind.record in WRITTEN:
+        return WRITTEN[kind.record]
+    if kind.name == "table" and kind.record in BY_KIND:
+        return Kind("either", tuple(kind_of(one) for one in BY_KIND[kind.record].values()))
+    return kind
+
+
+def fields_of(record: Record) -> tuple[Field, ...]:
+    """Return the fields of a table: those that are declared, with those of a record that the table also takes.
+
+    A class of keys names that record as `BESIDE`, and its fields that have no place there as `WITHOUT`; one whose
+    keys are called otherwise than its fields has them of its function `FIELDS`.
+    """
+    if (renamed := getattr(record, "FIELDS", None)) is not None:
+        return tuple(replace(one, name=key) for key, one in renamed().items())
+    own, beside = declared(record), getattr(record, "BESIDE", None)
+    without = {*getattr(record, "WITHOUT", ()), *(one.name for one in own)}
+    return (*(one for one in (fields_of(beside) if beside else ()) if one.name not in without), *own)
+
+
+def word_of(record: Record) -> str | None:
+    """Return the value of the key `kind` that selects a record; None where the record needs none."""
+    return next((word for kinds in BY_KIND.values() for word, one in kinds.items() if one is record), None)
+
+
+def names_of(record: Record) -> list[str]:
+    """Return the names of all keys of a record's table."""
+    return [*(["kind"] if word_of(record) else []), *(one.name for one in fields_of(record))]
+
+
+@dataclass(frozen=True)
+class Reader:
+    """Reads records from tables.
+
+    Attributes
+    ----------
+    sheets : mapping
+        Sheets by the names that a file may use besides those that all know.
+    folder : Path
+        From which files are named.
+    read_curves : callable or None
+        Reads a curve file.
+    sheet : Sheet or None
+        Of the strip that is read.
+    """
+
+    sheets: Mapping[str, Sheet] = field(default_factory=dict)
+    folder: Path = field(default_factory=Path)
+    read_curves: CurveReader | None = None
+    sheet: Sheet | None = None
+
+    def record(self, record: Record, table: Table) -> Any:
+        """Make the record that a table describes; where the record is a `BY_KIND` one the key `kind` selects it.
+
+        Raises
+        ------
+        InputError
+            Unknown or missing keys, values of another kind, or what the record refuses; the place is named.
+        """
+        if record in BY_KIND:
+            kinds = BY_KIND[record]
+            record = kinds[table.text("kind", next(iter(kinds)), tuple(kinds))]
+        given = self.given(record, table)
+        make = MADE_BY.get(record, record)
+        parameters = signature(make).parameters if callable(make) else {}
+        if "sheet" in parameters and "sheet" not in {one.name for one in declared(record)}:
+            given["sheet"] = self.sheet
+        with table.naming():
+            return make(**given)
+
+    def given(self, record: Record, table: Table) -> dict[str, Any]:
+        """Return the values of the fields that a table gives, by name; unknown and missing keys are refused."""
+        table.only(*names_of(record))
+        values = {}
+        for one in fields_of(record):
+            if table.has(one.name):
+                values[one.name] = self.value(one.kind, table, one.name)
+                require_bounds(one, values[one.name], table.place(one.name))
+            elif one.default is REQUIRED:
+                raise InputError(
+                    "{place} is missing: {help}",
+                    place=table.place(one.name),
+                    help=one.help.rstrip(".").lower(),
+                )
+        return values
+
+    def value(self, kind: Kind, table: Table, key: str) -> Any:
+        """Return the value of a key, checked to be of that kind."""
+        if kind.name == "table" and kind.record in _SPECIAL:
+            return _SPECIAL[kind.record](self, table, key)
+        match kind.name:
+            case "number":
+                return table.number(key)
+            case "count":
+                return table.count(key, 1)
+            case "flag":
+                return table.flag(key)
+            case "text":
+                return table.text(key)
+            case "choice":
+                return table.text(key, choices=kind.choices)
+            case "names":
+                return table.table(key).data
+            case "table":
+                assert kind.record is not None
+                return self.record(kind.record, table.table(key))
+            case "list":
+                return self._row(kind, table, key)
+        return self.value(_chosen(kind.of, table.raw(key)), table, key)
+
+    def _row(self, kind: Kind, table: Table, key: str) -> tuple[Any, ...]:
+        """The values of a list."""
+        (inner,), rows = kind.of, table.raw(key)
+        if inner.name == "number":
+            return table.row(key) if kind.size is None else table.vector(key, kind.size)
+        if inner.name == "list" and inner.of[0].name == "number":
+            return tuple(table.points(key, inner.size or 1, kind.size))
+        if inner.name == "table" and not isinstance(rows, list):
+            table.tables(key)
+        if not isinstance(rows, list) or kind.size not in (None, len(rows)):
+            raise InputError(
+                "{place} is {given}: give a list{of_size}",
+                place=table.place(key),
+                given=quoted(rows),
+                of_size="" if kind.size is None else f" of {kind.size}",
+            )
+        numbered = Table(
+            {f"{key}[{i}]": row for i, row in enumerate(rows, start=1)}, table.where, table.scope
+        )
+        return tuple(self.value(inner, numbered, name) for name in numbered.data)
+
+
+def _chosen(kinds: tuple[Kind, ...], value: object) -> Kind:
+    """The kind among several that a value is meant as; one that refuses it where it is none of them."""
+    fitting = [one for one in kinds if _fits(one, value)]
+    if isinstance(value, Mapping):
+        return max(fitting, key=lambda one: _keys_met(one, value), default=kinds[-1])
+    return fitting[0] if fitting else next((one for one in kinds if one.name != "flag"), kinds[0])
+
+
+def _fits(kind: Kind, value: object) -> bool:
+    if kind.name == "table" and kind.record in WRITTEN:
+        return any(_fits(one, value) for one in written(kind).alternatives)
+    match value:
+        case bool():
+            return kind.name == "flag"
+        case str():
+            return (
+                kind.name == "text" or value in kind.choices or (kind.name == "number" and value != "sheet")
+            )
+        case int() | float():
+            return kind.name in ("number", "count")
+        case Mapping():
+            return kind.name == "table"
+        case list():
+            return kind.name == "list" and kind.size in (None, len(value))
+    return False
+
+
+def _keys_met(kind: Kind, table: Mapping[str, Any]) -> int:
+    """How many of its keys a record has, less those that it lacks."""
+    known = {name for one in written(kind).alternatives if one.record for name in names_of(one.record)}
+    return sum(1 if key in known else -1 for key in table)
+
+
+def _read_sheet(reader: Reader, table: Table, key: str) -> Sheet:
+    """One of the file's own sheets, or one that all know; that of a strip in the thickness that the table says."""
+    name = table.text(key)
+    with table.naming(key):
+        found = reader.sheets[name] if name in reader.sheets else Sheet.named(name)
+        own = table.maybe("thickness") if key == "sheet" else None
+        return found if own is None else found.with_thickness(own)
+
+
+def _read_supports(reader: Reader, table: Table, key: str) -> Supports:
+    names = reader.value(WRITTEN[Supports], table, key)
+    with table.naming(key):
+        return Supports(*names)
+
+
+def _read_blank(reader: Reader, table: Table, key: str) -> Any:
+    return reader.value(WRITTEN[RestCurvature], table, key)
+
+
+def _read_formula(_: Reader, table: Table, key: str) -> Formula:
+    return Formula(str(table.raw(key)), table.place(key))
+
+
+_SPECIAL: dict[Record, Callable[[Reader, Table, str], Any]] = {
+    Sheet: _read_sheet,
+    Supports: _read_supports,
+    RestCurvature: _read_blank,
+    Formula: _read_formula,
+}
+"""What reads a record that is no table of its fields."""
+
+
+def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any]) -> None:
+    """Register that values of a class are written as `kind` in a file, and read by the function `read`."""
+    WRITTEN[record], _SPECIAL[record] = kind, read
+
+
+def parsed_line(line: str, where: str, example: str = "") -> dict[str, Any]:
+    """Return the table that is written in one line, as its inside: `at = 40, width = 1.2`.
+
+    Raises
+    ------
+    InputError
+        A line that is no table; it names `where` the line stands.
+    """
+    inside = line.strip()
+    try:
+        data = parse_toml(f"line = {inside}" if inside.startswith("{") else f"line = {{{inside}}}")
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise InputError(
+            "{place}: {line} cannot be read: write keys and values, such as {example}",
+            place=where,
+            line=quoted(line),
+            example=example or "at = 40, side = 'lower'",
+        ) from error
+    table: dict[str, Any] = data["line"]
+    return table
+
+
+def title(record: Record) -> str:
+    """Return the name of a record's table in the manual and in the schema, behind its family where `kind` selects
+    it.
+
+    Examples
+    --------
+    >>> title(Limits), title(Perforated)
+    ('limits', 'style perforated')
+    """
+    word = word_of(record)
+    kinds = next((name_of(base) for base, kinds in BY_KIND.items() if record in kinds.values()), "")
+    return f"{'law' if 'law' in kinds else kinds} {word}" if word else name_of(record)
+
+
+def described(record: Record) -> list[dict[str, Any]]:
+    """Return the fields of a table as plain JSON: what a form or an editor needs to ask for them.
+
+    Each has its name, help, unit, least, most, group, common, required, its default where that is plain, and what
+    it is made of: `kind` with `choices`, `size`, `of` (elements or alternatives) or `fields` of a table, whose key
+    `kind` holds its `word`.
+
+    Examples
+    --------
+    >>> ratio = described(Limits)[0]
+    >>> ratio["name"], ratio["kind"], ratio["least"], ratio["default"]
+    ('ratio', 'number', 1, None)
+    """
+    return [
+        {
+            "name": one.name,
+            **_plain_kind(one.kind),
+            "help": one.help,
+            "unit": one.asked.unit,
+            "least": one.asked.least if one.asked.above is None else one.asked.above,
+            "most": one.asked.most,
+            "group": one.asked.group,
+            "common": one.asked.common,
+            "required": one.default is REQUIRED,
+            "default": _plain_default(one.default),
+        }
+        for one in fields_of(record)
+    ]
+
+
+def _plain_kind(kind: Kind) -> dict[str, Any]:
+    kind = written(kind)
+    found: dict[str, Any] = {"kind": kind.name}
+    if kind.choices:
+        found["choices"] = list(kind.choices)
+    if kind.size is not None:
+        found["size"] = kind.size
+    if kind.of:
+        found["of"] = [_plain_kind(one) for one in kind.of]
+    if kind.record is not None:
+        found |= {"table": title(kind.record), "word": word_of(kind.record), "fields": described(kind.record)}
+    return found
+
+
+def _plain_default(value: Any) -> Any:
+    """A default as JSON holds it; None of a record, whose own fields have theirs."""
+    if isinstance(value, tuple):
+        plain = [_plain_default(one) for one in value]
+        return None if None in plain else plain
+    return value if isinstance(value, bool | int | float | str) else None
+
+
+@cache
+def paths_of(record: Record) -> Mapping[str, Field]:
+    """Return all keys below a record by their dotted paths; keys of a table in a list follow the name of the list.
+
+    Examples
+    --------
+    >>> from elastica_cad.strip.strip_spec import StripSpec
+    >>> paths_of(StripSpec)["limits.ratio"].asked.least, "slots.at" in paths_of(StripSpec)
+    (1, True)
+    """
+    found: dict[str, Field] = {}
+    for path, entry in _walked(record):
+        found.setdefault(path, entry)
+    return found
+
+
+def _walked(record: Record) -> Iterator[tuple[str, Field]]:
+    without = getattr(record, "WITHOUT", ())
+    for one in fields_of(record):
+        if one.name in without:
+            continue
+        yield one.name, one
+        for inner in _tables(written(one.kind)):
+            if word := word_of(inner):
+                yield (
+                    f"{one.name}.kind",
+                    Field("kind", Kind("choice", choices=_words(one.kind)), one.asked, word),
+                )
+            for path, entry in _walked(inner):
+                yield f"{one.name}.{path}", entry
+
+
+def _tables(kind: Kind) -> list[Record]:
+    found = [inner for one in kind.of for inner in _tables(written(one))]
+    return [*found, *([kind.record] if kind.record is not None else [])]
+
+
+def _words(kind: Kind) -> tuple[str, ...]:
+    """The words of the kinds that a table may have."""
+    return tuple(word for one in written(kind).alternatives if one.record and (word := word_of(one.record)))
+
+
+def put(table: dict[str, Any], path: str, value: Any) -> None:
+    """Set the value at a dotted path of nested tables, and make the tables on the way.
+
+    Raises
+    ------
+    InputError
+        On the way there stands something that is no table.
+    """
+    *way, last = path.split(".")
+    for key in way:
+        inner = table.setdefault(key, {})
+        if not isinstance(inner, dict):
+            raise InputError(
+                "{key} is {inner}, and {path} asks for a table: give one of them",
+                key=key,
+                inner=quoted(inner),
+                path=path,
+            )
+        table = inner
+    table[last] = value
+
+
+def require_path_of(path: str, record: Record) -> Field:
+    """Return the field at a dotted path.
+
+    Raises
+    ------
+    InputError
+        There is none; the message names the nearest.
+    """
+    known = paths_of(record)
+    if RENAMED.get(path) in known:
+        raise InputError("{old} is now called {new}", old=path, new=RENAMED[path])
+    if path not in known:
+        near = near_path(path, known)
+        hint = f"did you mean {near}?" if near else "`elastica help` lists them"
+        raise InputError("there is no key {path}: {hint}", path=quoted(path), hint=hint)
+    return known[path]
+
+
+def near_path(path: str, known: Iterable[str]) -> str:
+    """Return the known path that was probably meant: one with the same last name, else the nearest, else ""."""
+    ends = {one.rpartition(".")[2]: one for one in reversed(list(known))}
+    last = path.rpartition(".")[2]
+    near = near_names(path, known) or near_names(last, ends)
+    return ends.get(last) or (near[0] if near and near[0] in known else ends.get(near[0], "") if near else "")

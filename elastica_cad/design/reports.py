@@ -1,0 +1,402 @@
+"""The verdict on a curve as plain data, and numbers as all reports round them."""
+
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._values import is_whole, require_record
+from elastica_cad.design.measuring_sheet import measuring_record
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.formats.json_curves import curve_record
+from elastica_cad.forming.fairing_request import Smoothing
+from elastica_cad.forming.nearest_record import NearestRod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sideways import SidewaysStability
+from elastica_cad.mechanics.stability import Stability
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck
+from elastica_cad.refusals import Length, note
+from elastica_cad.strip.held_shape import HeldShape, Reactions
+from elastica_cad.strip.holding_template import (
+    distance_between,
+    distance_of_tips,
+    held_ends,
+    hole_places,
+    tell_ends,
+)
+from elastica_cad.strip.measuring import Measuring
+from elastica_cad.strip.strip import Strip
+
+
+def report_check(check: EquilibriumCheck) -> dict[str, Any]:
+    """Return the verdict of Theorem 1 as plain data; places in mm along the curve."""
+    require_record(check, EquilibriumCheck, "what is reported", "what check_equilibrium answers")
+    return {
+        "realizable": check.realizable,
+        "reasons": list(check.reasons),
+        "warnings": list(check.warnings),
+        "inflections": round_numbers(check.inflections),
+        "undecided": None if check.undecided is None else asdict(check.undecided),
+        "advice": str(check),
+    }
+
+
+def round_numbers(value: Any) -> Any:
+    """Ten significant digits: more would be noise, and the same design must give the same file."""
+    array = np.asarray(value, dtype=float)
+    if array.ndim == 0:
+        return float(f"{float(array):.10g}")
+    return [round_numbers(row) for row in array]
+
+
+STATIONS = 201
+"""At which the curvature of a blank is listed, uniform in arc length; an even one is told at both ends."""
+
+
+def report_blank(strip: Strip) -> dict[str, Any] | None:
+    """Return the curvature of the blank (1/mm, positive to the left) at places (mm) along the free part; None of a
+    flat one.
+
+    Examples
+    --------
+    >>> from elastica_cad.strip.strip_spec import make_strip
+    >>> from elastica_cad.geometry.plane_curve import PlaneCurve
+    >>> curve = PlaneCurve.arc((0, 0), 100, 0, 1)
+    >>> report_blank(make_strip(curve, "birch-plywood-0.8", max_width=20, natural_curvature=0.004))
+    {'s': [0.0, 100.0], 'curvature': [0.004, 0.004]}
+    """
+    rest = np.asarray(strip.rod.natural_curvature, dtype=float)
+    if not rest.any():
+        return None
+    s = np.linspace(0.0, strip.rod.length, STATIONS if np.ptp(rest) > 0 else 2)
+    return {"s": round_numbers(s), "curvature": round_numbers(strip.rod.rest_at(s))}
+
+
+def tell_blank(strip: Strip) -> str:
+    """How the blank is bent before it is put in, without an end; empty of a flat one.
+
+    The way is told by how the strip stands in the end: pieces of one shape are turned over where that
+    spares a part, so that none of their faces tells left from right.
+    """
+    rod = strip.rod
+    rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
+    if not rest.any():
+        return ""
+    even = np.ptp(rest) == 0
+    at = int(np.argmax(np.abs(rod.curvature if even else rest)))
+    same = rest[at] * rod.curvature[at] > 0
+    ways = (
+        (
+            "bend it beforehand to a radius of {radius} all along, the way it stands bent {s} from its start: its "
+            "widths count on that",
+            "bend it beforehand to a radius of {radius} all along, the other way than it stands bent {s} from its "
+            "start: its widths count on that",
+        )
+        if even
+        else (
+            "bend it beforehand to a radius of {radius} at its sharpest, {s} from its start, the way it stands "
+            "bent there: its widths count on that; `blank` in the report has its curvature along the strip",
+            "bend it beforehand to a radius of {radius} at its sharpest, {s} from its start, the other way than it "
+            "stands bent there: its widths count on that; `blank` in the report has its curvature along the strip",
+        )
+    )
+    return note(ways[0 if same else 1], radius=Length(1 / abs(rest[at])), s=Length(rod.s[at]))
+
+
+REPORT_SCHEMA = "elastica-report/1"
+MOST_STATIONS = 100_000
+"""That one report lists."""
+
+_UNITS = {
+    "length": "mm",
+    "width": "mm",
+    "angle": "rad",
+    "curvature": "1/mm",
+    "strain": "1",
+    "stiffness": "1 (least value 1)",
+    "mass": "g",
+    "force": "N",
+    "moment": "N mm",
+}
+
+
+def report_strip(
+    strip: Strip,
+    *,
+    name: str,
+    files: dict[str, str],
+    near: NearestRod | None = None,
+    stability: Stability | None = None,
+    smoothing: Smoothing | None = None,
+    stations: int = 201,
+) -> dict[str, Any]:
+    """Return the report of one strip as plain data for JSON.
+
+    Parameters
+    ----------
+    strip : Strip
+    name : str
+        What the part is called.
+    files : dict
+        Kind of file (dxf, svg, ...) to file name.
+    near : NearestRod, optional
+        Where the strip left the drawn curve: how far, and what it cost.
+    stability : Stability, optional
+        The verdict on its rest shape.
+    smoothing : Smoothing, optional
+        What was moved of the drawn curve to make it fair.
+    stations : int
+        Number of stations at which stiffness and width are listed, uniform in arc length.
+
+    Raises
+    ------
+    InputError
+        What is no record of its kind, fewer than two stations or more than `MOST_STATIONS`.
+    """
+    require_record(strip, Strip, "what is reported", "a Strip, as make_strip makes one")
+    for value, record, what in ((near, NearestRod, "near"), (stability, Stability, "stability")):
+        if value is not None:
+            require_record(value, record, what, f"a {record.__name__}, or None")
+    if not (is_whole(stations) and 2 <= stations <= MOST_STATIONS):
+        raise InputError(
+            "stations are {stations!r}: give a whole number from 2 to {most_stations}",
+            stations=stations,
+            most_stations=MOST_STATIONS,
+        )
+    rod, sheet = strip.rod, strip.sheet
+    low, high = strip.width.extremes
+    return {
+        "schema": REPORT_SCHEMA,
+        "name": name,
+        "versions": list_versions(),
+        "units": _UNITS,
+        "files": files,
+        "curve": curve_record(rod.curve),
+        "check": None if rod.check is None else report_check(rod.check),
+        "nearest": None if near is None else _nearest_report(near),
+        "stability": None if stability is None else _stability_report(stability),
+        "sideways": _sideways(strip.sideways),
+        "creep": _creep(strip),
+        "moved_by_snapping": round_numbers(rod.moved),
+        "smoothing": None if smoothing is None else _smoothing_report(smoothing),
+        "length": round_numbers(rod.length),
+        "ratio": round_numbers(rod.ratio),
+        "residual": rod.residual,
+        "gravity": None
+        if rod.gravity is None
+        else {"length": rod.gravity.length, "direction": list(rod.gravity.direction)},
+        "stations": _stations_report(strip, stations),
+        "blank": report_blank(strip),
+        "width": {"least": round_numbers(low), "largest": round_numbers(high)},
+        "sheet": _sheet_report(sheet),
+        "strain": {
+            "largest": round_numbers(strip.max_strain),
+            "at": round_numbers(strip.max_strain_at),
+            "limit": strip.strain_limit,
+        },
+        "backing_side": strip.backing_side or None,
+        "ends": _ends(strip),
+        "held": _held(strip),
+        "measuring": _measuring(strip),
+        "joint": _joint(strip),
+        "mass": round_numbers(strip.mass),
+        "layers": _layers(strip),
+        "reactions": _reactions_report(strip.reactions()),
+        "warnings": list(strip.warnings),
+    }
+
+
+def _stability_report(stability: Stability) -> dict[str, Any]:
+    return {
+        "stable": stability.stable,
+        "margin": round_numbers(stability.margin),
+        "word": stability.word,
+        "meaning": stability.meaning,
+    }
+
+
+def _stations_report(strip: Strip, count: int) -> dict[str, Any]:
+    """Stiffness and widths at so many places, uniform in arc length."""
+    rod, layout = strip.rod, strip.layout
+    s = np.linspace(0.0, rod.length, count)
+    return {
+        "s": round_numbers(s),
+        "stiffness": round_numbers(rod.profile(s)),
+        "width": round_numbers(strip.width(s)),
+        "material": round_numbers(layout.material(s)),
+        "backing": None if layout.backing is None else round_numbers(layout.backing.width(s)),
+        **{name: round_numbers(size(s)) for name, size in strip.tapered.items()},
+    }
+
+
+def _sheet_report(sheet: Sheet) -> dict[str, Any]:
+    return {
+        "name": sheet.name,
+        "thickness": sheet.thickness,
+        "youngs_modulus_MPa": sheet.youngs_modulus,
+        "density_kg_m3": sheet.density,
+        "max_strain": sheet.max_strain,
+        "source": sheet.source,
+    }
+
+
+def _reactions_report(reactions: Reactions) -> dict[str, Any]:
+    """What the ends push and turn with, N and N mm."""
+    return {
+        "start_force": round_numbers(reactions.start_force),
+        "start_moment": round_numbers(reactions.start_moment),
+        "end_force": round_numbers(reactions.end_force),
+        "end_moment": round_numbers(reactions.end_moment),
+    }
+
+
+def _layers(strip: Strip) -> list[dict[str, Any]]:
+    """What it is made of, the base first; what is planed or turned is as thick as it ever is."""
+    worked = strip.layout.worked_size
+    return [
+        {
+            "sheet": layer.sheet.name,
+            "thickness": layer.sheet.thickness if worked is None else round_numbers(worked.extremes[1]),
+            "mass": round_numbers(layer.mass if worked is None else strip.mass),
+        }
+        for layer in strip.layers
+    ]
+
+
+def _creep(strip: Strip) -> dict[str, Any] | None:
+    """The strip in the long run; None where no creep was asked for."""
+    if not strip.creep:
+        return None
+    try:
+        found = strip.crept
+    except NotConvergedError as problem:
+        return {"factor": strip.creep, "problem": str(problem)}
+    assert found is not None
+    return {
+        "factor": found.factor,
+        "basis": "exact" if found.exact else "effective modulus",
+        "sag": round_numbers(found.sag),
+        "force_share": round_numbers(found.force_share),
+        "end_forces": round_numbers(found.end_forces * strip.bending_stiffness),
+        "margin": round_numbers(found.stability.margin),
+        "word": found.stability.word,
+        "kept_bend": round_numbers(found.kept_share),
+    }
+
+
+def _sideways(found: SidewaysStability) -> dict[str, Any]:
+    """Does the strip stay in the plane of its curve? The margin is the least where bounds are known only."""
+    return {"word": found.word, "margin": round_numbers(found.margin), "meaning": found.meaning}
+
+
+def _smoothing_report(smoothing: Smoothing) -> dict[str, Any]:
+    ratio = smoothing.ratio_as_drawn if smoothing.fairing is not None else None
+    return {
+        "moved": round_numbers(smoothing.moved),
+        "allowed": None if smoothing.fairing is None else round_numbers(smoothing.fairing.tolerance),
+        "ratio_as_drawn": None if ratio is None else round_numbers(ratio),
+        "healed": round_numbers(smoothing.healed),
+        "drawn": None if smoothing.fairing is None else curve_record(smoothing.drawn),
+    }
+
+
+def _nearest_report(near: NearestRod) -> dict[str, Any]:
+    return {
+        "wish": curve_record(near.target),
+        "status": near.status.name.lower(),
+        "message": near.status.value,
+        "met": near.met,
+        "deviation": round_numbers(near.deviation),
+        "binding": [
+            {"name": one.name, "limit": one.limit, "cost": round_numbers(one.cost)} for one in near.binding
+        ],
+    }
+
+
+def report_held(shape: HeldShape) -> dict[str, Any]:
+    """How far a strip strays as made and held, and by what, ready for JSON; what is expected has two digits."""
+    return {
+        "expected": float(f"{shape.expected:.2g}"),
+        "deviation": round_numbers(shape.deviation),
+        "open": float(f"{shape.open:.2g}"),
+        "sheet": {"all": float(f"{shape.sheet_adds:.2g}")}
+        | {cause: float(f"{mm:.2g}") for cause, mm in shape.sheet.items()},
+        "parts": {cause: round_numbers(mm) for cause, mm in shape.parts.items()},
+        "made_up_for": list(shape.made_up_for),
+        "ends": {
+            end: {"shift": round_numbers(pose.shift), "turn": round_numbers(pose.turn)}
+            for end, pose in (("start", shape.start), ("end", shape.end))
+        },
+        "notes": list(shape.notes),
+    }
+
+
+def _ends(strip: Strip) -> dict[str, Any] | None:
+    """Where the ends are held, in the plane of the curve, mm and degrees; None for a closed strip."""
+    if strip.is_closed:
+        return None
+    ends = held_ends(strip)
+    found: dict[str, Any] = {
+        "distance": round_numbers(distance_between(ends)),
+        "tips": round_numbers(distance_of_tips(ends)),
+        "meaning": str(tell_ends(strip)),
+    }
+    for name, end, places in zip(("start", "end"), ends, hole_places(ends), strict=True):
+        found[name] = {
+            "position": round_numbers(end.position + 0.0),
+            "angle": round_numbers(end.angle),
+            "from_the_line": round_numbers(end.tilt),
+            "tab": round_numbers(end.tab),
+            "holes": [
+                {"at": hole.at, "across": hole.across, "diameter": hole.diameter}
+                | {"from_the_start": round_numbers(np.round(place, 6) + 0.0)}
+                for hole, place in zip(end.holes, places, strict=True)
+            ],
+        }
+    return found
+
+
+def _held(strip: Strip) -> dict[str, Any] | None:
+    """The strip with ends held as designed; None where it finds no shape near the design."""
+    try:
+        return report_held(strip.held())
+    except NotConvergedError:
+        return None
+
+
+def _measuring(strip: Strip) -> dict[str, Any] | None:
+    """What can be measured on it, for `elastica compare`; None of a closed one, or without a rest shape."""
+    if strip.is_closed:
+        return None
+    try:
+        return measuring_record(Measuring.of(strip))
+    except NotConvergedError:
+        return None
+
+
+def _joint(strip: Strip) -> dict[str, Any] | None:
+    """Where a closed strip is joined, by what, and what that carries; None for an open one."""
+    if not strip.is_closed:
+        return None
+    held = strip.reactions()
+    return {
+        "place": round_numbers(strip.rod.position[0]),
+        "lap": strip.ends[1].length,
+        "widths": round_numbers(np.array(strip.end_widths)),
+        "moment": round_numbers(held.end_moment),
+        "force": round_numbers(held.end_force),
+        "meaning": strip.joint,
+    }
+
+
+def list_versions() -> dict[str, str]:
+    """Versions of the packages that a result depends on."""
+    from importlib.metadata import PackageNotFoundError, version
+
+    found = {}
+    for package in ("elastica-cad", "numpy", "scipy", "highspy", "ezdxf"):
+        try:
+            found[package] = version(package)
+        except PackageNotFoundError:
+            continue
+    return found

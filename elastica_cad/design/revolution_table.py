@@ -1,0 +1,136 @@
+"""What a design file says about a surface of revolution: its meridian, and the strips and rings it is made of."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Annotated, Any, TypeAlias
+
+from elastica_cad.declared import Asked
+from elastica_cad.design.records import Reader
+from elastica_cad.design.tables import Table
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.forming.meridians import Meridian, meridian, meridian_through
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.model import Model
+from elastica_cad.model.revolution_model import revolve
+from elastica_cad.refusals import Length, note
+from elastica_cad.strip.outline import Tab, pair_of_tabs
+from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
+
+Pair: TypeAlias = tuple[float, float]
+
+NEAR_MM = 1e-3
+"""A meridian this near to its points passes them: no cut is as exact."""
+
+
+@dataclass(frozen=True)
+class RevolutionTable:
+    """The table `revolution`: a surface of revolution, made of strips and rings."""
+
+    sheet: Annotated[Sheet, Asked("Sheet of the strips.")]
+    points: Annotated[
+        tuple[Pair, ...], Asked("[distance from the axis, height] of places on the meridian.", "mm")
+    ] = ()
+    curve: Annotated[
+        PlaneCurve | None, Asked("In place of points: a profile that the meridian comes near to.")
+    ] = None
+    a: Annotated[
+        float | None, Asked("In place of points: moment at the origin over stiffness and distance.")
+    ] = None
+    b: Annotated[Pair | None, Asked("Change of that along the meridian.", "1/mm")] = None
+    start: Annotated[Pair | None, Asked("Where the meridian begins.", "mm")] = None
+    angle: Annotated[float | None, Asked("Angle of its tangent there.", "rad")] = None
+    length: Annotated[float | None, Asked("Length of the meridian.", "mm", least=0)] = None
+    ring: Annotated[float | None, Asked("It ends at this distance from the axis.", "mm", least=0)] = None
+    strips: Annotated[int, Asked("So many strips.", least=3, most=1000)] = 16
+    thickness: Annotated[
+        float | None, Asked("Thickness of the sheet, where it is another than its own.", "mm", least=0)
+    ] = None
+    rings: Annotated[Sheet | None, Asked("Sheet of the rings at both ends.")] = None
+    gap: Annotated[float | None, Asked("Two rings at either end, so far apart.", "mm", least=0)] = None
+    ends: Annotated[
+        tuple[Tab, Tab] | None,
+        Asked("Tab of both ends, or the two of start and end.", written=Tab | tuple[Tab, Tab]),
+    ] = None
+    shop: Annotated[FabricationLimits, Asked("What the workshop can make.")] = DEFAULT_LIMITS
+    ignore_limits: Annotated[bool, Asked("Make strips that cannot be cut or handled, and say so.")] = False
+
+    @cached_property
+    def meridian(self) -> Meridian:
+        """Return the meridian, which the table gives in exactly one of several forms.
+
+        Raises
+        ------
+        InputError
+            It is told in two ways or none, or cannot be.
+        """
+        ways = [way for way in ("points", "curve", "a") if getattr(self, way) not in (None, ())]
+        if len(ways) != 1:
+            raise InputError(
+                "revolution must hold one of points, curve, or {own_keys}: what the meridian is to be",
+                own_keys=", ".join(OWN_KEYS),
+            )
+        if self.curve is not None or self.points:
+            return meridian_through(self.curve or list(self.points), ring=self.ring)
+        given: Any = [getattr(self, key) for key in OWN_KEYS]
+        missing = [key for key in OWN_KEYS if getattr(self, key) is None]
+        if missing:
+            raise InputError("{key} is missing; give it a number or a formula in quotes", key=missing[0])
+        return meridian(*given, ring=self.ring)
+
+    def model(self, name: str) -> Model:
+        """Make all strips, and the rings.
+
+        Raises
+        ------
+        InputError
+            As `revolve`.
+        """
+        return revolve(
+            self.meridian,
+            self.strips,
+            sheet=self.sheet,
+            ends=None if self.ends is None else pair_of_tabs(self.ends),
+            rings=self.rings,
+            gap=self.gap,
+            name=name,
+            shop=self.shop,
+            ignore_limits=self.ignore_limits,
+        )
+
+    @property
+    def reports(self) -> tuple[str, ...]:
+        """How far the meridian is off what was drawn, where it is."""
+        off = self.meridian.deviation
+        if off <= NEAR_MM:
+            return ()
+        return (
+            note(
+                "the meridian is {far} off its points at most: no meridian that strips can tile is nearer",
+                far=Length(off),
+            ),
+        )
+
+
+OWN_KEYS = ("a", "b", "start", "angle", "length")
+"""What says a meridian by its equation."""
+
+INHERITED = ("sheet", "thickness", "ends", "shop", "ignore_limits")
+"""Keys that it has of the design, unless it has its own."""
+
+
+def read_revolution(table: Table, reader: Reader) -> RevolutionTable:
+    """Read the surface of revolution that the table `revolution` requests.
+
+    Raises
+    ------
+    InputError
+        Unknown keys, a meridian told in two ways or none, or one that cannot be; the place is named.
+    """
+    asked: RevolutionTable = reader.record(RevolutionTable, table)
+    try:
+        with table.naming():
+            _ = asked.meridian
+    except NotConvergedError as problem:
+        raise NotConvergedError("{place}: {problem}", place=table.where, problem=problem) from problem
+    return asked

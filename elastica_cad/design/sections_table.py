@@ -1,0 +1,176 @@
+"""The table of a design file for sections of a surface, read and written: the file, its planes, its divisions."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated, Any, TypeAlias
+
+import numpy as np
+
+from elastica_cad._values import require_positive
+from elastica_cad.declared import Asked
+from elastica_cad.design.records import Reader
+from elastica_cad.design.tables import Table
+from elastica_cad.design.toml_text import toml_text
+from elastica_cad.errors import InputError
+from elastica_cad.formats.mesh_files import SurfaceReader, mesh_surface, read_sized_surface
+from elastica_cad.forming.section_lines import SectionCurve
+from elastica_cad.forming.section_spec import (
+    AlongPath,
+    CornerSplit,
+    ParallelCuts,
+    PlaneSplit,
+    PointSplit,
+    RadialCuts,
+    SectionSpec,
+    Split,
+)
+
+WrittenSplit: TypeAlias = PlaneSplit | PointSplit | CornerSplit
+
+
+@dataclass(frozen=True)
+class SectionsTable:
+    """The table `sections`: a surface, and how planes cut it into curves."""
+
+    mesh: Annotated[str, Asked("Surface beside the design: OBJ, STL, PLY or STEP.")]
+    radial: Annotated[RadialCuts | None, Asked("Half planes about an axis.")] = None
+    parallel: Annotated[ParallelCuts | None, Asked("Parallel planes.")] = None
+    along: Annotated[AlongPath | None, Asked("Planes across a path.")] = None
+    unit: Annotated[str | None, Asked("Unit of the mesh.")] = None
+    scale: Annotated[float | None, Asked("Factor on the mesh.", least=0)] = None
+    half: Annotated[bool | None, Asked("Only what lies at x >= 0 of each plane.")] = None
+    longest: Annotated[bool, Asked("Only the longest line of each section.")] = False
+    split: Annotated[WrittenSplit | tuple[WrittenSplit, ...], Asked("Where lines are divided.")] = ()
+    tolerance: Annotated[float, Asked("Largest distance from the section.", "mm", least=0)] = 0.3
+    wavelength: Annotated[float, Asked("Shorter waves are smoothed away.", "mm", least=0)] = 0.0
+
+    def __post_init__(self) -> None:
+        if self.scale is not None:
+            require_positive(self.scale, "scale", "times")
+        if len(self._cuts) != 1:
+            raise InputError(
+                "sections must hold one of radial, parallel, along: the planes that cut the mesh"
+            )
+
+    @property
+    def _cuts(self) -> list[Any]:
+        return [one for one in (self.radial, self.parallel, self.along) if one is not None]
+
+    @property
+    def spec(self) -> SectionSpec:
+        """Return the request for sections, without the surface."""
+        splits = self.split if isinstance(self.split, tuple) else (self.split,)
+        (cuts,) = self._cuts
+        return SectionSpec(cuts, self.half, self.longest, splits, self.tolerance, self.wavelength)
+
+
+IN_PLACE = {"radial": "angles", "parallel": "offsets"}
+"""Keys that say where planes lie, in place of their count."""
+
+
+def read_sections(
+    table: Table, reader: Reader, read_surface: SurfaceReader | None
+) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
+    """Return the curves of the sections that a table requests, each with its plane, and sentences worth knowing.
+
+    Raises
+    ------
+    InputError
+        A missing surface, planes that make no sense, or no section that a strip could follow.
+    MissingDependencyError
+        trimesh is not installed, or for CAD bodies no kernel.
+    """
+    for name, key in IN_PLACE.items():
+        cuts = table.table(name)
+        if cuts.has("count") and cuts.has(key):
+            raise InputError(
+                "{place} means nothing beside {key}: leave one of them out",
+                place=cuts.place("count"),
+                key=key,
+            )
+    asked: SectionsTable = reader.record(SectionsTable, table)
+    path = reader.folder / asked.mesh
+    if not path.is_file():
+        raise InputError(
+            "{place}: there is no file {path}; names are relative to the design file",
+            place=table.where,
+            path=path,
+        )
+    with table.naming():
+        surface = read_sized_surface(read_surface or mesh_surface, path, unit=asked.unit, scale=asked.scale)
+        return asked.spec.curves(surface)
+
+
+def compose_section_design(
+    name: str, mesh: Mapping[str, Any], sections: SectionSpec, strips: Mapping[str, Any]
+) -> str:
+    """Return the text of a design file whose strips follow sections of a surface.
+
+    Parameters
+    ----------
+    name : str
+        Of the model.
+    mesh : mapping
+        The file as `mesh`, with its unit and scale where they were told.
+    sections : SectionSpec
+    strips : mapping
+        Keys for all strips: sheet, max_width, limits and so on.
+
+    Examples
+    --------
+    >>> print(compose_section_design("pot", {"mesh": "pot.obj"}, SectionSpec(RadialCuts()), {"sheet": "pom-1"}))
+    schema = 1
+    name = "pot"
+    sheet = "pom-1"
+    <BLANKLINE>
+    [[strips]]
+    label = "S{i}"
+    <BLANKLINE>
+    [strips.sections]
+    mesh = "pot.obj"
+    tolerance = 0.3
+    radial = { point = [0.0, 0.0, 0.0], axis = [0.0, 0.0, 1.0], zero = [1.0, 0.0, 0.0], count = 8 }
+    <BLANKLINE>
+    """
+    head = {"schema": 1, "name": name, **strips}
+    sections_of = {**mesh, **_section_keys(sections)}
+    return toml_text({**head, "strips": [{"label": "S{i}", "sections": sections_of}]})
+
+
+def _section_keys(spec: SectionSpec) -> dict[str, Any]:
+    """The keys of the table `sections`; what is usual is left out, but for the tolerance and the planes."""
+    keys: dict[str, Any] = {"tolerance": spec.tolerance}
+    keys |= {"wavelength": spec.wavelength} if spec.wavelength else {}
+    keys |= {} if spec.half is None else {"half": spec.half}
+    keys |= {"longest": True} if spec.longest else {}
+    keys |= {"split": [_split_keys(split) for split in spec.splits]} if spec.splits else {}
+    match spec.cuts:
+        case RadialCuts() as cuts:
+            where: dict[str, Any] = {"point": cuts.point, "axis": cuts.axis, "zero": cuts.zero}
+            turned = None if cuts.angles is None else [_degrees(angle) for angle in cuts.angles]
+            planes: dict[str, Any] = {"count": cuts.count} if turned is None else {"angles": turned}
+            return keys | {"radial": where | planes}
+        case ParallelCuts() as cuts:
+            where = {"point": cuts.point, "normal": cuts.normal, "up": cuts.up}
+            planes = {"count": cuts.count} if cuts.offsets is None else {"offsets": list(cuts.offsets)}
+            return keys | {"parallel": where | planes}
+        case AlongPath() as cuts:
+            path = np.asarray(cuts.path).tolist()
+            return keys | {"along": {"path": path, "count": cuts.count, "ends": cuts.ends, "up": cuts.up}}
+    raise InputError("{cuts!r} is no family of planes that a design file knows", cuts=spec.cuts)
+
+
+def _split_keys(split: Split) -> dict[str, Any]:
+    match split:
+        case CornerSplit():
+            return {"corners": _degrees(split.corners)}
+        case PointSplit():
+            return {"points": np.asarray(split.points).tolist()}
+        case PlaneSplit():
+            return {"point": split.point, "normal": split.normal}
+    raise InputError("{split!r} is no split that a design file knows", split=split)
+
+
+def _degrees(angle: float) -> str:
+    """An angle, rad, as people write it: without the rounding of pi."""
+    return f"{float(np.round(np.degrees(angle), 10))!r} * degrees"  # what was typed comes back

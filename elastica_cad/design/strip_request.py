@@ -1,0 +1,211 @@
+"""The strip of a report as a record for JSON, from which the same strip is made again."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, is_dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.loads import (
+    End,
+    Gravity,
+    PointMass,
+    RestCurvature,
+    Supports,
+    Weight,
+    nodal_curvature,
+)
+from elastica_cad.mechanics.optimal_balance import carried_weight
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sections import PlainSection, WidthLaw
+from elastica_cad.mechanics.sheets import NominalRatio, Sheet
+from elastica_cad.mechanics.stiffness_law import LaidLeaves, Leaf, LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.strip.held_shape import MakingTolerance
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.outline import Hole, Tab, TSlot
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.styles import Plain
+from elastica_cad.strip.uncuttable_parts import FabricationLimits
+
+RECORDS = {
+    one.__name__: one
+    for one in (
+        End, FabricationLimits, Gravity, Hole, LaidLeaves, Laminated, Leaf, MakingTolerance, Perforated, Plain,
+        PointMass, Profile, RestCurvature, RoundLaw, Sheet, Slot, Supports, Tab, ThicknessLaw, TSlot, Weight,
+        WidthLaw,
+    )
+}  # fmt: skip
+"""Records of a request by the names that a report has for them."""
+
+SOLVED = ("curve", "frame", "limits", "keep", "smooth", "straight_ends", "seam_position", "ignore_limits")
+"""Fields of `StripSpec` that a finished strip has no use for."""
+
+SAME_SHARE = 1e-6
+"""Largest relative difference of equal stiffnesses."""
+
+
+@dataclass(frozen=True, eq=False)
+class FinishedStrip:
+    """A strip that was made: the request for it on its own rest shape, and its stiffness.
+
+    Attributes
+    ----------
+    spec : StripSpec
+    stiffness : Profile
+        Over the least stiffness, along the strip.
+    bending_stiffness : float
+        Where the stiffness is least, N mm2.
+    designed : StripSpec, optional
+        The request in the report, if `spec` is a changed one.
+    """
+
+    spec: StripSpec
+    stiffness: Profile
+    bending_stiffness: float
+    designed: StripSpec | None = None
+
+    @classmethod
+    def read(cls, record: Any, curve: PlaneCurve) -> "FinishedStrip":
+        """Read what `request_record` wrote into a report whose rest shape is `curve`.
+
+        Raises
+        ------
+        InputError
+            Something else.
+        """
+        try:
+            given = _decoded(dict(record))
+            stiffness, scale = given.pop("stiffness"), given.pop("bending_stiffness")
+            spec = StripSpec(curve, smooth=0.0, straight_ends=False, ignore_limits=True, **given)
+            return cls(spec, stiffness, scale)
+        except (ElasticaError, KeyError, TypeError, ValueError) as problem:
+            raise InputError(
+                "the record `request` of the report cannot be read ({problem}): make the report again",
+                problem=str(problem),
+            ) from problem
+
+    def changed(self, **fields: Any) -> "FinishedStrip":
+        """Return the strip with other values of some fields of its request, and of the same stiffness.
+
+        One width replaces both widths, a law replaces widths and style and is replaced by them, and a strip
+        without gravity has no loads.
+        """
+        sheet, law = fields.get("sheet"), self.spec.law
+        sized = {"max_width", "min_width", "style"} & set(fields)
+        if "law" in fields:
+            ends = tuple(Tab(tab.length) for tab in self.spec.ends)
+            fields = {
+                "max_width": None,
+                "min_width": None,
+                "style": Plain(),
+                "slots": (),
+                "ends": ends,
+                **fields,
+            }
+        elif sized and law is not None:
+            fields = {"law": None, **fields}
+        elif sheet is not None and law is not None:
+            fields = {"law": replace(law, sheet=sheet), **fields}  # type: ignore[type-var]
+        if sized - {"style"}:
+            fields = {"max_width": None, "min_width": None, **fields}
+        if not fields.get("gravity", True):
+            fields = {"loads": (), **fields}
+        return replace(self, spec=self.spec.changed(**fields), designed=self.designed or self.spec)
+
+    def make(self) -> Strip:
+        """Return the strip, whose stiffness is that of the report."""
+        spec, designed = self.spec, self.designed or self.spec
+        asked = spec.rod_spec
+        laid = isinstance(asked.section, LaidLeaves)  # in steps, which no rod is solved for
+        # a law and the layers of a heavy laminate settle weight and size by themselves
+        solved = spec if spec.law is not None or asked.layers is not None else designed
+        rod = replace(solved.rod_spec, section=None if laid else solved.rod_spec.section).solve()
+        assert isinstance(rod, Rod)  # a request without limits
+        if not np.allclose(rod.stiffness, self.stiffness(rod.s), rtol=SAME_SHARE):
+            rod = rod.with_stiffness(self.stiffness)
+        scale = self.bending_stiffness
+        if spec is not designed and solved is spec:
+            scale = rod.bending_stiffness or scale
+        elif spec is not designed:
+            size = _size(spec, rod)
+            scale = size if designed.law is not None else scale * size / _size(designed, rod)
+            weight = asked.weight
+            if weight is not None and asked.gravity is not None:
+                weight = carried_weight(weight, asked.gravity, scale)
+            rod = replace(
+                rod, gravity=asked.gravity, weight=weight, section=asked.section,
+                natural_curvature=nodal_curvature(asked.natural_curvature, rod.s),
+            )  # fmt: skip
+        if rod.bending_stiffness is not None or rod.weight is not None or laid:
+            rod = replace(rod, section=asked.section, bending_stiffness=scale)
+            if isinstance(spec.style, Plain) and spec.law is None:  # the stiffness settles the widths
+                widest = scale * rod.profile.extremes[1] / PlainSection(spec.material).rigidity
+                spec = spec.changed(max_width=(1 + SAME_SHARE) * widest, min_width=None)
+        return spec.make(rod)
+
+
+def _size(spec: StripSpec, rod: Rod) -> float:
+    """Least bending stiffness, N mm2, of a strip of the request that carries nothing."""
+    unloaded = replace(rod, gravity=None, weight=None, section=None, bending_stiffness=None)
+    return spec.changed(gravity=False, loads=(), compensate=False).make(unloaded).bending_stiffness
+
+
+def read_request(path: Path) -> Any:
+    """Return the record `request` of the report in a file; None of another file, or of a report without it."""
+    if path.suffix.lower() != ".json":
+        return None
+    try:
+        data = json.loads(path.read_bytes())
+    except (OSError, ValueError, RecursionError):  # which the reader of curves refuses
+        return None
+    return data.get("request") if isinstance(data, dict) else None
+
+
+def request_record(spec: StripSpec, strip: Strip) -> dict[str, Any]:
+    """Return the request for a strip that was made, on its own rest shape, as plain data for JSON."""
+    plane = spec.in_plane
+    given = {one.name: getattr(plane, one.name) for one in fields(plane) if one.name not in SOLVED}
+    rod = strip.rod
+    given |= {
+        "sheet": spec.material, "ends": spec.tabs, "samples": rod.s.size,
+        "law": rod.section if isinstance(spec.law, LeavesLaw) else spec.law,
+        "stiffness": rod.profile, "bending_stiffness": strip.bending_stiffness,
+    }  # fmt: skip
+    return {name: _encoded(value) for name, value in given.items()}
+
+
+def _encoded(value: Any) -> Any:
+    """A value as JSON has it; infinite numbers are texts."""
+    if is_dataclass(value):
+        kind = next(name for name, record in RECORDS.items() if isinstance(value, record))
+        return {"record": kind} | {
+            one.name: _encoded(getattr(value, one.name)) for one in fields(RECORDS[kind]) if one.init
+        }
+    if isinstance(value, NominalRatio):
+        return {"record": NominalRatio.__name__, "value": float(value)}
+    if isinstance(value, np.ndarray | np.generic):
+        value = value.tolist()
+    if isinstance(value, list | tuple):
+        return [_encoded(one) for one in value]
+    if isinstance(value, float) and not np.isfinite(value):
+        return str(value)
+    return value
+
+
+def _decoded(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        given = {key: _decoded(one) for key, one in value.items() if key != "record"}
+        if value.get("record") == NominalRatio.__name__:
+            return NominalRatio(given["value"])
+        return RECORDS[value["record"]](**given) if "record" in value else given
+    if isinstance(value, list):
+        return tuple(map(_decoded, value))
+    return float(value) if value in ("inf", "-inf") else value

@@ -1,0 +1,191 @@
+"""What a design file says about one strip: its curve, its place in space, and how it is made."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias
+
+from elastica_cad.declared import Asked, Record
+from elastica_cad.design.drawn_curves import read_drawn_curve
+from elastica_cad.design.records import Reader, fields_of
+from elastica_cad.design.sections_table import SectionsTable
+from elastica_cad.design.tables import Table
+from elastica_cad.errors import InputError
+from elastica_cad.forming.limits import Keep, Limits
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.strip_spec import StripSpec
+
+if TYPE_CHECKING:
+    from elastica_cad.forming.section_lines import SectionCurve
+
+Triple: TypeAlias = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class SharedKeys:
+    """Keys that may stand for all strips at the top of a file or for some in [[strips]], beside a strip's own."""
+
+    BESIDE: ClassVar[Record] = StripSpec
+    WITHOUT: ClassVar[tuple[str, ...]] = ("curve", "slots", "label")
+    thickness: Annotated[
+        float | None,
+        Asked(
+            "Thickness of the sheet, where it is another than its own.",
+            "mm",
+            least=0,
+            group="sheet",
+            common=True,
+        ),
+    ] = None
+
+
+@dataclass(frozen=True)
+class StripKeys(SharedKeys):
+    """All keys of a table in [[strips]]."""
+
+    WITHOUT: ClassVar[tuple[str, ...]] = ()
+    count: Annotated[int, Asked("So many strips, i = 1, 2, ...", least=1)] = 1
+    let: Annotated[dict[str, float] | None, Asked("Names for formulae of this strip.")] = None
+    sections: Annotated[
+        SectionsTable | None, Asked("In place of the curve: a strip for every section of a surface.")
+    ] = None
+    origin: Annotated[
+        Triple, Asked("Where the origin of the drawing lies in space.", "mm", group="weight")
+    ] = (0, 0, 0)
+    x_axis: Annotated[Triple, Asked("Where the x axis of the drawing points in space.", group="weight")] = (
+        1,
+        0,
+        0,
+    )
+    y_axis: Annotated[Triple, Asked("Where the y axis of the drawing points in space.", group="weight")] = (
+        0,
+        0,
+        1,
+    )
+
+
+DOWN = (0.0, 0.0, -1.0)
+"""Where weight falls in space, unless told."""
+
+
+@dataclass(frozen=True, eq=False)
+class StripEntry:
+    """One strip of a design file.
+
+    Attributes
+    ----------
+    spec : StripSpec
+        What is asked.
+    section : str
+        The section of a surface that it follows and where that begins, else empty.
+    off_section : float
+        Largest distance of that section's points from the curve, mm.
+    """
+
+    spec: StripSpec
+    section: str = ""
+    off_section: float = 0.0
+
+    @property
+    def label(self) -> str:
+        """The label that is engraved on the strip and names it in messages."""
+        return self.spec.label
+
+    @property
+    def curve(self) -> PlaneCurve:
+        """The curve as drawn, mm."""
+        return self.spec.curve
+
+    @property
+    def sheet(self) -> Sheet:
+        """The sheet that the strip is cut from."""
+        return self.spec.material
+
+    @property
+    def frame(self) -> Frame:
+        """The plane that the curve is drawn in."""
+        return self.spec.frame or Frame()
+
+    @property
+    def called(self) -> str:
+        """How messages call the strip: its label, and its section where it has one."""
+        return f"{self.label} ({self.section})" if self.section else self.label
+
+
+def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve | None" = None) -> StripEntry:
+    """Read the strip that one table in [[strips]] requests; a `section` brings curve and plane.
+
+    Raises
+    ------
+    InputError
+        Unknown keys or values, missing files, curves that make no sense; the place is named.
+    """
+    frame = _plane(reader, table) if section is None else section.frame
+    asked = read_fields(table, reader) | {"label": label}
+    curve = read_drawn_curve(reader, table) if section is None else section.curve
+    spec = _spec(table, curve, frame, asked)
+    if section is None:
+        return StripEntry(spec)
+    return StripEntry(spec, section.called, section.deviation)
+
+
+def read_fields(table: Table, reader: Reader) -> dict[str, Any]:
+    """Return the fields of `StripSpec` that a table gives, but for its curve and plane.
+
+    Raises
+    ------
+    InputError
+        No sheet, or values of another kind; the place is named.
+    """
+    known = {one.name: one for one in fields_of(StripSpec) if one.name != "curve"}
+    if not table.has("sheet"):
+        raise InputError(
+            '{key} is missing; name a sheet, e.g. sheet = "birch-plywood-0.8"', key=table.place("sheet")
+        )
+    sheet: Sheet = reader.value(known["sheet"].kind, table, "sheet")
+    reader = replace(reader, sheet=sheet)
+    asked = {name: reader.value(one.kind, table, name) for name, one in known.items() if table.has(name)}
+    if "limits" in asked or "keep" in asked:
+        asked = {"limits": Limits(), "keep": Keep(), **asked}
+    return asked
+
+
+def read_request(table: Table, reader: Reader, curve: PlaneCurve, frame: Frame | None = None) -> StripSpec:
+    """Make the request for a strip from a table and a curve; the plane is read from the table unless it is given.
+
+    Without a plane in space, weight falls along -y of the drawing.
+
+    Raises
+    ------
+    InputError
+        No sheet, unknown values, or what `StripSpec` refuses.
+    """
+    asked = read_fields(table, reader)
+    direction = asked.get("gravity")
+    in_space = isinstance(direction, tuple) and len(direction) == len(DOWN)
+    if frame is None and (in_space or any(table.has(name) for name in PLANE)):
+        frame = _plane(reader, table)
+    return _spec(table, curve, frame, asked)
+
+
+def _spec(table: Table, curve: PlaneCurve, frame: Frame | None, asked: Mapping[str, Any]) -> StripSpec:
+    gravity = asked.get("gravity")
+    if isinstance(gravity, bool):
+        asked = {**asked, "gravity": (DOWN if frame is not None else True) if gravity else None}
+    with table.naming():
+        return StripSpec(curve, frame=frame, **asked)
+
+
+PLANE = ("origin", "x_axis", "y_axis")
+"""Keys that say where the drawing lies in space."""
+
+
+def _plane(reader: Reader, table: Table) -> Frame:
+    axes: Mapping[str, Any] = {
+        one.name: reader.value(one.kind, table, one.name) if table.has(one.name) else one.default
+        for one in fields_of(StripKeys)
+        if one.name in PLANE
+    }
+    with table.naming():
+        return Frame(**axes)

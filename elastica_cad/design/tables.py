@@ -1,0 +1,524 @@
+"""Tables of a design file: values by key, formulae, unknown keys refused."""
+
+import ast
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import cached_property, lru_cache
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._units import MM_PER_INCH
+from elastica_cad.errors import RENAMED, InputError, near_names, quoted
+from elastica_cad.formats.source_file import LARGEST_NUMBER
+from elastica_cad.refusals import Refusal, note, sentences
+
+Value: TypeAlias = "float | FloatArray"
+
+MOST_LETTERS = 2000
+"""Letters of a formula; longer ones belong into `let`, in parts."""
+
+LARGEST_RESULT = 1e300
+"""A little below the largest float, so that sums of a few stay finite."""
+
+MOST_NESTED = 60
+"""Brackets, signs and operators inside each other: Python's own parser gives up not much later."""
+
+CONSTANTS = {"pi": float(np.pi), "e": float(np.e), "degrees": float(np.pi / 180), "inch": MM_PER_INCH}
+"""`degrees` turns 30*degrees into radians, `inch` 1.5*inch into mm."""
+
+FUNCTIONS: dict[str, tuple[Callable[..., Value], int]] = {
+    "abs": (np.abs, 1), "sqrt": (np.sqrt, 1), "exp": (np.exp, 1), "log": (np.log, 1),
+    "sin": (np.sin, 1), "cos": (np.cos, 1), "tan": (np.tan, 1),
+    "asin": (np.arcsin, 1), "acos": (np.arccos, 1), "atan": (np.arctan, 1), "atan2": (np.arctan2, 2),
+    "sinh": (np.sinh, 1), "cosh": (np.cosh, 1), "tanh": (np.tanh, 1), "hypot": (np.hypot, 2),
+    "floor": (np.floor, 1), "sign": (np.sign, 1), "min": (np.minimum, 2), "max": (np.maximum, 2),
+    "where": (np.where, 3),
+}  # fmt: skip
+"""Functions and how many arguments they take; where(condition, a, b) chooses."""
+
+_OPERATORS: dict[type[ast.operator], Callable[[Value, Value], Value]] = {
+    ast.Add: np.add, ast.Sub: np.subtract, ast.Mult: np.multiply, ast.Div: np.divide, ast.Pow: np.power,
+    ast.Mod: np.mod,
+}  # fmt: skip
+
+_COMPARISONS: dict[type[ast.cmpop], Callable[[Value, Value], Value]] = {
+    ast.Lt: np.less, ast.LtE: np.less_equal, ast.Gt: np.greater, ast.GtE: np.greater_equal,
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A formula, read and checked but not yet computed.
+
+    Parameters
+    ----------
+    text : str
+        Numbers, names, + - * / % **, comparisons, and calls of `FUNCTIONS`.
+    where : str
+        What messages call it, such as the place in a design file.
+
+    Raises
+    ------
+    InputError
+        Anything else than arithmetic: what it is and at which letter.
+
+    Examples
+    --------
+    >>> Formula("hypot(3, 4) * x")(x=2.0)
+    10.0
+    """
+
+    text: str
+    where: str = "formula"
+
+    def __post_init__(self) -> None:
+        _check(self._tree, self)
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Names that must be given."""
+        calls = {node.func for node in ast.walk(self._tree) if isinstance(node, ast.Call)}
+        found = {n.id for n in self._parsed[1] if n not in calls}
+        return frozenset(found - set(CONSTANTS))
+
+    @property
+    def _tree(self) -> ast.expr:
+        return self._parsed[0]
+
+    @cached_property
+    def _parsed(self) -> "_Parsed":
+        if len(self.text) > MOST_LETTERS:
+            raise InputError(
+                "{place}: a formula of {count} letters is too long; use let to name parts",
+                place=self.where,
+                count=len(self.text),
+            )
+        try:
+            return _parsed(self.text)
+        except SyntaxError as error:
+            at = f"letter {error.offset}" if error.offset else "its end"
+            raise InputError(
+                "{place}: {typed!r} is no formula: it breaks off at {at}",
+                place=self.where,
+                typed=self.text,
+                at=at,
+            ) from error
+        except (ValueError, RecursionError, MemoryError) as error:
+            raise InputError(
+                "{place}: {typed!r} is no formula that can be read", place=self.where, typed=self.text[:60]
+            ) from error
+
+    def __call__(self, values: Mapping[str, Value] | None = None, **more: Value) -> Value:
+        """The value for names given as a mapping or as keywords; arrays are computed element by element.
+
+        Raises
+        ------
+        InputError
+            A name that has no value, or a result that is not finite.
+        """
+        known: dict[str, Value] = {**CONSTANTS, **(values or {}), **more}
+        tree, names = self._parsed
+        for node in names:
+            if node.id not in known and node.id not in FUNCTIONS:
+                raise InputError(self._unknown("name", node, known))
+        with np.errstate(all="ignore"):
+            result = np.asarray(_value(tree, known), dtype=float)
+        if not np.all(np.isfinite(result)):
+            raise InputError(
+                "{place}: {typed!r} gives no finite number: a division by 0 or a root below 0?",
+                place=self.where,
+                typed=self.text,
+            )
+        return float(result) if result.ndim == 0 else result
+
+    def _unknown(self, kind: str, node: ast.Name, known: Mapping[str, object]) -> str:
+        near = get_close_matches(node.id, known, n=1)
+        hint = (
+            note("did you mean {near}?", near=near[0])
+            if near
+            else note("known are {names}", names=", ".join(sorted(known)))
+        )
+        return note(
+            "{place}: unknown {thing} {name!r} at letter {letter} of {formula!r}; {hint}",
+            place=self.where, thing=kind, name=node.id, letter=node.col_offset + 1, formula=self.text,
+            hint=hint,
+        )  # fmt: skip
+
+
+_Parsed: TypeAlias = tuple[ast.expr, tuple[ast.Name, ...]]
+
+
+@lru_cache(maxsize=256)
+def _parsed(text: str) -> _Parsed:
+    """A formula's tree, and all names in it; strips of a family share their formulae."""
+    tree = ast.parse(text.strip(), mode="eval").body
+    return tree, tuple(node for node in ast.walk(tree) if isinstance(node, ast.Name))
+
+
+def _check(node: ast.expr, formula: Formula, depth: int = 0) -> None:
+    """Refuse whatever is not arithmetic."""
+    if depth > MOST_NESTED:
+        raise _refusal(node, formula, "this is nested too deeply; use let to name parts")
+    match node:
+        case ast.Constant(value=bool() | complex() | str() | bytes() | None):
+            raise _refusal(node, formula, f"{node.value!r} is no number")
+        case ast.Constant(value=int() | float() as number):
+            if abs(number) > LARGEST_RESULT:
+                raise _refusal(node, formula, f"numbers reach to {LARGEST_RESULT:g}")
+        case ast.Name():
+            if node.id in FUNCTIONS:
+                raise _refusal(node, formula, f"{node.id} is a function and needs its arguments in brackets")
+        case ast.UnaryOp(op=ast.USub() | ast.UAdd()):
+            _check(node.operand, formula, depth + 1)
+        case ast.BinOp():
+            if type(node.op) not in _OPERATORS:
+                hint = "write ** for powers" if isinstance(node.op, ast.BitXor) else "use + - * / % **"
+                raise _refusal(node, formula, f"this operator is not known; {hint}")
+            _check(node.left, formula, depth + 1)
+            _check(node.right, formula, depth + 1)
+        case ast.Compare(ops=[op], comparators=[other]) if type(op) in _COMPARISONS:
+            _check(node.left, formula, depth + 1)
+            _check(other, formula, depth + 1)
+        case ast.Call(func=ast.Name() as called, keywords=[]):
+            if called.id not in FUNCTIONS:
+                raise InputError(formula._unknown("function", called, FUNCTIONS))
+            count = FUNCTIONS[called.id][1]
+            if len(node.args) != count:
+                raise _refusal(node, formula, f"{called.id} takes {count} argument{'s' if count > 1 else ''}")
+            for argument in node.args:
+                _check(argument, formula, depth + 1)
+        case _:
+            raise _refusal(
+                node, formula, "only numbers, names, + - * / % **, < > and known functions are allowed"
+            )
+
+
+def _refusal(node: ast.expr, formula: Formula, fault: str) -> InputError:
+    return InputError(
+        "{place}: {typed!r}, letter {col_offset}: {fault}",
+        place=formula.where,
+        typed=formula.text[:80],
+        col_offset=node.col_offset + 1,
+        fault=fault,
+    )
+
+
+def _value(node: ast.expr, known: Mapping[str, Value]) -> Value:
+    """The value of a checked tree."""
+    match node:
+        case ast.Constant(value=int() | float() as number):
+            return float(number)
+        case ast.Name():
+            return known[node.id]
+        case ast.UnaryOp(op=op, operand=operand):
+            value = _value(operand, known)
+            return -value if isinstance(op, ast.USub) else value
+        case ast.BinOp():
+            return _OPERATORS[type(node.op)](_value(node.left, known), _value(node.right, known))
+        case ast.Compare(ops=[op], comparators=[other]):
+            return _COMPARISONS[type(op)](_value(node.left, known), _value(other, known))
+        case ast.Call(func=ast.Name() as called):
+            return FUNCTIONS[called.id][0](*(_value(argument, known) for argument in node.args))
+        case _:
+            raise AssertionError("a checked formula holds nothing else")
+
+
+MOST = 10_000
+"""Of anything that a file asks for a number of: strips, sections, repeats."""
+
+MOST_TOLD = 5
+"""Slips of one file that are told; what is behind them is counted, as one fault often makes many."""
+
+LONGEST_TOLD = 800
+"""Letters after which no other slip is told: one of a nested table may hold several."""
+
+LONGEST_KEY = 60
+"""Letters of an unknown key that are told."""
+
+OTHER_WORDS = {
+    "file": "curve", "path": "curve", "material": "sheet", "pages": "extras.pages", "paper": "extras.pages",
+}  # fmt: skip
+"""For keys: what others call them, by no letters that are alike; some stand in another table."""
+
+_AXES = {2: "[x, y]", 3: "[x, y, z]"}
+_COUNTS = {None: "", 2: "two ", 4: "four "}
+
+
+def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> float:
+    """The number that is written as a number or as a formula.
+
+    Raises
+    ------
+    InputError
+        Something else, or a formula that fails.
+    """
+    if isinstance(value, str):
+        value = Formula(value, where)(scope)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise InputError(
+            "{place} is {given}: it must be a number or a formula in quotes",
+            place=where,
+            given=quoted(value),
+        )
+    if not -LARGEST_NUMBER <= value <= LARGEST_NUMBER:
+        told = f"{value:.3g}" if isinstance(value, float) else "a whole number of many digits"
+        raise InputError(
+            "{place} is {told}: give a finite number of at most {largest_number:g}",
+            place=where,
+            told=told,
+            largest_number=LARGEST_NUMBER,
+        )
+    return float(value)
+
+
+def merged(table: Mapping[str, Any], others: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a table with the values of another put over its own, tables inside each other too."""
+    found = dict(table)
+    for key, value in others.items():
+        inner = found.get(key)
+        found[key] = merged(inner, value) if isinstance(inner, dict) and isinstance(value, dict) else value
+    return found
+
+
+class Slips:
+    """Errors of a file, collected from its parts so that all of them are reported at once."""
+
+    def __init__(self) -> None:
+        self._said: dict[str, str] = {}
+
+    def add(self, sentence: str, where: str = "") -> None:
+        """Add an error, unless another place has the same one already."""
+        self._said.setdefault(sentence.removeprefix(where), sentence)
+
+    @contextmanager
+    def gathering(self) -> Iterator[None]:
+        """Collect the errors of the block instead of raising them, so that reading goes on."""
+        try:
+            yield
+        except InputError as problem:
+            self.add(str(problem))
+
+    @property
+    def text(self) -> str:
+        """Return one sentence for each error, or the first ones and how many more; empty without errors."""
+        told: list[str] = []
+        for sentence in list(self._said.values())[:MOST_TOLD]:
+            if told and sum(map(len, [*told, sentence])) > LONGEST_TOLD:
+                break
+            told.append(sentence)
+        told = told or [""]
+        if (left := len(self._said) - len(told)) > 0:
+            told.append(note("{left} more; mend these first", left=left))
+        *others, last = told
+        ended = (one if one.endswith((".", "?")) else sentences([one], end=".") for one in others)
+        return sentences([*ended, last], " Also: ")
+
+    def tell(self) -> None:
+        """Raise InputError with all errors, if there are any."""
+        if self.text:
+            raise InputError(self.text)
+
+
+class Table:
+    """A table of a design file and the names that its formulae may use.
+
+    Parameters
+    ----------
+    data : mapping
+        As parsed.
+    where : str
+        File and place, for messages.
+    scope : mapping
+        Names with their values.
+    defaults : Table, optional
+        Asked for keys that are missing here.
+    """
+
+    def __init__(
+        self, data: object, where: str, scope: Mapping[str, Value], defaults: "Table | None" = None
+    ) -> None:
+        if not isinstance(data, Mapping):
+            raise InputError(
+                "{place} must be a table of keys and values, not {data}", place=where, data=quoted(data)
+            )
+        self.data: Mapping[str, Any] = data
+        self.where = where
+        self.scope = scope
+        self.defaults = defaults
+
+    def only(self, *keys: str) -> "Table":
+        """Return this table, and refuse it where it holds any other key."""
+        slips = Slips()
+        for key in self.data:
+            if RENAMED.get(key) in keys:
+                slips.add(note(
+                    "{place}: {key!r} is now called {near}",
+                    place=self.where, key=key, near=RENAMED[key],
+                ))  # fmt: skip
+            elif key not in keys:
+                meant = OTHER_WORDS.get(key.lower(), "")
+                near = [meant] if meant in keys or "." in meant else near_names(key.lower(), keys, cutoff=0.5)
+                hint = (
+                    note("did you mean {near}?", near=near[0])
+                    if near
+                    else note("known keys are {keys}", keys=", ".join(sorted(keys)))
+                )
+                slips.add(note(
+                    "{place}: unknown key {key!r}; {hint}",
+                    place=self.where, key=key[:LONGEST_KEY], hint=hint,
+                ))  # fmt: skip
+        slips.tell()
+        return self
+
+    def place(self, key: str) -> str:
+        """Return how messages call the place of a key."""
+        return f"{self.where}: {key}" if self.where else key
+
+    @contextmanager
+    def naming(self, key: str | None = None) -> Iterator[None]:
+        """Let errors of the block name this table, or the value of `key`, unless they name a place already."""
+        try:
+            yield
+        except InputError as error:
+            where = self.where if key is None else self.place(key)
+            why = error.refusal
+            if where and not why.startswith(self.where or where):
+                why = Refusal(
+                    why.kind, "{place}: {why}", {"place": where, "why": why}, why.where, why.changes
+                )
+            raise InputError(why, kind=why.kind) from error
+
+    def raw(self, key: str, default: Any = None) -> Any:
+        """Return the value of a key as parsed, here or in the defaults."""
+        if key in self.data:
+            return self.data[key]
+        return default if self.defaults is None else self.defaults.raw(key, default)
+
+    def has(self, key: str) -> bool:
+        """Tell whether a key is given, here or in the defaults."""
+        return self.raw(key) is not None
+
+    def number(self, key: str, default: float | None = None) -> float:
+        """Return a number, which a formula may give.
+
+        Raises
+        ------
+        InputError
+            Missing without a default, or no number.
+        """
+        value = self.raw(key, default)
+        if value is None:
+            raise InputError("{key} is missing; give it a number or a formula in quotes", key=self.place(key))
+        return _compute_number(value, self.place(key), self.scope)
+
+    def maybe(self, key: str) -> float | None:
+        """Return a number, or None where it is not given."""
+        return self.number(key) if self.has(key) else None
+
+    def count(self, key: str, default: int, most: float = MOST) -> int:
+        """Return a whole number from 1 to `most`."""
+        value = self.number(key, default)
+        if value != int(value) or value < 1:
+            raise InputError(
+                "{key} is {given:g}: it must be a whole number, 1 or more", key=self.place(key), given=value
+            )
+        if value > most:
+            raise InputError(
+                "{key} is {given:g}, and at most {most} are made: ask for fewer",
+                key=self.place(key),
+                given=value,
+                most=most,
+            )
+        return int(value)
+
+    def vector(self, key: str, size: int, default: Sequence[float] | None = None) -> tuple[float, ...]:
+        """Return `size` numbers, each of which a formula may give."""
+        value = self.raw(key, default)
+        if not isinstance(value, list | tuple) or len(value) != size:
+            raise InputError(
+                "{key} is {given}: it must be {size} numbers in brackets",
+                key=self.place(key),
+                given=quoted(value),
+                size=size,
+            )
+        return tuple(
+            _compute_number(one, f"{self.place(key)}[{i}]", self.scope)
+            for i, one in enumerate(value, start=1)
+        )
+
+    def row(self, key: str) -> tuple[float, ...]:
+        """Return a list of numbers of any length, empty where it is not given."""
+        given = self.raw(key, ())
+        if not isinstance(given, Sequence) or isinstance(given, str):
+            raise InputError(
+                "{key} is {given}: it must be numbers in brackets", key=self.place(key), given=quoted(given)
+            )
+        return self.vector(key, len(given), ())
+
+    def points(self, key: str, size: int, count: int | None = None) -> list[tuple[float, ...]]:
+        """Return points of `size` numbers each: `count` of them, or any number."""
+        rows = self.raw(key)
+        if not isinstance(rows, list) or not rows or count not in (None, len(rows)):
+            raise InputError(
+                "{key} must be a list of {counts}points {axes}",
+                key=self.place(key),
+                counts=_COUNTS[count],
+                axes=_AXES[size],
+            )
+        numbered = Table({f"{key}[{i}]": row for i, row in enumerate(rows, start=1)}, self.where, self.scope)
+        return [numbered.vector(name, size) for name in numbered.data]
+
+    def text(self, key: str, default: str | None = None, choices: Sequence[str] = ()) -> str:
+        """Return a text, and refuse it where `choices` are given and it is none of them."""
+        value = self.raw(key, default)
+        if not isinstance(value, str):
+            raise InputError(
+                "{key} is {given}: it must be text in quotes", key=self.place(key), given=quoted(value)
+            )
+        if choices and value not in choices:
+            raise InputError(
+                "{key} is {given}: use one of {choices}",
+                key=self.place(key),
+                given=quoted(value),
+                choices=", ".join(choices),
+            )
+        return value
+
+    def flag(self, key: str, default: bool = False) -> bool:
+        """Return true or false."""
+        value = self.raw(key, default)
+        if not isinstance(value, bool):
+            raise InputError(
+                "{key} is {given}: it must be true or false", key=self.place(key), given=quoted(value)
+            )
+        return value
+
+    def table(self, key: str) -> "Table":
+        """Return the table inside this one, empty where it is not given."""
+        return Table(self.raw(key, {}), self.place(key), self.scope)
+
+    def tables(self, key: str) -> "list[Table]":
+        """Return the tables of a list."""
+        value = self.raw(key, [])
+        if not isinstance(value, list):
+            raise InputError(
+                "{key} must be a list of tables, not {given}", key=self.place(key), given=quoted(value)
+            )
+        return [Table(one, f"{self.place(key)}[{i}]", self.scope) for i, one in enumerate(value, start=1)]
+
+    def within(self, let: object) -> dict[str, Value]:
+        """Return the scope with further names; the value of each may use those before it."""
+        scope = dict(self.scope)
+        for name, value in Table(let, self.place("let"), scope).data.items():
+            if not name.isidentifier():
+                raise InputError(
+                    "{place}: {name!r} is no name; use letters, digits and _",
+                    place=self.place("let"),
+                    name=name,
+                )
+            scope[name] = _compute_number(value, f"{self.place('let')}.{name}", scope)
+        return scope

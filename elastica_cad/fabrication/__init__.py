@@ -1,5 +1,0 @@
-"""What is cut and printed: drawings, lettering, kerf, strips."""
-
-from elastica_cad._exports import exports
-
-__getattr__, __dir__, __all__ = exports(__file__, __name__)

@@ -1,1 +1,0 @@
-"""Drawings on named layers: lettering, kerf, holding bridges, colours."""

@@ -1,1 +1,0 @@
-"""What holds the ends of strips: fixtures, base plates, slotted frames, rings."""

@@ -1,1 +1,0 @@
-"""Models: strips in space, equal parts, surfaces of revolution, assemblies."""

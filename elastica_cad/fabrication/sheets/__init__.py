@@ -1,1 +1,0 @@
-"""Pieces on sheets: nesting, cut lists, the bend coupon."""

@@ -1,1 +1,0 @@
-"""Bodies of flat and bent strips as boundary records that a CAD kernel only translates."""

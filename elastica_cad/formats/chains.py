@@ -1,0 +1,678 @@
+"""Loose edges of a file put end to end, and each chain of them made one curve."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from math import dist
+from typing import TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.formats.edges import Edge, Run, Source, reverse_run
+from elastica_cad.formats.source_file import MOST_PIECES, check_count, check_size, check_tolerance
+from elastica_cad.geometry.fairing import FIT_TOLERANCE, allowed_distance, fit_polyline, smooth_through
+from elastica_cad.geometry.measured_points import TOLD_MM, MeasuredPoints, Provenance
+from elastica_cad.geometry.path import distances
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import lengths_along
+from elastica_cad.geometry.segments import Spline
+from elastica_cad.geometry.splines import bezier_spans, interpolation_sites
+from elastica_cad.geometry.tangent_healing import heal_tangents
+from elastica_cad.refusals import Length
+
+JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
+NEAR_MM, NEAR_SHARE = 3.0, 0.1  # ends nearer than both, of the smaller curve, were perhaps meant to meet
+DIGIT_MM, DIGIT_SHARE = 0.5, 0.01  # largest gap by rounding that is closed: in mm, and of the smaller curve
+_ALONGSIDE = np.cos(np.radians(160.0))  # cosine between ends of two curves that run side by side
+HOLE_ASIDE = 0.1  # of its diameter: how far a hole's circle may be drawn off the straight end that it is in
+SAME_POINT = 1e-13  # of the largest coordinate: points nearer than this differ by rounding
+LARGEST_TURN, LEAST_TURN = (
+    50.0,
+    5.0,
+)  # degrees: corners of points always, and of sides that no smooth curve follows
+_STRAIGHT_ON = np.cos(np.radians(1.0))  # cosine of the turn up to which two ends share a tangent
+_LONG = 20.0  # tolerances: sides of a polyline longer than this are meant as straight
+_DIGIT = 1.1 * np.sqrt(2.0)  # roundings of a coordinate that an end is off by, with that of an angle
+_DENSE = 50  # inner knots: a spline with more was made through points
+_ROUGH = 0.2  # of the largest curvature: second difference from knot to knot that no drawn bend explains
+_REFINED = 10  # rounds in which the nearest place is found, four times as closely in each
+_CROWD = 50  # ends in one place, on all layers: more are no joint of two curves
+
+_Joints: TypeAlias = dict[
+    tuple[int, int], tuple[int, int]
+]  # end (run, 0 start or 1 end) -> the end it touches
+_Place: TypeAlias = tuple[int, float]  # number of an edge in a run, and its parameter
+
+
+@dataclass(frozen=True, eq=False)
+class JoinedRuns:
+    """Chains of edges, and what was done to join them.
+
+    Attributes
+    ----------
+    chains : list of Run
+    overlaps : tuple of (Source, Source, str)
+        Shapes that lie on another shape of at least their length: the shape, the other one, and "left out" if both
+        have one layer and name, else "kept". If they overlap in part, "joined" to their union, or "in part" if
+        they have other layers or names, or if a third shape meets them there.
+    closed : tuple of float
+        Widths, mm, of the gaps that were closed because the digits of the file explain them.
+    widest : float
+        Largest width, mm, of a gap that was closed or would have been.
+    """
+
+    chains: list[Run]
+    overlaps: tuple[tuple[Source, Source, str], ...] = ()
+    closed: tuple[float, ...] = ()
+    widest: float = 0.0
+
+
+def join_runs(
+    runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE, *, corners: bool = True
+) -> JoinedRuns:
+    """Join runs of edges wherever exactly two ends lie within `tolerance` mm of each other.
+
+    A chain runs the way its first edge in the file was drawn. Where three or more ends meet nothing is
+    joined, for no file says which way the strip goes on, and none across layers. A shape with a name is joined to
+    no other shape. Of edges that lie on each other the longer one counts, one shorter than the tolerance not.
+    The chains are joined again across gaps of one unit of the last digit.
+
+    Parameters
+    ----------
+    corners : bool
+        Join ends also where the direction turns by more than 1 degree.
+    """
+    check_tolerance(tolerance, "tolerance for joining")
+    long = [tuple(run) for run in runs if sum(e.size for e in run) > tolerance]
+    if len(long) < 2:
+        return JoinedRuns(long)
+    kept, overlaps = _without_overlaps(long, tolerance)
+    chains, _ = _chained(kept, np.full(2 * len(kept), tolerance / 2), corners=corners)
+    reach = np.maximum(_digits_of_ends(chains), tolerance / 2)
+    chains, closed = _chained(chains, reach, corners=corners)
+    return JoinedRuns(chains, overlaps, closed, 2 * float(reach.max(initial=0.0)))
+
+
+def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
+    """Distance (2 n,), mm, of both ends of every chain from the drawn ones that the file's last digit explains."""
+    known = [edge.source.rounding for run in chains for edge in run if edge.source and edge.source.rounding]
+    sizes = np.repeat([sum(edge.size for edge in run) for run in chains], 2)
+    digit = _DIGIT * min(known, default=0.0)
+    return np.asarray(np.minimum(digit, np.minimum(DIGIT_MM, DIGIT_SHARE * sizes) / 2))
+
+
+def _chained(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> tuple[list[Run], tuple[float, ...]]:
+    """Join runs whose ends are within the sum of their reaches (2 n,), mm; return chains and the gaps between."""
+    partner = _partners(runs, reach, corners=corners)
+    ends = _ends(runs).reshape(len(runs), 2, -1)
+    chains, used, gaps = [], [False] * len(runs), []
+    for first in range(len(runs)):
+        if used[first]:
+            continue
+        forward = _walk(first, 1, partner, used)
+        backward = _walk(first, 0, partner, used)
+        way = [(i, 1 - side) for i, side in reversed(backward)] + [(first, 1)] + forward
+        chains.append(tuple(e for i, side in way for e in (runs[i] if side else reverse_run(runs[i]))))
+        gaps += [dist(ends[i, side], ends[j, 1 - last]) for (i, side), (j, last) in pairwise(way)]
+    return chains, tuple(gaps)
+
+
+def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
+    """Tell drawn holes, circles whose centre lies on a straight first or last edge of an open chain, from curves.
+
+    Returns
+    -------
+    chains : list of runs
+        All that are no such circle.
+    holes : list of lists of runs
+        The circles on each of these.
+    """
+    ended = [
+        i
+        for i, run in enumerate(chains)
+        if len(run) > 1
+        and (_is_line(run[0]) or _is_line(run[-1]))
+        and np.linalg.norm(run[-1].end - run[0].start) > JOIN_TOLERANCE
+    ]
+    if not ended:
+        return [*chains], [[] for _ in chains]
+    found: dict[int, list[Run]] = {}
+    taken = set()
+    for i, circle in ((i, _circle(chain)) for i, chain in enumerate(chains)):
+        if circle is None:
+            continue
+        for k in ended:
+            if any(_is_on(*circle, edge) for edge in (chains[k][0], chains[k][-1])):
+                found.setdefault(k, []).append(chains[i])
+                taken.add(i)
+    kept = [i for i in range(len(chains)) if i not in taken]
+    return [chains[i] for i in kept], [found.get(i, []) for i in kept]
+
+
+def _is_line(edge: Edge) -> bool:
+    return len(edge.points) == 2
+
+
+def _is_on(centre: FloatArray, diameter: float, edge: Edge) -> bool:
+    """Is a straight edge a diameter of the circle, but for a tenth, that is well inside of the edge?"""
+    if not _is_line(edge):
+        return False
+    way, out = edge.end - edge.start, centre - edge.start
+    length = float(np.linalg.norm(way))
+    along = float(out @ way) / max(length, 1e-300)
+    aside = float(np.linalg.norm(out - along * way / max(length, 1e-300)))
+    return diameter / 2 < along < length - diameter / 2 and aside <= HOLE_ASIDE * diameter
+
+
+def _circle(run: Run) -> tuple[FloatArray, float] | None:
+    """Centre and diameter of a run that is one whole circle."""
+    if any(edge.degree < 2 or edge.weights is None for edge in run):
+        return None
+    if np.linalg.norm(run[-1].end - run[0].start) > JOIN_TOLERANCE:
+        return None
+    points = np.concatenate([edge.at(edge.stations(9)) for edge in run])
+    centre = (points.max(axis=0) + points.min(axis=0)) / 2
+    away = np.linalg.norm(points - centre, axis=1)
+    return (centre, 2 * float(away.mean())) if np.ptp(away) <= JOIN_TOLERANCE else None
+
+
+def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int, int, FloatArray]]:
+    """Find ends of two chains on one layer that were not joined and yet nearly meet: distance (mm), both chains,
+    the place.
+
+    That is within 3 mm and a tenth of the smaller chain; the nearest first. Ends of chains that run side by side
+    are not meant to meet. Ends within `tolerance` are listed where a name keeps them apart.
+    """
+    if len(chains) < 2:
+        return []
+    from scipy.spatial import cKDTree
+
+    ends = _ends(chains)
+    sizes = [sum(edge.size for edge in chain) for chain in chains]
+    found = []
+    for a, b in sorted(cKDTree(ends).query_pairs(NEAR_MM)):
+        i, j = a // 2, b // 2
+        apart = float(np.linalg.norm(ends[a] - ends[b]))
+        one, other = _source_of(chains[i]), _source_of(chains[j])
+        apart_drawn = apart > tolerance or one.is_named or other.is_named
+        near = i != j and apart_drawn and apart <= NEAR_SHARE * min(sizes[i], sizes[j])
+        if not near or one.layer != other.layer:
+            continue
+        if apart <= tolerance or _onward(chains, divmod(a, 2), divmod(b, 2)) > _ALONGSIDE:
+            found.append((apart, i, j, ends[a]))
+    return sorted(found, key=lambda one: one[0])
+
+
+def _walk(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:
+    """Runs met when leaving `first` by its end `side` (0 start, 1 end), each with the end it is left by."""
+    used[first] = True
+    way: list[tuple[int, int]] = []
+    here = (first, side)
+    while here in partner:
+        i, entered = partner[here]
+        if used[i]:
+            break
+        used[i] = True
+        here = (i, 1 - entered)
+        way.append(here)
+    return way
+
+
+def _source_of(run: Sequence[Edge]) -> Source:
+    """The shape that the run's first edge belongs to."""
+    return run[0].source or Source()
+
+
+def _ends(runs: Sequence[Run]) -> FloatArray:
+    """Start and end of every run, (2 n, d)."""
+    return np.array([point for run in runs for point in (run[0].start, run[-1].end)])
+
+
+def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Joints:
+    """For each end (run, side) the one other end it touches, if there is just one."""
+    from scipy.spatial import cKDTree
+
+    ends = _ends(runs)
+    sources = [_source_of(run) for run in runs]
+    groups = [(source.layer, source if source.is_named else None) for source in sources]
+    tree, farthest = cKDTree(ends), reach + reach.max()
+    crowd = tree.query_ball_point(ends, farthest, return_length=True)
+    near = [
+        [
+            j
+            for j in tree.query_ball_point(end, farthest[k])
+            if groups[j // 2] == groups[k // 2] and dist(end, ends[j]) <= reach[k] + reach[j]
+        ]
+        if 1 < crowd[k] <= _CROWD
+        else []
+        for k, end in enumerate(ends)
+    ]
+    found = {}
+    for k, group in enumerate(near):
+        if len(group) == 2:
+            other = group[0] if group[1] == k else group[1]
+            one, two = divmod(k, 2), divmod(other, 2)
+            if len(near[other]) == 2 and one[0] != two[0] and (corners or _goes_on(runs, one, two)):
+                found[one] = two
+    return found
+
+
+def _goes_on(runs: Sequence[Run], one: tuple[int, int], other: tuple[int, int]) -> bool:
+    """Return True if the direction turns by at most 1 degree from one end (run, side) to another."""
+    return bool(_onward(runs, one, other) > _STRAIGHT_ON)
+
+
+def _onward(runs: Sequence[Run], one: tuple[int, int], other: tuple[int, int]) -> float:
+    """Return the cosine of the turn from one end (run, side) to another."""
+    out, into = (_outward(reverse_run(runs[i]) if side == 0 else runs[i]) for i, side in (one, other))
+    return float(-out @ into)
+
+
+def _outward(run: Run) -> FloatArray:
+    """Direction in which the run leaves its end."""
+    low, high = run[-1].spans.edges[-2:]
+    before, end = run[-1].at([high - 1e-4 * (high - low), high])
+    return np.asarray((end - before) / max(float(np.linalg.norm(end - before)), 1e-300), dtype=float)
+
+
+def _without_overlaps(
+    runs: Sequence[Run], tolerance: float
+) -> tuple[list[Run], tuple[tuple[Source, Source, str], ...]]:
+    """The runs less those that lie on a longer one, or on an earlier one as long; and all that overlap."""
+    from scipy.spatial import cKDTree
+
+    ends = _ends(runs).reshape(len(runs), 2, -1)
+    sources = [_source_of(run) for run in runs]
+    in_part: list[tuple[int, int]] = []
+    called = [(source.layer, source.is_named and source.name) for source in sources]
+    sizes = np.array([sum(edge.length for edge in run) for run in runs])
+    tree = cKDTree(ends.mean(axis=1))
+    order = np.argsort(-sizes.round(6), kind="stable")
+    rank = np.argsort(order)
+    dropped: set[int] = set()
+    overlaps = []
+    for j in order.tolist():
+        if j in dropped:
+            continue
+        points = np.concatenate([edge.points for edge in runs[j]])
+        low, high = points.min(axis=0) - tolerance, points.max(axis=0) + tolerance
+        reach = (dist(low, high) + sizes[j]) / 2
+        near = np.array(tree.query_ball_point((low + high) / 2, reach), dtype=int)
+        near = np.sort(near[rank[near] > rank[j]])
+        inside = np.all((ends[near] >= low) & (ends[near] <= high), axis=2)
+        apart = np.linalg.norm(ends[near][:, :, None] - ends[j], axis=3).min(axis=2) > tolerance
+        for i in near[inside.all(axis=1) | (inside & apart).any(axis=1)].tolist():
+            if i in dropped:
+                continue
+            touching = [_is_on_run(ends[i, [side]], runs[j], tolerance) for side in (0, 1)]
+            if all(touching) and _is_on_run(_probes(runs[i]), runs[j], tolerance):
+                same = called[i] == called[j]
+                overlaps.append((sources[i], sources[j], "left out" if same else "kept"))
+                if same:
+                    dropped.add(i)
+            elif any(touching):
+                in_part.append((i, j))
+    limits: dict[int, list[_Place]] = {}
+    least = max(tolerance, 2 * float(_digits_of_ends(runs).max()))  # a shorter one is a gap by rounding
+    alone = cKDTree(_ends([runs[i] for i in range(len(runs)) if i not in dropped]))
+    for i, j in in_part:
+        cuts = [] if {i, j} & dropped else _common_parts(runs[i], runs[j], tolerance, least)
+        for side, place, met in cuts:
+            meeting = alone.query_ball_point([ends[i, side], met], tolerance, return_length=True)
+            is_union = called[i] == called[j] and meeting.max() == 1
+            overlaps.append((sources[i], sources[j], "joined" if is_union else "in part"))
+            if is_union:
+                first, last = limits.setdefault(i, [*_whole(runs[i])])
+                limits[i] = [first, min(last, place)] if side else [max(first, place), last]
+    cut = [
+        _part(run, *limits.get(i, _whole(run))) if i in limits else run
+        for i, run in enumerate(runs)
+        if i not in dropped
+    ]
+    return [run for run in cut if sum(edge.size for edge in run) > tolerance], tuple(overlaps)
+
+
+def _common_parts(
+    run: Run, longer: Run, tolerance: float, least: float
+) -> list[tuple[int, _Place, FloatArray]]:
+    """Return the ends (0 start, 1 end) from which the run lies on a longer run up to an end of that, for more than
+    `least` mm, with the place in the run and the end of the longer run."""
+    found = []
+    on_run = [(place, end) for end in _ends([longer]) if (place := _place_of(end, run, tolerance))]
+    for side in (0, 1):
+        for place, end in sorted(on_run, key=lambda one: one[0], reverse=bool(side)):
+            first, last = _whole(run)
+            common = _part(run, place, last) if side else _part(run, first, place)
+            if sum(e.size for e in common) > least and _is_on_run(_probes(common), longer, tolerance):
+                found.append((side, place, end))
+                break
+    return found
+
+
+def _whole(run: Run) -> tuple[_Place, _Place]:
+    """Return the first and the last place of a run."""
+    return (0, float(run[0].spans.edges[0])), (len(run) - 1, float(run[-1].spans.edges[-1]))
+
+
+def _place_of(point: FloatArray, run: Run, tolerance: float) -> _Place | None:
+    """Return the place in the run that is nearest to a point (d,), if it is within `tolerance` mm."""
+    nearest = [(*_nearest(edge, point[None]), k) for k, edge in enumerate(run)]
+    away, t, k = min((float(away[0]), float(t[0]), k) for away, t, k in nearest)
+    return (k, t) if away <= tolerance else None
+
+
+def _part(run: Run, first: _Place, last: _Place) -> Run:
+    """Return the run from one place to another; empty if the last is before the first."""
+    parts = []
+    for k in range(first[0], last[0] + 1):
+        low, high = run[k].spans.edges[[0, -1]]
+        low, high = first[1] if k == first[0] else low, last[1] if k == last[0] else high
+        if low < high:
+            knots, points = _clamped(run[k], run[k].degree, low, high)
+            weights = None if run[k].weights is None else points[:, -1]
+            parts.append(Edge(knots, points[:, :-1] / points[:, -1:], run[k].degree, weights, run[k].source))
+    return tuple(parts)
+
+
+def _is_on_run(points: FloatArray, run: Run, tolerance: float) -> bool:
+    """Return True if all points (n, d) are within `tolerance` mm of the run."""
+    for edge in run:
+        low, high = edge.points.min(axis=0) - tolerance, edge.points.max(axis=0) + tolerance
+        near = np.all((points >= low) & (points <= high), axis=1)
+        near[near] = _nearest(edge, points[near])[0] <= tolerance
+        points = points[~near]
+    return not len(points)
+
+
+def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Distances (n,), mm, of points (n, d) from an edge, and the parameters (n,) there."""
+    from scipy.spatial import cKDTree
+
+    if not len(points):
+        return np.zeros(0), np.zeros(0)
+    stations = edge.stations()
+    nearest = cKDTree(edge.at(stations)).query(points)[1]
+    low, high = stations[np.maximum(nearest - 1, 0)], stations[np.minimum(nearest + 1, len(stations) - 1)]
+    rows = np.arange(len(points))
+    for _ in range(_REFINED):
+        t = low[:, None] + (high - low)[:, None] * np.linspace(0, 1, 9)
+        away = np.linalg.norm(edge.at(t.ravel()).reshape(*t.shape, -1) - points[:, None], axis=2)
+        best = away.argmin(axis=1)
+        low, high = t[rows, np.maximum(best - 1, 0)], t[rows, np.minimum(best + 1, 8)]
+    return away[rows, best], t[rows, best]
+
+
+def _probes(run: Run) -> FloatArray:
+    """Points along the run, enough to tell it from another with the same ends."""
+    return np.concatenate([e.at(np.linspace(e.spans.edges[0], e.spans.edges[-1], 9)) for e in run])
+
+
+def curve_from_run(
+    run: Sequence[Edge],
+    *,
+    tolerance: float = JOIN_TOLERANCE,
+    fit_tolerance: float = FIT_TOLERANCE,
+    shown: Provenance | None = None,
+    holes: Sequence[Run] = (),
+) -> PlaneCurve:
+    """Make one curve from edges in the plane that follow each other.
+
+    A run of straight pieces only is a polyline: its vertices are fitted. True curves stay exact; of several,
+    each keeps its own form, brought to a common degree, and starts where the one before it ends: gaps up to
+    `tolerance` mm are closed by moving whole edges, which turns no tangent. Corners that the number of digits
+    explains are taken out. `PlaneCurve.breaks` tells how smooth the joints are.
+
+    Parameters
+    ----------
+    shown : Provenance, optional
+        How the drawing program shows places; the curve's own record is made of it.
+    holes : sequence of runs
+        Circles drawn on its straight ends, in the plane too.
+
+    Raises
+    ------
+    InputError
+        When the numbers make no curve.
+    """
+    check_size(np.concatenate([edge.points for edge in run]))
+    check_count(
+        sum(edge.spans.widths.size if edge.degree > 1 else len(edge.points) // 4 for edge in run),
+        MOST_PIECES,
+        "pieces in one curve",
+        "simplify the curve (Inkscape: Path > Simplify), or cut it in parts",
+    )
+    sources = [edge.source for edge in run if edge.source is not None]
+    drawn = replace(
+        shown or Provenance(),
+        rounding=max((source.rounding for source in sources), default=0.0),
+        name=sources[0].name if sources else "",
+        layer=sources[0].layer if sources else "",
+        holes=tuple((float(x), float(y), size) for (x, y), size in filter(None, map(_circle, holes))),
+    )
+    if all(edge.degree == 1 for edge in run):
+        vertices = np.concatenate([run[0].points, *(edge.points[1:] for edge in run[1:])])
+        return curve_from_points(vertices, tolerance=fit_tolerance, drawn=drawn, sides=True)
+    dust = 1e-9 * sum(edge.size for edge in run)
+    pieces = [_exact(edge, fit_tolerance) for edge in run if edge.size > dust]
+    exact = [part for edge in pieces for part in _with_handles(edge)]
+    one = exact[0] if len(exact) == 1 else _joined(exact, tolerance)
+    if len(exact) == 1:
+        drawn = replace(drawn, measured=_interpolated_points(one, drawn.rounding))
+    healing = heal_tangents(one.knots, one.points, one.degree, one.weights, rounding=drawn.rounding)
+    return PlaneCurve(
+        healing.knots,
+        healing.control_points,
+        healing.degree,
+        healing.weights,
+        replace(drawn, healed=healing.moved, undecided=healing.undecided),
+    )
+
+
+def _interpolated_points(edge: Edge, rounding: float) -> MeasuredPoints | None:
+    """Return the points that a dense spline interpolates, if its curvature changes abruptly from knot to knot.
+
+    Its noise is too small to be seen in the drawing, and yet it, or an end without curvature, shows in the widths.
+    """
+    knots = edge.spans.edges
+    inner = edge.knots[edge.degree + 1 : -edge.degree - 1]
+    if edge.degree != 3 or edge.weights is not None or len(inner) < _DENSE or np.any(np.diff(inner) == 0):
+        return None
+    curve = PlaneCurve(edge.knots, edge.points, edge.degree)
+    curvature = curve.curvature_at(knots)
+    rough = np.abs(np.diff(curvature, 2)).max() > _ROUGH * np.abs(curvature).max()
+    return MeasuredPoints.of(edge.at(knots), TOLD_MM, rounding) if rough else None
+
+
+def curve_from_points(
+    points: FloatArray,
+    *,
+    tolerance: float = FIT_TOLERANCE,
+    drawn: Provenance | None = None,
+    noise: float = 0.0,
+    sides: bool = False,
+) -> PlaneCurve:
+    """The curve through measured points (n, 2): a line if in line, else fitted within `tolerance` mm.
+
+    Corners stay corners (`PlaneCurve.tangent_breaks` tells them): a turn by more than 50 degrees between two
+    straight pieces that are long beside the tolerance, and beside noise, was drawn, not measured. The noise of
+    points that waver, `noise` mm at least, is in the curve's record, and those that no smooth curve follows are its
+    corners. If the straight sides between the points are drawn (`sides`), a curve that leaves them by more than
+    `allowed_distance` is cut at every turn of more than 5 degrees.
+
+    Raises
+    ------
+    InputError
+        Fewer than two different points, or numbers that are not finite.
+    """
+    if not np.all(np.isfinite(points)):
+        raise InputError("a point has a coordinate that is not a finite number")
+    if len(points):
+        apart = SAME_POINT * np.abs(points).max()
+        points = points[np.append(True, np.any(np.abs(np.diff(points, axis=0)) > apart, axis=1))]
+    if len(points) < 2:
+        raise InputError("a curve needs two different points or more: draw it anew, or leave it out")
+    drawn = drawn or Provenance()
+    measured = MeasuredPoints.of(points, noise, drawn.rounding)
+    noise = measured.waver if measured.wavers else 0.0
+    cuts = [0, *_corners(points, LARGEST_TURN, _LONG * max(tolerance, noise)), len(points) - 1]
+    if len(cuts) == 2 and measured.wavers:
+        try:
+            curve = smooth_through(points, tolerance)
+        except NotConvergedError:
+            curve = _polyline(points)
+        _require_near(curve, points, tolerance)
+        return curve.drawn_as(replace(drawn, measured=measured))
+    allowed = allowed_distance(points) if sides else np.inf
+    pieces = [
+        piece for i, j in pairwise(cuts) for piece in _smooth_pieces(points[i : j + 1], tolerance, allowed)
+    ]
+    if len(pieces) == 1:
+        _require_near(pieces[0], points, tolerance)
+        return pieces[0].drawn_as(replace(drawn, measured=measured))
+    whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
+    # noise cannot be told from corners
+    drawn = (
+        replace(drawn, vertices=points) if sides else replace(drawn, measured=replace(measured, waver=0.0))
+    )
+    return PlaneCurve(whole.knots, whole.points, whole.degree, provenance=drawn)
+
+
+def _require_near(curve: PlaneCurve, points: FloatArray, tolerance: float) -> None:
+    """Refuse a curve that leaves the points to which it was fitted by more than `allowed_distance`."""
+    allowed = allowed_distance(points)
+    if tolerance > allowed:
+        _require_distance(float(distances(Spline(curve), points).max()), allowed)
+
+
+def _require_distance(distance: float, allowed: float) -> None:
+    if distance > allowed:
+        raise InputError(
+            "the smooth curve leaves the drawing by {distance:.3g}, more than {allowed:.3g}: draw a spline, or "
+            "more points where the drawing bends",
+            distance=Length(distance),
+            allowed=Length(allowed),
+        )
+
+
+def _polyline(points: FloatArray) -> PlaneCurve:
+    """The straight pieces between points (n, 2)."""
+    knots = np.repeat(lengths_along(points), 2)
+    control = np.insert(points, slice(1, None), (points[:-1] + points[1:]) / 2, axis=0)
+    return PlaneCurve(np.concatenate([knots[:1], knots, knots[-1:]]), control, 2)
+
+
+def _corners(points: FloatArray, angle: float, least: float = 0.0) -> list[int]:
+    """Indices of the vertices where sides longer than `least` mm turn by more than `angle` degrees."""
+    step = np.diff(points, axis=0)
+    size = np.hypot(step[:, 0], step[:, 1])
+    cosine = (step[:-1] * step[1:]).sum(axis=1) / (size[:-1] * size[1:])
+    long = np.minimum(size[:-1], size[1:]) > least
+    return [int(i) + 1 for i in np.flatnonzero(long & (cosine < np.cos(np.radians(angle))))]
+
+
+def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float) -> list[PlaneCurve]:
+    """The smooth curve through points, or the curves between corners if it is not within `allowed` of the sides."""
+    if len(points) == 2 or np.isinf(allowed):
+        return [smooth_through(points, tolerance)]
+    curve, distance = fit_polyline(points, tolerance)
+    corners = _corners(points, LEAST_TURN) if distance > allowed else []
+    if not corners:
+        _require_distance(distance, allowed)
+        return [curve]
+    cuts = [0, *corners, len(points) - 1]
+    return [smooth_through(points[i : j + 1], tolerance) for i, j in pairwise(cuts)]
+
+
+_AWAY = 0.0214
+"""Largest distance of the parabola with control points a, c, d from the cubic with a, a, c, d, as a fraction of the
+distance of d from the line through a and c."""
+
+
+_OFF_MM, _OFF_SHARE = 0.004, 2e-5
+"""Largest distance by which a curve moves to bound its curvature, in mm and as a fraction of its size."""
+
+
+def _with_handles(edge: Edge) -> list[Edge]:
+    """Give the ends of a cubic Bezier piece that have no handle one, within 0.004 mm of the drawn curve.
+
+    Where the first two control points a coincide, the curve has a tangent, towards the third point c, but its
+    curvature grows beyond all bounds. A first part of it, with the control points a, a, c, d, is replaced by the
+    parabola with a, c, d, which has the same ends and end tangents.
+
+    Examples
+    --------
+    >>> pieces = _with_handles(Edge.bezier([(0, 0), (0, 0), (80, 80), (180, 0)]))
+    >>> [piece.points.shape for piece in pieces]
+    [(3, 2), (4, 2)]
+    """
+    if edge.weights is not None or edge.points.shape != (4, 2):
+        return [edge]
+    if np.array_equal(edge.points[2], edge.points[3]) and not np.array_equal(edge.points[0], edge.points[1]):
+        return [part.reversed() for part in reversed(_with_handles(edge.reversed()))]
+    start, handle, third, end = edge.points
+    toward = third - start
+    if not np.array_equal(start, handle) or not toward.any() or np.array_equal(third, end):
+        return [edge]
+    way = end - start - 3 * toward
+    aside = abs(float(toward[0] * way[1] - toward[1] * way[0])) / float(np.hypot(*toward))
+    t = min(1.0, np.cbrt(min(_OFF_MM, _OFF_SHARE * edge.size) / max(_AWAY * aside, 1e-300)))
+    joint = start + 3 * t**2 * toward + t**3 * way
+    first = replace(Edge.bezier([start, start + t**2 * toward, joint]), source=edge.source)
+    if t == 1:
+        return [first]
+    beyond = third + t * (end - third)
+    after = start + t * toward + t * (beyond - start - t * toward)
+    return [first, replace(Edge.bezier([joint, after, beyond, end]), source=edge.source)]
+
+
+def _exact(edge: Edge, fit_tolerance: float) -> Edge:
+    """The edge, a polyline among true curves being fitted."""
+    if edge.degree > 1 or len(edge.points) == 2:
+        return edge
+    curve = curve_from_points(edge.points, tolerance=fit_tolerance, sides=True)
+    return Edge(curve.knots, curve.control_points, curve.degree, curve.weights)
+
+
+def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
+    """The edges end to end as one B-spline: knots of multiplicity degree at the joints, speed near 1."""
+    degree = max(2, *(edge.degree for edge in edges))
+    knots, homogeneous = np.zeros(1), np.empty((0, 3))
+    for edge in edges:
+        inner_knots, own = _clamped(edge, degree)
+        length = float(np.linalg.norm(np.diff(edge.at(edge.stations()), axis=0), axis=1).sum())
+        inner_knots = (inner_knots[1:-1] - inner_knots[0]) * (length / np.ptp(inner_knots))
+        if len(homogeneous):
+            last = homogeneous[-1]
+            own = own * (last[-1] / own[0, -1])
+            gap = (last - own[0])[:-1] / last[-1]
+            own = (own + np.append(gap, 0.0) * own[:, -1:])[1:]
+            inner_knots = inner_knots[degree:]
+        knots = np.concatenate([knots, knots[-1] + inner_knots])
+        homogeneous = np.concatenate([homogeneous, own])
+    knots = np.append(knots, knots[-1])
+    points, weights = homogeneous[:, :-1] / homogeneous[:, -1:], homogeneous[:, -1]
+    if np.linalg.norm(points[-1] - points[0]) <= tolerance:
+        points[-1] = points[0]
+    return Edge(knots, points, degree, weights)
+
+
+def _clamped(
+    edge: Edge, degree: int, low: float = -np.inf, high: float = np.inf
+) -> tuple[FloatArray, FloatArray]:
+    """Return the edge between two parameters, clamped and of a degree no lower: knots, homogeneous control points.
+
+    The raised spline space holds the edge, so interpolation at its Greville abscissae returns the edge
+    itself.
+    """
+    first, last = np.clip(edge.spans.edges[[0, -1]], low, high)
+    inner = edge.knots[(edge.knots > first) & (edge.knots < last)]
+    values, counts = np.unique(inner, return_counts=True)
+    counts = np.minimum(counts, edge.degree) + degree - edge.degree
+    knots = np.concatenate([np.full(degree + 1, first), np.repeat(values, counts), np.full(degree + 1, last)])
+    if knots.size == edge.knots.size and np.array_equal(knots, edge.knots):
+        return knots, edge.homogeneous
+    sites = interpolation_sites(knots, degree)
+    target = edge.spans.basis(sites) @ edge.homogeneous
+    return knots, np.asarray(np.linalg.solve(bezier_spans(knots, degree).basis(sites), target), dtype=float)

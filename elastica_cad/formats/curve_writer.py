@@ -1,0 +1,166 @@
+"""Curves written to files that `read_curves` and CAD programs read again."""
+
+import os
+import warnings
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import require_path, several
+from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.formats.chains import curve_from_points, curve_from_run
+from elastica_cad.formats.drawing_files import encode_svg
+from elastica_cad.formats.drawing_style import EXACT, shape_paths
+from elastica_cad.formats.dxf_drawing import encode_dxf
+from elastica_cad.formats.edges import Edge
+from elastica_cad.formats.json_curves import curves_json
+from elastica_cad.formats.write_files import check_target, write_atomically
+from elastica_cad.forming.fairing_request import USUAL_WIDTH, smooth_curve
+from elastica_cad.geometry.fairing import two_sided_distance
+from elastica_cad.geometry.path import Path as Chain
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Arc, Line, Spline
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.refusals import Length, Refusal, note
+from elastica_cad.strip.drawing import MARK, Drawing, LayeredPath
+
+WRITTEN_SUFFIXES = (".dxf", ".svg", ".json", ".csv")
+
+_TOLERANCE_MM = 1e-3
+"""Largest distance of cubics and arcs from the curve that they replace, mm."""
+
+_MOST_POINTS = 1001
+"""Largest number of points in a CSV file; shorter curves have a point every mm."""
+
+_WIDTH_PLACES = 401
+"""Places along a strip where widths are compared."""
+
+
+class FitWarning(UserWarning):
+    """Warning that a file holds a curve approximately."""
+
+
+def write_curves(
+    curves: Sequence[PlaneCurve],
+    path: str | os.PathLike[str],
+    *,
+    version: str = "R2010",
+    force: bool = False,
+) -> Path:
+    """Write drawn curves, mm, as .dxf, .svg, .json or .csv.
+
+    DXF keeps degree, knots and weights of every spline, JSON every bit, SVG cubics to 1e-12 mm. An SVG holds
+    weighted splines and higher degrees as cubics, a DXF of version R12 holds arcs, both within 0.001 mm, and CSV
+    holds points. A `FitWarning` then reports the distance from the drawn curve and the largest change of the width
+    of a strip. Two curves of a DXF or SVG whose ends meet are read back as one.
+
+    Parameters
+    ----------
+    curves : sequence of PlaneCurve
+    path : path-like
+        Its suffix is the format.
+    version : str
+        DXF version, R12 to R2018.
+    force : bool
+        Overwrite a file of that name.
+
+    Raises
+    ------
+    InputError
+        No curves, an unknown suffix, a file that can't be made.
+    MissingDependencyError
+        DXF without ezdxf.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> arch = PlaneCurve.arc((0, 0), 80, 0.3, 2.8)
+    >>> with TemporaryDirectory() as folder:
+    ...     write_curves([arch], folder + "/arch.json").name
+    'arch.json'
+    """
+    curves = several("curves", curves, PlaneCurve, "PlaneCurve")
+    suffix = require_path(path).suffix.lower()
+    check_target(path, force=force)
+    if not curves:
+        raise InputError("{path}: there are no curves to write", path=path)
+    if suffix not in WRITTEN_SUFFIXES:
+        raise InputError(
+            "{path} can't be written as curves: end its name with {written_suffixes}",
+            path=path,
+            written_suffixes=", ".join(WRITTEN_SUFFIXES),
+        )
+    if suffix == ".json":
+        return write_atomically(path, curves_json(curves).encode(), force)
+    if suffix == ".csv":
+        content = "\n\n".join(_points_csv(_points(curve)) for curve in curves).encode()
+        held = [curve_from_points(_points(curve)) for curve in curves]
+    else:
+        chains = [Chain((Spline(curve),), closed=curve.is_closed) for curve in curves]
+        drawing = Drawing(Path(path).stem, tuple(LayeredPath(MARK, chain) for chain in chains))
+        style = "arc" if version == "R12" and suffix == ".dxf" else EXACT
+        content = (
+            encode_svg(drawing, curves=style, tolerance=_TOLERANCE_MM)
+            if suffix == ".svg"
+            else encode_dxf(drawing, curves=style, tolerance=_TOLERANCE_MM, version=version)
+        )
+        shaped = shape_paths(chains, style, _TOLERANCE_MM, rational=suffix != ".svg")
+        held = [_read_again(chain) for chain in shaped]
+    written = write_atomically(path, content, force)
+    for number, (drawn, fitted) in enumerate(zip(curves, held, strict=True), start=1):
+        if fitted is not drawn:
+            warnings.warn(_fit_note(Path(path).name, number, drawn, fitted), FitWarning, stacklevel=2)
+    return written
+
+
+def _points(curve: PlaneCurve) -> FloatArray:
+    """Points (n, 2) at equal distances along a curve."""
+    return curve.sample(min(int(curve.length) + 101, _MOST_POINTS)).position
+
+
+def _points_csv(points: FloatArray) -> str:
+    return "x_mm,y_mm\n" + "".join(f"{x:.9f},{y:.9f}\n" for x, y in points)
+
+
+def _read_again(chain: Chain) -> PlaneCurve:
+    """The curve that `read_curves` makes of a written path."""
+    if len(chain.segments) == 1 and isinstance(chain.segments[0], Spline):
+        return chain.segments[0].curve
+    return curve_from_run([_edge(segment) for segment in chain.segments])
+
+
+def _edge(segment: Line | Arc | Spline) -> Edge:
+    if isinstance(segment, Line):
+        return Edge.polyline([segment.start, segment.end])
+    curve = segment.as_spline().curve if isinstance(segment, Arc) else segment.curve
+    return Edge(curve.knots, curve.control_points, curve.degree, curve.weights)
+
+
+def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> Refusal:
+    """Report the distance between a curve and what a file holds of it, and the largest change of width."""
+    far = Length(two_sided_distance(drawn, fitted))
+    before, after = _widths(drawn), _widths(fitted)
+    if before is None or after is None:
+        return note(
+            "{file} holds curve {number} within {far:.2g}; no strip takes it."
+            if before is None else
+            "{file} holds curve {number} within {far:.2g}, but no strip takes the curve of the file.",
+            file=file, number=number, far=far, severity="warning",
+        )  # fmt: skip
+    return note(
+        "{file} holds curve {number} within {far:.2g}; the widths of a strip {widest} wide change by up to "
+        "{change:.2g}.",
+        file=file, number=number, far=far, widest=Length(USUAL_WIDTH),
+        change=Length(float(np.abs(after - before).max())), severity="warning",
+    )  # fmt: skip
+
+
+def _widths(curve: PlaneCurve) -> FloatArray | None:
+    """Widths (n,), mm, at equal distances along the strip of a curve; None if no strip takes the curve."""
+    try:
+        rod = optimal_rod(smooth_curve(curve).curve)
+    except ElasticaError:
+        return None
+    return rod.profile(np.linspace(0.0, rod.length, _WIDTH_PLACES)) * (USUAL_WIDTH / rod.ratio)

@@ -1,1 +1,0 @@
-"""Design files: a whole model in TOML, read, checked and made."""

@@ -1,0 +1,242 @@
+"""Drawings as files: SVG in mm, and the format by the file name."""
+
+import os
+from collections.abc import Callable, Mapping
+from pathlib import Path as FilePath
+
+import numpy as np
+
+from elastica_cad._text import MADE_BY, html_text
+from elastica_cad._types import FloatArray
+from elastica_cad._values import require_flag, require_path, require_record
+from elastica_cad.errors import InputError
+from elastica_cad.formats.drawing_style import (
+    EXACT,
+    LayerChoice,
+    check_curve_style,
+    shape_paths,
+    style_layers,
+)
+from elastica_cad.formats.dxf_drawing import encode_dxf
+from elastica_cad.formats.write_files import check_target, write_atomically
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.segments import Arc, Line, Segment
+from elastica_cad.strip.drawing import (
+    DEFAULT_KERF_MM,
+    LAYERS,
+    MARK,
+    Drawing,
+    HoldingTabs,
+    add_holding_tabs,
+    compensate_kerf,
+)
+
+_LETTERS = {2: "Q", 3: "C"}
+
+
+_DECIMALS, _EXACT_DECIMALS = 6, 12
+"""Decimals of mm in a drawing for a machine, and of a curve that is read again: its curvature, and so the width of
+its strip, depends on second differences of its coordinates."""
+
+
+def path_data(path: Path, origin: FloatArray, decimals: int = _DECIMALS) -> str:
+    """Return the d attribute of a path of lines, arcs and clamped polynomial splines of degree 2 and 3.
+
+    Parameters
+    ----------
+    path : Path
+    origin : (2,) array
+        The upper left corner of the sheet, mm; y runs downward there.
+    decimals : int
+        Decimals of its coordinates.
+
+    Examples
+    --------
+    >>> path_data(Path.rectangle(40, 10), np.array([-1.0, 11.0]))
+    'M1,11L41,11L41,1L1,1Z'
+    """
+    # the closing line is drawn by Z
+    closing = path.closed and isinstance(path.segments[-1], Line)
+    drawn = path.segments[:-1] if closing else path.segments
+
+    def place(point: FloatArray) -> str:
+        return f"{_format_length(point[0] - origin[0], decimals)},{_format_length(origin[1] - point[1], decimals)}"
+
+    strokes = [f"M{place(path.start)}", *(_stroke(segment, place) for segment in drawn)]
+    return "".join([*strokes, "Z" if path.closed else ""])
+
+
+def _format_length(value: float, decimals: int = _DECIMALS) -> str:
+    """A length, as short as it goes."""
+    short = f"{value:.{decimals}f}".rstrip("0").rstrip(".")
+    return "0" if short == "-0" else short
+
+
+def _stroke(segment: Segment, place: Callable[[FloatArray], str]) -> str:
+    if isinstance(segment, Line):
+        return f"L{place(segment.end)}"
+    if isinstance(segment, Arc):
+        radius, turns = _format_length(segment.radius), "0" if segment.sweep > 0 else "1"
+        # more than half a turn in two parts: a whole turn has no ends, and nearly one is badly conditioned
+        long = abs(segment.sweep) > np.pi * (1 + 1e-9)
+        ends = segment.at(np.array([0.5, 1.0] if long else [1.0]))
+        return "".join(f"A{radius} {radius} 0 0 {turns} {place(end)}" for end in ends)
+    letter = _LETTERS[segment.curve.degree]
+    pieces = [piece[1:, :2] / piece[1:, 2:] for _, _, piece in segment.curve.bezier_pieces()]
+    return "".join(letter + " ".join(map(place, piece)) for piece in pieces)
+
+
+_MARGIN_MM = 1.0
+"""About the drawing, so that a stroke on its border is seen."""
+
+_STROKE_MM = 0.1
+"""Hairline: laser programs take thin strokes for cuts."""
+
+
+def encode_svg(
+    drawing: Drawing,
+    *,
+    curves: str = "spline",
+    tolerance: float = 0.02,
+    layers: Mapping[str, LayerChoice] | str | None = None,
+) -> bytes:
+    """A drawing as the content of an SVG file whose user unit is the mm; same drawing and command, same bytes.
+
+    One group a layer, in working order, one <path> a loop, y upward on the sheet. Arcs and polynomial splines
+    up to degree 3 are exact.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    curves : str
+        "spline" and "bezier" write Bezier curves (weighted splines and degrees above 3 to the tolerance but at most
+        0.001 mm), "arc" arcs, "polyline" lines.
+    tolerance : float
+        Largest distance, mm, of a replaced curve from the true one.
+    layers : mapping, optional
+        Names and colours, see `style_layers`.
+
+    Raises
+    ------
+    InputError
+        The drawing is empty, or an option is unknown.
+
+    Examples
+    --------
+    >>> from elastica_cad.strip.drawing import CUT_OUTER, LayeredPath
+    >>> from elastica_cad.geometry.path import Path
+    >>> plate = Drawing("plate", [LayeredPath(CUT_OUTER, Path.rectangle(40, 10))])
+    >>> 'width="42mm" height="12mm"' in encode_svg(plate).decode()
+    True
+    """
+    require_record(drawing, Drawing, "what is written", "a Drawing record")
+    curves = check_curve_style(curves)
+    styles = style_layers(layers)
+    (left, low), (right, high) = drawing.bounds
+    width, height = _format_length(right - left + 2 * _MARGIN_MM), _format_length(high - low + 2 * _MARGIN_MM)
+    shaped = shape_paths([item.path for item in drawing.strokes], curves, tolerance, rational=False)
+    decimals = _EXACT_DECIMALS if curves == EXACT else _DECIMALS
+    corner = np.array([left - _MARGIN_MM, high + _MARGIN_MM])
+    rows = [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        '<svg xmlns="http://www.w3.org/2000/svg" version="1.1" '
+        'xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" '
+        f'width="{width}mm" height="{height}mm" viewBox="0 0 {width} {height}">',
+        f"<title>{html_text(drawing.name)}</title>",
+    ]
+    if command := MADE_BY.get():
+        rows.append(f"<desc>{html_text(command)}</desc>")
+    for layer in LAYERS:
+        paths = [path for item, path in zip(drawing.strokes, shaped, strict=True) if item.layer == layer]
+        if not paths:
+            continue
+        style = styles[layer]
+        key, label = html_text(style.name.replace(" ", "_")), html_text(style.name)
+        rows.append(
+            f'<g id="{key}" inkscape:groupmode="layer" inkscape:label="{label}" '
+            f'fill="none" stroke="{style.color}" stroke-width="{_STROKE_MM:g}">'
+        )
+        rows.extend(f'<path d="{path_data(path, corner, decimals)}"/>' for path in paths)
+        rows.append("</g>")
+    rows.append("</svg>\n")
+    return "\n".join(rows).encode()
+
+
+DRAWING_SUFFIXES = (".dxf", ".svg")
+
+_KERF_TOLERANCE_MM = 1e-4
+"""Of offsets by half the kerf: a hundredth of what a laser repeats."""
+
+
+def write_drawing(
+    drawing: Drawing,
+    path: str | os.PathLike[str],
+    *,
+    kerf: float = DEFAULT_KERF_MM,
+    curves: str = "spline",
+    tolerance: float = 0.02,
+    version: str = "R2010",
+    layers: Mapping[str, LayerChoice] | str | None = None,
+    holding: HoldingTabs | None = None,
+    marks: bool = True,
+    force: bool = False,
+) -> FilePath:
+    """Write a drawing for a laser cutter as .dxf or .svg.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    path : path-like
+        Its suffix is the format.
+    kerf : float
+        Width of the cut, mm: closed outer loops grow by half of it, inner ones shrink. Cutting services often
+        do this themselves, so the default is 0; it may be negative.
+    curves : str
+        "spline", "bezier", "arc" or "polyline".
+    tolerance : float
+        Largest distance, mm, of a replaced curve from the true one.
+    version : str
+        DXF version, R12 to R2018.
+    layers : mapping or str, optional
+        From a layer to a name, or to a name and a colour "#rrggbb"; or a scheme of colours, "boxes" or "lightburn".
+    holding : HoldingTabs, optional
+        Bridges that hold parts in the sheet; none unless given.
+    marks : bool
+        False leaves out guide lines and the names of mating strips.
+    force : bool
+        Overwrite a file of that name.
+
+    Returns
+    -------
+    pathlib.Path
+        The file written.
+
+    Raises
+    ------
+    InputError
+        An unknown suffix or option, an empty drawing, a kerf too wide for a loop, a file that can't be made.
+    MissingDependencyError
+        DXF without ezdxf.
+    """
+    if not isinstance(drawing, Drawing):
+        raise InputError(
+            "a {name} is no drawing: give a strip, or what a .drawing() makes", name=type(drawing).__name__
+        )
+    suffix = require_path(path).suffix.lower()
+    check_target(path, force=force)
+    if suffix not in DRAWING_SUFFIXES:
+        raise InputError(
+            "{path} can't be written as a drawing: end its name with .dxf or .svg; pictures are drawn by ec.plot, "
+            "and ec.save(strip, ...) writes the STEP file of a strip",
+            path=path,
+        )
+    require_flag(marks, "marks")
+    drawing = drawing if marks else drawing.only(*(layer for layer in LAYERS if layer != MARK))
+    cut = compensate_kerf(drawing, kerf, tolerance=min(tolerance, _KERF_TOLERANCE_MM))
+    if holding is not None:
+        cut = add_holding_tabs(cut, holding)
+    if suffix == ".svg":
+        content = encode_svg(cut, curves=curves, tolerance=tolerance, layers=layers)
+    else:
+        content = encode_dxf(cut, curves=curves, tolerance=tolerance, version=version, layers=layers)
+    return write_atomically(path, content, force)

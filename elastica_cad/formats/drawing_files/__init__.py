@@ -1,1 +1,0 @@
-"""Drawings as DXF and SVG files: layers, styles of curves."""

@@ -1,0 +1,185 @@
+"""How drawings look in files: curves as splines, arcs or polylines; names and colours of layers."""
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+from elastica_cad._values import is_number
+from elastica_cad.errors import InputError, quoted
+from elastica_cad.geometry.approximations import as_arcs, as_beziers, as_cubics, as_polyline
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.segments import require_tolerance_mm
+from elastica_cad.refusals import Length
+from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MARK, SHEET
+
+CURVES = ("spline", "bezier", "arc", "polyline")
+
+EXACT = "exact"
+"""Splines of any degree as they are: for curves that a CAD program is to read, not a machine."""
+
+_SPLINE_TOLERANCE_MM = 1e-3
+"""Splines cost few bytes: approximated ones stay this near even where a coarser tolerance is given."""
+
+FINEST_MM = 1e-5
+"""Finer arcs and polylines would only fill the disk."""
+
+
+def check_curve_style(curves: str) -> str:
+    """Return the way in which curves are written, and refuse it unless it is one of `CURVES` or `EXACT`."""
+    if not isinstance(curves, str) or curves not in (*CURVES, EXACT):
+        raise InputError(
+            "curves is {curves!r}: use one of {curves_2}", curves=curves, curves_2=", ".join(CURVES)
+        )
+    return curves
+
+
+def shape_paths(paths: Iterable[Path], curves: str, tolerance: float, *, rational: bool = True) -> list[Path]:
+    """Return the paths as a file holds them: splines of degree 3 at most (`rational` where allowed), "bezier" ones
+    with the knots of joined Bezier curves, arcs, or lines.
+
+    With `EXACT` splines of any degree stay, where the file knows weights.
+    """
+    if not is_number(tolerance):
+        raise InputError(
+            "the tolerance is {tolerance!r}: give a number of mm, such as 0.02", tolerance=tolerance
+        )
+    if curves == EXACT and rational:
+        return list(paths)
+    if 0 < tolerance < FINEST_MM and curves in ("arc", "polyline"):
+        raise InputError(
+            "the tolerance is {tolerance:g}: no machine cuts so finely, give {finest_mm:g} or more",
+            tolerance=Length(tolerance),
+            finest_mm=FINEST_MM,
+        )
+    if curves in ("spline", "bezier", EXACT):
+        finest = _SPLINE_TOLERANCE_MM if curves == EXACT else min(tolerance, _SPLINE_TOLERANCE_MM)
+        require_tolerance_mm(finest)
+        cubic = [as_cubics(path, finest, rational=rational) if path.has_splines else path for path in paths]
+        return [as_beziers(path) for path in cubic] if curves == "bezier" else cubic
+    return [(as_arcs if curves == "arc" else as_polyline)(path, tolerance) for path in paths]
+
+
+@dataclass(frozen=True)
+class LayerStyle:
+    """How a layer is called and coloured in a file.
+
+    Parameters
+    ----------
+    name : str
+        Without the characters that CAD programs refuse.
+    color : str
+        "#rrggbb".
+    """
+
+    name: str
+    color: str
+
+    def __post_init__(self) -> None:
+        name = self.name if isinstance(self.name, str) else ""
+        if not name.strip() or re.search(r'[<>/\\":;?*|=`\x00-\x1f]', name) or len(name) > 255:
+            raise InputError(
+                "{name!r} is no name for a layer: use letters, digits, spaces, - and _", name=self.name
+            )
+        if not isinstance(self.color, str) or not re.fullmatch(r"#[0-9a-fA-F]{6}", self.color):
+            raise InputError(
+                "{color!r} is no colour for layer {name!r}: write it as #rrggbb",
+                color=self.color,
+                name=self.name,
+            )
+        object.__setattr__(self, "color", self.color.lower())
+
+    @property
+    def rgb(self) -> tuple[int, int, int]:
+        """Red, green and blue, 0 to 255."""
+        return int(self.color[1:3], 16), int(self.color[3:5], 16), int(self.color[5:7], 16)
+
+
+LayerChoice: TypeAlias = str | tuple[str, str] | LayerStyle
+
+_STANDARD = {
+    CUT_OUTER: LayerStyle(CUT_OUTER, "#ff0000"),
+    CUT_INNER: LayerStyle(CUT_INNER, "#0000ff"),
+    ENGRAVE: LayerStyle(ENGRAVE, "#000000"),
+    MARK: LayerStyle(MARK, "#00ff00"),
+    SHEET: LayerStyle(SHEET, "#808080"),
+}
+
+
+Scheme: TypeAlias = Literal["elastica", "boxes", "lightburn"]
+
+SCHEMES: dict[str, dict[str, LayerStyle]] = {
+    "elastica": _STANDARD,
+    "boxes": {  # of boxes.py: outer cuts black, inner ones blue, etching green and cyan, remarks red
+        CUT_OUTER: LayerStyle(CUT_OUTER, "#000000"),
+        CUT_INNER: LayerStyle(CUT_INNER, "#0000ff"),
+        ENGRAVE: LayerStyle(ENGRAVE, "#00ff00"),
+        MARK: LayerStyle(MARK, "#00ffff"),
+        SHEET: LayerStyle(SHEET, "#ff0000"),
+    },
+    "lightburn": {  # layers C00 to C03 of its palette, and its tool layer T1, which is never cut
+        CUT_OUTER: LayerStyle(CUT_OUTER, "#ff0000"),
+        CUT_INNER: LayerStyle(CUT_INNER, "#0000ff"),
+        ENGRAVE: LayerStyle(ENGRAVE, "#000000"),
+        MARK: LayerStyle(MARK, "#00e000"),
+        SHEET: LayerStyle(SHEET, "#f36926"),
+    },
+}
+"""Colours by which other programs know what to do with a line."""
+
+
+def style_layers(choices: Mapping[str, LayerChoice] | str | None = None) -> dict[str, LayerStyle]:
+    """Return the style of every layer: the standard ones, with the user's choices put over them.
+
+    Parameters
+    ----------
+    choices : mapping or str, optional
+        Name of a scheme of colours, one of `SCHEMES`; or from a layer of the drawing to a name, or to a name and a
+        colour "#rrggbb".
+
+    Raises
+    ------
+    InputError
+        A layer that drawings do not have, two layers of one name, a bad name or colour.
+
+    Examples
+    --------
+    >>> style_layers({"ENGRAVE": ("Raster", "#808080")})["ENGRAVE"].name
+    'Raster'
+    """
+    if isinstance(choices, str):
+        if choices not in SCHEMES:
+            raise InputError(
+                "there is no scheme of colours {choices!r}: use one of {schemes}",
+                choices=choices,
+                schemes=", ".join(SCHEMES),
+            )
+        return dict(SCHEMES[choices])
+    styles = dict(_STANDARD)
+    if not (choices is None or isinstance(choices, Mapping)):
+        raise InputError(
+            "layers are {choices}: give a mapping such as {{'ENGRAVE': 'Raster'}}", choices=quoted(choices)
+        )
+    for layer, choice in (choices or {}).items():
+        if layer not in styles:
+            raise InputError(
+                "there is no layer {layer!r} to rename: drawings have {layers}",
+                layer=layer,
+                layers=", ".join(LAYERS),
+            )
+        if isinstance(choice, LayerStyle):
+            styles[layer] = choice
+        elif isinstance(choice, str):
+            styles[layer] = LayerStyle(choice, styles[layer].color)
+        elif isinstance(choice, Sequence) and len(choice) == 2:
+            styles[layer] = LayerStyle(*choice)
+        else:
+            raise InputError(
+                "layer {layer} is {choice}: give a name, or a name and a colour '#rrggbb'",
+                layer=layer,
+                choice=quoted(choice),
+            )
+    names = [style.name.casefold() for style in styles.values()]
+    if len(set(names)) < len(names):
+        raise InputError("two layers have the same name: name each one differently")
+    return styles

@@ -1,0 +1,577 @@
+"""The curves of a file one by one, and the report on what was read."""
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
+from itertools import islice
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import counted
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.formats.chains import JoinedRuns, curve_from_run, holes_on_chains, join_runs, near_ends
+from elastica_cad.formats.edges import Edge, Run, Source
+from elastica_cad.formats.source_file import MOST_CURVES, check_count, check_tolerance, name_source
+from elastica_cad.geometry.measured_points import Provenance
+from elastica_cad.geometry.path import distances
+from elastica_cad.geometry.plane_curve import PlaneCurve, split_at_corners
+from elastica_cad.geometry.segments import Spline
+from elastica_cad.refusals import Length, Listed, Point, note, sentences
+
+_SLENDER = 12.0  # least ratio of perimeter and width: a stroke is five times as long as it is wide, or longer
+_MOST_SAMPLES = 8000
+_EACH_SIDE = 4  # samples in a width
+_EVEN = 0.05  # of the width: how much it may differ along a stroke
+_CAPS = (
+    6.0  # widths: length of the outline, at both ends of the stroke together, where no opposite side is near
+)
+
+
+def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
+    """Return the width, mm, of the stroke whose outline a closed run of edges is; None of any other run.
+
+    Examples
+    --------
+    >>> bar = Edge.polyline([(0, 0), (100, 0), (100, 4), (0, 4), (0, 0)])
+    >>> round(_stroke_width([bar], 0.01), 2), _stroke_width([Edge.polyline(bar.points * (1, 10))], 0.01)
+    (4.0, None)
+    """
+    if float(np.linalg.norm(run[0].start - run[-1].end)) > tolerance or run[0].points.shape[1] != 2:
+        return None
+    drawn = np.concatenate([edge.at(edge.stations()) for edge in run])
+    drawn -= drawn[0]
+    s = np.append(0.0, np.cumsum(np.hypot(*np.diff(drawn, axis=0).T)))
+    area = abs(float(drawn[:-1, 0] @ drawn[1:, 1] - drawn[1:, 0] @ drawn[:-1, 1])) / 2
+    width = (s[-1] - np.sqrt(max(s[-1] ** 2 - 16 * area, 0.0))) / 4  # of a rectangle
+    if not _EACH_SIDE * s[-1] / _MOST_SAMPLES < width < s[-1] / _SLENDER:
+        return None
+    from scipy.spatial import cKDTree
+
+    count = int(np.ceil(_EACH_SIDE * s[-1] / width))
+    at = np.arange(count) / count * s[-1]
+    points = np.column_stack([np.interp(at, s, x) for x in drawn.T])
+    apart, near = cKDTree(points).query(points, k=6 * _EACH_SIDE)
+    between = np.abs(np.arange(count)[:, None] - near)
+    opposite = np.where(np.minimum(between, count - between) > 2 * _EACH_SIDE, apart, np.inf).min(axis=1)
+    middle = float(np.median(opposite))
+    even = np.abs(opposite - middle) <= _EVEN * middle
+    return middle if np.isfinite(middle) and even.mean() >= 1 - _CAPS * width / s[-1] else None
+
+
+EXACT_MM = 1e-3
+"""Distance, mm, up to which a curve counts as exact."""
+
+
+@dataclass(frozen=True)
+class ReadUnit:
+    """The unit of a drawing, and how it is known.
+
+    Attributes
+    ----------
+    name : str
+        "mm", "in".
+    known : str
+        "stated" by the file or by an option, "guessed" from the program that wrote the file, or "assumed".
+    source : str
+        Where it is stated, such as "$INSUNITS"; empty where it is assumed.
+    note : str
+        A sentence on how to change it where it is not stated; else empty.
+    """
+
+    name: str = "mm"
+    known: Literal["stated", "guessed", "assumed"] = "assumed"
+    source: str = ""
+    note: str = ""
+
+    @classmethod
+    def requested(cls, name: str) -> "ReadUnit":
+        """Return the unit that an option gives."""
+        return cls(name, "stated", "the option unit")
+
+    def __str__(self) -> str:
+        if self.known == "stated":
+            return note("{unit}, from {source}", unit=self.name, source=self.source)
+        return note("{unit}, {known}", unit=self.name, known=self.known)
+
+
+@dataclass(frozen=True)
+class ReadReport:
+    """What was read of a drawing.
+
+    Attributes
+    ----------
+    size : (float, float)
+        Width and height of the curves, mm.
+    unit : ReadUnit
+    kinds : mapping
+        Number of shapes of each kind: {"spline": 1}.
+    done : tuple of str
+        What was done to them: "joined", "fitted", "turned", "smoothed".
+    distance : float
+        Largest distance between drawing and curve, mm.
+    """
+
+    size: tuple[float, float]
+    unit: ReadUnit
+    kinds: Mapping[str, int] = field(default_factory=dict)
+    done: tuple[str, ...] = ()
+    distance: float = 0.0
+
+    def __str__(self) -> str:
+        width, height = self.size
+        size = note("{width:.1f} x {height:.1f} mm ({unit})", width=width, height=height, unit=str(self.unit))
+        kinds = [counted(count, kind) for kind, count in self.kinds.items()]
+        exact = "exact" if self.distance <= EXACT_MM else note(
+            "within {distance:.2g} of the drawing", distance=Length(self.distance)
+        )  # fmt: skip
+        return sentences([size, *kinds, *self.done, exact], ", ")
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the report for programs."""
+        return {
+            "size": list(self.size),
+            "unit": self.unit.name,
+            "unit_known": self.unit.known,
+            "unit_source": self.unit.source,
+            "kinds": dict(self.kinds),
+            "done": list(self.done),
+            "distance": self.distance,
+            "summary": str(self),
+        }
+
+
+def kinds_of(chain: Run) -> Counter[str]:
+    """Return the number of shapes of each kind in a chain; all edges of a kind of one shape count once."""
+    shapes = {
+        (id(edge.source) if edge.source else number, _kind(edge.degree, len(edge.points), edge.weights))
+        for number, edge in enumerate(chain)
+    }
+    return Counter(kind for _, kind in sorted(shapes, key=lambda shape: shape[1]))
+
+
+def _kind(degree: int, count: int, weights: FloatArray | None) -> str:
+    if degree == 1:
+        return "line" if count == 2 else "polyline"
+    return "arc" if degree == 2 and weights is not None else "spline"
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnCurve:
+    """One curve of a file; it is made when it is first asked for.
+
+    Attributes
+    ----------
+    number : int
+        Counted from 1 in the order of the file.
+    name, layer : str
+        Its label, id or handle, and its layer, as the drawing program shows them; empty where the file has none.
+    make : callable
+        Makes the curve.
+    id : str
+        Its id, or the handle in "SPLINE 2F".
+    piece, pieces : int
+        Which of how many pieces of a curve that was cut at its corners, from 1.
+    joints : (str, str)
+        Names of the corners at its ends where another piece goes on, "J1"; empty elsewhere.
+    kinds : mapping
+        Number of its shapes in the file, by kind: {"spline": 1}.
+    chain : Run
+        Its edges as drawn; empty where it was not drawn by edges.
+    flatten : callable, optional
+        Brings edges in space into the plane of the curve.
+    """
+
+    number: int
+    make: Callable[[], PlaneCurve] = field(repr=False)
+    name: str = ""
+    layer: str = ""
+    id: str = ""
+    piece: int = 1
+    pieces: int = 1
+    joints: tuple[str, str] = ("", "")
+    kinds: Mapping[str, int] = field(default_factory=dict)
+    chain: Run = field(default=(), repr=False)
+    flatten: Callable[[Run], Run] | None = field(default=None, repr=False)
+
+    @cached_property
+    def curve(self) -> PlaneCurve:
+        """The curve, mm.
+
+        Raises
+        ------
+        InputError, NotConvergedError
+            When its numbers make none.
+        """
+        return self.make()
+
+    @cached_property
+    def problem(self) -> str:
+        """Why it makes no curve; empty where it does."""
+        try:
+            _ = self.curve
+        except (InputError, NotConvergedError) as error:
+            return str(error)
+        return ""
+
+    @property
+    def called(self) -> str:
+        """How messages call the curve: number, id and layer, as in "curve 2 (path12, layer CUT)"."""
+        known = [*([self.name] if self.name else []), *([f"layer {self.layer}"] if self.layer else [])]
+        part = f"piece {self.piece} of " if self.pieces > 1 else ""
+        return f"{part}curve {self.number}" + (f" ({', '.join(known)})" if known else "")
+
+    def split_at_corners(self) -> tuple["DrawnCurve", ...]:
+        """Return the pieces between corners, or the curve itself where it has no corner or is not valid."""
+        cut = () if self.problem else split_at_corners(self.curve)
+        if len(cut) < 2:
+            return (self,)
+        around = f"J{len(cut)}" if self.curve.is_closed else ""
+        names = [around, *(f"J{k}" for k in range(1, len(cut))), around]
+        return tuple(
+            replace(
+                self,
+                make=partial(cut.__getitem__, k),
+                piece=k + 1,
+                pieces=len(cut),
+                joints=(names[k], names[k + 1]),
+            )
+            for k in range(len(cut))
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnFile:
+    """The curves of a file, and what was left out.
+
+    Attributes
+    ----------
+    path : Path
+    curves : sequence of DrawnCurve
+    skipped : mapping
+        What was left out, by name, and how often: {"TEXT": 3}.
+    unit : ReadUnit
+        Its unit, and how that is known.
+    remarks : tuple of str
+        Sentences on curves that were not joined, that the drawing shows otherwise, or that are probably no strips.
+
+    Raises
+    ------
+    InputError
+        More curves than are worked on.
+    """
+
+    path: Path
+    curves: Sequence[DrawnCurve]
+    skipped: Mapping[str, int] = field(default_factory=dict)
+    unit: ReadUnit = field(default_factory=ReadUnit)
+    remarks: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        check_count(len(self.curves), MOST_CURVES, "curves", "leave out what is no strip")
+
+    def __iter__(self) -> Iterator[DrawnCurve]:
+        return iter(self.curves)
+
+    def __len__(self) -> int:
+        return len(self.curves)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Sentences on the unit, on what was skipped, and the remarks."""
+        left_out = note("left out, for they are no curves: {things}", things=list_things(self.skipped))
+        return (*filter(None, [self.unit.note, left_out if self.skipped else ""]), *self.remarks)
+
+    @property
+    def bad(self) -> tuple[DrawnCurve, ...]:
+        """The curves whose numbers describe no valid curve, such as one without length."""
+        return tuple(one for one in self.curves if one.problem)
+
+    def report(self, curves: Sequence[DrawnCurve] | None = None) -> ReadReport | None:
+        """Return what was read of some curves, of all by default; None if none of them is valid."""
+        return report_on(self.curves if curves is None else curves, self.unit)
+
+    def chosen(self, which: str | None = None, layer: str | None = None) -> tuple[DrawnCurve, ...]:
+        """The curves of that number or id, and on that layer; all where neither is given."""
+        found = [one for one in self.curves if layer is None or one.layer == layer]
+        if which is not None:
+            named = [one for one in found if which and one.name == which]
+            named = named or [one for one in found if which and which in _parts(one)]
+            found = named or [one for one in found if str(one.number) == which.strip()]
+        return tuple(found)
+
+    def one(self, which: str | None, layer: str | None, how: str) -> DrawnCurve:
+        """Return the one curve that `which` and `layer` choose.
+
+        `how` is what the refusal says about choosing; {count} in it becomes the number of curves that matched.
+
+        Raises
+        ------
+        InputError
+            None, or several.
+        """
+        found = self.chosen(which, layer)
+        how = how.format(count=len(self.curves))
+        if not found:
+            asked = " on layer ".join(word for word in (which or "", layer or "") if word)
+            raise InputError(
+                "{path} holds {curves}, and {asked} is not among them: choose one with {how}; {known}",
+                path=self.path,
+                curves=counted(len(self.curves), "curve"),
+                asked=asked,
+                how=how,
+                known=_known(self.curves),
+            )
+        if len(found) > 1:
+            raise InputError(
+                "{path} holds {count} curves: choose one with {how}; {known}",
+                path=self.path,
+                count=len(found),
+                how=how,
+                known=_known(found),
+            )
+        return found[0]
+
+    def read(self) -> "CurveList":
+        """Return all valid curves of the file.
+
+        Raises
+        ------
+        InputError, NotConvergedError
+            When there is none; the first one's problem.
+        """
+        good = [one for one in self.curves if not one.problem]
+        with name_source(self.path):
+            return CurveList(
+                [one.curve for one in good or self.curves[:1]], self
+            )  # the first raises its own error
+
+
+class CurveList(list[PlaneCurve]):
+    """The curves of a file, and beside them what was left out.
+
+    Attributes
+    ----------
+    file : DrawnFile
+        All that the file draws, with numbers, names and layers.
+    """
+
+    def __init__(self, curves: Iterable[PlaneCurve], file: DrawnFile) -> None:
+        super().__init__(curves)
+        self.file = file
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """The notes of the file, and a sentence on each curve that is not valid."""
+        bad = [
+            note("{called} is left out: {problem}", called=one.called, problem=one.problem)
+            for one in self.file.bad
+        ]
+        return (*self.file.notes, *bad)
+
+
+def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None:
+    """Return the report on those curves that are valid; None if none is."""
+    good = [one for one in curves if not one.problem]
+    if not good:
+        return None
+    width, height = np.ptp([corner for one in good for corner in one.curve.bounds], axis=0).tolist()
+    kinds: Counter[str] = Counter()
+    found = {"joined": False, "fitted": False, "turned": False, "smoothed": False}
+    distance = 0.0
+    for one in good:
+        kinds.update(one.kinds)
+        drawn, flat = one.curve.provenance, one.chain
+        if one.flatten is not None:
+            flat = one.flatten(one.chain)
+            found["turned"] |= _is_turned(one.chain, flat)
+        away = _distance(one.curve, flat)
+        pointwise = "point" in one.kinds and not one.curve.is_straight
+        found["fitted"] |= pointwise or ("polyline" in one.kinds and away > EXACT_MM)
+        found["joined"] |= len({id(edge.source or edge) for edge in one.chain}) > 1
+        found["smoothed"] |= drawn is not None and drawn.healed > EXACT_MM
+        distance = max(distance, away)
+    return ReadReport(
+        (width, height), unit, kinds, tuple(name for name, is_so in found.items() if is_so), distance
+    )
+
+
+_MOST_POINTS = 200  # of the drawing, whose distance is measured
+_TURNED = 1e-3  # slope of a drawing's plane from which it counts as turned
+
+
+def _is_turned(chain: Run, flat: Run) -> bool:
+    """Return True if x and y of a flattened chain are not those of the drawing."""
+    drawn, read = (np.concatenate([edge.points[:, :2] for edge in run]) for run in (chain, flat))
+    return bool(np.abs(drawn - read).max() > _TURNED * np.ptp(read, axis=0).max())
+
+
+def _distance(curve: PlaneCurve, flat: Run) -> float:
+    """Return the largest distance of what is drawn, edges in the plane or points, from the curve, mm."""
+    record = curve.provenance
+    if flat:
+        if len(flat) == 1 and np.array_equal(flat[0].points, curve.control_points):
+            return 0.0
+        points = np.concatenate([edge.at(edge.stations()) for edge in flat])
+    elif record is not None and record.measured is not None:
+        points = record.measured.points
+    else:
+        return 0.0
+    return float(distances(Spline(curve), points[:: -(-len(points) // _MOST_POINTS)]).max())
+
+
+def collect_curves(
+    path: Path,
+    runs: Iterable[Run],
+    skipped: Mapping[str, int],
+    *,
+    nothing: str,
+    tolerance: float,
+    fit_tolerance: float,
+    shown: Provenance | None = None,
+    flat: Callable[..., Run] | None = None,
+    corners: bool = True,
+) -> DrawnFile:
+    """Join runs of edges whose ends meet, and return the curves of the file that draws them.
+
+    Parameters
+    ----------
+    nothing : str
+        What is said of a file without any.
+    tolerance, fit_tolerance : float
+        Of joints, and of polylines' vertices, mm.
+    flat : callable, optional
+        Brings edges in space into their plane.
+    corners : bool
+        Join ends also where they meet at a corner.
+
+    Raises
+    ------
+    InputError
+        No curve, with what was found instead; tolerances that are not positive.
+    """
+    check_tolerance(fit_tolerance, "tolerance for fitting")
+    runs = list(runs)
+    joined = join_runs((run for run in runs if run), tolerance, corners=corners)
+    if not joined.chains:
+        found = dict(sorted(skipped.items())) | ({"of no length": len(runs)} if runs else {})
+        raise InputError(nothing + (f" (found only {list_things(found)})" if found else ""))
+
+    chains, holes = holes_on_chains(joined.chains)
+
+    def make(chain: Run, drilled: Sequence[Run]) -> PlaneCurve:
+        edges = (*chain, *(edge for circle in drilled for edge in circle))
+        plane = iter(edges if flat is None else flat(edges, tolerance))
+        parts = [tuple(islice(plane, len(part))) for part in (chain, *drilled)]
+        closing = max(tolerance, joined.widest)
+        return curve_from_run(
+            parts[0], tolerance=closing, fit_tolerance=fit_tolerance, shown=shown, holes=parts[1:]
+        )
+
+    sources = [chain[0].source or Source() for chain in chains]
+    curves = [
+        DrawnCurve(
+            number,
+            partial(make, chain, drilled),
+            source.name,
+            source.layer,
+            source.id,
+            kinds=kinds_of(chain),
+            chain=chain,
+            flatten=flat and partial(flat, tolerance=tolerance),
+        )
+        for number, (chain, drilled, source) in enumerate(zip(chains, holes, sources, strict=True), start=1)
+    ]
+    near = near_ends(chains, tolerance)
+    gaps = [note(
+        "{one} and {other} end {apart:.2g} apart near {place} and are two strips: close the gap in the "
+        "drawing where they are meant to be one",
+        one=curves[i].called, other=curves[j].called, apart=Length(apart), place=Point(place),
+    )for apart, i, j, place in near if apart > tolerance]  # fmt: skip
+    touching = dict.fromkeys((i, j) for apart, i, j, _ in near if apart <= tolerance)
+    pairs = [note("{one} and {other}", one=curves[i].called, other=curves[j].called) for i, j in touching]
+    names = [note(
+        "shapes with names are not joined where they touch: {pairs}. To make one strip of two shapes, combine them "
+        "into one path in the drawing program, or remove their names",
+        pairs=Listed(pairs),
+    )] if pairs else []  # fmt: skip
+    meeting = (*names, *_joining_notes(joined, tolerance), *gaps[:_SHOWN])
+    widths = [_stroke_width(chain, tolerance) for chain in chains]
+    outlines = [note(
+        "{curve} looks like the outline of a stroke about {width:.2g} wide: draw the centre line of the stroke, "
+        "or undo the conversion to a path (Inkscape: Stroke to Path; Illustrator: Outline Stroke)",
+        curve=curve.called, width=Length(width),
+    )for curve, width in zip(curves, widths, strict=True) if width]  # fmt: skip
+    return DrawnFile(
+        path,
+        curves,
+        dict(sorted(skipped.items())),
+        remarks=(*outlines[:_SHOWN], *(meeting if corners else ())),
+    )
+
+
+def _joining_notes(joined: JoinedRuns, tolerance: float) -> list[str]:
+    """Sentences about shapes that lie on each other, and about gaps that were closed."""
+    notes: list[str] = []
+    for kind, text in _OVERLAPS.items():
+        pairs = dict.fromkeys(
+            note("{one} on {other}", one=_shape(one), other=_shape(other))
+            for one, other, how in joined.overlaps
+            if how == kind
+        )
+        others = [note("{count} others", count=len(pairs) - _SHOWN)] if len(pairs) > _SHOWN else []
+        if pairs:
+            notes.append(note(text, pairs=Listed([*islice(pairs, _SHOWN), *others])))
+    closed = [gap for gap in joined.closed if gap > tolerance]
+    if closed:
+        notes.append(note(
+            "gaps of one unit of the file's last digit were closed: {count}, the widest {widest:.2g}",
+            count=len(closed), widest=Length(max(closed)),
+        ))  # fmt: skip
+    return notes
+
+
+_OVERLAPS = {
+    "left out": "drawn twice, so the longer shape counts: {pairs}",
+    "kept": "drawn twice with different layers or names, so both count: {pairs}",
+    "joined": "drawn twice in part, so their union is one curve: {pairs}",
+    "in part": "drawn twice in part, and both count: {pairs}. Trim one of them in the drawing",
+}
+"""Sentences about shapes that lie on each other."""
+
+
+def _shape(source: Source) -> str:
+    """Return the name of a shape of a file with its layer."""
+    name = source.name or note("a shape without a name")
+    return note("{name} (layer {layer})", name=name, layer=source.layer) if source.layer else name
+
+
+_SHOWN = 6  # curves and kinds named in a sentence
+
+
+def _known(curves: Sequence[DrawnCurve]) -> str:
+    """The first curves by number, id and layer."""
+    first = ", ".join(one.called.removeprefix("curve ") for one in curves[:_SHOWN])
+    return f"they are {first}" + (" ..." if len(curves) > _SHOWN else "")
+
+
+def _parts(curve: DrawnCurve) -> set[str]:
+    """What a curve may be called by besides its name: its id, and both names of a clone, "use1/path3"."""
+    return {curve.id, *curve.name.split("/"), *curve.id.split("/")}
+
+
+def list_things(counted: Mapping[str, int]) -> str:
+    """Return a list in words, such as "2 text, 1 image"; only the first kinds where there are many.
+
+    Examples
+    --------
+    >>> list_things({"text": 2, "image": 1}), list_things({f"kind {n}": 1 for n in range(40)})[-31:]
+    ('2 text, 1 image', '1 kind 5, and 34 of other kinds')
+    """
+    most = len(counted) if len(counted) <= _SHOWN + 1 else _SHOWN
+    told = [f"{count} {kind}" for kind, count in list(counted.items())[:most]]
+    others = sum(list(counted.values())[most:])
+    return ", ".join(told) + (f", and {others} of other kinds" if others else "")

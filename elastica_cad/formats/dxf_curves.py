@@ -1,0 +1,538 @@
+"""Curves drawn in a DXF file, exact where the file is exact."""
+
+import re
+import struct
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._units import MM_PER_INCH, look_up_unit
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install, quoted
+from elastica_cad.formats.drawn_file import DrawnFile, ReadUnit, collect_curves
+from elastica_cad.formats.edges import Edge, Run, Source
+from elastica_cad.formats.placed_curve import flatten_run
+from elastica_cad.formats.source_file import (
+    MOST_SHAPES,
+    check_count,
+    check_degree,
+    check_places,
+    half_last_place,
+    quiet_log,
+)
+from elastica_cad.geometry.measured_points import Provenance
+from elastica_cad.refusals import note
+
+if TYPE_CHECKING:
+    from ezdxf.document import Drawing
+
+
+DEEPEST_BLOCK = 20  # blocks within blocks: deeper ones are a slip or an attack
+
+ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, AssertionError)
+"""What ezdxf meets in entities that break off or are overwritten in places."""
+
+MODEL_SPACE = np.eye(4)  # placement of what is in no block
+
+_CURVES = {"LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX", "LWPOLYLINE", "POLYLINE"}
+
+FLAT_HELIX = 1e-6  # height of a HELIX over its radius, below which it is a flat spiral
+
+_PLACES = re.compile(rb"^[ \t]*(?:1[0-8]|2[0-8]|40)[ \t]*\r?\n[ \t]*([-+0-9.eE]+)[ \t]*\r?$", re.MULTILINE)
+_UNDECODED = re.compile("[\udc80-\udcff]")
+_SECTION = re.compile(rb"^[ \t]*2[ \t]*\r?\n[ \t]*(BLOCKS|ENTITIES)[ \t]*\r?$", re.MULTILINE)
+_MOST_NUMBERS = 20_000  # whose digits are looked at
+_COUNTLESS = 10**9  # insertions: counting stops there
+
+
+def _dxf_rounding(path: Path) -> float:
+    """Half a unit of the last digit of the coordinates (group codes 10 to 28, 40) of the entities; 0 where none."""
+    data = path.read_bytes()
+    if data.startswith(b"AutoCAD Binary DXF"):
+        return 0.0
+    sections = list(_SECTION.finditer(data))
+    found: list[str] = []
+    for section in reversed(sections):  # the entities before the blocks
+        begin, end = section.end(), data.find(b"ENDSEC", section.end())
+        for match in _PLACES.finditer(data, begin, len(data) if end < 0 else end):
+            found.append(match[1].decode("ascii"))
+            if len(found) >= _MOST_NUMBERS:
+                break
+    return half_last_place(found)
+
+
+def _refuse_many_inserts(document: "Drawing") -> None:
+    """Refuse a drawing whose blocks, inserted as often as it says, come to more entities than are read."""
+    known: dict[str, int] = {}
+    total = _count(document, document.modelspace(), known, 0)
+    check_count(
+        total,
+        MOST_SHAPES,
+        "entities, those of its blocks counted",
+        "leave out blocks, or explode one of them",
+    )
+
+
+def _count(document: "Drawing", layout: Any, known: dict[str, int], depth: int) -> int:
+    """Entities of a layout, blocks expanded; never more than a billion."""
+    if depth > DEEPEST_BLOCK:
+        raise InputError(
+            "blocks are nested more than {deepest_block} deep: explode them before export",
+            deepest_block=DEEPEST_BLOCK,
+        )
+    from ezdxf.lldxf.const import DXFError
+
+    total = 0
+    for entity in layout:
+        if entity.dxftype() != "INSERT":
+            total += 1
+            continue
+        name = str(entity.dxf.get("name", "")) if entity.dxf.is_supported("name") else ""
+        if name not in known:
+            block = document.blocks.get(name)
+            known[name] = 0 if block is None else _count(document, block, known, depth + 1)
+        try:
+            times = max(1, int(entity.dxf.get("row_count", 1))) * max(
+                1, int(entity.dxf.get("column_count", 1))
+            )
+        except (*ODDITIES, DXFError):
+            times = 1
+        total = min(total + times * max(1, known[name]), _COUNTLESS)
+    return total
+
+
+_INSUNITS = {
+    0: 1.0, 1: 25.4, 2: 304.8, 3: 1609344.0, 4: 1.0, 5: 10.0, 6: 1000.0, 7: 1e6, 8: 25.4e-6, 9: 0.0254, 10: 914.4,
+    11: 1e-7, 12: 1e-6, 13: 1e-3, 14: 100.0, 15: 1e4, 16: 1e5, 17: 1e12, 21: 1.2e6 / 3937,
+}  # fmt: skip
+"""Millimetres in the units that $INSUNITS numbers; 0 is "no unit"."""
+
+_NAMES = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
+"""Usual units that $INSUNITS numbers."""
+
+_OWN_UNIT = b"all lengths in mm"
+"""The comment at the top of R12 files that this program writes, which have no $INSUNITS."""
+
+_INCHES_BELOW = 40.0
+"""Drawing units: a smaller drawing of a program that measures in inches is in inches."""
+
+_ASSUMED = (
+    "its unit is assumed: {unit}, because {reason}; if that is wrong, give the unit, such as --unit {other}"
+)
+
+
+def read_dxf_drawing(
+    file: Path, *, tolerance: float, fit_tolerance: float, unit: str | None, corners: bool = True
+) -> DrawnFile:
+    """Read the curves of a DXF file with handles and layers, in mm; the arguments are those of `read_drawing`.
+
+    LINE, ARC, CIRCLE, ELLIPSE, SPLINE and polylines of the model space are read, those inside of blocks too. True
+    curves stay exact, a polyline without arcs is fitted. The unit is the file's $INSUNITS. Without one it is mm, or
+    inches if the file says $MEASUREMENT = 0 and its curves are smaller than 40 units; the record says so.
+
+    Raises
+    ------
+    InputError
+        Not a DXF file, an unknown unit, nothing usable in it, a curve that lies in no plane.
+    MissingDependencyError
+        ezdxf is not installed.
+    """
+    document = _opened(file)
+    _refuse_many_inserts(document)
+    scale, known = (look_up_unit(unit), ReadUnit.requested(unit)) if unit else _unit_of(document, file)
+    rounding = scale * _dxf_rounding(file)
+    skipped = _on_paper(document)
+    shown = Provenance(
+        place=np.diag([1 / scale, 1 / scale, 1.0]), unit="mm" if scale == 1 else "drawing units"
+    )
+    with np.errstate(
+        over="ignore", invalid="ignore"
+    ):  # what is not finite is refused where places are checked
+        drawn = collect_curves(
+            file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flatten_run,
+            nothing="holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
+            fit_tolerance=fit_tolerance, shown=shown, corners=corners,
+        )  # fmt: skip
+    return replace(drawn, unit=known)
+
+
+def _on_paper(document: "Drawing") -> Counter[str]:
+    """Number of curves on each paper layout, which are not read."""
+    papers = (layout for layout in document.layouts if layout.is_any_paperspace)
+    return Counter(
+        f"on paper layout {layout.name}"
+        for layout in papers
+        for entity in layout
+        if entity.dxftype() in _CURVES
+    )
+
+
+def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:
+    """The edges of every entity, mm; what is none and what cannot be read is counted."""
+    from ezdxf.lldxf.const import DXFError
+
+    bad: list[InputError] = []
+    good = 0
+    hidden = _Hidden.of(document)
+    for entity, placement, layer in _entities(document.modelspace(), 0, skipped, hidden):
+        kind = entity.dxftype()
+        try:
+            run = _run(entity)
+            if run is None:
+                skipped[kind] += 1
+                continue
+            handle = str(entity.dxf.get("handle") or "")
+            linear, offset = scale * placement[:3, :3], scale * placement[:3, 3]
+            digit = rounding * float(np.linalg.norm(placement[:3, :3], axis=0).max())
+            source = Source(f"{kind} {handle}".rstrip(), _readable(layer), digit, handle)
+            mapped = tuple(edge.mapped(linear, offset, source) for edge in run)
+            for edge in mapped:
+                check_places(edge.points)
+        except InputError as error:
+            bad.append(error)
+            skipped[f"{kind} that cannot be read ({error})"] += 1
+            continue
+        except (*ODDITIES, DXFError):
+            bad.append(
+                InputError("has a {thing} that breaks off or makes no sense: draw it anew", thing=kind)
+            )
+            skipped[f"{kind} that breaks off or makes no sense"] += 1
+            continue
+        good += 1
+        if any(edge.size for edge in mapped):
+            yield mapped
+        else:
+            skipped[f"{kind} of no length"] += 1
+    if bad and not good:
+        raise bad[0]
+
+
+def _readable(name: str) -> str:
+    """Return a name whose bytes are not UTF-8, in the encoding of Western Windows."""
+    return (
+        name.encode("utf-8", "surrogateescape").decode("cp1252", "replace")
+        if _UNDECODED.search(name)
+        else name
+    )
+
+
+def _opened(path: Path) -> "Drawing":
+    try:
+        from ezdxf import recover
+        from ezdxf.audit import AuditError
+        from ezdxf.filemanagement import readfile
+        from ezdxf.lldxf.const import DXFError
+    except ImportError as error:
+        raise MissingDependencyError(
+            "reading {name} needs ezdxf, which is not installed: {how_to_install}",
+            name=path.name,
+            how_to_install=how_to_install("ezdxf"),
+        ) from error
+    with path.open("rb") as opened:
+        if re.match(rb"AC10\d\d", opened.read(6)):
+            raise InputError("This is a DWG file, not a DXF file. Save the drawing as DXF.")
+    # what ezdxf meets in a file cut short or overwritten in places
+    damage = (
+        DXFError,
+        OSError,
+        ArithmeticError,
+        ValueError,
+        LookupError,
+        TypeError,
+        AttributeError,
+        AssertionError,
+        struct.error,
+    )
+    with quiet_log("ezdxf"):
+        try:
+            document = readfile(str(path))
+            document.modelspace()
+        except (*damage, StopIteration):
+            pass
+        else:
+            return document
+        try:
+            document, audit = recover.readfile(str(path))
+            document.modelspace()
+        except (*damage, StopIteration) as error:
+            raise InputError(
+                "is not a DXF file that can be read: export it anew, as DXF R2000 or later"
+            ) from error
+    guessed = [entry for entry in audit.errors if entry.code == AuditError.INVALID_FLOATING_POINT_VALUE]
+    if guessed:
+        said = re.sub(
+            '"(.*)"(?= near line)', lambda found: quoted(found[1]), guessed[0].message, flags=re.DOTALL
+        )
+        raise InputError("is damaged ({said}): export it anew", said=said)
+    return document
+
+
+def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
+    """Millimetres in a drawing unit, and how that is known."""
+    code = _unit_code(document)
+    with file.open("rb") as opened:
+        if code:
+            name = _NAMES.get(code, f"{_INSUNITS[code]:g} mm")
+            return _INSUNITS[code], ReadUnit(name, "stated", "$INSUNITS")
+        if _OWN_UNIT in opened.read(200):
+            return 1.0, ReadUnit("mm", "stated", "a comment")
+    if document.header.get("$MEASUREMENT") == 0:
+        with np.errstate(over="ignore", invalid="ignore"), suppress(InputError):
+            points = [edge.points for run in _runs(document, 1.0, 0.0, Counter()) for edge in run]
+            size = float(np.ptp(np.concatenate(points), axis=0).max()) if points else 0.0
+            if 0 < size < _INCHES_BELOW:
+                reason = note("it names none, has $MEASUREMENT = 0 and is {size:.3g} units large", size=size)
+                assumed = note(_ASSUMED, unit="in", reason=reason, other="mm")
+                return MM_PER_INCH, ReadUnit("in", note=assumed)
+    assumed = note(_ASSUMED, unit="mm", reason=note("it names none ($INSUNITS)"), other="in")
+    return 1.0, ReadUnit("mm", note=assumed)
+
+
+def _unit_code(document: "Drawing") -> int:
+    """The file's $INSUNITS, one that is known."""
+    try:
+        code = int(document.header.get("$INSUNITS", 0))
+    except (TypeError, ValueError, OverflowError):
+        code = -1
+    if code not in _INSUNITS:
+        raise InputError(
+            "is drawn in a unit that is not known here ($INSUNITS = {given}): say which, --unit "
+            'mm or unit = "mm"',
+            given=code if -1 < code < 1000 else "no number from 0 to 21",
+        )
+    return code
+
+
+@dataclass(frozen=True)
+class _Hidden:
+    """Names of the layers that are not shown, in small letters: those off or frozen, and the frozen alone."""
+
+    layers: frozenset[str]
+    frozen: frozenset[str]
+
+    @classmethod
+    def of(cls, document: "Drawing") -> "_Hidden":
+        """Those of a drawing."""
+        frozen = frozenset(str(one.dxf.name).lower() for one in document.layers if one.is_frozen())
+        off = (str(one.dxf.name).lower() for one in document.layers if one.is_off())
+        return cls(frozen.union(off), frozen)
+
+    def hides(self, entity: Any, layer: str) -> bool:
+        """Is it not shown? A block is where its layer is frozen; where that is off, its parts go by their own."""
+        layers = self.frozen if entity.dxftype() == "INSERT" else self.layers
+        if layer.lower() in layers:
+            return True
+        return entity.dxf.is_supported("invisible") and bool(entity.dxf.get("invisible", 0))
+
+
+def _entities(
+    layout: Iterable[Any],
+    depth: int,
+    skipped: Counter[str],
+    hidden: _Hidden,
+    placement: FloatArray = MODEL_SPACE,
+    outer: str = "0",
+) -> Iterator[tuple[Any, FloatArray, str]]:
+    """Yield the entities of a layout and of its blocks with their placement (4, 4) and layer.
+
+    An entity on layer 0 of a block is on the layer of the insertion. Hidden entities are counted. Placements of
+    nested blocks are multiplied, because unequal scales and rotations make a shear that no insertion can state.
+    """
+    from ezdxf.lldxf.const import DXFError
+
+    for entity in layout:
+        layer = str(entity.dxf.get("layer", "0")) if entity.dxf.is_supported("layer") else "0"
+        layer = outer if layer == "0" and depth else layer
+        if hidden.hides(entity, layer):
+            skipped[f"hidden on layer {layer}"] += 1
+        elif entity.dxftype() != "INSERT":
+            if not (depth and entity.dxftype() == "ATTDEF"):
+                yield entity, placement, layer
+        elif depth < DEEPEST_BLOCK:
+            try:
+                block = entity.block()
+                if block is None:
+                    skipped["INSERT of a block that the file does not hold"] += 1
+                    continue
+                copies = list(entity.multi_insert()) if entity.mcount > 1 else [entity]
+                placements = [np.array(list(copy.matrix44().rows())).T for copy in copies]
+            except (*ODDITIES, DXFError):
+                skipped["INSERT that makes no sense"] += 1
+                continue
+            for inner in placements:
+                yield from _entities(block, depth + 1, skipped, hidden, placement @ inner, layer)
+        else:
+            raise InputError(
+                "blocks are nested more than {deepest_block} deep: explode them before export",
+                deepest_block=DEEPEST_BLOCK,
+            )
+
+
+def _run(entity: Any) -> Run | None:
+    """The entity's edges in space, None for what is no curve."""
+    kind = entity.dxftype()
+    if kind == "LINE":
+        return (Edge.polyline([entity.dxf.start, entity.dxf.end]),)
+    if kind in ("ARC", "CIRCLE"):
+        return (_circle(entity, full=kind == "CIRCLE"),)
+    if kind == "ELLIPSE":
+        return (_ellipse(entity),)
+    if kind == "SPLINE" or (kind == "HELIX" and _is_flat(entity)):
+        return (_spline(entity),)
+    if kind == "LWPOLYLINE":
+        rows = [(x, y, entity.dxf.elevation, bulge) for x, y, bulge in entity.get_points("xyb")]
+        return _polyline(rows, closed=entity.closed, to_world=entity.ocs().to_wcs)
+    if kind == "POLYLINE" and (entity.is_2d_polyline or entity.is_3d_polyline):
+        vertices = [
+            v for v in entity.vertices if not v.dxf.flags & 16
+        ]  # 16: frame of a spline, not on the curve
+        places = [(v.dxf.location, v.dxf.get("bulge", 0.0)) for v in vertices]
+        if entity.is_3d_polyline:
+            return _polyline([(*p, 0.0) for p, _ in places], closed=entity.is_closed, to_world=np.asarray)
+        height = entity.dxf.elevation.z
+        rows = [(p.x, p.y, height, bulge) for p, bulge in places]
+        return _polyline(rows, closed=entity.is_closed, to_world=entity.ocs().to_wcs)
+    return None
+
+
+def _circle(entity: Any, *, full: bool) -> Edge:
+    to_world, radius = entity.ocs().to_wcs, entity.dxf.radius
+    start, end = (0.0, 360.0) if full else (entity.dxf.start_angle, entity.dxf.end_angle)
+    x_axis, y_axis = radius * np.array(to_world((1, 0, 0))), radius * np.array(to_world((0, 1, 0)))
+    return Edge.arc(np.array(to_world(entity.dxf.center)), x_axis, y_axis, *_turn(np.radians([start, end])))
+
+
+def _ellipse(entity: Any) -> Edge:
+    center, x_axis = np.array(entity.dxf.center), np.array(entity.dxf.major_axis)
+    y_axis = np.array(entity.minor_axis)
+    return Edge.arc(center, x_axis, y_axis, *_turn(np.array([entity.dxf.start_param, entity.dxf.end_param])))
+
+
+def _turn(angles: FloatArray) -> tuple[float, float]:
+    """Start and end angle, rad, anticlockwise over at most one turn as DXF means them."""
+    start, end = float(angles[0]), float(angles[1])
+    sweep = (end - start) % (2 * np.pi)
+    return start, start + (sweep if sweep > 1e-12 else 2 * np.pi)
+
+
+def _spline(entity: Any) -> Edge:
+    if not len(entity.control_points):
+        if len(entity.fit_points) < 2:
+            raise InputError("a SPLINE has neither control points nor fit points: draw it anew")
+        places = np.array([tuple(p) for p in entity.fit_points], dtype=float)
+        return _ring(places) if entity.closed and len(places) > 2 else _fitted(entity, places)
+    points = np.array([tuple(p) for p in entity.control_points], dtype=float)
+    weights = np.array(entity.weights, dtype=float) if len(entity.weights) else None
+    knots = np.array(entity.knots, dtype=float)
+    degree = int(entity.dxf.degree)
+    check_degree(degree)
+    backwards = np.maximum.accumulate(knots) - knots
+    if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):  # knots written with too few decimals
+        knots = knots + backwards
+    if weights is not None and len(weights) != len(points):
+        return Edge(knots, points, degree, weights)  # refused there
+    poles = points if weights is None else np.column_stack([points, weights])
+    knots, poles = _without_doubled_poles(*_unwound(knots, poles, degree, entity.closed), degree)
+    return Edge(knots, poles[:, :3], degree, None if weights is None else poles[:, 3])
+
+
+def _is_flat(helix: Any) -> bool:
+    """Return True if all turns of a HELIX are in one plane."""
+    return bool(abs(helix.dxf.turns * helix.dxf.turn_height) <= FLAT_HELIX * abs(helix.dxf.radius))
+
+
+def _unwound(
+    knots: FloatArray, poles: FloatArray, degree: int, closed: bool
+) -> tuple[FloatArray, FloatArray]:
+    """Return full knots and control points of a periodic spline that states one period only, as OpenCASCADE does.
+
+    The first control points repeat behind the last ones. Other splines are returned unchanged.
+    """
+    count = len(poles)
+    first = int(np.count_nonzero(knots == knots[0])) if knots.size else 0
+    if not closed or first > degree or count < 2 or knots.size != count + first:
+        return knots, poles
+    turns, place = np.divmod(np.arange(count + 2 * degree + 1) - degree + first - 1, count)
+    return knots[place] + turns * np.ptp(knots), poles[np.arange(count + degree) % count]
+
+
+def _without_doubled_poles(
+    knots: FloatArray, poles: FloatArray, degree: int
+) -> tuple[FloatArray, FloatArray]:
+    """Return the spline without inner knots of multiplicity degree + 1 whose two control points coincide."""
+    if knots.size != len(poles) + degree + 1:
+        return knots, poles
+    inner = range(degree + 1, len(poles))
+    doubled = [i for i in inner if knots[i] == knots[i + degree] and np.array_equal(poles[i - 1], poles[i])]
+    return np.delete(knots, doubled), np.delete(poles, doubled, axis=0)
+
+
+def _fitted(entity: Any, points: FloatArray) -> Edge:
+    """The cubic through points (n, 3) along the tangents that are given; an end without one has no curvature."""
+    ends: list[list[tuple[int, Any]]] = []
+    for name in ("start_tangent", "end_tangent"):
+        along = np.array(tuple(entity.dxf.get(name) or (0.0, 0.0, 0.0)), dtype=float)
+        length = float(np.linalg.norm(along))
+        ends.append([(1, along / length)] if length > 0 else [(2, np.zeros(3))])
+    return _through(points, ends)
+
+
+def _ring(points: FloatArray) -> Edge:
+    """The cubic through points (n, 3) that closes as smoothly as it passes them."""
+    around = points if np.array_equal(points[0], points[-1]) else np.vstack([points, points[:1]])
+    return _through(around, "periodic")
+
+
+def _through(points: FloatArray, ends: Any) -> Edge:
+    """The cubic through points whose parameter is the chord; `ends` as scipy's `bc_type`."""
+    from scipy.interpolate import make_interp_spline
+
+    chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    apart = chords > 0
+    chords_needed, places = (3, "three") if isinstance(ends, str) else (1, "two")
+    if np.count_nonzero(apart) < chords_needed:
+        raise InputError(
+            "a SPLINE has fewer than {places} fit points that differ: draw it anew", places=places
+        )
+    at = np.append(0.0, np.cumsum(chords[apart]))
+    spline = make_interp_spline(at, points[np.append(True, apart)], k=3, bc_type=ends)
+    return Edge(spline.t, spline.c, 3)
+
+
+def _polyline(rows: list[tuple[float, float, float, float]], *, closed: bool, to_world: Any) -> Run:
+    """One polyline edge where there are no bulges, else its lines and arcs one by one."""
+    if closed and len(rows) > 1:
+        rows = [*rows, rows[0]]
+    if len(rows) < 2:
+        return ()
+    vertices = np.array([row[:3] for row in rows], dtype=float)
+    bulges = np.array([row[3] for row in rows[:-1]], dtype=float)
+    if not bulges.any():
+        return (Edge.polyline([tuple(to_world(v)) for v in vertices]),)
+    edges = []
+    for p, q, bulge in zip(vertices[:-1], vertices[1:], bulges, strict=True):
+        if not np.any(p != q):
+            continue
+        edge = _bulged(p, q, float(bulge)) if bulge else Edge.polyline([p, q])
+        world = np.array([tuple(to_world(v)) for v in edge.points])
+        edges.append(Edge(edge.knots, world, edge.degree, edge.weights))
+    return tuple(edges)
+
+
+def _bulged(p: FloatArray, q: FloatArray, bulge: float) -> Edge:
+    """The arc from p to q; `bulge` is tangent of a quarter of its angle, positive for a left-hand turn."""
+    chord = q - p
+    left = np.array([-chord[1], chord[0], 0.0])
+    sweep = 4 * np.arctan(bulge)
+    if abs(sweep) <= np.pi / 2:  # by its tangents: no centre, which lies far off for a flat arc
+        middle = (p + q) / 2 - left * np.tan(sweep / 2) / 2
+        knots = np.repeat([0.0, 1.0], 3)
+        return Edge(knots, np.array([p, middle, q]), 2, np.array([1.0, np.cos(sweep / 2), 1.0]))
+    center = (p + q) / 2 + left * (1 - bulge**2) / (4 * bulge)
+    arm = p - center
+    return Edge.arc(center, arm, np.array([-arm[1], arm[0], 0.0]), 0.0, sweep)

@@ -1,0 +1,271 @@
+"""Drawings as DXF files: R2000 to R2018 through ezdxf, R12 without any library."""
+
+import io
+import logging
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from importlib import import_module
+from math import degrees, pi
+from textwrap import wrap
+from threading import Lock
+from typing import Any, Literal, TypeAlias, get_args
+
+from elastica_cad._text import MADE_BY
+from elastica_cad._types import FloatArray
+from elastica_cad._values import require_record
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
+from elastica_cad.formats.drawing_style import (
+    LayerChoice,
+    LayerStyle,
+    check_curve_style,
+    shape_paths,
+    style_layers,
+)
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.segments import Arc, Segment, Spline, trim_segment
+from elastica_cad.strip.drawing import SHEET, Drawing
+
+DxfVersion: TypeAlias = Literal["R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018"]
+DXF_VERSIONS: tuple[DxfVersion, ...] = get_args(DxfVersion)
+
+_CLOSED, _RATIONAL, _PLANAR = 1, 4, 8  # flags of a SPLINE
+_OPTIONS = Lock()
+
+LONGEST_COMMENT = 250
+"""Letters of one comment."""
+
+_INKS = {
+    1: (255, 0, 0), 2: (255, 255, 0), 3: (0, 255, 0), 4: (0, 255, 255), 5: (0, 0, 255), 6: (255, 0, 255),
+    7: (0, 0, 0), 8: (128, 128, 128), 9: (192, 192, 192), 30: (255, 127, 0), 140: (0, 191, 255), 200: (191, 0, 255),
+}  # fmt: skip
+"""Some of AutoCAD's colour numbers; 7 is drawn in black on white paper and in white on a black screen."""
+
+
+def encode_dxf(
+    drawing: Drawing,
+    *,
+    curves: str = "spline",
+    tolerance: float = 0.02,
+    version: str = "R2010",
+    layers: Mapping[str, LayerChoice] | str | None = None,
+) -> bytes:
+    """A drawing as the content of a DXF file in mm; the same drawing, by the same command, gives the same bytes.
+
+    A loop of lines and arcs is one closed polyline (a circle a CIRCLE), a loop that is one spline is one
+    closed SPLINE. A loop with splines among others is a chain of LINE, ARC and SPLINE in order, ends meeting,
+    bound by a GROUP, or with `curves` "arc" or "polyline" one closed LWPOLYLINE. In R12 every loop is a chain of
+    LINE and ARC in order, ends meeting: OpenSCAD and old machines read no others there. The order is
+    engraving, marks, inner cuts, outer cuts.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    curves : str
+        "spline" keeps splines up to degree 3 exactly, and higher ones as cubics to the tolerance but at most
+        0.001 mm; "bezier" writes these with Bezier knots, which more programs read exactly; "exact" keeps them all;
+        "arc" turns splines into tangent arcs; "polyline" turns splines and
+        arcs into lines. R12 knows no splines: there these mean "arc".
+    tolerance : float
+        Largest distance, mm, of a replaced curve from the true one.
+    version : str
+        One of `DXF_VERSIONS`. R12 has no units in its header; a comment says mm. It is written without ezdxf.
+    layers : mapping, optional
+        Names and colours, see `style_layers`.
+
+    Raises
+    ------
+    InputError
+        The drawing is empty, or an option is unknown.
+    MissingDependencyError
+        ezdxf is not installed.
+    """
+    curves = check_curve_style(curves)
+    require_record(drawing, Drawing, "what is written", "a Drawing record")
+    if not isinstance(version, str) or version not in DXF_VERSIONS:
+        raise InputError(
+            "there is no DXF version {version!r}: use one of {dxf_versions}",
+            version=version,
+            dxf_versions=", ".join(DXF_VERSIONS),
+        )
+    styles = style_layers(layers)
+    old = version == "R12"
+    if old:
+        _check_old_names(styles)
+        curves = "polyline" if curves == "polyline" else "arc"
+    shown = {layer: styles[layer] for layer in drawing.layers}
+    strokes = drawing.strokes
+    shaped = shape_paths([stroke.path for stroke in strokes], curves, tolerance)
+    named = [(styles[stroke.layer].name, path) for stroke, path in zip(strokes, shaped, strict=True)]
+    if old:
+        return _r12(named, shown, drawing.bounds)
+    return _through_ezdxf(named, shown, drawing.bounds, version)
+
+
+def _made_by() -> list[str]:
+    """The command that runs as lines of a comment: those of old readers end behind 255 letters."""
+    return wrap(MADE_BY.get(), LONGEST_COMMENT)
+
+
+# --- R2000 and later ---
+
+
+def _through_ezdxf(
+    paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray, version: str
+) -> bytes:
+    """Paths on named layers as the content of a file."""
+    with _plain_ezdxf() as ezdxf:
+        document = ezdxf.new(version, setup=False, units=ezdxf.units.MM)
+        for layer, style in styles.items():
+            row = document.layers.add(style.name, color=_ink(style.rgb))
+            row.rgb = style.rgb
+            row.dxf.plot = int(layer != SHEET)  # the border of a sheet is seen, not worked
+        space, groups = document.modelspace(), document.rootdict["ACAD_GROUP"]
+        for layer, path in paths:
+            entities = [*_entities(space, path, {"layer": layer})]
+            if len(entities) > 1:
+                # `document.groups.new` compares the name with all others: minutes for thousands of holes
+                group = document.objects.add_dxf_object_with_reactor("GROUP", {"owner": groups.dxf.handle})
+                groups.add(f"LOOP_{len(groups) + 1}", group)
+                group.set_data(entities)
+        (left, low), (right, high) = bounds.tolist()
+        space.reset_extents((left, low, 0.0), (right, high, 0.0))
+        document.header["$EXTMIN"], document.header["$EXTMAX"] = (left, low, 0.0), (right, high, 0.0)
+        height = 1.1 * max(high - low, (right - left) / 2)
+        document.set_modelspace_vport(height, ((left + right) / 2, (low + high) / 2))
+        # ezdxf keeps the classes that a version needs in a set, whose order changes with every process
+        document.classes.add_required_classes(document.dxfversion)
+        document.classes.classes = dict(sorted(document.classes.classes.items()))
+        stream = io.StringIO("".join(f"999\n{line}\n" for line in _made_by()))
+        stream.seek(0, io.SEEK_END)
+        document.write(stream)
+        return bytes(document.encode(stream.getvalue()))
+
+
+def _entities(space: Any, path: Path, on: dict[str, Any]) -> Iterator[Any]:
+    """The entities that draw a path."""
+    if circle := _circle(path):
+        yield space.add_circle(circle.center, circle.radius, on)
+    elif not path.has_splines:
+        yield space.add_lwpolyline(_bulges(path), "xyb", close=path.closed, dxfattribs=on)
+    else:
+        for segment in path.segments:
+            if isinstance(segment, Spline):
+                curve, alone = segment.curve, path.closed and len(path.segments) == 1
+                spline = space.add_spline(degree=curve.degree, dxfattribs=on)
+                spline.control_points, spline.knots = curve.control_points, curve.knots
+                spline.weights = () if curve.weights is None else curve.weights
+                rational = 0 if curve.weights is None else _RATIONAL
+                spline.dxf.flags = _PLANAR | rational | (_CLOSED if alone else 0)
+                yield spline
+            elif isinstance(segment, Arc):
+                yield space.add_arc(segment.center, segment.radius, *_angles(segment), dxfattribs=on)
+            else:
+                yield space.add_line(segment.start, segment.end, on)
+
+
+@contextmanager
+def _plain_ezdxf() -> Iterator[Any]:
+    """ezdxf without time stamps and random identifiers, by which files would differ, and without its log."""
+    try:
+        ezdxf = import_module("ezdxf")
+    except ImportError:
+        raise MissingDependencyError(
+            "writing DXF needs ezdxf: {how_to_install}", how_to_install=how_to_install("ezdxf")
+        ) from None
+    logger = logging.getLogger("ezdxf")
+    with _OPTIONS:
+        before, level = ezdxf.options.write_fixed_meta_data_for_testing, logger.level
+        ezdxf.options.write_fixed_meta_data_for_testing = True
+        logger.setLevel(logging.ERROR)
+        try:
+            yield ezdxf
+        finally:
+            ezdxf.options.write_fixed_meta_data_for_testing = before
+            logger.setLevel(level)
+
+
+# --- R12 ---
+
+
+def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray) -> bytes:
+    """Paths on named layers as the content of a file, as pairs of lines: a code and its value."""
+    tags: list[tuple[int, object]] = [(999, line) for line in ("all lengths in mm", *_made_by())]
+    tags += [(0, "SECTION"), (2, "HEADER")]
+    tags += [(9, "$ACADVER"), (1, "AC1009")]
+    for name, corner in zip(("$EXTMIN", "$EXTMAX"), bounds.tolist(), strict=True):
+        tags += [(9, name), *_at(10, corner)]
+    tags += [(0, "ENDSEC"), (0, "SECTION"), (2, "TABLES"), (0, "TABLE"), (2, "LAYER"), (70, len(styles))]
+    for style in styles.values():
+        tags += [(0, "LAYER"), (2, style.name), (70, 0), (62, _ink(style.rgb)), (6, "CONTINUOUS")]
+    tags += [(0, "ENDTAB"), (0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")]
+    for layer, path in paths:
+        tags += _r12_entities(path, (8, layer))
+    tags += [(0, "ENDSEC"), (0, "EOF")]
+    return "".join(f"{code:>3}\n{value}\n" for code, value in tags).encode("ascii", "replace")
+
+
+def _r12_entities(path: Path, layer: tuple[int, object]) -> Iterator[tuple[int, object]]:
+    if circle := _circle(path):
+        yield from ((0, "CIRCLE"), layer, *_at(10, circle.center), (40, float(circle.radius)))
+    elif path.closed:
+        for segment in path.segments:
+            if isinstance(segment, Arc):
+                start, end = _angles(segment)
+                yield from ((0, "ARC"), layer, *_at(10, segment.center), (40, float(segment.radius)))
+                yield from ((50, start), (51, end))
+            else:
+                yield from ((0, "LINE"), layer, *_at(10, segment.start), *_at(11, segment.end))
+    else:
+        yield from ((0, "POLYLINE"), layer, (66, 1), *_at(10, (0.0, 0.0)), (70, 0))
+        for x, y, bulge in _bulges(path):
+            yield from ((0, "VERTEX"), layer, *_at(10, (x, y)), (42, bulge))
+        yield from ((0, "SEQEND"), layer)
+
+
+def _at(code: int, point: FloatArray | Sequence[float]) -> list[tuple[int, object]]:
+    x, y = point
+    return [(code, float(x)), (code + 10, float(y)), (code + 20, 0.0)]
+
+
+def _check_old_names(styles: Mapping[str, LayerStyle]) -> None:
+    for style in styles.values():
+        if not re.fullmatch(r"[A-Za-z0-9_$-]{1,31}", style.name):
+            raise InputError(
+                "DXF R12 takes no layer named {name!r}: use up to 31 letters, digits, $, - and _",
+                name=style.name,
+            )
+
+
+# --- of both ---
+
+
+def _circle(path: Path) -> Arc | None:
+    """The whole circle that a path is; None of others."""
+    first = path.segments[0]
+    return first if len(path.segments) == 1 and isinstance(first, Arc) and first.is_circle else None
+
+
+def _angles(arc: Arc) -> tuple[float, float]:
+    """Where an arc begins and ends when it is run anticlockwise, degrees."""
+    first, last = sorted((degrees(arc.start_angle), degrees(arc.end_angle)))
+    return first, last
+
+
+def _bulges(path: Path) -> list[tuple[float, float, float]]:
+    """The corners of a path of lines and arcs as x, y and the bulge of what follows; of an open one its end too."""
+    segments = [piece for segment in path.segments for piece in _up_to_half_turns(segment)]
+    rows = [(*one.start.tolist(), float(one.bulge) if isinstance(one, Arc) else 0.0) for one in segments]
+    return rows if path.closed else [*rows, (*path.end.tolist(), 0.0)]
+
+
+def _up_to_half_turns(segment: Segment) -> list[Segment]:
+    """An arc of more than half a turn in two, so that its bulge stays moderate."""
+    if isinstance(segment, Arc) and abs(segment.sweep) > pi * (1 + 1e-9):
+        return [trim_segment(segment, 0.0, 0.5), trim_segment(segment, 0.5, 1.0)]
+    return [segment]
+
+
+def _ink(rgb: tuple[int, int, int]) -> int:
+    """The number of the nearest of AutoCAD's colours."""
+    return min(_INKS, key=lambda ink: sum((a - b) ** 2 for a, b in zip(_INKS[ink], rgb, strict=True)))

@@ -1,0 +1,210 @@
+"""A drawn piece as a file holds it: a NURBS of any degree from 1, in the plane or in space."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.splines import Spans, bezier_spans, knot_runs, unit_circle_arc
+
+
+@dataclass(frozen=True, eq=False)
+class Source:
+    """The shape of a file that edges belong to: its name, layer and digits. Equal sources are one shape.
+
+    Attributes
+    ----------
+    name : str
+        Its label, id or handle, as the drawing program shows it.
+    layer : str
+    rounding : float
+        Half a unit of the last digit of its coordinates, mm.
+    id : str
+        Its id or handle.
+    is_named : bool
+        True if a person chose the name, False if a program made it.
+    """
+
+    name: str = ""
+    layer: str = ""
+    rounding: float = 0.0
+    id: str = ""
+    is_named: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Edge:
+    """One line, polyline, arc or spline of a drawing, as a B-spline.
+
+    Parameters
+    ----------
+    knots : (m + degree + 1,) array
+        Full knot vector, clamped or not.
+    points : (m, 2) or (m, 3) array
+        Control points; of an edge of degree 1 the vertices of a polyline.
+    degree : int
+        1 or more.
+    weights : (m,) array, optional
+        Rational weights, positive.
+    source : Source, optional
+        The shape of a file that it belongs to.
+
+    Raises
+    ------
+    InputError
+        Numbers that are not finite, weights that are not positive, a knot vector that does not fit.
+    """
+
+    knots: FloatArray
+    points: FloatArray
+    degree: int
+    weights: FloatArray | None = None
+    source: Source | None = None
+
+    def __post_init__(self) -> None:
+        knots, points = np.array(self.knots, dtype=float), np.array(self.points, dtype=float)
+        if not (np.all(np.isfinite(points)) and np.all(np.isfinite(knots))):
+            raise InputError("a curve has a coordinate or knot that is not a finite number: export it anew")
+        count = len(points)
+        if self.degree < 1 or count <= self.degree:
+            raise InputError(
+                "a spline of degree {degree} has {count} control points; it needs {degree_2}: draw it anew",
+                degree=self.degree,
+                count=count,
+                degree_2=self.degree + 1,
+            )
+        if knots.shape != (count + self.degree + 1,) or np.any(np.diff(knots) < 0):
+            raise InputError(
+                "a spline of degree {degree} with {count} control points has {size} knots; it needs "
+                "{given}, never decreasing: export it anew, or draw it anew",
+                degree=self.degree,
+                count=count,
+                size=knots.size,
+                given=count + self.degree + 1,
+            )
+        if not knots[self.degree] < knots[count]:
+            raise InputError(
+                "all knots of a spline are {knots:g}; its parameter must run over an interval: draw it anew",
+                knots=knots[count],
+            )
+        object.__setattr__(self, "knots", knots)
+        object.__setattr__(self, "points", points)
+        if self.weights is not None:
+            weights = np.array(self.weights, dtype=float)
+            if weights.shape != (count,) or not np.all(np.isfinite(weights)) or not np.all(weights > 0):
+                raise InputError(
+                    "a spline of {count} control points needs {count} weights, all positive and finite, "
+                    "or none: export it anew, or draw it anew",
+                    count=count,
+                )
+            same = np.ptp(weights) <= 1e-14 * weights[0]
+            object.__setattr__(self, "weights", None if same else weights)
+
+    @classmethod
+    def polyline(cls, vertices: ArrayLike) -> "Edge":
+        """Make a polyline through vertices (n, d), mm; two of them make a line."""
+        vertices = np.asarray(vertices, dtype=float)
+        inner = np.arange(len(vertices), dtype=float)
+        return cls(np.concatenate([inner[:1], inner, inner[-1:]]), vertices, 1)
+
+    @classmethod
+    def bezier(cls, points: ArrayLike) -> "Edge":
+        """Make an edge of one polynomial Bezier piece from its control points (degree + 1, d), mm."""
+        points = np.asarray(points, dtype=float)
+        degree = len(points) - 1
+        return cls(np.repeat([0.0, 1.0], degree + 1), points, degree)
+
+    @classmethod
+    def arc(cls, center: ArrayLike, x_axis: ArrayLike, y_axis: ArrayLike, start: float, end: float) -> "Edge":
+        """Make the exact rational arc center + x_axis cos(t) + y_axis sin(t), t from `start` to `end` (rad)."""
+        knots, unit, weights = unit_circle_arc(start, end)
+        return cls(
+            knots,
+            np.asarray(center, dtype=float) + unit @ np.array([x_axis, y_axis], dtype=float),
+            2,
+            weights,
+        )
+
+    @cached_property
+    def spans(self) -> Spans:
+        """The edge as Bezier pieces."""
+        return bezier_spans(self.knots, self.degree)
+
+    @cached_property
+    def homogeneous(self) -> FloatArray:
+        """Control points (m, d + 1) times their weights, weights last."""
+        weights = np.ones(len(self.points)) if self.weights is None else self.weights
+        return np.column_stack([self.points * weights[:, None], weights])
+
+    def at(self, t: ArrayLike) -> FloatArray:
+        """Return the points (n, d), mm, at parameters (n,) of the edge's knots."""
+        values = self.spans.basis(np.atleast_1d(np.asarray(t, dtype=float))) @ self.homogeneous
+        return np.asarray(values[:, :-1] / values[:, -1:], dtype=float)
+
+    @cached_property
+    def start(self) -> FloatArray:
+        """First point (d,)."""
+        if self.knots[0] == self.knots[self.degree]:
+            return np.asarray(self.points[0], dtype=float)
+        return np.asarray(self.at(self.spans.edges[0])[0], dtype=float)
+
+    @cached_property
+    def end(self) -> FloatArray:
+        """Last point (d,)."""
+        if self.knots[-1] == self.knots[-self.degree - 1]:
+            return np.asarray(self.points[-1], dtype=float)
+        return np.asarray(self.at(self.spans.edges[-1])[0], dtype=float)
+
+    @cached_property
+    def size(self) -> float:
+        """Length of the control polygon, mm: no less than the length of the curve."""
+        return float(np.linalg.norm(np.diff(self.points, axis=0), axis=1).sum())
+
+    @cached_property
+    def length(self) -> float:
+        """Length of the curve, mm, by chords of two sizes."""
+        if self.degree == 1:
+            return self.size
+        points = self.at(self.stations())
+        fine, coarse = (np.linalg.norm(np.diff(points[::k], axis=0), axis=1).sum() for k in (1, 2))
+        return float(4 * fine - coarse) / 3
+
+    def stations(self, each: int = 17) -> FloatArray:
+        """Parameters along the edge, `each` to a span, both ends and all knots included."""
+        edges = self.spans.edges
+        places = edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0, 1, each)
+        return knot_runs(np.sort(places, axis=None))[0]  # `np.unique` loads all of numpy.ma
+
+    def reversed(self) -> "Edge":
+        """Return the same edge run from its end to its start."""
+        weights = None if self.weights is None else self.weights[::-1]
+        return Edge(
+            self.knots[0] + self.knots[-1] - self.knots[::-1],
+            self.points[::-1],
+            self.degree,
+            weights,
+            self.source,
+        )
+
+    def mapped(self, matrix: ArrayLike, offset: ArrayLike, source: Source | None = None) -> "Edge":
+        """Return the edge with every point p moved to matrix @ p + offset; the matrix may drop a dimension."""
+        points = self.points @ np.asarray(matrix, dtype=float).T + np.asarray(offset, dtype=float)
+        source = source or self.source
+        if not np.isfinite(points).all():
+            return Edge(self.knots, points, self.degree, self.weights, source)
+        made = object.__new__(Edge)  # all else was checked
+        parts = {"knots": self.knots, "points": points, "degree": self.degree, "weights": self.weights}
+        vars(made).update(parts, source=source)
+        return made
+
+
+Run = tuple[Edge, ...]
+"""Edges that follow each other end to end."""
+
+
+def reverse_run(run: Sequence[Edge]) -> Run:
+    """Return the run in the other direction: edges in reverse order, each reversed."""
+    return tuple(edge.reversed() for edge in reversed(run))

@@ -1,0 +1,120 @@
+"""Curves as JSON, exactly: knots, control points, degree and weights, in mm."""
+
+import json
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._units import look_up_unit
+from elastica_cad._values import require_record, several
+from elastica_cad.errors import InputError, quoted
+from elastica_cad.formats.drawn_file import DrawnCurve, DrawnFile, ReadUnit
+from elastica_cad.formats.source_file import MOST_PIECES, check_count, check_degree, check_size
+from elastica_cad.geometry.plane_curve import PlaneCurve
+
+CURVES_SCHEMA = "elastica-curves/1"
+
+
+def curve_record(curve: PlaneCurve) -> dict[str, Any]:
+    """Return the curve as plain data for JSON, without any rounding; `weights` is None for a polynomial spline."""
+    require_record(curve, PlaneCurve, "a curve to write", "a PlaneCurve")
+    return {
+        "degree": curve.degree,
+        "knots": curve.knots.tolist(),
+        "control_points": curve.control_points.tolist(),
+        "weights": None if curve.weights is None else curve.weights.tolist(),
+    }
+
+
+def curves_json(curves: Sequence[PlaneCurve]) -> str:
+    """The text of a JSON file that holds the curves; `read_json_drawing` reads them bit by bit."""
+    data = {
+        "schema": CURVES_SCHEMA,
+        "units": "mm",
+        "curves": [curve_record(curve) for curve in several("curves", curves, PlaneCurve, "PlaneCurve")],
+    }
+    return json.dumps(data, indent=1) + "\n"
+
+
+def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
+    """Read the curves of a JSON file, which `curves_json` wrote or which is the report of a strip.
+
+    Raises
+    ------
+    InputError
+        Not JSON, another schema, a missing or bad entry, which is named.
+    """
+    try:
+        data = json.loads(file.read_bytes())
+    except RecursionError as error:
+        raise InputError("nests lists or records too deep: give a file that elastica wrote") from error
+    except ValueError as error:  # a whole number of thousands of digits too
+        raise InputError(
+            "is not JSON ({partition}): export it anew", partition=str(error).partition(";")[0]
+        ) from error
+    if not isinstance(data, dict):
+        raise InputError(
+            "holds no record with the schema {curves_schema!r}: give a file that elastica wrote",
+            curves_schema=CURVES_SCHEMA,
+        )
+    _require_schema(data)
+    given = data.get("units", "mm")
+    stated = str(given.get("length", "mm") if isinstance(given, dict) else given)
+    scale = look_up_unit(unit or stated)
+    known = ReadUnit.requested(unit) if unit else ReadUnit(stated, "stated", "units")
+    if "curve" in data:
+        curve = DrawnCurve(1, partial(_curve, data["curve"], "curve", scale), kinds={"spline": 1})
+        return DrawnFile(file, [curve], unit=known)
+    curves = data.get("curves")
+    if not isinstance(curves, list) or not curves:
+        raise InputError("holds no curves: 'curves' must be a list of records")
+    makers = [partial(_curve, record, f"curve {i}", scale) for i, record in enumerate(curves, start=1)]
+    drawn = [DrawnCurve(i, make, kinds={"spline": 1}) for i, make in enumerate(makers, start=1)]
+    return DrawnFile(file, drawn, unit=known)
+
+
+def _require_schema(data: dict[str, Any]) -> None:
+    schema = data.get("schema")
+    name, _, version = str(schema).partition("/")
+    if name not in ("elastica-curves", "elastica-report"):
+        raise InputError(
+            "has the schema {schema}; curves are read from {curves_schema!r} and from reports of "
+            "strips: give one of those",
+            schema=quoted(schema),
+            curves_schema=CURVES_SCHEMA,
+        )
+    if version != "1":
+        raise InputError(
+            "has the schema {schema}, which is newer than this program: update it", schema=quoted(schema)
+        )
+
+
+def _curve(record: Any, where: str, scale: float) -> PlaneCurve:
+    if not isinstance(record, dict):
+        raise InputError("{place} is not a record of degree, knots, control_points and weights", place=where)
+    for key in ("degree", "knots", "control_points"):
+        if key not in record:
+            raise InputError("{place} has no {key!r}", place=where, key=key)
+    degree = record["degree"]
+    if not isinstance(degree, int) or isinstance(degree, bool):
+        raise InputError(
+            "{place}: degree is {degree}; it must be a whole number", place=where, degree=quoted(degree)
+        )
+    try:
+        knots = np.array(record["knots"], dtype=float)
+        points = np.array(record["control_points"], dtype=float)
+        weights = None if record.get("weights") is None else np.array(record["weights"], dtype=float)
+    except (TypeError, ValueError, OverflowError, RecursionError) as error:
+        raise InputError("{place} has an entry that is not a number", place=where) from error
+    if points.ndim != 2 or points.shape[1] != 2:
+        raise InputError("{place}: control_points must be rows of x and y", place=where)
+    try:
+        check_count(len(points), 4 * MOST_PIECES, "control points", "leave some out")
+        check_degree(degree)
+        check_size(scale * points)
+        return PlaneCurve(knots, scale * points, degree, weights)
+    except InputError as error:
+        raise InputError("{place}: {error}", place=where, error=error) from error

@@ -1,0 +1,172 @@
+"""Surfaces in files: points and sections of any, and triangle meshes (OBJ, STL, PLY) through trimesh."""
+
+from collections.abc import Callable, Sequence
+from io import BytesIO
+from pathlib import Path
+from typing import TypeAlias
+
+import numpy as np
+
+from elastica_cad._process import interrupts_held
+from elastica_cad._units import look_up_unit
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
+from elastica_cad.formats.source_file import name_source, quiet_log, require_file
+from elastica_cad.forming.plane_sections import Mesh, mesh_sections
+from elastica_cad.forming.section_spec import Surface
+from elastica_cad.refusals import Length, note
+
+MESH_SUFFIXES = (".obj", ".stl", ".ply")
+
+LIKELY_SIZES_MM = (50.0, 20000.0)
+"""From corner to corner: sizes that a model made of strips may well have."""
+
+GUESSES = ("um", "cm", "in", "m")
+"""Units that a file without one was likely drawn in."""
+
+
+def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Mesh:
+    """The triangles of a file, in mm; faces of four corners and more are cut into triangles.
+
+    Parameters
+    ----------
+    path : path-like
+        .obj, .stl or .ply.
+    unit : str, optional
+        What one unit of the file is: "mm", "cm", "m", "um", "in", "ft". These formats don't say; unless told
+        they are taken as mm, and a size that no model has is refused.
+    scale : float
+        Factor from the file to the model, besides the unit.
+
+    Raises
+    ------
+    InputError
+        A missing or unknown file, no triangles in it, or a size that asks for `unit`.
+    MissingDependencyError
+        trimesh is not installed.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder, "tent.obj")
+    ...     _ = file.write_text("v 0 0 0\\nv 9 0 0\\nv 9 9 5\\nv 0 9 5\\nf 1 2 3 4\\n")
+    ...     read_mesh(file, unit="cm").faces.shape
+    (2, 3)
+    """
+    path = require_file(path)
+    suffix = path.suffix.lower()
+    if suffix not in MESH_SUFFIXES:
+        raise InputError(
+            "{path} ends in {suffix!r}, which is no mesh known here: use {mesh_suffixes}",
+            path=path,
+            suffix=suffix,
+            mesh_suffixes=", ".join(MESH_SUFFIXES),
+        )
+    if not (np.isfinite(scale) and scale > 0):
+        raise InputError("the scale of {path} is {scale:g}: it must be positive", path=path, scale=scale)
+    factor = look_up_unit(unit or "mm") * scale
+    try:
+        with interrupts_held():
+            from trimesh import load
+    except ImportError as error:
+        raise MissingDependencyError(
+            "reading {name} needs trimesh: {how_to_install}",
+            name=path.name,
+            how_to_install=how_to_install("trimesh"),
+        ) from error
+    with name_source(path):
+        try:
+            with quiet_log("trimesh"), np.errstate(all="ignore"):
+                source = _counted_from_the_start(path.read_bytes()) if suffix == ".obj" else path
+                mesh = load(source, file_type=suffix[1:], force="mesh", process=False)
+            vertices, faces = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=int)
+        except Exception as error:  # parsers of trimesh raise errors of any kind
+            raise InputError(
+                "this is no {upper} mesh that can be read: export it anew", upper=suffix[1:].upper()
+            ) from error
+        if not len(faces):
+            raise InputError("holds no faces: export a mesh, not points or lines")
+        found = Mesh(vertices * factor, faces)
+        if unit is None and not LIKELY_SIZES_MM[0] <= found.size <= LIKELY_SIZES_MM[1]:
+            raise InputError(_asking(found.size))
+        return found
+
+
+_OBJ_LISTS = {b"v": 0, b"vt": 1, b"vn": 2}
+
+
+def _counted_from_the_start(data: bytes) -> BytesIO:
+    """Return the OBJ file with positive indices.
+
+    A negative index counts back from the line it is on. trimesh counts back from the end of the file.
+    """
+    counts = [0, 0, 0]
+    lines = []
+    for line in data.splitlines():
+        kind, *corners = line.split() or (b"",)
+        if kind in _OBJ_LISTS:
+            counts[_OBJ_LISTS[kind]] += 1
+        elif kind == b"f":
+            corners = [_positive(corner, counts) for corner in corners]
+        lines.append(b" ".join([kind, *corners]))
+    return BytesIO(b"\n".join(lines))
+
+
+def _positive(corner: bytes, counts: Sequence[int]) -> bytes:
+    """Return the indices v/vt/vn of a corner, positive ones."""
+    indices = corner.split(b"/")
+    return b"/".join(
+        b"%d" % (count + 1 + int(index)) if index.startswith(b"-") else index
+        for index, count in zip(indices, counts, strict=False)
+    )
+
+
+def _asking(size: float) -> str:
+    """What to ask of one whose mesh has no likely size in mm."""
+    guesses = {name: size * look_up_unit(name) for name in GUESSES}
+    likely = [name for name, long in guesses.items() if LIKELY_SIZES_MM[0] <= long <= LIKELY_SIZES_MM[1]]
+    hint = f" ({', '.join(f'{name}: {guesses[name]:.4g} mm' for name in likely)})" if likely else ""
+    unit = likely[-1] if likely else "m"
+    return note(
+        "measures {size:.3g} from corner to corner, no likely size in mm, and a mesh file does not say its "
+        'unit: give it, --unit {unit} or unit = "{unit}"{hint}, or mm where that is right',
+        size=size, unit=unit, hint=hint,
+    )  # fmt: skip
+
+
+LEAST_SIZE_MM, MOST_SIZE_MM = 1.0, 1e6
+"""What is told to be smaller or larger was told in a wrong unit."""
+
+
+SurfaceReader: TypeAlias = Callable[..., Surface]
+"""`read_surface(path, unit=..., scale=...)`."""
+
+
+def mesh_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Surface:
+    """Read a mesh file as a surface to be cut by planes; see `read_mesh`."""
+    mesh = read_mesh(path, unit=unit, scale=scale)
+    return Surface(
+        mesh.vertices, lambda planes, half: mesh_sections(mesh.vertices, mesh.faces, planes, half=half)
+    )
+
+
+def read_sized_surface(
+    read_surface: SurfaceReader, path: Path, *, unit: str | None = None, scale: float | None = None
+) -> Surface:
+    """The surface of a file in mm; a scale tells the size, so that the unit need not be told too.
+
+    Raises
+    ------
+    InputError
+        A surface of a size that nothing made of strips has, and as `read_surface`.
+    """
+    unit = "mm" if unit is None and scale is not None else unit
+    surface = read_surface(path, unit=unit, scale=1.0 if scale is None else scale)
+    if not LEAST_SIZE_MM <= surface.size <= MOST_SIZE_MM:
+        raise InputError(
+            "{path} measures {size} from corner to corner with this unit and scale: nothing made "
+            "of strips does",
+            path=path,
+            size=Length(surface.size),
+        )
+    return surface

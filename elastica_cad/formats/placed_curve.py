@@ -1,0 +1,247 @@
+"""Edges in space as plane curves: their plane, and the curve in it."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from itertools import pairwise
+from math import dist
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.formats.chains import curve_from_run, holes_on_chains, join_runs
+from elastica_cad.formats.edges import Edge, Run
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.refusals import Length, Point, note
+
+NOISE_MM, NOISE_SHARE = (
+    0.05,
+    1e-3,
+)  # height of a drawing that is meant to be plane, and its fraction of the size
+HORIZONTAL = np.cos(np.radians(1.0))  # z of the unit normal of a plane that counts as horizontal
+
+
+def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
+    """Return the run of edges (m, 3) in the coordinates of its own plane (m, 2).
+
+    The axes are those of `drawing_plane`.
+
+    Raises
+    ------
+    InputError
+        The edges leave a common plane by more than `tolerance` mm and by more than the noise of a drawing.
+    """
+    return in_plane(run, drawing_plane(run, tolerance))
+
+
+def in_plane(run: Sequence[Edge], frame: Frame) -> Run:
+    """Return the run of edges (m, 3) in the coordinates of a plane (m, 2)."""
+    axes = frame.axes[:2]
+    return tuple(edge.mapped(axes, -axes @ frame.origin) for edge in run)
+
+
+def drawing_plane(run: Sequence[Edge], tolerance: float = 0.0) -> Frame:
+    """Return the plane of a run of edges (m, 3) of a drawing, with its origin next to the origin of space.
+
+    In a plane within a degree of horizontal, x and y are those of the drawing. The other planes are seen from the
+    side from which their horizontal direction runs towards positive x (or y): x along the horizontal line of the
+    plane, y along its steepest line, upwards.
+
+    Raises
+    ------
+    InputError
+        The edges leave a common plane by more than `tolerance` mm and by more than the noise of a drawing.
+    """
+    points = np.concatenate([edge.at(edge.stations()) for edge in run])
+    noise = min(NOISE_MM, NOISE_SHARE * float(np.ptp(points, axis=0).max()))
+    x_axis, y_axis = _plane_axes(points, max(tolerance, noise))
+    normal = np.cross(x_axis, y_axis)
+    return Frame((points[0] @ normal) * normal, x_axis, y_axis)
+
+
+def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
+    """Return the x and y axes (2, 3) of the plane through the points, as `drawing_plane` describes."""
+    if np.ptp(points[:, 2]) <= tolerance:
+        return np.eye(2, 3)
+    centred = points - points.mean(axis=0)
+    _, sizes, directions = np.linalg.svd(centred, full_matrices=False)
+    normal = directions[-1]
+    if len(sizes) < 3 or sizes[1] <= 1e-9 * sizes[0]:  # points in line: of all their planes the upright one
+        normal = np.cross(directions[0], (0.0, 0.0, 1.0))
+        if np.linalg.norm(normal) < 1e-9:
+            normal = np.array([0.0, 1.0, 0.0])
+    normal = normal / np.linalg.norm(normal)
+    off = float(np.abs(centred @ normal).max())
+    if off > tolerance:
+        raise InputError(
+            "a curve leaves its plane by {off} (its z runs over {ptp:.4g}): a strip bends in one "
+            "plane only; project the curve onto a plane first",
+            off=Length(off),
+            ptp=Length(np.ptp(points[:, 2])),
+        )
+    if abs(normal[2]) > HORIZONTAL:
+        x_axis = np.array([1.0, 0.0, 0.0]) - normal[0] * normal
+        x_axis = x_axis / np.linalg.norm(x_axis)
+        return np.array([x_axis, np.cross(np.sign(normal[2]) * normal, x_axis)])
+    up = np.array([0.0, 0.0, 1.0])
+    y_axis = up - (up @ normal) * normal
+    y_axis = y_axis / np.linalg.norm(y_axis)
+    x_axis = np.cross(y_axis, normal)
+    x_axis = x_axis * np.sign(x_axis[np.abs(x_axis).argmax()])
+    return np.array([x_axis, y_axis])
+
+
+JOIN = 1e-4  # mm: ends of edges that are meant to meet
+TANGENT = 1e-3  # rad
+EVEN = 1e-6  # rad: curves that turn by less on the whole turn to neither side
+MEANT = 0.05  # of the extent of all edges: ends farther apart than this are not meant to meet
+AS_DRAWN = np.eye(3)
+
+
+def placed_curve(
+    edges: Sequence[Edge], *, plane: Frame | None = None, turned: ArrayLike | None = None
+) -> tuple[PlaneCurve, Frame]:
+    """Join edges (m, 3) end to end, and return the one curve they make with its plane in space.
+
+    The curve runs the way the first edge does; a closed one begins there. Where the plane is parallel to xy the
+    frame's axes are the world's. In every other plane the frame's y axis points up, towards z, as far as it can,
+    and its z axis to the side from which the curve turns anticlockwise on the whole: where edges are turned, the
+    frame's side turns with them.
+
+    Parameters
+    ----------
+    edges : sequence of Edge
+        In any order.
+    plane : Frame, optional
+        The plane in which they are drawn, where it is known.
+    turned : (3, 3) array, optional
+        The rotation by which a program has placed the edges after they were drawn; their side was chosen before it.
+
+    Raises
+    ------
+    InputError
+        No edges, or edges that are not plane, have no length, do not meet or meet at a corner, or that lie in
+        another plane than `plane`.
+    """
+    if not edges:
+        raise InputError("no edge was given: give at least one edge or wire for the strip to follow")
+    runs = join_runs([(edge,) for edge in edges], JOIN).chains
+    if not runs:
+        raise InputError("the edge has no length: draw a curve for the strip to follow")
+    runs, holes = holes_on_chains(runs)
+    if len(runs) > 1:
+        raise InputError(_why_not_one(runs))
+    turn = AS_DRAWN if turned is None else np.asarray(turned, dtype=float)
+    run = runs[0]
+    return place_chain(
+        run, partial(_side_of, turned=turn) if plane is None else partial(_within, plane=plane), holes[0]
+    )
+
+
+def edge_chains(edges: Sequence[Edge]) -> list[Run]:
+    """Join edges end to end, and return every chain; `place_chain` makes a curve of one."""
+    return join_runs([(edge,) for edge in edges], JOIN).chains
+
+
+def place_chain(
+    run: Run, frame_of: Callable[[Run], Frame], holes: Sequence[Run] = ()
+) -> tuple[PlaneCurve, Frame]:
+    """Return the curve of one chain of edges and its frame; refuse corners."""
+    # of a closed wire the last edge goes on in the first
+    closed = dist(run[0].start.tolist(), run[-1].end.tolist()) <= JOIN
+    for before, after in pairwise((*run, *run[:1]) if closed else run):
+        out, onward = before.points[-1] - before.points[-2], after.points[1] - after.points[0]
+        turn = np.arctan2(np.linalg.norm(np.cross(out, onward)), out @ onward)
+        if turn > TANGENT:
+            if len(run) > 2 and all(edge.degree == 1 for edge in run):
+                raise InputError(
+                    "the edges are a polyline of {count} straight pieces, with corners between them: "
+                    "draw a spline through its points for the strip to follow",
+                    count=len(run),
+                )
+            x, y, z = before.end
+            raise InputError(
+                "edges meet at a corner of {turn:.3g} degrees at ({x:.4g}, {y:.4g}, {z:.4g}) mm: "
+                "make them tangent or round the corner",
+                turn=np.degrees(turn),
+                x=x,
+                y=y,
+                z=z,
+            )
+    frame = frame_of(run)
+    flat, *drilled = [in_plane(part, frame) for part in (run, *holes)]
+    return curve_from_run(flat, tolerance=JOIN, holes=drilled), frame
+
+
+def _why_not_one(runs: Sequence[Run]) -> str:
+    """A sentence about several chains: the ends that were meant to meet, where there are such."""
+    ends = np.array([(run[0].start, run[-1].end) for run in runs])
+    between = np.linalg.norm(ends[:, :, None, None] - ends, axis=-1)  # run, its end; other run, its end
+    between[np.arange(len(runs)), :, np.arange(len(runs))] = np.inf
+    run, side = np.unravel_index(between.argmin(), between.shape)[:2]
+    gap, place = between.min(), Point(ends[run, side])
+    if gap <= JOIN:
+        return note(
+            "three edges or more meet at {place}: a strip goes on in one way, so give only the "
+            "edges that it is to follow",
+            place=place,
+        )
+    if gap <= MEANT * np.ptp(np.concatenate([edge.points for one in runs for edge in one]), axis=0).max():
+        return note(
+            "two edges end {gap} apart at {place}: make their ends meet there, in a sketch by a "
+            "coincident constraint",
+            gap=Length(gap),
+            place=place,
+        )
+    return note(
+        "the edges make {count} separate chains, the nearest {gap} apart at {place}: make their ends meet, "
+        "or leave out what the strip is not to follow, in a sketch as construction geometry",
+        count=len(runs), gap=Length(gap), place=place,
+    )  # fmt: skip
+
+
+def _within(run: Sequence[Edge], plane: Frame) -> Frame:
+    """The given plane, refused where the edges leave it; its origin where theirs is in every other plane."""
+    points = np.concatenate([edge.at(edge.stations()) for edge in run])
+    off = (points - plane.origin) @ plane.z_axis
+    if np.abs(off).max() > max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())):
+        raise InputError(
+            "the curve lies up to {most} off the plane that is given for it: give the one in "
+            "which it is drawn, or none",
+            most=Length(np.abs(off).max()),
+        )
+    return plane
+
+
+def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
+    """The plane of the edges, seen from the side that `placed_curve` tells."""
+    points = np.concatenate([edge.points for edge in run])
+    heights = points[:, 2]
+    if heights.max() - heights.min() <= JOIN and turned is AS_DRAWN:
+        return Frame((0.0, 0.0, run[0].start[2]))
+    points = np.concatenate([edge.at(edge.stations()) for edge in run])
+    x_axis, y_axis = _plane_axes(points, max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())))
+    normal = np.cross(x_axis, y_axis)
+    before = turned.T @ normal
+    if np.hypot(before[0], before[1]) < TANGENT:
+        side = before[2]
+    else:
+        side = _turning(points, normal)
+    if side < 0:
+        x_axis, normal = -x_axis, -normal
+    return Frame((run[0].start @ normal) * normal, x_axis, y_axis)
+
+
+def _turning(points: FloatArray, normal: FloatArray) -> float:
+    """Angle, rad, by which points (m, 3) turn about a normal; of the first bend where they turn back."""
+    chords = np.diff(points, axis=0)
+    chords = chords[np.linalg.norm(chords, axis=1) > 0]
+    before, after = chords[:-1], chords[1:]
+    sines = np.cross(before, after) @ normal
+    turns = np.arctan2(sines, np.einsum("ij,ij->i", before, after))
+    whole = float(turns.sum())
+    if abs(whole) > EVEN:
+        return whole
+    bends = turns[np.abs(turns) > EVEN]
+    return float(bends[0]) if bends.size else 0.0

@@ -1,0 +1,649 @@
+"""Curves from plain numbers: tables of measured points, and control points of a uniform spline."""
+
+import csv
+import re
+import unicodedata
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from math import isfinite
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._units import MM_PER_INCH, is_in_inches, look_up_unit, read_number, read_offset, read_unit
+from elastica_cad.errors import InputError, quoted
+from elastica_cad.formats.chains import curve_from_points
+from elastica_cad.formats.drawn_file import DrawnCurve, DrawnFile, ReadUnit
+from elastica_cad.formats.source_file import (
+    MOST_PIECES,
+    check_count,
+    check_degree,
+    check_size,
+    check_tolerance,
+    half_last_place,
+    name_source,
+)
+from elastica_cad.geometry.measured_points import Provenance
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.refusals import Length, note
+
+ALONG = ("distance", "station")
+"""Columns of a table of offsets from which all others are curves: the first of these names that its heading has."""
+
+NOTHING = ("", "-", "\u2013", "\u2014")
+"""Cells of a table of offsets where a curve does not reach."""
+
+_MINUS = "\u2212"
+"""The minus of typesetters, which spreadsheets in Nordic languages write."""
+
+_VULGAR = re.compile("[\u00bc-\u00be\u2150-\u215e]")
+"""Fractions of one sign, such as five eighths."""
+
+_SMALL = 20.0
+"""mm: numbers that are smaller, all of them, are no drawing of a strip."""
+
+_CONTROL = re.compile("[\x00-\x08\x0e-\x1f]")
+_SEP = re.compile(r'"?sep=(.)"?', re.IGNORECASE)
+_SEPARATORS = ";\t,"
+_BRACKETS = re.compile(r"(.*?)\s*[\[({<]\s*([^\])}>]*?)\s*[\])}>](.*)", re.DOTALL)
+_BEHIND = re.compile(r"""(.+?)(?:[\s_/:,-]+([^\W\d_]+\.?)|\s*(["'\u2032\u2033\u2019\u201d]+))""")
+_AXIS = re.compile(
+    r"([xyz])(?:[ _-]?(?:coord|koord|pos|value|wert|achse|axis)[^\W\d_]*)?[ _-]?(\d*)(?:[\W_]+(.*))?"
+)
+_SURVEY = {
+    **dict.fromkeys(("easting", "east", "e", "rechtswert", "ostwert"), "x"),
+    **dict.fromkeys(("northing", "north", "n", "hochwert", "nordwert"), "y"),
+    **dict.fromkeys(("elevation", "elev", "height", "h\u00f6he"), "z"),
+}
+"""Axes by the names of surveyors."""
+
+_STATED = re.compile(
+    r"""\b(?:units?|einheit(?:en)?)\s*(?:[:=]|are|in)\s*["(\[]?([^\W\d_]+)|
+    (?:\b(?:all|dimensions|measurements|coordinates|values)\s+in\s+|[(\[])([^\W\d_]+)""",
+    re.IGNORECASE | re.VERBOSE,
+)
+"""What says the unit in a remark or a title, "Units: inches"; and words that may, "all in mm", "(inches)"."""
+
+_NUMBER = re.compile(r"[-+]?[\d.,]*\d[\d.,]*(?:[eE][-+]?\d+)?")
+_SPACES = re.compile("[ '\u2019]")
+_APART = re.compile(r"[-+]?[1-9]\d{0,2}(?:([ '\u2019])\d{3})(?:\1\d{3})*(?:[.,]\d*)?")
+"""A number with blanks or apostrophes between thousands."""
+
+_UNIT_BEHIND = re.compile(rf"({_NUMBER.pattern}|[-+]?\d+[ -]\d+/\d+)\s*([^\W\d_]+\.?)")
+
+Row = tuple[int, list[str]]
+"""The number of a row in its file, and its cells."""
+
+
+class Column(NamedTuple):
+    """One curve of a table.
+
+    Attributes
+    ----------
+    name : str
+        As in the heading; "" where the table is one curve.
+    rows : list
+        Number and coordinates of each row; no coordinates where a row parts blocks.
+    """
+
+    name: str
+    rows: list[Row]
+
+
+@dataclass(frozen=True)
+class PointTable:
+    """The curves of a table of points.
+
+    Attributes
+    ----------
+    columns : list of Column
+    unit : str or None
+        The unit that the table names.
+    note : str
+        How numbers were read, where that is a guess.
+    is_offsets : bool
+        True if every column is a curve over one other column.
+    """
+
+    columns: list[Column]
+    unit: str | None
+    note: str
+    is_offsets: bool
+
+    @classmethod
+    def read(cls, file: Path, *, unit: str | None) -> "PointTable":
+        """Read a table; `unit` overrides the unit that it names.
+
+        Raises
+        ------
+        InputError
+            No text file; a heading with two units, or with a unit that is not known; signs between thousands that
+            may be decimal signs.
+        """
+        rows, remarks, separator = _parted(read_text(file))
+        layout = _Layout.of(rows)
+        units = [] if unit else _units(layout.units, [*remarks, *layout.titles])
+        columns, behind = _without_units(layout.columns)
+        units = [unit] if unit else list(dict.fromkeys([*units, *behind]))
+        if len(units) > 1:
+            raise InputError("it names {names}: give x and y in one unit", names=" and ".join(units))
+        columns, told = _plain_numbers(columns, separator, look_up_unit(units[0] if units else "mm"))
+        return cls(columns, next(iter(units), None), told, layout.is_offsets)
+
+
+def read_text(path: Path) -> str:
+    """Return the file as text: UTF-8, UTF-16 with its mark, or Windows-1252, in which Excel writes.
+
+    Raises
+    ------
+    InputError
+        It holds bytes that no text has.
+    """
+    data = path.read_bytes()
+    encoding = "utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
+    try:
+        text = data.decode(encoding)
+    except UnicodeDecodeError:
+        text = "\x00" if encoding == "utf-16" else data.decode("cp1252", errors="replace")
+    if _CONTROL.search(text):
+        raise InputError("is not a text file: save the points as plain text (CSV, UTF-8)")
+    fractions = _VULGAR.sub(
+        lambda sign: " " + unicodedata.normalize("NFKC", sign[0]).replace("\u2044", "/"), text
+    )
+    return fractions.replace(_MINUS, "-")
+
+
+def _parted(text: str) -> tuple[list[Row], list[str], str]:
+    """Rows with their cells, without quotes; remarks; the sign between cells, a blank where there is none."""
+    lines = text.splitlines()
+    stated = _SEP.fullmatch(lines[0].strip(" ")) if lines else None
+    kept = [(n, line.strip(" ")) for n, line in enumerate(lines, 1) if not line.lstrip().startswith("#")]
+    kept = kept[1:] if stated else kept
+    if stated:
+        separator = stated[1]
+    else:
+        outside = [re.sub('"[^"]*"', "", line) for _, line in kept]  # of quotes
+        often = {sign: sum(sign in line for line in outside) for sign in _SEPARATORS}
+        separator = max(often, key=lambda sign: often[sign]) if any(often.values()) else " "
+    if separator == " ":
+        kept = [(n, re.sub(r"\s+(?=[\[(])", "", line.strip())) for n, line in kept]
+    reader = csv.reader((f"{line}\n" for _, line in kept), delimiter=separator, skipinitialspace=True)
+    rows: list[Row] = []
+    begun = 0
+    try:
+        for cells in reader:
+            trimmed = [" ".join(cell.split()) for cell in cells]
+            while trimmed and not trimmed[-1]:
+                trimmed.pop()
+            rows.append((kept[begun][0], trimmed))
+            begun = reader.line_num
+    except csv.Error as error:
+        raise InputError(
+            "row {row} has a quotation mark that is not closed: close it", row=kept[begun][0]
+        ) from error
+    return rows, [line.strip() for line in lines if line.lstrip().startswith("#")], separator
+
+
+class _Head(NamedTuple):
+    """A cell of a heading: the axis that it names or "", its name, and what may be a unit in it or ""."""
+
+    axis: str
+    name: str
+    unit: str
+
+    @classmethod
+    def of(cls, cell: str) -> "_Head":
+        base, unit = cell, ""
+        if found := _BRACKETS.fullmatch(cell):
+            base, unit = f"{found[1]} {found[3]}".strip(), "" if found[2] in NOTHING else found[2]
+        elif (found := _BEHIND.fullmatch(cell)) and read_unit(found[2] or found[3]):
+            base, unit = re.sub(r"[\s_]+in$", "", found[1]), found[2] or found[3]
+        base = base.strip(" _-:/,.")
+        known = not unit or read_unit(unit) is not None
+        if axis := _AXIS.fullmatch(base.lower()):
+            return cls(axis[1], axis[3] or (axis[2] if known else unit), unit or axis[3] or "")
+        return cls("", base if known else cell, unit)
+
+
+@dataclass(frozen=True)
+class _Layout:
+    """Where the curves of a table are.
+
+    Attributes
+    ----------
+    columns : list of Column
+    units : list of str
+        What the heading says of units.
+    titles : list of str
+        Cells above it.
+    is_offsets : bool
+    """
+
+    columns: list[Column]
+    units: list[str]
+    titles: list[str]
+    is_offsets: bool = False
+
+    @classmethod
+    def of(cls, rows: list[Row]) -> "_Layout":
+        """Find the heading, and the columns that it names."""
+        first = _first_data(rows)
+        for k, (_, cells) in enumerate(rows[: first + 1]):
+            heads = [_Head.of(cell) for cell in cells]
+            names = [head.name.lower() for head in heads]
+            survey = [_SURVEY.get(name, "") for name in names]
+            along = next((name for name in ALONG if name in names), None)
+            above, (units, below) = rows[:k], _units_row(rows[k + 1 :])
+            if {"x", "y"} <= {head.axis for head in heads}:
+                return cls._of_axes(heads, above, below, units)
+            if {"x", "y"} <= set(survey):
+                named = [_Head(axis, "", head.unit) for head, axis in zip(heads, survey, strict=True)]
+                return cls._of_axes(named, above, below, units)
+            if along is not None and len(heads) > 1:
+                return cls._of_offsets(heads, names.index(along), below, units, _words(above))
+        titles = [cells for _, cells in rows[:first] if cells]
+        said = [_Head.of(cell).unit for cells in titles[-2:] if len(cells) > 1 for cell in cells]
+        said += [cell for cells in titles if all(map(read_unit, cells)) for cell in cells]
+        return cls([Column("", rows[first:])], said, _words(rows[:first]))
+
+    @classmethod
+    def _of_axes(
+        cls, heads: Sequence[_Head], above: list[Row], below: list[Row], units: list[str]
+    ) -> "_Layout":
+        """A curve for every x and y, with z where there is one."""
+        places = {axis: [k for k, head in enumerate(heads) if head.axis == axis] for axis in "xyz"}
+        count = max(len(places["x"]), len(places["y"]))
+        for axis, found in places.items():
+            if len(found) == 1 and axis != "z":
+                places[axis] = found * count
+            elif len(found) != count and (found or axis != "z"):
+                raise InputError(
+                    "its heading names x {x} times, y {y} times and z {z} times: give every curve its own columns, "
+                    "or one x to all",
+                    x=len(places["x"]),
+                    y=len(places["y"]),
+                    z=len(places["z"]),
+                )
+        curves = list(zip(*(found for found in places.values() if found), strict=True))
+        said = dict.fromkeys(unit for curve in curves for k in curve if (unit := heads[k].unit))
+        names = [unit for unit in said if read_unit(unit) is None]
+        units = [
+            *units,
+            *(one for one in said if len(names) < 2 or one not in names),
+        ]  # several names: of curves
+        if count == 1:
+            last = max(curves[0])
+            rows = [(n, [cells[k] for k in curves[0]] if len(cells) > last else cells) for n, cells in below]
+            return cls([Column("", rows)], units, _words(above))
+        titles = [_filled(above[-1][1], curve)[:1] if above else [] for curve in curves]
+        columns = []
+        for curve, title in zip(curves, titles, strict=True):
+            named = [heads[place].name for place in curve[::-1] if heads[place].name]
+            name = title[0] if all(titles) else next(iter(named), "")
+            columns.append(Column(name, [(n, _filled(cells, curve)) for n, cells in below]))
+        return cls(columns, units, _words(above))
+
+    @classmethod
+    def _of_offsets(
+        cls, heads: Sequence[_Head], along: int, below: list[Row], units: list[str], titles: list[str]
+    ) -> "_Layout":
+        """A curve for every column that has numbers."""
+        columns, used = [], [along]
+        for k, head in enumerate(heads):
+            if head.name.lower() in ALONG or not head.name:
+                continue
+            rows = [(n, [cells[along], cells[k]]) for n, cells in below
+                    if len(cells) > max(along, k) and cells[k] not in NOTHING]  # fmt: skip
+            if any(re.match(r"[-+.]?\s*\d", y) for _, (_, y) in rows):
+                columns.append(Column(head.name, rows))
+                used.append(k)
+        if not columns:
+            return cls([Column("", [(n, cells) for n, cells in below if cells])], units, titles)
+        return cls(columns, [*units, *(heads[k].unit for k in used)], titles, is_offsets=True)
+
+
+def _filled(cells: list[str], places: Sequence[int]) -> list[str]:
+    """The cells of one of several curves; none where they are blank or missing."""
+    found = [cells[k] if k < len(cells) else "" for k in places]
+    return found if any(one not in NOTHING for one in found[:2]) else []
+
+
+def _words(rows: list[Row]) -> list[str]:
+    return [cell for _, cells in rows for cell in cells if cell]
+
+
+def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
+    """The units that a row of nothing but units names, and the rows without it."""
+    for k, (_, cells) in enumerate(rows):
+        if cells:
+            bare = [cell.strip(" []()") for cell in cells]
+            units = [cell for cell in bare if cell not in NOTHING]
+            return (units, rows[:k] + rows[k + 1 :]) if units and all(map(read_unit, units)) else ([], rows)
+    return [], rows
+
+
+def _units(said: Sequence[str], titles: Sequence[str]) -> list[str]:
+    """The units that the heading names, else those of titles and remarks."""
+    stated = [found for title in titles for found in _STATED.finditer(title)]
+    words = [word for word in said if word not in NOTHING] or [
+        found[1] or found[2] for found in stated if found[1] or read_unit(found[2])
+    ]
+    for word in words:
+        if read_unit(word) is None:
+            raise InputError(
+                "its heading names {word}, which is not a unit known here: give the unit, --unit mm or "
+                'unit = "mm", or take {word} out of the heading',
+                word=quoted(word[:40]),
+            )
+    return list(dict.fromkeys(unit for word in words if (unit := read_unit(word))))
+
+
+def _mapped(columns: list[Column], change: Callable[[str], str]) -> list[Column]:
+    return [Column(name, [(n, list(map(change, cells))) for n, cells in rows]) for name, rows in columns]
+
+
+def _without_units(columns: list[Column]) -> tuple[list[Column], list[str]]:
+    """Columns without units behind their numbers, "12.5 mm", and those units."""
+    units: dict[str, None] = {}
+
+    def bare(cell: str) -> str:
+        found = None if cell[-1:].isdigit() else _UNIT_BEHIND.fullmatch(cell)
+        unit = read_unit(found[2]) if found and read_offset(cell) is None else None
+        if found is None or unit is None:
+            return cell
+        units[unit] = None
+        return found[1]
+
+    return _mapped(columns, bare), list(units)
+
+
+def _plain_numbers(columns: list[Column], separator: str, scale: float) -> tuple[list[Column], str]:
+    """Columns of numbers with a decimal point and no sign between thousands, and a note on how they were read."""
+    columns = _mapped(
+        columns,
+        lambda cell: _SPACES.sub("", cell) if _SPACES.search(cell) and _APART.fullmatch(cell) else cell,
+    )
+    cells = [(n, cell) for _, rows in columns for n, row in rows for cell in row]
+    group, told = _group_sign(cells, separator, scale)
+    return _mapped(columns, lambda cell: cell.replace(group, "").replace(",", ".")), told
+
+
+def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) -> tuple[str, str]:
+    """The sign between thousands, "" where there is none, and a note on it where it is a guess.
+
+    Three digits behind a single sign may be thousands or decimals, and other cells decide. Where none does, a comma
+    in quotes between commas is one of a country that writes decimal points; other signs part decimals unless those
+    would make a curve that is smaller than any strip.
+
+    Raises
+    ------
+    InputError
+        Numbers that may be read in two ways.
+    """
+    numbers = [(n, cell.lstrip("+-")) for n, cell in cells if _NUMBER.fullmatch(cell)]
+    kinds: dict[str, dict[str, list[tuple[int, str]]]] = {",": {}, ".": {}}
+    for n, cell in numbers:
+        for sign, other in (",.", ".,"):
+            if sign in cell:
+                grouped = re.fullmatch(rf"[1-9]\d{{0,2}}(?:\{sign}\d{{3}})+(?:\{other}\d*)?", cell)
+                sure = cell.count(sign) > 1 or other in cell
+                kinds[sign].setdefault(("group" if sure else "open") if grouped else "decimal", []).append(
+                    (n, cell)
+                )
+    large = any(re.match(r"\d{4}", cell) for _, cell in numbers)
+    for sign, other in (",.", ".,"):
+        mine, its = kinds[sign], kinds[other]
+        if "group" in mine:
+            unsure = mine["group"] if "decimal" in mine or "group" in its else []
+        elif set(mine) != {"open"} or "group" in its or (sign == "." and separator in ", "):
+            continue
+        elif its:
+            unsure = mine["open"] if large or "decimal" not in its else []
+        elif large:
+            continue
+        elif separator == ",":
+            cell = mine["open"][0][1]
+            return sign, note(
+                "its numbers have signs between thousands: {cell} was read as {number}",
+                cell=cell,
+                number=cell.replace(sign, ""),
+            )
+        elif max(float(cell.replace(sign, ".")) for _, cell in mine["open"]) * scale >= _SMALL:
+            continue
+        else:
+            unsure = mine["open"]
+        if not unsure:
+            return sign, ""
+        raise InputError(
+            "row {row} has {cell!r}, and its sign may part thousands or decimals: write one sign before decimals "
+            "and none between thousands",
+            row=unsure[0][0],
+            cell=unsure[0][1],
+        )
+    return "", ""
+
+
+def _first_data(rows: list[Row]) -> int:
+    """Index of the first row with two numbers or more, else with one; else of the row below a heading."""
+    filled = [k for k, (_, cells) in enumerate(rows) if cells]
+    for least in (2, 1):
+        for k in filled:
+            if sum(map(_looks_like_number, rows[k][1])) >= least:
+                return k
+    return filled[1] if len(filled) > 1 else len(rows)
+
+
+def _looks_like_number(cell: str) -> bool:
+    """Return True if the cell is a number in any style, with a unit or without."""
+    return any(form.fullmatch(cell) for form in (_NUMBER, _APART, _UNIT_BEHIND)) or is_in_inches(cell)
+
+
+def _in_mm(cell: str, scale: float) -> float:
+    """Return the length of a cell, mm, whose unit is `scale` mm unless it is of feet and inches.
+
+    Raises
+    ------
+    ValueError
+        Another text.
+    """
+    inches = read_offset(cell)
+    return scale * read_number(cell) if inches is None else MM_PER_INCH * inches
+
+
+def _is_number(cell: str) -> bool:
+    """Return True if `_in_mm` takes the cell."""
+    try:
+        _in_mm(cell, 1.0)
+    except ValueError:
+        return False
+    return True
+
+
+def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -> list[float]:
+    """Return the coordinates of one row, mm.
+
+    Raises
+    ------
+    InputError
+        Fewer or more cells, or one that is not a finite number.
+    """
+    if not least <= len(cells) <= most:
+        raise InputError(
+            "row {row} has {count} columns; it needs {needed}",
+            row=row,
+            count=len(cells),
+            needed="x, y and z" if least == 3 else "x and y" if most == 2 else "x and y (and z)",
+        )
+    for cell in cells:
+        if not _is_number(cell):
+            raise InputError(
+                "row {row} has {cell!r} where a number is needed: write digits alone, 12.5, or # "
+                "before a remark",
+                row=row,
+                cell=cell[:40],
+            )
+    values = [_in_mm(cell, scale) for cell in cells]
+    if not all(map(isfinite, values)):
+        raise InputError(
+            "row {row} is not finite ({cells}): leave it out or mend it", row=row, cells=", ".join(cells)
+        )
+    return values
+
+
+RULER_MM = 0.25  # rounding, mm, as of a ruler with half millimetres: such points were measured by hand
+_DIGITS = 20_000  # numbers whose digits are looked at
+
+
+def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
+    """Fit curves to measured points, one "x, y" a row; blank rows part one curve from the next.
+
+    Columns are parted by commas, semicolons, tabs or blanks, or by the sign that Excel's `sep=;` names. Rows that
+    start with # are remarks. Titles, a heading and a row of units may be above the numbers. Decimals may have
+    commas where those part no columns, or in quotes. A third column is taken when it is constant: points of a plane
+    z = const.
+
+    A heading that names x and y (or Easting and Northing) among its columns selects them, several times for
+    several curves. It names their unit unless `unit` does: "x (in)", "y [mm]", "x_mm", "x in inches". A heading
+    with a column "distance" or "station" is of a table of offsets: every other column is a curve over that one,
+    called as the column is. Cells may be fractions, "3 1/2", feet and inches, 3' 4 5/8", or feet, inches and
+    eighths, "3-4-5"; where no unit is named, they are inches.
+
+    Raises
+    ------
+    InputError
+        A row that is not two or three finite numbers, which is named; too few points; a heading with two units.
+    """
+    check_tolerance(fit_tolerance, "tolerance for fitting")
+    table = PointTable.read(file, unit=unit)
+    cells = [cell for column in table.columns for _, row in column.rows for cell in row]
+    inches = [cell for cell in cells if is_in_inches(cell)]
+    scale = look_up_unit(table.unit or ("in" if inches else "mm"))
+    parts = [int(found[1]) for cell in inches if (found := re.search(r"/(\d+)", cell))]  # of an inch
+    parts += [8 for cell in inches if cell.count("-") > 1]
+    rounded = MM_PER_INCH / max(parts) / 2 if parts else scale * half_last_place(cells[:_DIGITS])
+    by_rule = scale == MM_PER_INCH or table.is_offsets or rounded >= RULER_MM
+    noise = rounded / np.sqrt(3) if by_rule else 0.0
+    makers: list[tuple[str, int, Callable[[], PlaneCurve]]] = []
+    for name, rows in table.columns:
+        try:
+            blocks = _blocks(rows, scale)
+        except InputError as problem:
+            if len(table.columns) == 1:
+                raise
+            makers.append((name, 0, partial(_raise, problem)))
+            continue
+        digits = Provenance(rounding=rounded, name=name)
+        makers += [
+            (name, len(block), partial(_fitted, block, fit_tolerance, digits, noise)) for block in blocks
+        ]
+    told = note(
+        "its numbers were read as inches, with fractions or as feet-inches-eighths: give the unit if they are none"
+    )
+    curves = [
+        DrawnCurve(number, make, name, kinds={"point": count})
+        for number, (name, count, make) in enumerate(makers, start=1)
+    ]
+    if table.unit:
+        known = ReadUnit.requested(unit) if unit else ReadUnit(table.unit, "stated", note("the heading"))
+    else:
+        known = ReadUnit("in", "guessed", note=told) if inches else ReadUnit("mm")
+    return DrawnFile(file, curves, unit=replace(known, note=table.note or known.note))
+
+
+def read_path_points(file: Path) -> FloatArray:
+    """Read the points (n, 3), mm, of a path in space from a table with x, y and z, as `read_csv_drawing` does.
+
+    Raises
+    ------
+    InputError
+        A row without three finite numbers, which is named.
+    """
+    with name_source(file):
+        table = PointTable.read(file, unit=None)
+        scale = look_up_unit(table.unit or "mm")
+        rows = [row for column in table.columns for row in column.rows if row[1]]
+        return np.array([_read_row(cells, n, 3, 3, scale) for n, cells in rows]).reshape(-1, 3)
+
+
+def _raise(problem: InputError) -> PlaneCurve:
+    raise problem
+
+
+def _fitted(points: FloatArray, tolerance: float, digits: Provenance, noise: float) -> PlaneCurve:
+    check_size(points)
+    check_count(len(points), 4 * MOST_PIECES, "points in one curve", "leave some out")
+    return curve_from_points(points, tolerance=tolerance, drawn=digits, noise=noise)
+
+
+def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
+    """Read a control point file: its first line is "degree count", then come `count` lines "x y".
+
+    Its knots are the whole numbers from -degree to count: a uniform spline, not clamped at its ends.
+
+    Raises
+    ------
+    InputError
+        A first line that does not say degree and count, or other than `count` good points after it.
+    """
+    scale = look_up_unit(unit or "mm")
+    rows = [(n, line.split()) for n, line in enumerate(read_text(file).splitlines(), 1) if line.strip()]
+    rows = [(n, row) for n, row in rows if not row[0].startswith("#")]
+    if not rows:
+        raise InputError("there are no numbers in it: the first line must be 'degree count'")
+    number, head = rows[0]
+    if len(head) != 2 or not all(re.fullmatch(r"\d+", word) for word in head):
+        raise InputError(
+            "line {number} is {given}; it must be two whole numbers, degree and count of control "
+            "points (measured points belong into a .csv file)",
+            number=number,
+            given=quoted(" ".join(head)),
+        )
+    if max(len(word) for word in head) > 9:
+        raise InputError(
+            "line {number} has a number of {most} digits: it cannot be meant",
+            number=number,
+            most=max(len(w) for w in head),
+        )
+    degree, count = check_degree(int(head[0])), int(head[1])
+    check_count(count, 4 * MOST_PIECES, "control points", "leave some out")
+    if len(rows) - 1 != count:
+        raise InputError(
+            "line {number} announces {count} control points, but {given} lines follow",
+            number=number,
+            count=count,
+            given=len(rows) - 1,
+        )
+    points = np.array([_read_row(row, n, 2, 2, scale) for n, row in rows[1:]]).reshape(-1, 2)
+    check_size(points)
+    digits = Provenance(rounding=scale * half_last_place([word for _, row in rows[1:] for word in row]))
+    knots = np.arange(-degree, count + 1, dtype=float)
+    curve = PlaneCurve(knots, points, degree, provenance=digits)
+    known = ReadUnit.requested(unit) if unit else ReadUnit("mm")
+    return DrawnFile(file, [DrawnCurve(1, lambda: curve, kinds={"spline": 1})], unit=known)
+
+
+def _blocks(rows: Sequence[Row], scale: float) -> list[FloatArray]:
+    """The points (n, 2) of each block of rows, mm."""
+    blocks: list[list[FloatArray]] = [[]]
+    for n, cells in rows:
+        if not any(cells):
+            if blocks[-1]:
+                blocks.append([])
+            continue
+        values = _read_row(cells, n, 2, 3, scale)
+        blocks[-1].append(np.array([*values, 0.0][:3]))
+    filled = [np.array(block) for block in blocks if block]
+    if not filled:
+        raise InputError("there are no points in it: write one 'x, y' a row")
+    for block in filled:
+        height = np.ptp(block[:, 2])
+        if height > 1e-6 * max(1.0, float(np.ptp(block[:, :2], axis=0).max())):
+            raise InputError(
+                "the third column runs over {height:.4g}: only curves in a plane z = const are read; "
+                "turn the points into the xy plane",
+                height=Length(height),
+            )
+    return [block[:, :2] for block in filled]

@@ -1,1 +1,0 @@
-"""Reports of strips and models as JSON records."""

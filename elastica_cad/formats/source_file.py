@@ -1,0 +1,296 @@
+"""Files before and while they are read: size, text, and numbers within bounds."""
+
+import os
+import re
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from pathlib import Path
+from typing import TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import require_path
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.refusals import Length
+
+FileMark: TypeAlias = tuple[int, int, int] | None
+"""What changes when a file does: time, size and number on the disk; None where there is no file."""
+
+_read: ContextVar[dict[Path, FileMark] | None] = ContextVar("files read", default=None)
+
+_below: ContextVar[tuple[Path, ...]] = ContextVar("folders that may be read", default=())
+
+LARGEST_FILE = 64 * 2**20
+"""Bytes of a file of curves."""
+
+LARGEST_OF_KIND = {".toml": 2 * 2**20} | dict.fromkeys(
+    (".obj", ".stl", ".ply", ".step", ".stp", ".brep", ".brp"), 256 * 2**20
+)
+"""Bytes of designs, which are read slowly, and of meshes and bodies, which are large."""
+
+
+def require_file(path: str | Path) -> Path:
+    """Return the path, and refuse it unless a file is there that can be read and holds something.
+
+    Raises
+    ------
+    InputError
+        Nothing there, a folder, no permission, no bytes, or more than are read.
+    """
+    path, noted = require_path(path), _read.get()
+    if noted is not None:
+        noted.setdefault(path.absolute(), mark_file(path))
+    require_below(path)
+    if os.path.isdir(path):  # False, not an error, for a name that no disk takes
+        raise InputError("{path} is a folder: name one file in it", path=path)
+    if os.path.exists(path) and not path.is_file():
+        raise InputError("{path} is no file but a device or a pipe: name a file", path=path)
+    try:
+        with path.open("rb") as file:
+            empty = not file.read(1)
+    except OSError as error:
+        raise InputError(
+            "{path} cannot be read: {strerror}; name a file that is there and may be read",
+            path=path,
+            strerror=error.strerror or error,
+        ) from error
+    if empty:
+        raise InputError("{path} is empty: save it anew in the program that made it", path=path)
+    size, most = path.stat().st_size, LARGEST_OF_KIND.get(path.suffix.lower(), LARGEST_FILE)
+    if size > most:
+        raise InputError(
+            "{path} has {size:.0f} MB, and at most {most} MB are read: leave out what is not "
+            "needed, or simplify it",
+            path=path,
+            size=size / 2**20,
+            most=most // 2**20,
+        )
+    return path
+
+
+def require_below(path: Path) -> None:
+    """Refuse a file outside of the folders of `read_below`, links followed."""
+    folders, real = _below.get(), Path(os.path.realpath(path))
+    if folders and not any(real.is_relative_to(folder) for folder in folders):
+        raise InputError(
+            "{path} lies outside of {folders}, and a design reads files below its own folder or "
+            "the one you work in: copy it there, or allow its folder (--below FOLDER)",
+            path=path,
+            folders=folders[0],
+        )
+
+
+@contextmanager
+def read_below(*folders: str | os.PathLike[str]) -> Iterator[None]:
+    """Let the block read files in these folders, and below them, only."""
+    token = _below.set(tuple(Path(os.path.realpath(folder)) for folder in folders))
+    try:
+        yield
+    finally:
+        _below.reset(token)
+
+
+def mark_file(path: Path) -> FileMark:
+    """Return a mark of the file's contents: equal marks mean equal contents."""
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_mtime_ns, found.st_size, found.st_ino
+
+
+@contextmanager
+def note_reads() -> Iterator[dict[Path, FileMark]]:
+    """Collect the files that the block requests by `require_file`, with their marks just before they are read."""
+    noted: dict[Path, FileMark] = {}
+    token = _read.set(noted)
+    try:
+        yield noted
+    finally:
+        _read.reset(token)
+
+
+@contextmanager
+def quiet_log(name: str) -> Iterator[None]:
+    """Keep a library's log off the screen during the block, unless the program handles it."""
+    import logging
+
+    logger, silence = logging.getLogger(name), logging.NullHandler()
+    logger.addHandler(silence)
+    try:
+        yield
+    finally:
+        logger.removeHandler(silence)
+
+
+@contextmanager
+def name_source(path: str | Path) -> Iterator[Path]:
+    """Check a file as `require_file` does, and name it in every error that the block raises about its contents."""
+    path = require_file(path)
+    try:
+        yield path
+    except (InputError, NotConvergedError) as error:
+        message = str(error)
+        raise type(error)(message if str(path) in message else f"{path}: {message}") from error
+
+
+SMALLEST_SIZE, LARGEST_SIZE = 1e-3, 1e6
+"""Sizes of curves that are read, mm: a thousandth of a millimetre to a kilometre."""
+
+FARTHEST = 1e10
+"""Largest coordinate, mm: maps in metres lie thousands of kilometres from their origin."""
+
+LARGEST_NUMBER = 1e9
+"""Of any option or value in a design, whatever its unit; what it stands for has its own range."""
+
+MOST_SHAPES = 20_000
+"""Shapes of a drawing, those of its blocks and clones counted as often as they are shown."""
+
+MOST_EDGES = 120_000
+"""Pieces of all curves of one file."""
+
+MOST_CURVES = 5_000
+"""Curves of one file."""
+
+MOST_PIECES = 3_000
+"""Pieces of one curve, and its control points or measured points over four."""
+
+MOST_DEGREE = 25
+"""Largest degree of a spline."""
+
+NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+_WRITTEN = re.compile(r"[-+]?(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")
+_PROGRAMS = 6  # significant digits, from which a program may count those instead of decimals
+_EVIDENCE = 2  # of the largest numbers that, not being round, would show all decimals that were written
+
+
+def check_places(points: FloatArray) -> FloatArray:
+    """Return coordinates in mm, and refuse those that are not finite or too far away.
+
+    Raises
+    ------
+    InputError
+        The first that is not.
+    """
+    bad = ~(np.abs(points) <= FARTHEST)
+    if bad.any():
+        value = points[bad].flat[0]
+        raise InputError(
+            "a coordinate is {given}; they must be finite and at most {farthest:g}: check the "
+            "unit, or export it anew",
+            given=Length(value),
+            farthest=Length(FARTHEST),
+        )
+    return points
+
+
+def check_size(points: FloatArray) -> None:
+    """Refuse a curve whose control points (n, d), mm, spread over less or more than any strip does."""
+    check_places(points)
+    size = float(np.ptp(points, axis=0).max()) if len(points) else 0.0
+    if size != 0 and not SMALLEST_SIZE <= size <= LARGEST_SIZE:
+        raise InputError(
+            "a curve is {size} large; {smallest_size:g} to {largest_size:g} are read: check the "
+            "unit (--unit), or leave it out",
+            size=Length(size),
+            smallest_size=SMALLEST_SIZE,
+            largest_size=Length(LARGEST_SIZE),
+        )
+
+
+def check_count(count: int, most: int, what: str, instead: str) -> int:
+    """Return a count, and refuse it where it is above `most`; the message says `what` it counts and what to do
+    `instead`.
+    """
+    if count > most:
+        raise InputError(
+            "has {whole} {what}, and at most {most} are read: {instead}",
+            whole=_whole(count),
+            what=what,
+            most=most,
+            instead=instead,
+        )
+    return count
+
+
+def check_degree(degree: int) -> int:
+    """Return the degree of a spline, and refuse it unless it is 1 or more."""
+    if not 1 <= degree <= MOST_DEGREE:
+        raise InputError(
+            "a spline has degree {whole}; 1 to {most_degree} are read: export it with degree 3",
+            whole=_whole(degree),
+            most_degree=MOST_DEGREE,
+        )
+    return degree
+
+
+def check_tolerance(value: float, name: str = "tolerance") -> float:
+    """Return the tolerance of a reader, mm: how far ends that it joins, or points that it fits, may lie off.
+
+    Parameters
+    ----------
+    value : float
+        From 1e-9 to 1000 mm.
+    name : str
+        What the message calls it.
+
+    Raises
+    ------
+    InputError
+        No number, or one outside that range.
+    """
+    if not (isinstance(value, int | float | np.number) and 1e-9 <= value <= 1e3):
+        raise InputError(
+            "the {name} for reading is {given!r}: it must be positive, 1e-9 to 1000 mm, e.g. 0.01",
+            name=name,
+            given=value,
+        )
+    return float(value)
+
+
+def _whole(number: int) -> str:
+    """A whole number, shortened where it has very many digits."""
+    return str(number) if abs(number) < 10**12 else "more than 1e12"
+
+
+def half_last_place(numbers: Iterable[str]) -> float:
+    """Return half a unit of the last digit to which coordinates were written: the most that rounding moved one.
+
+    Some programs write a fixed number of decimals, without closing zeros, others so many significant digits; the
+    coarsest number of either decides. No number: 0.
+
+    Examples
+    --------
+    >>> half_last_place(["12.34", "7.5", "100"]), half_last_place(["123.45678", "0.0012345678"])
+    (0.005, 5e-06)
+    """
+    found = [one for one in map(_digits, numbers) if one is not None]
+    if not found:
+        return 0.0
+    largest = max(size for size, _, _ in found)
+    plain = [one for one in found if one[0] > 1e-6 * largest or one[0] == 0]
+    decimals = max(places for _, places, _ in plain)
+    significant = max(digits for _, _, digits in plain)
+    before_point = int(np.floor(np.log10(largest))) + 1 if largest > 0 else 1
+    top = [one for one in plain if one[0] >= 10.0 ** (before_point - 1)]
+    if significant >= _PROGRAMS or sum(size % 10 != 0 for size, _, _ in top) >= _EVIDENCE:
+        decimals = max([places for _, places, _ in top], default=decimals)
+        decimals = max(decimals, min(max(places for _, places, _ in plain), significant - before_point))
+    return float(0.5 * 10.0 ** -min(max(decimals, 0), 30))
+
+
+def _digits(text: str) -> tuple[float, int, int] | None:
+    """Size, decimals and significant digits of a written number; None for what is none."""
+    match = _WRITTEN.fullmatch(text.strip())
+    if match is None or not (match[1] or match[2]):
+        return None
+    whole, fraction, power = match[1] or "", match[2] or "", match[3] or "0"
+    if len(power) > 4:
+        return None
+    size = abs(float(text))
+    if not size < 1e300:
+        return None
+    digits = (whole + fraction if fraction else whole.rstrip("0")).lstrip("0")
+    return size, len(fraction) - int(power), len(digits)

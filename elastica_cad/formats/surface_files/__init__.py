@@ -1,1 +1,0 @@
-"""Surfaces in files, whatever their kind."""

@@ -1,0 +1,390 @@
+"""Curves drawn in an SVG file, exact where the file is exact."""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from io import BytesIO
+from pathlib import Path
+from typing import Any, NamedTuple
+from xml.etree import ElementTree
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._units import MILLIMETRES, MM_PER_INCH, look_up_unit
+from elastica_cad.errors import InputError, MissingDependencyError, how_to_install, quoted
+from elastica_cad.formats.drawn_file import DrawnFile, ReadUnit, collect_curves
+from elastica_cad.formats.edges import Edge, Run, Source
+from elastica_cad.formats.source_file import MOST_EDGES, NUMBER, check_count
+from elastica_cad.formats.svg_path_data import PathData, arc_between, bezier_edge, path_data
+from elastica_cad.formats.svg_tree import CLIPPED, CLONE, MARK, PHYSICAL, Box, SvgTree, read_length, svg_tree
+from elastica_cad.geometry.measured_points import Provenance
+from elastica_cad.refusals import Length, Listed, note
+
+_PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
+_INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}version"
+_AFFINITY = "xmlns:serif"
+_ILLUSTRATOR = "Generator: Adobe Illustrator"
+_EXPORTED_CLASS = re.compile(r"cls-\d+")  # in what Illustrator exports for screens
+_ZERO = re.compile(r"\s*[+]?(0*\.?0+|0+\.)(e[-+]?\d+)?\s*(%|[a-z]*)\s*", re.IGNORECASE)
+_CLEAR = re.compile(
+    r"(rgb|hsl)a?\(([^,]*,){3}\s*0*\.?0*%?\s*\)|(rgb|hsl)a?\([^,]*/\s*0*\.?0*%?\s*\)|#[0-9a-f]{6}00|#[0-9a-f]{3}0"
+)
+"""Colours of opacity 0."""
+
+_LEAST_UNIT = 1e-9  # mm
+_LARGEST = 1e15  # of any number: what comes of two of them is still a number
+
+
+def read_svg_drawing(
+    file: Path, *, tolerance: float, fit_tolerance: float, unit: str | None, corners: bool = True
+) -> DrawnFile:
+    """Read the curves of an SVG file with their names and layers, in mm; the arguments are those of `read_drawing`.
+
+    Up on the screen is up: y is minus SVG's y. Bezier curves and arcs stay exact, with all transforms applied; a
+    path of straight lines only is fitted. The size of a user unit follows from width, height and viewBox of the
+    drawing; without a width in mm or the like it is a CSS pixel, 25.4/96 mm, a point, 25.4/72 mm, where Adobe
+    Illustrator drew it, which counts in points and calls them px, and 25.4/90 mm where Inkscape before 0.92
+    did. The origin is the one of the user units. Text,
+    images, definitions and what is not displayed are left out and counted.
+
+    Raises
+    ------
+    InputError
+        Not an SVG file, an unknown unit, path data that break off, nothing usable in it.
+    """
+    tree = svg_tree(file)
+    known, pixel = (ReadUnit.requested(unit), _PX) if unit else _program(tree)
+    scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree) * pixel / _PX
+    if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
+        raise InputError(
+            "has user units of {scale:.3g} by {scale_2}: check width, height and viewBox",
+            scale=scale[0],
+            scale_2=Length(scale[1]),
+        )
+    to_mm = np.diag(scale * (1.0, -1.0))
+    place = np.diag([1 / scale[0], -1 / scale[1], 1.0])
+    shapes = _Shapes(tree)
+    drawn = collect_curves(
+        file, _runs(file, shapes, to_mm), tree.skipped, tolerance=tolerance, fit_tolerance=fit_tolerance,
+        nothing="holds no curve: draw a path, line, polyline, circle, ellipse or rectangle that is shown",
+        corners=corners, shown=Provenance(place=place, unit="mm" if np.all(scale == 1) else "user units"),
+    )  # fmt: skip
+    return replace(drawn, unit=known, remarks=(*drawn.remarks, *shapes.remarks()))
+
+
+_IN_POINTS = (
+    "its units are taken as points, 72 to the inch, as Adobe Illustrator draws, which calls them px; where 96 "
+    "make an inch, say --unit px"
+)
+
+
+_OF_AFFINITY = (
+    "its pixels are taken as 96 to the inch; Affinity counts in those of its document: where that has not 96 DPI "
+    "(Document Setup), set 96 and export it anew, or say --unit pt for 72"
+)
+
+_WITHOUT_UNIT = (
+    "its size has no unit, so its pixels are taken as 96 to the inch, as browsers do; where its numbers are "
+    "millimetres, say --unit mm"
+)
+
+_OF_OTHER_UNIT = (
+    "its size, {size}, is not in mm or the like, so its pixels are taken as 96 to the inch and a font as 16 pixels "
+    "high, as browsers do; where its numbers are millimetres, say --unit mm"
+)
+
+_OF_INKSCAPE = "its pixels are taken as 90 to the inch, as Inkscape before 0.92 drew; else say --unit px"
+
+
+def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
+    """How the unit is known, and the size of a pixel, mm, where the program that drew it has one of its own.
+
+    Illustrator and Affinity do without a size in mm or the like, Inkscape before 0.92 without that or a viewBox.
+    """
+    sizes = [(text, read_length(text)) for text in tree.size if text]
+    sized = any(length and length[1] in PHYSICAL for _, length in sizes)
+    other = next((text for text, _ in sizes if re.search(r"\d\s*(?!px)[a-z]+\s*$", text.lower())), "")
+    if not sized and (_ILLUSTRATOR in tree.head or _is_exported_for_screens(tree)):
+        return ReadUnit("pt", "guessed", note=_IN_POINTS), _PT
+    if _AFFINITY in tree.head and not sized:
+        return ReadUnit("px", "guessed", note=_OF_AFFINITY), _PX
+    version = re.match(r"0\.(\d+)", tree.root.get(_INKSCAPE, ""))
+    if version and int(version[1][:2]) < 92 and not (sized and tree.root.get("viewBox")):
+        return ReadUnit("px", "guessed", note=_OF_INKSCAPE), MM_PER_INCH / 90
+    if sized:
+        name = next(length[1] for _, length in sizes if length and length[1] in PHYSICAL)
+        return ReadUnit(name, "stated", "width and height"), _PX
+    if tree.root.get(_INKSCAPE) and not other:
+        return ReadUnit("px", "guessed"), _PX
+    return ReadUnit("px", note=note(_OF_OTHER_UNIT, size=quoted(other)) if other else _WITHOUT_UNIT), _PX
+
+
+def _is_exported_for_screens(tree: SvgTree) -> bool:
+    """Return True for a drawing of Illustrator's Export As, which does not name it; Adobe XD gives a size."""
+    if any(tree.size):
+        return "data-name" in tree.root.attrib
+    return any(
+        "data-name" in element.attrib or _EXPORTED_CLASS.fullmatch(element.get("class", ""))
+        for element in tree.root.iter()
+    )
+
+
+def _scale(tree: SvgTree) -> FloatArray:
+    """Millimetres in one user unit along x and y, from width, height and viewBox."""
+    size = [read_length(text) for text in tree.size]
+    box = [float(v) for v in re.findall(NUMBER, tree.root.get("viewBox", ""))]
+    if len(box) != 4 or not np.all(np.isfinite(box)) or box[2] <= 0 or box[3] <= 0:
+        return np.full(2, _PX)
+    known = [length[0] / extent for length, extent in zip(size, box[2:], strict=True) if length and length[0]]
+    if not known:
+        return np.full(2, _PX)
+    aspect = tree.root.get("preserveAspectRatio", "")
+    if len(known) == 2 and "none" in aspect:
+        return np.array(known)
+    return np.full(2, max(known) if "slice" in aspect else min(known))
+
+
+def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
+    """The subpaths of all shapes that are shown, mm; `to_mm` (2, 2) maps user units."""
+    try:
+        from svgelements import SVG, Shape
+    except ImportError as error:
+        raise MissingDependencyError(
+            "reading {name} needs svgelements, which is not installed: {how_to_install}",
+            name=path.name,
+            how_to_install=how_to_install("svgelements"),
+        ) from error
+    count = 0
+    try:
+        drawing = SVG.parse(BytesIO(_in_user_units(shapes.tree)), reify=False, on_error="raise")
+        for shape in shapes.painted([one for one in drawing.elements() if isinstance(one, Shape)]):
+            drawn = shapes.read(shape)
+            if drawn is None:
+                continue
+            matrix = to_mm @ drawn.matrix
+            source = replace(drawn.source, rounding=drawn.source.rounding * float(np.linalg.norm(matrix, 2)))
+            for run in drawn.runs:
+                count = check_count(count + len(run), MOST_EDGES, "pieces", "leave out what is no strip")
+                yield tuple(edge.mapped(matrix, to_mm @ drawn.offset, source) for edge in run)
+    except InputError:
+        raise
+    except (
+        ValueError,
+        TypeError,
+        IndexError,
+        KeyError,
+        AttributeError,
+        RecursionError,
+        OverflowError,
+    ) as error:
+        raise InputError(
+            "has path data or attributes that break off or make no sense: export it anew"
+        ) from error
+    shapes.tell_left_out()
+
+
+class _DrawnShape(NamedTuple):
+    """The subpaths of a shape in its own coordinates, and the map to user units: matrix (2, 2) and offset (2,)."""
+
+    runs: Sequence[Run]
+    source: Source
+    matrix: FloatArray
+    offset: FloatArray
+
+
+class _Shapes:
+    """Reads the shapes of a tree, a path once however many clones show it, and counts what is left out.
+
+    Attributes
+    ----------
+    drawn : set of int
+        Marks of shapes that are shown.
+    unpainted : set of int
+        Marks of shapes that have neither a stroke nor a fill.
+    clipped : dict
+        Names of shapes of which a clip path or mask may hide a part; the values are None.
+    bad : dict
+        The error of each shape, by its mark, that cannot be read.
+    """
+
+    def __init__(self, tree: SvgTree) -> None:
+        self.tree = tree
+        self.drawn: set[int] = set()
+        self.bad: dict[int, InputError] = {}
+        self.unpainted: set[int] = set()
+        self.clipped: dict[str, None] = {}
+        self._paths: dict[int, PathData] = {}
+
+    def painted(self, shapes: Sequence[Any]) -> Sequence[Any]:
+        """Return the shapes of svgelements that have a stroke or a fill, or all where none has."""
+        shown = [one for one in shapes if not _is_hidden(one)]
+        seen = [one for one in shown if any(_paints(one.values, what) for what in _PAINTS)]
+        if seen:
+            self.unpainted = {int(one.values[MARK]) for one in shown} - {
+                int(one.values[MARK]) for one in seen
+            }
+        return seen or shapes
+
+    def read(self, shape: Any) -> _DrawnShape | None:
+        """What svgelements found, with the path as `path_data` reads it; None where it is hidden or bad."""
+        mark = int(shape.values[MARK])
+        m = shape.transform
+        matrix, offset = np.array([[m.a, m.c], [m.b, m.d]], dtype=float), np.array([m.e, m.f], dtype=float)
+        if _is_hidden(shape) or not matrix.any():
+            return None
+        self.drawn.add(mark)
+        if mark in self.bad:
+            return None
+        try:
+            if not (np.all(np.abs(matrix) < _LARGEST) and np.all(np.abs(offset) < _LARGEST)):
+                raise InputError("has a transform with numbers that are not finite or too large")
+            runs, rounding = self._edges(mark, shape)
+        except InputError as error:
+            self.bad[mark] = error
+            return None
+        clone = next((int(value) for name, value in shape.values.items() if name.startswith(CLONE)), None)
+        drawn = self.tree.shapes[mark]
+        names = [drawn.name] if clone is None else [self.tree.clones[clone], drawn.name]
+        source = Source(
+            "/".join(name.shown for name in names if name.shown),
+            drawn.layer,
+            rounding,
+            "/".join(name.id for name in names if name.id),
+            is_named=any(name.is_chosen for name in names),
+        )
+        if CLIPPED in shape.values or any(_reaches_out(runs, *clip) for clip in drawn.clips):
+            self.clipped[source.name or drawn.kind] = None
+        return _DrawnShape(runs, source, matrix, offset)
+
+    def _edges(self, mark: int, shape: Any) -> tuple[list[Run], float]:
+        """Subpaths, and half a unit of their coordinates' last digit."""
+        source = self.tree.shapes[mark]
+        if source.data is None:
+            return list(_subpaths(shape.segments(transformed=False))), source.rounding
+        if mark not in self._paths:
+            self._paths[mark] = path_data(source.data)
+        path = self._paths[mark]
+        return [_with_polylines(run) for run in path.runs], path.rounding
+
+    def tell_left_out(self) -> None:
+        """Count hidden and bad shapes among what the tree skips; where all are bad, raise the first error."""
+        shapes, skipped = self.tree.shapes, self.tree.skipped
+        hidden = {mark for mark, shape in enumerate(shapes) if shape.shown} - self.drawn - self.unpainted
+        for kind, marks in (
+            ("hidden or empty shape", hidden),
+            ("shape without stroke and fill", self.unpainted),
+        ):
+            if marks:
+                skipped[kind] += len(marks)
+        if self.bad and len(self.bad) == len(self.drawn):
+            raise next(iter(self.bad.values()))
+        for mark, problem in self.bad.items():
+            name = f" {shapes[mark].name.shown}" if shapes[mark].name.shown else ""
+            skipped[f"{shapes[mark].kind}{name} that {problem}"] += 1
+
+    def remarks(self) -> tuple[str, ...]:
+        """Sentences on what a browser shows otherwise than it was read."""
+        clipped = [note(
+            "clipped or masked in the drawing, but read whole: {shapes}. Release the clip to see the whole curve, "
+            "or cut the path where it is to end",
+            shapes=Listed(self.clipped),
+        )] if self.clipped else []  # fmt: skip
+        unread = [note(
+            "styles that are not evaluated: {styles}. Compare the curves with the drawing",
+            styles=Listed(dict.fromkeys(self.tree.unread)),
+        )] if self.tree.unread else []  # fmt: skip
+        return (*clipped, *unread)
+
+
+_PAINTS = ("stroke", "fill")
+
+
+def _is_hidden(shape: Any) -> bool:
+    return shape.values.get("visibility", "").strip().lower() in ("hidden", "collapse")
+
+
+def _paints(values: Mapping[str, str], what: str) -> bool:
+    """Is the stroke, or the fill, of a shape seen?"""
+    paint = values[what].strip().lower()
+    clear = paint in ("none", "transparent") or _CLEAR.fullmatch(paint)
+    sizes = [values.get(f"{what}-opacity"), values.get("stroke-width") if what == "stroke" else None]
+    return not (clear or any(size and _ZERO.fullmatch(size) for size in sizes))
+
+
+def _reaches_out(runs: Sequence[Run], box: Box | None, way: str) -> bool:
+    """Is a part of a shape outside of the rectangle that clips it? True where that is not known."""
+    from svgelements import Matrix
+
+    if box is None:
+        return True
+    m = Matrix(way)
+    points = np.concatenate([edge.at(edge.stations()) for run in runs for edge in run] or [np.empty((0, 2))])
+    seen = points @ np.array([[m.a, m.b], [m.c, m.d]], dtype=float) + np.array([m.e, m.f], dtype=float)
+    near = 1e-6 * max(box[2] - box[0], box[3] - box[1])
+    return bool(np.any(seen < np.array(box[:2]) - near) or np.any(seen > np.array(box[2:]) + near))
+
+
+def _in_user_units(tree: SvgTree) -> bytes:
+    """The document without the size of its root."""
+    root = tree.root
+    box = root.get("viewBox", "").replace(",", " ").split()
+    lengths = [read_length(text) for text in tree.size]
+    size = box[2:] if len(box) == 4 else [repr(one[0] / _PX) if one else "100%" for one in lengths]
+    for name in ("viewBox", "preserveAspectRatio", "x", "y"):
+        root.attrib.pop(name, None)
+    root.set("width", size[0])
+    root.set("height", size[1])
+    # names of attributes may have letters beyond ASCII
+    return bytes(ElementTree.tostring(root, encoding="utf-8"))
+
+
+def _subpaths(segments: Any) -> Iterator[Run]:
+    """Edges between one Move and the next."""
+    run: list[Edge] = []
+    for segment in segments:
+        kind = type(segment).__name__
+        if kind == "Move":
+            yield _with_polylines(run)
+            run = []
+        elif segment.start is not None and segment.end is not None:
+            edge = _edge(kind, segment)
+            if edge is not None:
+                run.append(edge)
+    yield _with_polylines(run)
+
+
+def _with_polylines(run: Sequence[Edge]) -> Run:
+    """Several straight edges and nothing else are one polyline."""
+    if len(run) > 1 and all(edge.degree == 1 for edge in run):
+        return (Edge.polyline(np.concatenate([run[0].points[:1], *(edge.points[1:] for edge in run)])),)
+    return tuple(run)
+
+
+def _edge(kind: str, segment: Any) -> Edge | None:
+    """One side of a basic shape in its own coordinates; None when it has no length."""
+    return bezier_edge(_points(segment.start, segment.end)) if kind in ("Line", "Close") else _arc(segment)
+
+
+def _points(*points: Any) -> FloatArray:
+    places = np.array([(p.x, p.y) for p in points], dtype=float)
+    if not np.all(np.abs(places) < _LARGEST):
+        raise InputError("has numbers that are not finite or too large: check its size")
+    return places
+
+
+def _arc(segment: Any) -> Edge | None:
+    """The exact arc through both ends; its centre found anew, for a half turn leaves it ill-conditioned."""
+    start, end, center, px, py = _points(segment.start, segment.end, segment.center, segment.prx, segment.pry)
+    x_axis, y_axis = px - center, py - center
+    rx, ry = float(np.hypot(*x_axis)), float(np.hypot(*y_axis))
+    if rx == 0 or ry == 0:
+        return Edge.polyline([start, end]) if np.any(start != end) else None
+    axes = np.column_stack([x_axis, y_axis])
+    if not np.any(start != end):
+        turn = float(segment.sweep)
+        first = np.linalg.solve(axes, start - center)
+        begin = float(np.arctan2(first[1], first[0]))
+        return Edge.arc(center, x_axis, y_axis, begin, begin + turn) if abs(turn) > 1e-9 else None
+    sweep = float(segment.sweep)
+    return arc_between(start, end, axes, large=abs(sweep) >= np.pi, sweep=sweep > 0)

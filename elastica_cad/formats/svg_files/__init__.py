@@ -1,1 +1,0 @@
-"""Curves drawn in SVG: path data, groups and clones, as edges in mm."""

@@ -1,0 +1,252 @@
+"""The path data of SVG: a text of commands and numbers, as edges.
+
+SVG 2, section 9.3 ("Path data") and appendix B.2 (arcs). https://www.w3.org/TR/SVG2/paths.html
+"""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.formats.edges import Edge
+from elastica_cad.formats.source_file import MOST_PIECES, NUMBER, check_count, half_last_place
+
+_SPACE = re.compile(r"[\s,]*")
+_NUMBER = re.compile(NUMBER)
+_COUNTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
+_MOST_SEGMENTS = 20 * MOST_PIECES  # of one path, with all its subpaths
+
+
+@dataclass(frozen=True, eq=False)
+class PathData:
+    """The edges that a path draws, in its own units.
+
+    Attributes
+    ----------
+    runs : tuple of tuple of Edge
+        The edges of every subpath.
+    rounding : float
+        Half a unit of the last digit of its coordinates.
+    """
+
+    runs: tuple[tuple[Edge, ...], ...]
+    rounding: float
+
+
+@dataclass
+class _Pen:
+    """Where the pen is and what it has drawn."""
+
+    here: FloatArray = field(default_factory=lambda: np.zeros(2))
+    start: FloatArray = field(default_factory=lambda: np.zeros(2))
+    handle: FloatArray | None = None
+    before: str = ""
+    run: list[Edge] = field(default_factory=list)
+    runs: list[tuple[Edge, ...]] = field(default_factory=list)
+
+    def close_run(self) -> None:
+        if self.run:
+            self.runs.append(tuple(self.run))
+            self.run = []
+
+    def add(self, edge: Edge | None) -> None:
+        if edge is not None:
+            self.run.append(edge)
+
+
+def path_data(text: str) -> PathData:
+    """Parse a path's `d` attribute into runs of edges.
+
+    Raises
+    ------
+    InputError
+        Data that break off or make no sense; it says after what.
+
+    Examples
+    --------
+    >>> path_data("M0 0 Q 10 20 30 0 S 50 10 60 0").runs[0][1].points.tolist()
+    [[30.0, 0.0], [30.0, 0.0], [50.0, 10.0], [60.0, 0.0]]
+    """
+    pen, written, count = _Pen(), [], 0
+    for command, words in _commands(text):
+        count = check_count(count + 1, _MOST_SEGMENTS, "commands in one path or more", "simplify the path")
+        kind = command.upper()
+        values = [float(word) for word in words]
+        if not all(abs(value) < 1e15 for value in values):
+            odd = next(word for word in words if not abs(float(word)) < 1e15)
+            raise InputError("has the number {odd} in a path: export it anew", odd=odd)
+        written += words[5:] if kind == "A" else words
+        _draw(pen, kind, np.array(values), relative=command.islower())
+        pen.before = kind
+    pen.close_run()
+    return PathData(tuple(pen.runs), half_last_place(written))
+
+
+def _commands(text: str) -> Iterator[tuple[str, list[str]]]:
+    """Every command with its numbers; repeated ones as often as they are meant."""
+    at = _skip(text, 0)
+    first = True
+    while at < len(text):
+        command = text[at]
+        if command.upper() not in _COUNTS or (first and command.upper() != "M"):
+            raise _broken(text, at)
+        first = False
+        at = _skip(text, at + 1)
+        if command in "zZ":
+            yield command, []
+            continue
+        again = True
+        while again:
+            words, at = _words(text, at, command.upper())
+            yield command, words
+            command = {"M": "L", "m": "l"}.get(command, command)
+            again = at < len(text) and text[at] in "+-.0123456789"
+
+
+def _words(text: str, at: int, kind: str) -> tuple[list[str], int]:
+    """The numbers of one command; the flags of an arc may follow each other without a space."""
+    words = []
+    for position in range(_COUNTS[kind]):
+        if kind == "A" and position in (3, 4):
+            word = text[at : at + 1]
+            if word not in ("0", "1"):
+                raise _broken(text, at)
+        else:
+            match = _NUMBER.match(text, at)
+            if match is None:
+                raise _broken(text, at)
+            word = match[0]
+        words.append(word)
+        at = _skip(text, at + len(word))
+    return words, at
+
+
+def _skip(text: str, at: int) -> int:
+    match = _SPACE.match(text, at)
+    return at if match is None else match.end()
+
+
+def _broken(text: str, at: int) -> InputError:
+    done = " ".join(text[max(0, at - 24) : at].split())
+    after = f"after ...{done!r}" if done else "at their beginning"
+    return InputError("has path data that break off or make no sense {after}: export it anew", after=after)
+
+
+def _draw(pen: _Pen, kind: str, values: FloatArray, *, relative: bool) -> None:
+    """One command."""
+    origin = pen.here if relative else np.zeros(2)
+    if kind == "Z":
+        if np.any(pen.here != pen.start):
+            pen.add(_line(pen.here, pen.start))
+        pen.close_run()
+        pen.here, pen.handle = pen.start, None
+        return
+    if kind == "A":
+        end = origin + values[5:]
+        pen.add(
+            _arc_edge(
+                pen.here, end, np.abs(values[:2]), float(np.radians(values[2] % 360.0)),
+                large=bool(values[3]), sweep=bool(values[4]),
+            )
+        )  # fmt: skip
+        pen.here, pen.handle = end, None
+        return
+    if kind in "HV":
+        axis = "HV".index(kind)
+        end = pen.here.copy()
+        end[axis] = values[0] + origin[axis]
+        points = end[None, :]
+    else:
+        points = values.reshape(-1, 2) + origin
+    end = points[-1]
+    handle = None
+    if kind == "M":
+        pen.close_run()
+        pen.start = end
+    elif kind in "LHV":
+        pen.add(_line(pen.here, end))
+    elif kind in "CS":
+        if kind == "S":
+            points = np.vstack([_reflected(pen, "CS"), points])
+        pen.add(bezier_edge(np.vstack([pen.here, points])))
+        handle = points[1]
+    else:
+        if kind == "T":
+            points = np.vstack([_reflected(pen, "QT"), points])
+        pen.add(bezier_edge(np.vstack([pen.here, points])))
+        handle = points[0]
+    pen.here, pen.handle = end, handle
+
+
+def _reflected(pen: _Pen, after: str) -> FloatArray:
+    """The handle of the command before, mirrored at the pen; the pen itself after a command of another kind."""
+    if pen.handle is None or pen.before not in after:
+        return pen.here
+    return 2 * pen.here - pen.handle
+
+
+def _line(start: FloatArray, end: FloatArray) -> Edge | None:
+    return Edge.polyline([start, end]) if np.any(start != end) else None
+
+
+def bezier_edge(points: FloatArray) -> Edge | None:
+    """Return a Bezier piece, or a line where its control points follow each other on the chord; None without
+    length.
+    """
+    if not np.any(points != points[0]):
+        return None
+    return Edge.polyline(points[[0, -1]]) if _is_straight(points) else Edge.bezier(points)
+
+
+def _is_straight(points: FloatArray) -> bool:
+    """Do the control points follow each other on the chord? Drawn-in handles often make straight lines."""
+    chord = points[-1] - points[0]
+    along = (points - points[0]) @ chord
+    across = (points - points[0]) @ np.array([-chord[1], chord[0]])
+    return bool(np.abs(across).max() <= 1e-12 * along[-1] and np.all(np.diff(along) >= 0))
+
+
+def _arc_edge(
+    start: FloatArray, end: FloatArray, radii: FloatArray, turned: float, *, large: bool, sweep: bool
+) -> Edge | None:
+    """The exact elliptic arc between two points, its radii enlarged where they do not reach.
+
+    Parameters
+    ----------
+    radii : (2,) array
+        Semi-axes; an arc without one is a line.
+    turned : float
+        Angle of the first axis, rad.
+    large, sweep : bool
+        The flags of SVG.
+    """
+    if not np.any(start != end):
+        return None
+    if radii.min() <= 1e-12 * np.abs(end - start).max():
+        return Edge.polyline([start, end])
+    c, s = np.cos(turned), np.sin(turned)
+    return arc_between(start, end, np.array([[c, -s], [s, c]]) * radii, large=large, sweep=sweep)
+
+
+def arc_between(
+    start: FloatArray, end: FloatArray, axes: FloatArray, *, large: bool, sweep: bool
+) -> Edge | None:
+    """The exact arc between two points whose semi-axes are the columns of `axes` (2, 2); see `_arc_edge`."""
+    # in units of the axes: the centre lies on the perpendicular bisector of the chord of a unit circle
+    half = np.linalg.solve(axes, (end - start) / 2)
+    reach = float(np.hypot(*half))
+    if reach < 1e-12:
+        return None
+    rest = 1 - reach**2
+    along = np.sqrt(rest) / reach if rest > 1e-12 else 0.0
+    middle = (along if (not large) == sweep else -along) * np.array([-half[1], half[0]])
+    if along == 0.0:
+        axes, half = axes * reach, half / reach
+    begin = np.arctan2(*(-half - middle)[::-1])
+    turn = np.arctan2(*(half - middle)[::-1]) - begin
+    turn = turn % (2 * np.pi) if sweep else -((-turn) % (2 * np.pi))
+    center = (start + end) / 2 + axes @ middle
+    return Edge.arc(center, axes[:, 0], axes[:, 1], float(begin), float(begin + turn))

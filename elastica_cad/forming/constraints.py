@@ -1,0 +1,526 @@
+"""What a nearest rod keeps and may not exceed, as numbers with their derivatives."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import hypot
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.forming.limits import Box, HalfPlane
+from elastica_cad.forming.rod_map import MappedRod, SectionScale, Sensitivities
+from elastica_cad.mechanics.discrete_rod import DiscreteRod
+
+MOST_ROWS = 56  # of one constraint in one program: with its ends below 64, where factorisations start threads
+
+
+@dataclass(frozen=True, kw_only=True)
+class Constraint(ABC):
+    """Values that a search keeps at 0, or at 0 or more where `one_sided`; each is of order 1 when badly broken.
+
+    Attributes
+    ----------
+    name : str
+        What the user calls it.
+    one_sided : bool
+        At least 0, not 0.
+    price : float
+        The most that breaking one by 1 costs.
+    near_balance_only : bool
+        Does it make no sense far from balance?
+    """
+
+    name: str
+    one_sided: bool = False
+    price: float = 100.0
+    near_balance_only: bool = False
+
+    @abstractmethod
+    def values(self, rod: MappedRod) -> FloatArray:
+        """All values (k,)."""
+
+    @abstractmethod
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Indices (j,) into the values and derivatives (j, p) of those that matter near this rod."""
+
+
+def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
+    """At most MOST_ROWS of `indices`: the peaks of `urgency` (n,), then the others at equal steps.
+
+    Rows left out may be broken by a step; the next program then finds them among the peaks.
+    """
+    if indices.size <= MOST_ROWS:
+        return indices
+    high = np.concatenate([[-np.inf], urgency, [-np.inf]])
+    peak = (urgency >= high[:-2]) & (urgency >= high[2:])
+    kept = np.zeros(indices.size, dtype=bool)
+    kept[np.flatnonzero(peak[indices])[: MOST_ROWS // 2]] = True
+    others = np.flatnonzero(~kept)
+    kept[others[:: -(-others.size // (MOST_ROWS - kept.sum()))]] = True
+    return indices[kept]
+
+
+def _all_rows(rows: FloatArray) -> tuple[IntArray, FloatArray]:
+    """Every row, with its index."""
+    return np.arange(rows.shape[0]), rows
+
+
+@dataclass(frozen=True, kw_only=True)
+class EndPosition(Constraint):
+    """The last node lies at `target`."""
+
+    name: str = "end position"
+    target: tuple[float, float] = (0.0, 0.0)
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Gap (2,)."""
+        return np.asarray(rod.position[-1] - np.asarray(self.target))
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Both."""
+        return _all_rows(sensitivities.position[-1])
+
+
+@dataclass(frozen=True, kw_only=True)
+class EndAngle(Constraint):
+    """The end's angle is `target`."""
+
+    name: str = "end tangent"
+    target: float = 0.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Difference (1,), rad."""
+        return rod.all_angles[-1:] - self.target
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Row of the only value."""
+        return _all_rows(sensitivities.angles[-1:])
+
+
+@dataclass(frozen=True, kw_only=True)
+class EndMoment(Constraint):
+    """No moment at an end that is free to turn."""
+
+    name: str = "free end angle"
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """M_n (1,)."""
+        return rod.moments[-1:] / self.scale
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Row of the only value."""
+        return _all_rows(sensitivities.moments[-1:] / self.scale)
+
+
+@dataclass(frozen=True, kw_only=True)
+class EndForce(Constraint):
+    """No force along an `axis` (0: x, 1: y) that the end leaves free."""
+
+    name: str = "free end position"
+    axis: int = 0
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """lambda at the very end (1,)."""
+        return rod.all_forces[-1:, self.axis] / self.scale
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Row of the force of the last edge and the load of the last node, both linear in z except for the
+        length."""
+        rod = sensitivities.rod
+        n = rod.tangents.shape[0]
+        weights = np.zeros((n, 2))
+        weights[-1, self.axis] = 1
+        row = sensitivities.along_forces(weights)
+        row += sensitivities.last_load_row(self.axis)
+        return _all_rows(row[None] / self.scale)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Through(Constraint):
+    """The rod passes through `target`, first sought `place` (0..1) of its length from the start."""
+
+    name: str = "points"
+    target: tuple[float, float] = (0.0, 0.0)
+    place: float = 0.5
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Distance across the rod (1,)."""
+        share, nodes, normal = self._foot(rod)
+        off = share @ rod.position[nodes] - np.asarray(self.target)
+        return np.array([normal @ off])
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Row of the only value."""
+        share, nodes, normal = self._foot(sensitivities.rod)
+        return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
+
+    def _foot(self, rod: MappedRod) -> tuple[FloatArray, slice, FloatArray]:
+        """The cubic through four nodes that passes nearest: its shares at the foot, the nodes, the normal there."""
+        found: tuple[FloatArray, slice, FloatArray] = rod.remembered(
+            self, lambda: self._find_foot(rod.position)
+        )
+        return found
+
+    def _find_foot(self, position: FloatArray) -> tuple[FloatArray, slice, FloatArray]:
+        n = position.shape[0] - 1
+        window = np.arange(n + 1)
+        window = window[np.abs(window / n - self.place) < 0.15]
+        off = position[window] - np.asarray(self.target)
+        nearest = int(window[np.argmin((off**2).sum(axis=1))])
+        first = int(np.clip(nearest - 1, 0, n - 3))
+        nodes = slice(first, first + 4)
+        off = position[nodes] - np.asarray(self.target)
+        u = float(nearest - first)
+        for _ in range(8):
+            share, slope = _cubic_shares(u)
+            along = slope @ off
+            u -= float(along @ (share @ off) / (along @ along))
+            u = min(max(u, -0.5 if first == 0 else 0.0), 3.0)
+        share, slope = _cubic_shares(u)
+        x, y = slope @ off
+        return share, nodes, np.array([-y, x]) / hypot(x, y)
+
+
+@dataclass(frozen=True, kw_only=True)
+class InflectionLine(Constraint):
+    """M vanishes on the line through `point` along `direction`: without weight M = a + <b, gamma>."""
+
+    name: str = "inflection line"
+    point: tuple[float, float] = (0.0, 0.0)
+    direction: tuple[float, float] = (1.0, 0.0)
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Moment at the point, and its change along the line (2,)."""
+        (fx, fy), (x, y), (u, v) = rod.all_forces[0], self.point - rod.position[0], self.direction
+        return np.array([rod.moments[0] + fy * x - fx * y, fy * u - fx * v]) / self.scale
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Both."""
+        rod = sensitivities.rod
+        u = sensitivities.grid.unknowns
+        rows = np.zeros((2, sensitivities.angles.shape[1]))
+        b = np.array([rod.all_forces[0, 1], -rod.all_forces[0, 0]])
+        off = np.asarray(self.point) - rod.position[0]
+        rows[0, u.moment] = 1
+        rows[0, u.force] = [-off[1], off[0]]
+        rows[0, u.position] = -b
+        rows[1, u.force] = [-self.direction[1], self.direction[0]]
+        return _all_rows(rows / self.scale)
+
+
+@dataclass(frozen=True, kw_only=True)
+class MiddleOfMirror(Constraint):
+    """The middle stands on the axis, across it, and carries no force along it: one half mirrors the other."""
+
+    name: str = "symmetry"
+    centre: tuple[float, float] = (0.0, 0.0)
+    axis: tuple[float, float] = (0.0, 1.0)
+    angle: float = 0.0
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Distance from the axis, angle, force (3,)."""
+        nodes, edges = _middle(rod)
+        normal = np.array([-self.axis[1], self.axis[0]])
+        off = rod.position[nodes].mean(axis=0) - np.asarray(self.centre)
+        turn = rod.angles[edges].mean() - self.angle
+        return np.array([normal @ off, turn, rod.force[edges].mean(axis=0) @ self.axis / self.scale])
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """All three."""
+        rod = sensitivities.rod
+        nodes, edges = _middle(rod)
+        normal = np.array([-self.axis[1], self.axis[0]])
+        weights = np.zeros_like(rod.tangents)
+        weights[edges] = np.asarray(self.axis) / len(edges) / self.scale
+        return _all_rows(
+            np.array(
+                [
+                    normal @ sensitivities.position[nodes].mean(axis=0),
+                    sensitivities.angles[1:-1][edges].mean(axis=0),
+                    sensitivities.along_forces(weights),
+                ]
+            )
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class MiddleOfTurn(Constraint):
+    """The middle stands in the centre and carries no moment: one half is the other turned by half a turn."""
+
+    name: str = "symmetry"
+    centre: tuple[float, float] = (0.0, 0.0)
+    scale: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Distances and moment (3,)."""
+        nodes, _ = _middle(rod)
+        off = rod.position[nodes].mean(axis=0) - np.asarray(self.centre)
+        return np.append(off, rod.moments[nodes].mean() / self.scale)
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """All three."""
+        rod = sensitivities.rod
+        nodes, _ = _middle(rod)
+        moment = sensitivities.moments[nodes].mean(axis=0) / self.scale
+        return _all_rows(np.vstack([sensitivities.position[nodes].mean(axis=0), moment]))
+
+
+def _middle(rod: MappedRod) -> tuple[Sequence[int], Sequence[int]]:
+    """Indices of the nodes and of the edges around the middle of the rod, each one or two."""
+    n = rod.tangents.shape[0]
+    nodes, edges = {n // 2, (n + 1) // 2}, {(n - 1) // 2, n // 2}
+    return sorted(nodes), sorted(edges)
+
+
+_CUBIC = np.linalg.inv(np.vander(np.arange(4.0), increasing=True))
+"""Coefficients of the cubic through values at 0, 1, 2, 3."""
+
+
+def _cubic_shares(u: float) -> tuple[FloatArray, FloatArray]:
+    """Shares (4,) of the nodes 0, 1, 2, 3 in their cubic's value at u, and in its slope."""
+    return np.array([1, u, u**2, u**3]) @ _CUBIC, np.array([0, 1, 2 * u, 3 * u**2]) @ _CUBIC
+
+
+_NEAR = 0.6  # of a limit: values within it enter the quadratic program, as a step may use them up
+_STEP = 1e-5  # relative step of K for derivatives of strain
+_ROOM = 0.01  # of the largest section's stiffness: a sharp bend may ask for as much more between nodes
+_TANGENT_STEP = 1e-3  # of K, and of the largest bend, for derivatives of dM/dkappa: it rounds kinks off
+
+
+@dataclass(frozen=True, kw_only=True)
+class MarginLimit(Constraint):
+    """Stability margin, for least stiffness 1, at least `limit`."""
+
+    limit: float
+    name: str = "margin"
+    one_sided: bool = True
+    price: float = 1.0
+    near_balance_only: bool = True
+
+    @property
+    def scale(self) -> float:
+        """Size of a badly missed margin."""
+        return max(10.0, abs(self.limit))
+
+    def disturbed(self, rod: MappedRod) -> DiscreteRod:
+        """The rod as small disturbances feel it: with dM/dkappa, which is K by Hooke's law."""
+        return rod
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """(mu - limit min K) / scale, (1,)."""
+        mu = self.disturbed(rod).margin.value
+        return np.array([(mu - self.limit * rod.stiffness.min()) / self.scale])
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """Chain rule from K, angles, forces and length to z."""
+        rod, d = sensitivities.rod, self.disturbed(sensitivities.rod).margin_derivatives
+        u = sensitivities.grid.unknowns
+        row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
+        by_stiffness, by_moment = self.chained(rod, d.stiffness)
+        if by_moment is not None:
+            row += by_moment @ sensitivities.moments
+        by_stiffness[int(np.argmin(rod.stiffness))] -= self.limit
+        row[u.stiffness] += by_stiffness @ sensitivities.grid.basis
+        row[u.length] += d.length
+        return _all_rows(row[None] / self.scale)
+
+    def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
+        """Derivatives by K and by M (n+1,) each, None for none, from those by dM/dkappa (n+1,)."""
+        _ = rod
+        return by_tangent.copy(), None
+
+
+@dataclass(frozen=True, kw_only=True)
+class FollowedMarginLimit(MarginLimit):
+    """The limit of the stability margin for sections that change as the strip bends.
+
+    K is M / (kappa - kappa_0). A strip that stiffens as it is bent resists a disturbance by more, a blank that is
+    bent straight by less.
+
+    Attributes
+    ----------
+    section : SectionScale
+    rest : float or (n+1,) array
+        kappa_0 in lengths of the target.
+    size : float
+        That length, mm.
+    """
+
+    section: SectionScale
+    rest: float | FloatArray
+    size: float
+
+    def disturbed(self, rod: MappedRod) -> DiscreteRod:
+        """The rod with dM/dkappa in place of K."""
+
+        def felt() -> DiscreteRod:
+            K = self.section.tangent(rod.stiffness, _bend(rod, self.size), self.rest / self.size)
+            return DiscreteRod(K, rod.angles, rod.force, rod.edge_length, rod.supports, rod.start)
+
+        found: DiscreteRod = rod.remembered((FollowedMarginLimit, id(self.section)), felt)
+        return found
+
+    def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
+        """Derivatives by finite differences: the width follows from K and bend, the slope from width and bend."""
+        K, bend = rod.stiffness, _bend(rod, self.size)
+        step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
+        by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
+        stiffer, softer, more, less = self.section.tangent(
+            K * (1 + by_K[:, None]), bend + by_step[:, None], self.rest / self.size
+        )
+        by_stiffness = by_tangent * (stiffer - softer) / (2 * _TANGENT_STEP * K)
+        by_moment = by_tangent * (more - less) / (2 * step * K * self.size)
+        return by_stiffness - by_moment * rod.moments / K, by_moment
+
+
+@dataclass(frozen=True, kw_only=True)
+class LargestSection(Constraint):
+    """Every node, as it is bent, no larger than the largest section; for scales that a margin was counted with."""
+
+    section: SectionScale
+    rest: float | FloatArray
+    size: float
+    name: str = "largest section"
+    one_sided: bool = True
+    price: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """The stiffness of the largest section over that of the node, less 1 and some room, (n+1,)."""
+        most = self.section.largest(_bend(rod, self.size), self.rest / self.size)
+        return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _ROOM)
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The nodes that are nearly as large."""
+        rod = sensitivities.rod
+        values, K, bend = self.values(rod), rod.stiffness, _bend(rod, self.size)
+        near = thin_rows(np.flatnonzero(values < _NEAR), -values)
+        step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
+        more, less = (self.section.largest(bend + by, self.rest / self.size) for by in (step, -step))
+        by_moment = (more - less) / (2 * step * K * self.size) / (self.section.scale * K)
+        by_stiffness = -by_moment * rod.moments / K - (1 + _ROOM + values) / K
+        return near, _nodal_rows(sensitivities, near, by_moment, by_stiffness)
+
+
+def _nodal_rows(
+    sensitivities: Sensitivities, near: IntArray, by_moment: FloatArray, by_stiffness: FloatArray
+) -> FloatArray:
+    """Rows (j, p) of values that depend on M and K of their own node, from their derivatives (n+1,) by these."""
+    grid, rows = sensitivities.grid, by_moment[near, None] * sensitivities.moments[near]
+    rows[:, grid.unknowns.stiffness] += by_stiffness[near, None] * grid.basis[near]
+    return np.asarray(rows)
+
+
+def _bend(rod: MappedRod, size: float) -> FloatArray:
+    """kappa - kappa_0 (n+1,), 1/mm, of a rod in lengths of `size` mm."""
+    return np.asarray(rod.moments / rod.stiffness / size)
+
+
+@dataclass(frozen=True, kw_only=True)
+class BendLimit(Constraint):
+    """The bend |M / K| of every node at most what it bears."""
+
+    one_sided: bool = True
+    price: float = 1.0
+
+    @abstractmethod
+    def share(self, stiffness: FloatArray) -> FloatArray:
+        """The share (n+1,) of what a node of K (n+1,) bears that a bend of 1 takes."""
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """1 - bend / limit, (n+1,)."""
+        return np.asarray(1 - self.share(rod.stiffness) * np.abs(rod.moments / rod.stiffness))
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The nodes that are bent most."""
+        rod = sensitivities.rod
+        values = self.values(rod)
+        near = thin_rows(np.flatnonzero(values < 1 - _NEAR), -values)
+        K, M = rod.stiffness, rod.moments
+        share = self.share(K)
+        slope = (self.share(K * (1 + _STEP)) - self.share(K * (1 - _STEP))) / (2 * _STEP * K)
+        by_stiffness = np.abs(M) * (share / K - slope) / K
+        return near, _nodal_rows(sensitivities, near, -np.sign(M) * share / K, by_stiffness)
+
+
+@dataclass(frozen=True, kw_only=True)
+class CurvatureLimit(BendLimit):
+    """|M / K| at most `limit`, node by node."""
+
+    limit: float
+    name: str = "curvature"
+
+    def share(self, stiffness: FloatArray) -> FloatArray:
+        """See `BendLimit`; the same of every section."""
+        return np.full(stiffness.shape, 1 / self.limit)
+
+
+@dataclass(frozen=True, kw_only=True)
+class StrainLimit(BendLimit):
+    """The strain of every node at most its limit, whatever the section is there."""
+
+    section: SectionScale
+    strain: float | None
+    size: float
+    name: str = "strain"
+
+    def share(self, stiffness: FloatArray) -> FloatArray:
+        """See `BendLimit`."""
+        return self.section.strain(stiffness, self.strain) / self.size
+
+
+@dataclass(frozen=True, kw_only=True)
+class KeepOut(Constraint):
+    """Every node outside a region; the region is in millimetres, the rod in `size` from `origin`.
+
+    Ends that are `kept` where they are do not count: on the border they would only fight what keeps them.
+    """
+
+    region: HalfPlane | Box
+    size: float
+    origin: tuple[float, float]
+    kept: tuple[bool, bool] = (False, False)
+    name: str = "keep-out"
+    one_sided: bool = True
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """Clearances (n+1,)."""
+        return self._clearance(rod)[0]
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The nodes that may come near in one step."""
+        rod = sensitivities.rod
+        value, gradient = self._clearance(rod)
+        near = thin_rows(np.flatnonzero(value < 0.1), -value)
+        d = sensitivities.position[near]
+        return near, gradient[near, 0, None] * d[:, 0] + gradient[near, 1, None] * d[:, 1]
+
+    def _clearance(self, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
+        value, gradient = self.region.clearance(rod.position * self.size + np.asarray(self.origin))
+        value = value / self.size
+        value[[0, -1]] = np.where(self.kept, 1.0, value[[0, -1]])
+        return value, gradient
+
+
+@dataclass(frozen=True, kw_only=True)
+class LeastStiffness(Constraint):
+    """The least stiffness is 1, where lower bounds along the strip are meant in units of it."""
+
+    name: str = "stiffness bounds"
+    one_sided: bool = True
+    price: float = 1.0
+
+    def values(self, rod: MappedRod) -> FloatArray:
+        """1 - min K, (1,); the box keeps it from growing."""
+        return np.array([1 - rod.stiffness.min()])
+
+    def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
+        """The softest node."""
+        grid, rod = sensitivities.grid, sensitivities.rod
+        row = np.zeros((1, sensitivities.angles.shape[1]))
+        row[0, grid.unknowns.stiffness] = -grid.basis[int(np.argmin(rod.stiffness))]
+        return _all_rows(row)

@@ -1,0 +1,310 @@
+"""The drawn curve as a table in units of its own length, and how far a rod is from it."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import hypot
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.errors import InputError
+from elastica_cad.forming.constraints import thin_rows
+from elastica_cad.forming.limits import Symmetry
+from elastica_cad.forming.rod_map import MappedRod, Sensitivities
+from elastica_cad.forming.sqp import LocalModel
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.refusals import Length
+
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicHermiteSpline
+
+
+SPANS = 1000  # of the table: its cubics are off a drawn curve by less than 1e-9 lengths
+_WINDOW_LENGTHS = 0.08  # how far along the curve a foot may lie from its node's arc length
+_SYMMETRIC_LENGTHS = 1e-4  # a curve off its mirror image by less, in lengths, is symmetric
+
+
+@dataclass(frozen=True, eq=False)
+class TargetCurve:
+    """Points at equal distances along the curve, and cubic Hermite pieces between them.
+
+    Attributes
+    ----------
+    position : (spans + 1, 2) array
+        In lengths, from `origin`.
+    angle, curvature : (spans + 1,) arrays
+    size : float
+        The unit of length, mm.
+    origin : (2,) array
+        mm.
+    """
+
+    position: FloatArray
+    angle: FloatArray
+    curvature: FloatArray
+    size: float
+    origin: FloatArray
+
+    @classmethod
+    def of(cls, curve: PlaneCurve) -> "TargetCurve":
+        """The table of a curve."""
+        samples = curve.sample(SPANS + 1)
+        origin = samples.position.mean(axis=0)
+        size = curve.length
+        return cls((samples.position - origin) / size, samples.angle, samples.curvature * size, size, origin)
+
+    def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Positions and unit-speed derivatives, each (n, 2), at arc lengths s (n,) in 0..1."""
+        spline = self._spline
+        return spline(s), spline(s, 1)
+
+    def angles(self, s: FloatArray) -> FloatArray:
+        """Angles (n,) at arc lengths s (n,) in 0..1."""
+        return np.interp(s, even_steps(self.angle.size), self.angle)
+
+    def feet(self, points: FloatArray, near: FloatArray) -> FloatArray:
+        """Arc lengths (n,) of the nearest points within a window about `near` (n,)."""
+        offsets = np.linspace(-_WINDOW_LENGTHS, _WINDOW_LENGTHS, 17)
+        tries = np.clip(near[:, None] + offsets, 0, 1)
+        spots = np.rint(tries * (self.position.shape[0] - 1)).astype(int)
+        off = self.position[spots] - points[:, None]
+        s = tries[np.arange(points.shape[0]), np.argmin((off**2).sum(axis=2), axis=1)]
+        for _ in range(4):
+            position, direction = self.at(s)
+            s = np.clip(
+                s + ((points - position) * direction).sum(axis=1) / self._stretch(s, points, position), 0, 1
+            )
+        return np.asarray(s)
+
+    def _stretch(self, s: FloatArray, points: FloatArray, position: FloatArray) -> FloatArray:
+        """1 - kappa d of Newton's method for feet, kept away from the evolute."""
+        i = np.rint(s * (self.position.shape[0] - 1)).astype(int)
+        direction = self._directions[i]
+        off = points - position
+        bend = self.curvature[i] * (off[:, 1] * direction[:, 0] - off[:, 0] * direction[:, 1])
+        return np.asarray(np.maximum(1 - bend, 0.3))
+
+    @cached_property
+    def _spline(self) -> "CubicHermiteSpline":
+        from scipy.interpolate import CubicHermiteSpline
+
+        return CubicHermiteSpline(even_steps(self.angle.size), self.position, self._directions)
+
+    @cached_property
+    def _directions(self) -> FloatArray:
+        return np.column_stack([np.cos(self.angle), np.sin(self.angle)])
+
+    @cached_property
+    def diagonal(self) -> float:
+        """Diagonal of the bounding box, in lengths."""
+        x, y = self.position.T
+        return hypot(x.max() - x.min(), y.max() - y.min())
+
+
+def even_steps(count: int) -> FloatArray:
+    """0..1 in equal steps (count,)."""
+    return np.linspace(0, 1, count)
+
+
+def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, FloatArray]:
+    """Centre and axis direction (both (2,)) of the curve's mirror image or half turn, in the target's units.
+
+    Raises
+    ------
+    InputError
+        When the curve has no such symmetry.
+    """
+    p, q = target.position, target.position[::-1]
+    middles, across = (p + q) / 2, p - q
+    centre = middles.mean(axis=0)
+    if kind == "turn":
+        error = float(np.abs(middles - centre).max())
+        axis = np.array([1.0, 0.0])
+    else:
+        values, vectors = np.linalg.eigh(across.T @ across)
+        axis = vectors[:, int(np.argmin(values))]
+        normal = np.array([-axis[1], axis[0]])
+        error = float(max(np.abs(across @ axis).max(), np.abs((middles - centre) @ normal).max()))
+    if error > _SYMMETRIC_LENGTHS:
+        name = "mirror image" if kind == "mirror" else "half turn"
+        raise InputError(
+            "the drawn curve is not its own {name}: it is {size} off; draw it symmetric, or do "
+            "without keep symmetry",
+            name=name,
+            size=Length(error * target.size),
+        )
+    return centre, axis
+
+
+class Distance(Protocol):
+    """A measure: its value, and a convex model of it around a rod."""
+
+    def value(self, rod: MappedRod) -> float:
+        """The number to be minimised, in lengths of the target or their squares."""
+
+    def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
+        """Gauss-Newton model in the steps of the unknowns; the derivatives come with their closing column."""
+
+
+@dataclass(frozen=True, eq=False)
+class MeanDistance:
+    """Half the weighted mean square distance, arc length against arc length.
+
+    Attributes
+    ----------
+    targets : (n+1, 2) array
+        Where each node should lie.
+    shares : (n+1,) array
+        Weights, sum 1.
+    """
+
+    targets: FloatArray
+    shares: FloatArray
+
+    def value(self, rod: MappedRod) -> float:
+        """Half the mean square distance."""
+        found: float = rod.remembered(self, lambda: self._value(rod.position))
+        return found
+
+    def _value(self, position: FloatArray) -> float:
+        off = position - self.targets
+        return 0.5 * float(self.shares @ (off**2).sum(axis=1))
+
+    def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
+        """Gauss-Newton: J^T W J and J^T W r."""
+        J = sensitivities.position.reshape(-1, sensitivities.position.shape[2])
+        return _least_squares(J, (rod.position - self.targets).ravel(), np.repeat(self.shares, 2))
+
+
+@dataclass(frozen=True, eq=False)
+class ClosestDistance:
+    """Half the weighted mean square distance of the nodes from their nearest points on the target.
+
+    Attributes
+    ----------
+    target : TargetCurve
+    shares : (n+1,) array
+        Weights, sum 1.
+    """
+
+    target: TargetCurve
+    shares: FloatArray
+
+    def value(self, rod: MappedRod) -> float:
+        """Half the mean square distance."""
+        off, _ = offsets(self.target, rod)
+        return 0.5 * float(self.shares @ (off**2).sum(axis=1))
+
+    def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
+        """Gauss-Newton across the target; along it a node slides freely."""
+        off, normal = offsets(self.target, rod)
+        return _least_squares(_across(normal, sensitivities), (off * normal).sum(axis=1), self.shares)
+
+
+@dataclass(frozen=True, eq=False)
+class LargestDistance:
+    """The largest weighted distance of a node from its nearest point on the target.
+
+    Attributes
+    ----------
+    target : TargetCurve
+    factors : (n+1,) array
+        Weights, largest 1.
+    """
+
+    target: TargetCurve
+    factors: FloatArray
+
+    def value(self, rod: MappedRod) -> float:
+        """The largest distance."""
+        off, _ = offsets(self.target, rod)
+        return float((self.factors * np.hypot(off[:, 0], off[:, 1])).max())
+
+    def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
+        """Every node that is at least half as far off as the worst is a peak."""
+        _, normal = offsets(self.target, rod)
+        signed, far = self._peaks(rod)
+        p = rod.z.size
+        across = _across(normal, sensitivities)
+        slopes = self.factors[far, None] * across[far]
+        at = signed[far] + slopes[:, p]  # a node near the target may change sides
+        rows = np.sign(at)[:, None] * slopes[:, :p]
+        # the mean-square curvature only decides what the peaks leave open
+        return LocalModel(
+            0.0, 1e-3 / signed.size * across[:, :p].T @ across[:, :p], np.zeros(p), np.abs(at), rows
+        )
+
+    def _peaks(self, rod: MappedRod) -> tuple[FloatArray, IntArray]:
+        """Signed distances (n+1,) and the nodes that count."""
+        off, normal = offsets(self.target, rod)
+        signed = self.factors * (off * normal).sum(axis=1)
+        size = np.abs(signed)
+        return signed, thin_rows(np.flatnonzero(size >= 0.5 * size.max()), size)
+
+
+def offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
+    """Offsets (n+1, 2) of the nodes from their feet on the target, and unit normals there.
+
+    Past an end the normal points along the offset.
+    """
+    found: tuple[FloatArray, FloatArray] = rod.remembered(target, lambda: _offsets(target, rod))
+    return found
+
+
+def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
+    n = rod.position.shape[0] - 1
+    feet = target.feet(rod.position, even_steps(n + 1))
+    position, direction = target.at(feet)
+    off = rod.position - position
+    normal = np.column_stack([-direction[:, 1], direction[:, 0]])
+    normal /= np.hypot(normal[:, 0], normal[:, 1])[:, None]
+    size = np.hypot(off[:, 0], off[:, 1])
+    past = ((feet <= 0) | (feet >= 1)) & (size > 0)
+    normal[past] = off[past] / size[past, None]
+    return off, normal
+
+
+def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
+    """Derivatives (n+1, p) of the nodes' displacements along `normal`."""
+    d = sensitivities.position
+    return np.asarray(normal[:, 0, None] * d[:, 0] + normal[:, 1, None] * d[:, 1])
+
+
+def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
+    """Model of half the mean square of r + J d, weighted by `shares` (k,); the closing column of J belongs to r."""
+    p, roots = J.shape[1] - 1, np.sqrt(shares)
+    A = J * roots[:, None]
+    A[:, -1] += r * roots
+    product = A.T @ A
+    return LocalModel(
+        0.5 * float(product[p, p]), product[:p, :p], product[:p, p], np.zeros(0), np.zeros((0, p))
+    )
+
+
+def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
+    """Largest distance between the curve and the smooth curve through `nodes` (n, 2), in lengths, either way."""
+    other = _through(nodes, target.position.shape[0])
+    return max(_largest_distance(target.position, other), _largest_distance(other, target.position))
+
+
+def _through(nodes: FloatArray, count: int) -> FloatArray:
+    """Points (count, 2) at equal steps along the cubic spline through `nodes` (n, 2)."""
+    from scipy.interpolate import CubicSpline
+
+    return np.asarray(CubicSpline(even_steps(nodes.shape[0]), nodes)(even_steps(count)))
+
+
+def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
+    """The largest distance of `points` from a fine chain: from the chords on both sides of its nearest point."""
+    from scipy.spatial import cKDTree
+
+    chords = np.diff(chain, axis=0)
+    squares = np.maximum((chords**2).sum(axis=1), 1e-300)
+    _, nearest = cKDTree(chain).query(points)
+    least = np.full(len(points), np.inf)
+    for k in (np.maximum(nearest - 1, 0), np.minimum(nearest, len(chords) - 1)):
+        off = points - chain[k]
+        off = off - np.clip((off * chords[k]).sum(axis=1) / squares[k], 0, 1)[:, None] * chords[k]
+        least = np.minimum(least, np.hypot(off[:, 0], off[:, 1]))
+    return float(least.max())

@@ -1,0 +1,253 @@
+"""A rod's rest shape as a spline of degree 4 with few control points, for further editing."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import NotConvergedError
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.bending import bend, has_snapped
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.refusals import Length
+
+DEGREE = 4  # the least whose curvature has a slope that is continuous
+STRAIGHT_RAD = 1e-9  # over the whole length: nothing but rounding bends such a rod
+TOLERANCE_MM = 1e-3  # between curve and rod: below what a laser cutter repeats
+FAITHFUL = 3e-4  # relative error of the extremes of the stiffness that the curve asks for: limits stay met
+LOOSE = 0.02  # and of the stiffness between, where no limit depends on it
+UNBENT_SHARE = 2e-3  # of the largest curvature, below which the stiffness is a quotient of rounding errors
+_REACH_LENGTHS = 0.05  # curvature errors that extend this far weigh as much as the displacement they make
+_FIRST_SPANS, _MOST_SPANS = 24, 240  # few control points are tried first, as they are edited by hand
+_SHORTEST_SPAN = 1e-3  # span, in lengths: shorter ones fit rounding
+_SAME_LENGTHS = 1e-6  # an inflection as near an end is the end's own
+_PARDONED = 2.0  # tolerances, accepted where finer spans do not help
+_FINER = 4  # the continuous rod is extrapolated from 4 and 8 times as many edges
+
+
+def editable_curve(rod: Rod) -> PlaneCurve:
+    """The spline of degree 4 that the continuous rod with the stiffness of a discrete one takes.
+
+    The discrete rod of n edges is off the continuous one by O(1/n^2), which the curvature near inflections would
+    show. So the continuous rod of the same stiffness through the same ends is computed first, and the spline
+    fits its curvature as well as its position; at its inflections the spline meets it exactly, so that they lie on
+    one line without weight (Theorem 1).
+
+    Parameters
+    ----------
+    rod : Rod
+        In balance.
+
+    Raises
+    ------
+    NotConvergedError
+        The continuous rod or the fit did not reach its tolerance.
+    """
+    if np.abs(rod.curvature).max() * rod.length < STRAIGHT_RAD:
+        return PlaneCurve.line(rod.position[0], rod.position[-1], degree=DEGREE)
+    shape = _continuous(rod)
+    edges = np.linspace(0, float(shape.s[-1]), _FIRST_SPANS + 1)
+    least, best = np.inf, None
+    while edges.size <= _MOST_SPANS and np.diff(edges).min() > _SHORTEST_SPAN:
+        curve = _fitted(shape, edges)
+        error = _errors(curve, shape)
+        if error.max() < least:
+            least, best = float(error.max()), curve
+        if least <= 1:
+            break
+        edges = _refined(edges, shape.s[error > 1])
+    if best is None or least > _PARDONED:
+        raise NotConvergedError(
+            "the rest shape of {length:.6g} cannot be written as a spline of degree 4 with "
+            "{most_spans} spans: use rod.curve, or fewer coefficients",
+            length=Length(rod.length),
+            most_spans=_MOST_SPANS,
+        )
+    return _in_millimetres(best, rod)
+
+
+def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
+    """As `editable_curve`, with `spans` even spans: beside the rod, with inflections on one line all the same.
+
+    What the rod keeps within its limits the curve may not: ask again.
+
+    Raises
+    ------
+    NotConvergedError
+        The continuous rod was not reached, or as few spans cannot meet its inflections.
+    """
+    shape = _continuous(rod)
+    try:
+        return _in_millimetres(_fitted(shape, np.linspace(0, float(shape.s[-1]), spans + 1)), rod)
+    except np.linalg.LinAlgError as error:
+        raise NotConvergedError(
+            "a spline of {spans} spans does not meet the inflections of the rest shape: take more",
+            spans=spans,
+        ) from error
+
+
+def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
+    """Halves the widest of the spans that hold `places` and their neighbours: jumps in width would ring."""
+    width = np.diff(edges)
+    bad = np.searchsorted(edges, places, side="right") - 1
+    bad = np.unique(np.clip(np.concatenate([bad - 1, bad, bad + 1]), 0, width.size - 1))
+    bad = bad[width[bad] > 0.6 * width[bad].max()]
+    return np.sort(np.concatenate([edges, edges[bad] + width[bad] / 2]))
+
+
+@dataclass(frozen=True, eq=False)
+class _Shape:
+    """A continuous rod at uniform stations, in lengths of the discrete one.
+
+    Attributes
+    ----------
+    s, angle, curvature, stiffness : (k,) arrays
+    rest : (k,) array
+        Curvature before bending.
+    position : (k, 2) array
+    inflections : (j,) array
+        Arc lengths where the moment vanishes: inside, and at ends that are free to turn.
+    size : float
+        The unit of length, mm.
+    """
+
+    s: FloatArray
+    position: FloatArray
+    angle: FloatArray
+    curvature: FloatArray
+    stiffness: FloatArray
+    rest: FloatArray
+    inflections: FloatArray
+    size: float
+
+    def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Position, angle, curvature at arc lengths s, by cubic splines through the stations."""
+        from scipy.interpolate import make_interp_spline
+
+        table = np.column_stack([self.position, self.angle, self.curvature])
+        values = make_interp_spline(self.s, table, k=5)(s)
+        return values[:, :2], values[:, 2], values[:, 3]
+
+    def slope(self, s: FloatArray) -> FloatArray:
+        """Derivative of the curvature at arc lengths s."""
+        from scipy.interpolate import make_interp_spline
+
+        return np.asarray(make_interp_spline(self.s, self.curvature, k=5)(s, nu=1))
+
+
+def _continuous(rod: Rod) -> _Shape:
+    """The continuous rod with the stiffness, the ends and the clamps of a discrete one.
+
+    It is extrapolated from the rods with 4 and 8 times as many edges, whose error is a series in 1/n^2.
+    """
+    plain, edges = replace(rod, section=None, law=None), rod.s.size - 1
+    a, b = (bend(plain, samples=factor * edges + 1) for factor in (_FINER, 2 * _FINER))
+    if has_snapped(a) or has_snapped(b):
+        raise NotConvergedError(
+            "the continuous rod does not reach the ends of the discrete one: it is about to snap; use more samples"
+        )
+    position, angle, curvature, K = (
+        (4 * getattr(b, name)[::2] - getattr(a, name)) / 3
+        for name in ("position", "angle", "curvature", "stiffness")
+    )
+    s, size = np.linspace(0, 1, K.size), rod.length
+    kappa_0 = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
+    kappa_0 = np.interp(s, rod.s / size, kappa_0)
+    bends, (start, end) = _zeros(s, curvature - kappa_0), rod.supports.ends
+    # the zero of an end that is free to turn is counted once, at that end
+    bends = bends[(start.angle | (bends > _SAME_LENGTHS)) & (end.angle | (bends < 1 - _SAME_LENGTHS))]
+    bends = np.concatenate([s[:1][: not start.angle], bends, s[-1:][: not end.angle]])
+    position = (position - position[0]) / size
+    return _Shape(s, position, angle, curvature * size, K, kappa_0 * size, bends, size)
+
+
+def _zeros(s: FloatArray, kappa: FloatArray) -> FloatArray:
+    """Arc lengths where kappa - kappa_0 changes sign, not at the very ends."""
+    from scipy.interpolate import make_interp_spline
+    from scipy.optimize import brentq
+
+    spline = make_interp_spline(s, kappa, k=5)
+    where = np.flatnonzero(kappa[:-1] * kappa[1:] < 0)
+    return np.array([brentq(spline, s[i], s[i + 1], xtol=1e-15) for i in where])
+
+
+def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
+    """Least squares for position and curvature over given knots, exact at the ends and the inflections.
+
+    At an inflection also the slope of the curvature is met, which is what the stiffness there is made of.
+    """
+    from scipy.interpolate import BSpline
+
+    knots = np.concatenate([np.full(DEGREE, edges[0]), edges, np.full(DEGREE, edges[-1])])
+    spline = BSpline(knots, np.eye(edges.size - 1 + DEGREE), DEGREE)
+    gauss, share = np.polynomial.legendre.leggauss(5)
+    half = np.diff(edges)[:, None] / 2
+    s = (edges[:-1, None] + half + half * gauss).ravel()
+    root = np.sqrt(half * share)
+    position, angle, kappa = shape.at(s)
+    normal = np.column_stack([-np.sin(angle), np.cos(angle)])
+    typical = float(np.sqrt(np.mean(kappa**2))) + 1e-6
+    w = root.ravel() * _REACH_LENGTHS**2 * typical / (np.abs(kappa) + 0.1 * typical)
+    A = np.vstack([root.ravel()[:, None] * spline(s), w[:, None] * spline(s, 2)])
+    B = np.vstack([root.ravel()[:, None] * position, (w * kappa)[:, None] * normal])
+    ends, bends = edges[[0, -1]], shape.inflections
+    # beside an end or each other they leave no freedom for more than the zeros of the curvature
+    apart = np.diff(np.concatenate([ends[:1], bends, ends[1:]])) > 2 * np.diff(edges).max()
+    inner = bends[apart[:-1] & apart[1:]]
+    there, turned, _ = shape.at(np.concatenate([ends, inner]))
+    bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
+    along = np.column_stack([np.cos(turned), np.sin(turned)])
+    across = np.column_stack([-along[2:, 1], along[2:, 0]])
+    # a curvature that is not 0 depends on the speed too
+    paced = inner[: inner.size * bool(np.any(rest))]
+    C = np.vstack(
+        [
+            spline(np.concatenate([ends, inner])),
+            spline(np.concatenate([ends, paced]), 1),
+            spline(bends, 2),
+            spline(inner, 3),
+        ]
+    )
+    slope, kept = shape.slope(inner)[:, None], np.interp(inner, shape.s, shape.rest)[:, None]
+    turns = rest * np.column_stack([-np.sin(bent), np.cos(bent)])
+    D = np.vstack([there, along[: 2 + paced.size], turns, slope * across - kept**2 * along[2:]])
+    return PlaneCurve(knots, _constrained_least_squares(A, B, C, D), DEGREE)
+
+
+def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: FloatArray) -> FloatArray:
+    """X that minimises |A X - B| subject to C X = D; A^T A has the band of the splines."""
+    from scipy.linalg import cho_solve_banded, cholesky_banded
+
+    m = A.shape[1]
+    both = np.hstack([A, B])
+    joined = both.T @ both
+    band = np.zeros((DEGREE + 1, m))
+    for k in range(DEGREE + 1):
+        band[k, : m - k] = np.diagonal(joined[:m, :m], -k)
+    band[0] += 1e-14 * band[0].max()  # far from small enough to show, enough for rounding
+    factor = cholesky_banded(band, lower=True)
+    size = np.linalg.norm(C, axis=1)[:, None]
+    C, D = C / size, D / size
+    X = cho_solve_banded((factor, True), joined[:m, m:])
+    Y = cho_solve_banded((factor, True), C.T)
+    schur = C @ Y
+    for _ in range(3):
+        X = X + Y @ np.linalg.solve(schur, D - C @ X)
+    return np.asarray(X)
+
+
+def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
+    """The worst error at the stations, in tolerances: of position, of the stiffness that the curve asks
+    for, and, stricter, of its extremes."""
+    s, kappa, K = shape.s, shape.curvature - shape.rest, shape.stiffness
+    off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE_MM
+    near = np.abs(kappa) < UNBENT_SHARE * np.abs(kappa).max()
+    with np.errstate(divide="ignore", invalid="ignore"):
+        asked = np.where(near, K, K * kappa / (curve.curvature_at(s) - shape.rest))
+    beyond = np.maximum(asked / shape.stiffness.max() - 1, 1 - asked / shape.stiffness.min()) / FAITHFUL
+    beyond = np.where(asked > 0, beyond, np.inf)
+    return np.asarray(np.nan_to_num(np.maximum.reduce([off, beyond, np.abs(asked / K - 1) / LOOSE]), nan=0.0))
+
+
+def _in_millimetres(curve: PlaneCurve, rod: Rod) -> PlaneCurve:
+    return PlaneCurve(curve.knots * rod.length, curve.control_points * rod.length + rod.position[0], DEGREE)

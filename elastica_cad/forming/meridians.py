@@ -1,0 +1,696 @@
+"""Meridians of surfaces of revolution that are tiled by equal strips (paper, section 9.4)."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number, pair, require_number
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.path import distances
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.segments import Spline
+from elastica_cad.geometry.splines import finite, fit_spline
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.refusals import Length
+
+EXACT_POINTS = 5
+"""Number of points that determine a meridian (a, b, and the start with its direction, except for sliding along
+it); one less where the last point is its pole, which fixes two numbers."""
+
+SEARCH_NODES = 96
+"""Approximate number of nodes on the whole meridian; at least `FEWEST` between two points."""
+
+FEWEST = 8  # nodes between two points
+STARTS = 30
+"""Number of first guesses of a and b: that of the regression, then fixed others of its size."""
+
+STEPS = 40  # of Newton's method
+LEAST_SHARE = 1e-3
+"""Least share of a step; where less is needed, the search is given up."""
+
+SOLVED = 1e-11  # equations missed by less, for points of size 1, hold
+LONGEST = 1.5
+"""A meridian longer than this times the smooth curve through the points winds about between them."""
+
+GOOD = 1e-7
+"""Equations missed by more than this share of the size were not solved."""
+
+ROUGH = 1e-2
+"""Largest residual between the nodes with which more nodes are tried; beyond it the solution is no meridian."""
+
+FINER = 3
+"""Largest number of times that the nodes are doubled."""
+
+BETWEEN = 8
+"""Number of places between two nodes at which a solution is checked."""
+
+STUCK = 0.1
+"""Where doubling the nodes leaves more than this share of the residual, more nodes are not tried."""
+
+SETTLED = 1e-10
+"""Relative change by a step that ends the least squares."""
+
+
+@dataclass(frozen=True, eq=False)
+class FoundMeridian:
+    """What the search found.
+
+    Attributes
+    ----------
+    a : float
+    b : (2,) array
+    points : (n, 2) array
+        Places on the meridian, those sought or the nearest to them; the first is its start.
+    lengths : (n - 1,) array
+        Arc lengths between them.
+    series : (n - 1, 2, m) array
+        Of every piece the Chebyshev coefficients of the tangent's components.
+    """
+
+    a: float
+    b: FloatArray
+    points: FloatArray
+    lengths: FloatArray
+    series: FloatArray
+
+    @property
+    def length(self) -> float:
+        """Length of the whole meridian, mm."""
+        return float(self.lengths.sum())
+
+    def position(self, s: FloatArray) -> FloatArray:
+        """Places (n, 2) at arc lengths (n,) from the start."""
+        marks = np.append(0.0, np.cumsum(self.lengths))
+        piece = np.clip(np.searchsorted(marks, s, side="right") - 1, 0, len(self.lengths) - 1)
+        places = np.empty((np.size(s), 2))
+        for k in np.unique(piece):
+            here = piece == k
+            station = 2 * (s[here] - marks[k]) / self.lengths[k] - 1
+            moved = [chebyshev.chebval(station, chebyshev.chebint(row, lbnd=-1)) for row in self.series[k]]
+            places[here] = self.points[k] + self.lengths[k] / 2 * np.column_stack(moved)
+        return places
+
+    @cached_property
+    def missed(self) -> float:
+        """Largest residual of x kappa = a + <b, gamma> and of unit speed along the curve, or its distance
+        beyond the axis."""
+        if not np.all(self.lengths > 0):
+            return np.inf
+        station = np.linspace(-1.0, 1.0, BETWEEN * self.series.shape[2])
+        worst = 0.0
+        for start, length, rows in zip(self.points, self.lengths, self.series, strict=False):
+            c, s = (chebyshev.chebval(station, row) for row in rows)
+            c_slope, s_slope = (chebyshev.chebval(station, chebyshev.chebder(row)) for row in rows)
+            x, y = (
+                p + length / 2 * chebyshev.chebval(station, chebyshev.chebint(row, lbnd=-1))
+                for p, row in zip(start, rows, strict=True)
+            )
+            off = x * (c * s_slope - s * c_slope) * 2 / length - (self.a + self.b[0] * x + self.b[1] * y)
+            worst = max(worst, *(float(each.max()) for each in (np.abs(off), np.abs(c**2 + s**2 - 1), -x)))
+        return worst / max(1.0, abs(self.a) + float(np.abs(self.b).sum()))
+
+
+def _search_meridian(points: FloatArray) -> FoundMeridian:
+    """The meridian through three to five points, or by least squares of the distances where there is none or more.
+
+    Parameters
+    ----------
+    points : (n, 2) array
+        In order, of size about 1, x >= 0; where the last has x = 0 it is the pole.
+
+    Raises
+    ------
+    InputError
+        Two neighbouring points are the same.
+    NotConvergedError
+        The search ended beside every meridian.
+    """
+    if np.linalg.norm(np.diff(points, axis=0), axis=1).min() == 0:
+        raise InputError("two neighbouring points of the meridian are the same: leave one out")
+    closes = bool(points[-1, 0] == 0)
+    equations = _Equations(len(points), closes, max(FEWEST, -(-SEARCH_NODES // (len(points) - 1))))
+    guess, length = _first_guess(points, equations)
+    with np.errstate(over="ignore", invalid="ignore"):
+        unknown = _through(points, equations, guess, length) if len(points) <= EXACT_POINTS - closes else None
+        exact, places = unknown is not None, points
+        if unknown is None:
+            places, unknown = _nearest(points, equations, points, guess)
+        found, off, before = equations.curve(unknown, places), equations.missed(unknown, places), np.inf
+        for _ in range(FINER):
+            if found.missed < GOOD or not found.missed < ROUGH or GOOD < off > STUCK * before:
+                break
+            finer = _Equations(len(points), closes, 2 * equations.nodes)
+            unknown, equations = equations.at(finer.stations, unknown), finer
+            mended = _newton(points, equations, unknown) if exact else None
+            if mended is None:
+                places, mended = _nearest(points, equations, places, unknown)
+            unknown = mended
+            found, off, before = equations.curve(unknown, places), equations.missed(unknown, places), off
+    if not (found.missed < GOOD and off < GOOD):
+        raise NotConvergedError("no meridian was found near these points")
+    return found
+
+
+class _Equations:
+    """x kappa = a + <b, gamma> at the nodes, pieces that end at the next point, angles that go on.
+
+    Unknown are, piece by piece, the angles at the nodes and the length, then a and b.
+    """
+
+    def __init__(self, points: int, closes: bool, nodes: int) -> None:
+        self.pieces, self.closes, self.nodes = points - 1, closes, nodes
+        n = nodes
+        self.stations = -np.cos(np.pi * np.arange(n + 1) / n)
+        self.series = np.linalg.inv(chebyshev.chebvander(self.stations, n))
+        unit = np.eye(n + 1)
+        integral = [chebyshev.chebval(self.stations, chebyshev.chebint(row, lbnd=-1)) for row in unit]
+        slope = [chebyshev.chebval(self.stations, chebyshev.chebder(row)) for row in unit]
+        self.integral, self.slope = (
+            np.column_stack(integral) @ self.series,
+            np.column_stack(slope) @ self.series,
+        )
+        self.width = n + 2
+        self.count = self.pieces * self.width + 3
+
+    def parts(self, unknown: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Angles (pieces, nodes + 1), lengths (pieces,), and a, b (3,)."""
+        pieces = unknown[:-3].reshape(self.pieces, self.width)
+        return pieces[:, :-1], pieces[:, -1], unknown[-3:]
+
+    def at(self, stations: FloatArray, unknown: FloatArray) -> FloatArray:
+        """The unknowns with the angles at other stations."""
+        angles, lengths, constants = self.parts(unknown)
+        moved = chebyshev.chebval(stations, self.series @ angles.T)
+        return np.concatenate([np.column_stack([moved, lengths]).ravel(), constants])
+
+    def curve(self, unknown: FloatArray, points: FloatArray) -> FoundMeridian:
+        """The meridian of the unknowns."""
+        angles, lengths, constants = self.parts(unknown)
+        tangents = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        return FoundMeridian(float(constants[0]), constants[1:], points, lengths, tangents @ self.series.T)
+
+    def off(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
+        """Residuals of the equations (m,)."""
+        angles, lengths, (a, b1, b2) = self.parts(unknown)
+        half = lengths[:, None] / 2
+        x = points[:-1, :1] + half * (np.cos(angles) @ self.integral.T)
+        y = points[:-1, 1:] + half * (np.sin(angles) @ self.integral.T)
+        balance = x * (angles @ self.slope.T) - half * (a + b1 * x + b2 * y)
+        ends = np.column_stack([x[:, -1], y[:, -1]]) - points[1:]
+        joints = angles[1:, 0] - angles[:-1, -1]
+        rows = [balance[:, 1:].ravel(), ends.ravel(), joints]
+        if self.closes:
+            last, turning = angles[-1, -1], self.slope[-1] @ angles[-1]
+            rows.append([turning * np.cos(last) - half[-1, 0] * (b1 * np.cos(last) + b2 * np.sin(last))])
+        return np.concatenate(rows)
+
+    def missed(self, unknown: FloatArray, points: FloatArray) -> float:
+        """Largest residual of the equations."""
+        return float(np.abs(self.off(unknown, points)).max())
+
+    def slopes(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
+        """Derivatives (m, count + 2 n) by the unknowns and by the points."""
+        angles, lengths, (a, b1, b2) = self.parts(unknown)
+        n, wide, total = self.nodes, self.width, self.pieces
+        rows = np.zeros((total * (n + 3) - 1 + self.closes, self.count + 2 * total + 2))
+        for i in range(total):
+            half, turning = lengths[i] / 2, self.slope @ angles[i]
+            along, up = self.integral @ np.cos(angles[i]), self.integral @ np.sin(angles[i])
+            x, y = points[i, 0] + half * along, points[i, 1] + half * up
+            x_angle = -half * self.integral * np.sin(angles[i])
+            y_angle = half * self.integral * np.cos(angles[i])
+            own, ends = slice(i * n, (i + 1) * n), total * n + 2 * i
+            first, last, point = i * wide, i * wide + n + 1, self.count + 2 * i
+            by_angle = x[:, None] * self.slope + turning[:, None] * x_angle
+            rows[own, first:last] = (by_angle - half * (b1 * x_angle + b2 * y_angle))[1:]
+            by_length = turning * along - (a + b1 * x + b2 * y) - half * (b1 * along + b2 * up)
+            rows[own, last] = by_length[1:] / 2
+            rows[own, self.count - 3 : self.count] = -half * np.column_stack([np.ones(n), x[1:], y[1:]])
+            rows[own, point] = (turning - half * b1)[1:]
+            rows[own, point + 1] = -half * b2
+            rows[ends, first:last], rows[ends + 1, first:last] = x_angle[-1], y_angle[-1]
+            rows[ends : ends + 2, last] = along[-1] / 2, up[-1] / 2
+            rows[ends : ends + 2, point : point + 4] = np.hstack([np.eye(2), -np.eye(2)])
+            if i:
+                joint = total * (n + 2) + i - 1
+                rows[joint, first], rows[joint, first - 2] = 1.0, -1.0
+        if self.closes:
+            # half, turning, first and last are the last piece's
+            c, s = np.cos(angles[-1, -1]), np.sin(angles[-1, -1])
+            rows[-1, first:last] = self.slope[-1] * c
+            rows[-1, last - 1] -= turning[-1] * s + half * (b2 * c - b1 * s)
+            rows[-1, last] = -(b1 * c + b2 * s) / 2
+            rows[-1, self.count - 2 : self.count] = -half * c, -half * s
+        return rows
+
+
+def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray, float]:
+    """The unknowns of a smooth curve through the points, a and b by regression; and its length."""
+    curve = PlaneCurve(*fit_spline(points, 4, 1e-4), 4)
+    s = np.linspace(0.0, curve.length, 4001)
+    line = curve.at(s).position
+    at = np.sort([s[int(np.argmin(np.hypot(*(line - p).T)))] for p in points])
+    at[0], at[-1] = 0.0, curve.length
+    middles, halves = (at[1:] + at[:-1]) / 2, np.diff(at) / 2
+    angles = [curve.at(m + h * equations.stations).angle for m, h in zip(middles, halves, strict=True)]
+    even = curve.sample(200)
+    rows = np.column_stack([np.ones(200), even.position])
+    constants = np.linalg.lstsq(rows, even.position[:, 0] * even.curvature, rcond=None)[0]
+    pieces = np.column_stack([angles, 2 * halves])
+    return np.concatenate([pieces.ravel(), constants]), curve.length
+
+
+def _through(
+    points: FloatArray, equations: _Equations, guess: FloatArray, length: float
+) -> FloatArray | None:
+    """The unknowns of the meridian through all points that winds the least, if one was found."""
+    best, shortest = None, LONGEST * length
+    chance, size = np.random.default_rng(0), float(np.abs(guess[-3:]).max())
+    for trial in range(STARTS):
+        start = guess.copy()
+        if trial:
+            start[-3:] = size * chance.normal(size=3)
+        found = _newton(points, equations, start)
+        if found is None:
+            continue
+        curve = equations.curve(found, points)
+        if curve.length < shortest and curve.missed < ROUGH:
+            best, shortest = found, curve.length
+            if shortest < 1.1 * length:
+                break
+    return best
+
+
+def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> FloatArray | None:
+    """Newton's method with the least steps where equations are fewer than unknowns."""
+    for _ in range(STEPS):
+        missed = equations.off(unknown, points)
+        size = float(np.linalg.norm(missed))
+        if size < SOLVED:
+            return unknown
+        slopes = equations.slopes(unknown, points)[:, : equations.count]
+        step = _least_step(slopes, -missed)
+        share = _most(equations, unknown, step)
+        # written so that a step to nowhere (not a number) is halved too
+        while not (
+            float(np.linalg.norm(equations.off(unknown + share * step, points))) <= (1 - 1e-4 * share) * size
+        ):
+            share /= 2
+            if share < LEAST_SHARE:
+                return None
+        unknown = unknown + share * step
+    return None
+
+
+def _nearest(
+    points: FloatArray, equations: _Equations, places: FloatArray, unknown: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Places on the meridian nearest to the points, in the sum of squares, and its unknowns.
+
+    Gauss and Newton with the equations as constraints: each step solves for the places that the linear model
+    brings nearest to the points, and is shortened until distance and missed equations together fall.
+    """
+    count = equations.count
+    on_axis = np.zeros((int(equations.closes), count + 2 * len(points)))
+    on_axis[:, -2] = 1.0
+    weight = 10.0
+    for _ in range(2 * STEPS):
+        missed = np.append(equations.off(unknown, places), np.zeros(len(on_axis)))
+        slopes = np.concatenate([equations.slopes(unknown, places), on_axis])
+        m, n = slopes.shape
+        system: FloatArray = np.zeros((n + m, n + m))
+        system[:n, :n].flat[:: n + 1] = np.append(np.full(count, SETTLED), np.ones(n - count))
+        system[n:, :n], system[:n, n:] = slopes, slopes.T
+        right = np.concatenate([np.zeros(count), (points - places).ravel(), -missed])
+        solved = _least_step(system, right)
+        step, move = solved[:count], solved[count:n].reshape(-1, 2)
+        weight = max(weight, 2 * float(np.abs(solved[n:]).max()))
+
+        def merit(u: FloatArray, p: FloatArray, weight: float = weight) -> float:
+            return float(((p - points) ** 2).sum() / 2 + weight * np.abs(equations.off(u, p)).sum())
+
+        share, before = _most(equations, unknown, step), merit(unknown, places)
+        while share > LEAST_SHARE and not merit(unknown + share * step, places + share * move) <= before:
+            share /= 2
+        unknown, places = unknown + share * step, places + share * move
+        if share * max(float(np.abs(move).max()), float(np.abs(missed).max())) < SETTLED:
+            break
+    return places, unknown
+
+
+def _least_step(system: FloatArray, right: FloatArray) -> FloatArray:
+    """The solution of linear equations (m, n), m <= n, of several the smallest."""
+    try:
+        if system.shape[0] == system.shape[1]:
+            return np.asarray(np.linalg.solve(system, right))
+        across, corner = np.linalg.qr(system.T)
+        return np.asarray(across @ np.linalg.solve(corner.T, right))
+    except np.linalg.LinAlgError:
+        return np.asarray(np.linalg.lstsq(system, right, rcond=1e-13)[0])
+
+
+def _most(equations: _Equations, unknown: FloatArray, step: FloatArray) -> float:
+    """The largest share of a step, up to 1, that leaves all lengths positive."""
+    lengths, change = equations.parts(unknown)[1], equations.parts(step)[1]
+    shrinking = change < 0
+    return min(1.0, 0.7 * float((lengths[shrinking] / -change[shrinking]).min())) if shrinking.any() else 1.0
+
+
+ACCURACY = 1e-12
+"""Relative tolerance of the integrator, of order 8."""
+
+CURVE_TOLERANCE = 1e-10
+"""Tolerance of the spline, as a share of the length of the meridian."""
+
+NODES = 601  # of the rod
+SOUGHT = 25
+"""Number of points of a profile that the search uses."""
+
+ON_AXIS_SHARE = 1e-9
+"""A last point nearer to the axis than this share of all points' size is meant to lie on it."""
+
+MOST_TURNS = 20
+"""Largest number of turns of a meridian; with more it is no strip, and the integration takes too long."""
+
+HOPELESS = "strips that tile a surface of revolution cannot follow them"
+NEAR_AXIS_SHARE = 0.05  # of the largest distance from the axis
+TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
+"""End of the message where the last point is nearer to the axis than a share of the farthest."""
+
+NARROW_SHARE = 1e-3
+"""A meridian nearer to the axis than this share of its largest distance has reached the pole."""
+
+
+@dataclass(frozen=True, eq=False)
+class Meridian:
+    """A meridian in the half plane x > 0; the axis is x = 0.
+
+    Attributes
+    ----------
+    a : float
+    b : (2,) array
+        x kappa = a + <b, gamma>; b in 1/mm, a without unit.
+    curve : PlaneCurve
+        mm.
+    at_pole : bool
+        Did it end because it came to the axis, or to the ring asked for?
+    deviation : float
+        Largest distance from the points it was sought through, mm; 0 where none were given.
+    """
+
+    a: float
+    b: FloatArray
+    curve: PlaneCurve
+    at_pole: bool = False
+    deviation: float = 0.0
+
+    @property
+    def ring(self) -> tuple[float, float]:
+        """Distance of the start and of the end from the axis, mm."""
+        t0, t1 = self.curve.domain
+        return float(self.curve.evaluate(t0)[0]), float(self.curve.evaluate(t1)[0])
+
+    @cached_property
+    def distance(self) -> Profile:
+        """Distance from the axis over arc length, mm."""
+        return Profile.fit(lambda s: self.curve.at(s).position[:, 0], self.curve.length, tolerance=1e-7)
+
+    def width(self, strips: int) -> Profile:
+        """Width of each of so many strips, 2 tan(pi / strips) times the distance from the axis, mm."""
+        if strips < 3:
+            raise InputError(
+                "strips={strips}: a surface of revolution is tiled by 3 strips or more", strips=strips
+            )
+        return self.distance.scaled(2 * float(np.tan(np.pi / strips)))
+
+    def to_ring(self, ring: float) -> "Meridian":
+        """Return the meridian, ended where its distance from the axis first falls to `ring`, mm."""
+        curve = self.curve
+        end = _end(
+            lambda s: curve.at(s).position[:, 0], curve.length, _floor(self.ring[0], curve.length, ring)
+        )
+        cut = PlaneCurve.fit_function(
+            lambda s: curve.at(s).position, 0.0, end, tolerance=CURVE_TOLERANCE * curve.length, degree=5
+        )
+        return Meridian(self.a, self.b, cut, self.at_pole or end < curve.length, self.deviation)
+
+    @cached_property
+    def rod(self) -> Rod:
+        """The strip's rod: its stiffness is the distance from the axis, its moment a + <b, gamma>."""
+        nodes = self.curve.sample(NODES)
+        x = nodes.position[:, 0]
+        least = float(x.min())
+        moment = (self.a + nodes.position @ self.b) / least
+        size = float(np.abs(moment).max())
+        off = float(np.abs(x / least * nodes.curvature - moment).max())
+        force = np.broadcast_to(np.array([-self.b[1], self.b[0]]) / least, nodes.position.shape)
+        return Rod(
+            s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, stiffness=x / least,
+            moment=moment, force=force, profile=self.distance.scaled(1 / least), shape=self.curve,
+            residual=off / size if size > 0 else off,
+        )  # fmt: skip
+
+
+def meridian(
+    a: float,
+    b: ArrayLike,
+    start: ArrayLike,
+    angle: float,
+    length: float,
+    *,
+    ring: float | None = None,
+) -> Meridian:
+    """The meridian that starts at a point in a direction.
+
+    Parameters
+    ----------
+    a : float
+        Moment at the origin over stiffness and distance; no unit.
+    b : (2,) array_like
+        Its change, 1/mm. A multiple of (0, 1) lets one end turn freely about the axis (symmetric supports).
+    start : (2,) array_like
+        mm; the first number is the distance from the axis, positive.
+    angle : float
+        Of the tangent at the start against the direction away from the axis, rad.
+    length : float
+        mm; the meridian ends before where it comes to the axis.
+    ring : float, optional
+        It ends where its distance from the axis falls to this, mm; at a thousandth of its largest unless given
+        (a strip has some width at the pole).
+
+    Raises
+    ------
+    InputError
+        Numbers that are not finite, a start on the axis, a length that is not positive, constants that make the
+        meridian wind about.
+    NotConvergedError
+        The curvature grows without bounds.
+
+    Examples
+    --------
+    >>> flat = meridian(0.0, (0, 0), (100, 0), np.pi / 2, 50)
+    >>> flat.curve.is_straight, round(flat.curve.length, 6)
+    (True, 50.0)
+    """
+    p = _numbers(a, b, start, angle, length)
+    if not (p[3] > 0 and p[6] > 0):
+        raise InputError(
+            "a meridian starts beside its axis and has a length: start x = {p:g}, length = {p_2:g}",
+            p=Length(p[3]),
+            p_2=Length(p[6]),
+        )
+    _refuse_winding(p)
+    end, shape = _integrated(p[:6], p[6], _floor(float(p[3]), float(p[6]), ring))
+    curve = PlaneCurve.fit_function(
+        lambda s: shape(s)[:2].T, 0.0, end, tolerance=CURVE_TOLERANCE * float(p[6]), degree=5
+    )
+    return Meridian(float(p[0]), p[1:3], curve, at_pole=end < p[6])
+
+
+def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = None) -> Meridian:
+    """The meridian through up to five points where there is one, or as near to points as there is (a profile).
+
+    a, b, the start and the first direction give a meridian five freedoms, so five points fix it; four where the
+    last is its pole, on the axis. Where none passes them without winding about, and for more points, the squares
+    of the distances are made least; `deviation` says how far the farthest is off.
+
+    Parameters
+    ----------
+    points : (n, 2) array_like or PlaneCurve
+        In order, mm, at x > 0, the last perhaps on the axis, where the surface then closes at the pole; or a whole
+        profile. The meridian starts at the first point, or near it, and ends at the last one's place.
+    ring : float, optional
+        As in `meridian`: where a surface that closes at the pole is to end.
+
+    Raises
+    ------
+    InputError
+        Fewer than three points, some on or beyond the axis, two alike.
+    NotConvergedError
+        No meridian near the points.
+
+    Examples
+    --------
+    >>> vase = meridian_through([(60, 0), (80, 50), (70, 80), (55, 110), (50, 150)])
+    >>> vase.deviation < 1e-6
+    True
+    """
+    if isinstance(points, PlaneCurve):
+        points = points.sample(SOUGHT).position
+    data = _profile(points)
+    size = float(np.linalg.norm(np.ptp(data, axis=0)))
+    chosen = np.unique(np.linspace(0, len(data) - 1, min(len(data), SOUGHT)).round().astype(int))
+    try:
+        found = _search_meridian(data[chosen] / size)
+        if not found.points[0, 0] > 0:
+            raise NotConvergedError("the nearest meridian begins beyond the axis")
+        length, start = found.length * size, float(found.points[0, 0]) * size
+        end = _end(lambda s: size * found.position(s / size)[:, 0], length, _floor(start, length, ring))
+        curve = _curve(found, size, end)
+    except NotConvergedError as problem:
+        way_out = TO_THE_POLE if data[-1, 0] < NEAR_AXIS_SHARE * data[:, 0].max() else ""
+        raise NotConvergedError(
+            "{problem}: {hopeless}{way_out}", problem=problem, hopeless=HOPELESS, way_out=way_out
+        ) from problem
+    closes = end < length
+    if len(chosen) == len(data):
+        gaps = np.hypot(*(size * found.points - data).T)
+    else:
+        gaps = distances(Spline(_curve(found, size, length)), data)
+    if not gaps.max() <= 0.25 * size:
+        raise NotConvergedError(
+            "no meridian comes nearer than {most} to point {given}: {hopeless}",
+            most=Length(gaps.max()),
+            given=int(gaps.argmax()) + 1,
+            hopeless=HOPELESS,
+        )
+    return Meridian(found.a, found.b / size, curve, closes, float(gaps.max()))
+
+
+def _curve(found: FoundMeridian, size: float, end: float) -> PlaneCurve:
+    """The meridian in mm up to an arc length."""
+    tolerance = CURVE_TOLERANCE * found.length * size
+    return PlaneCurve.fit_function(
+        lambda s: size * found.position(s / size), 0.0, end, tolerance=tolerance, degree=5
+    )
+
+
+def _floor(start: float, length: float, ring: float | None) -> float:
+    """The distance from the axis at which a meridian ends, mm."""
+    if ring is None:
+        return min(NARROW_SHARE * (start + length), start / 2)
+    if not (is_number(ring) and 0 < ring < start):
+        raise InputError(
+            "ring={ring}: it must be positive and smaller than the start's {start:g}",
+            ring=ring,
+            start=Length(start),
+        )
+    return float(ring)
+
+
+def _end(distance: Callable[[FloatArray], FloatArray], length: float, floor: float) -> float:
+    """Arc length at which the distance from the axis comes down to `floor`, or the whole length, mm."""
+    from scipy.optimize import brentq
+
+    s = np.linspace(0.0, length, 2001)
+    low = np.flatnonzero(distance(s) <= floor)
+    if not low.size or low[0] == 0:
+        return float(s[-1])
+    return float(
+        brentq(
+            lambda at: float(distance(np.array([at]))[0]) - floor,
+            s[low[0] - 1],
+            s[low[0]],
+            xtol=1e-12 * length,
+        )
+    )
+
+
+def _profile(points: ArrayLike) -> FloatArray:
+    """Points (n, 2) that a meridian can be sought through."""
+    data = finite("the points of a meridian", points)
+    if data.ndim != 2 or data.shape[1] != 2 or len(data) < 3:
+        raise InputError("a meridian is sought through three points (x, y) or more, mm")
+    if abs(data[-1, 0]) < ON_AXIS_SHARE * np.ptp(data):
+        data = np.append(data[:-1], [[0.0, data[-1, 1]]], axis=0)
+    beyond = np.append(data[:-1, 0] <= 0, data[-1, 0] < 0)
+    if beyond.any():
+        i = int(np.argmax(beyond))
+        raise InputError(
+            "point {i} at {given} lies on or beyond the axis x = 0: keep x positive (the last may lie on it)",
+            i=i + 1,
+            given=data[i].tolist(),
+        )
+    return data
+
+
+def _integrated(
+    p: FloatArray, length: float, floor: float
+) -> tuple[float, Callable[[FloatArray], FloatArray]]:
+    """Arc length of the end, and (x, y, angle) (3, n) as a function of arc length."""
+    from scipy.integrate import solve_ivp
+
+    a, b1, b2 = p[:3]
+
+    def slope(_: float, state: FloatArray) -> list[float]:
+        x, y, angle = state
+        return [float(np.cos(angle)), float(np.sin(angle)), float((a + b1 * x + b2 * y) / x)]
+
+    def at_axis(_: float, state: FloatArray) -> float:
+        return float(state[0] - floor)
+
+    def winding(_: float, state: FloatArray) -> float:
+        return 2 * np.pi * MOST_TURNS - abs(float(state[2] - p[5]))
+
+    at_axis.__dict__.update(terminal=True, direction=-1.0)
+    winding.__dict__.update(terminal=True)
+    scale = max(length, 1e-300)
+    found = solve_ivp(
+        slope, (0.0, length), p[3:6], method="DOP853", rtol=ACCURACY, atol=ACCURACY * scale, dense_output=True,
+        events=(at_axis, winding), max_step=length / 40,
+    )  # fmt: skip
+    if not found.success:
+        raise NotConvergedError(
+            "the meridian bends without bounds after {t:.4g}, beside the axis: end it there",
+            t=Length(found.t[-1]),
+        )
+    if found.t_events[1].size:
+        raise InputError(
+            "the meridian turns {most_turns} times about within {t:.4g} of its {length:g}: make "
+            "a and b smaller, or end it before",
+            most_turns=MOST_TURNS,
+            t=Length(found.t[-1]),
+            length=Length(length),
+        )
+    return float(found.t[-1]), found.sol
+
+
+def _refuse_winding(p: FloatArray) -> None:
+    """Constants with which a meridian bends, or waves, far within its length."""
+    a, b, start, length = p[0], p[1:3], p[3:5], p[6]
+    with np.errstate(over="ignore"):
+        bending = abs(a + b @ start) / start[0]
+        waving = np.sqrt(np.hypot(*b) / (start[0] + length))
+        most = max(bending, waving)
+        too_much = most * length > 2 * np.pi * MOST_TURNS
+    if too_much:
+        raise InputError(
+            "a={a:g}, b=({b:g}, {b_2:g}) bend the meridian from its start to a radius of about "
+            "{most}, against its length of {length:g}: make a and b smaller (a has no unit, b is "
+            "in 1/mm)",
+            a=a,
+            b=b[0],
+            b_2=b[1],
+            most=Length(1 / most),
+            length=Length(length),
+        )
+
+
+def _numbers(a: float, b: ArrayLike, start: ArrayLike, angle: float, length: float) -> FloatArray:
+    rows = [a], pair(b, "b of a meridian"), pair(start, "start of a meridian"), [angle, length]
+    return np.array([require_number(number, "a number of a meridian") for row in rows for number in row])

@@ -1,0 +1,529 @@
+"""The nearest rod to a drawn curve that material, machine and gravity allow, and the search for it."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
+from elastica_cad.forming.curve_distance import TargetCurve, measure_deviation
+from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves, leaf_bends
+from elastica_cad.forming.limits import MET, Keep, Limits
+from elastica_cad.forming.nearest_record import Binding, NearestRod, advise, judge_search
+from elastica_cad.forming.nearest_task import Measure, NearestTask, SearchPoint, Weights
+from elastica_cad.forming.rod_map import MappedRod
+from elastica_cad.forming.rod_problem import RodOutcome, RodProblem, Search, list_bindings, pose_problem
+from elastica_cad.forming.sqp import SETTINGS as SQP
+from elastica_cad.forming.sqp import lift, minimize, worst_broken
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.loads import Gravity, NaturalCurvature, Supports
+from elastica_cad.mechanics.optimal_balance import far_too_heavy
+from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw
+
+
+class SearchSettings(NamedTuple):
+    """Settings of the search. Distances are mean distances, as a share of the target's diagonal.
+
+    Attributes
+    ----------
+    steps, unmet_steps : int
+        Number of steps in all after which no new start is tried, and the same where no start has met the limits yet
+        or the first has missed the margin. A search that stalled counts as all the steps that it might take.
+    tensions : tuple of float
+        Starts of straight rods under tension, as shares of the tension that alone gives the margin. Taut starts
+        are stable, unloaded ones do not buckle.
+    follows, longer : float
+        Above the distance `follows` a start that is `longer` times as long as the target is tried, too.
+    bent : int
+        Largest number of starts that differ from the target by random waves.
+    bent_rad : float
+        Typical angle of these waves.
+    far : float
+        Distance above which these starts are tried.
+    bent_lifts : int
+        Lifted steps of such a start; with few of them it can still lead to several local optima.
+    near, as_near : float
+        A search that continues a previous one is accepted if its distance is below `near`, or below `as_near`
+        times that of the previous one.
+    followed : float
+        Distance below which a rod follows its target, so that a smaller ratio is looked for.
+    lean : float
+        Distance that such a smaller ratio may cost.
+    spline : float
+        Factor on the least ratio, as K is a spline with few coefficients.
+    tie, apart : float
+        A result whose distance is within the factor `tie` of the least one is reported, too, if the rods are
+        farther apart than `apart`.
+    closed : float
+        Distance between the ends, in lengths, below which a curve cannot be pulled straight.
+    rescalings : int
+        Largest number of further searches until a section carries its own weight.
+    roomy, full : float
+        With a margin that depends on the widths: factor on the largest scale, which leaves room for other widths;
+        and factor by which a larger scale must differ to be tried.
+    narrower : tuple of float
+        Factors on the scale that are tried for such a margin.
+    eased : float
+        Share of such a margin that is required first.
+    """
+
+    steps: int = 600
+    unmet_steps: int = 200
+    tensions: tuple[float, float] = (0.6, 0.0)
+    follows: float = 0.009
+    longer: float = 1.03
+    bent: int = 12
+    bent_rad: float = 0.4
+    far: float = 0.02
+    bent_lifts: int = 3
+    near: float = 0.015
+    as_near: float = 1.1
+    followed: float = 1e-3
+    lean: float = 1e-4
+    spline: float = 1.005
+    tie: float = 1.02
+    apart: float = 0.02
+    closed: float = 1e-3
+    rescalings: int = 8
+    roomy: float = 0.99
+    full: float = 1.03
+    narrower: tuple[float, ...] = (1.0, 0.9, 0.75)
+    eased: float = 0.8
+
+
+SETTINGS = SearchSettings()
+
+
+def _find_rod(
+    task: NearestTask, measure: Measure, again: Callable[..., NearestRod], start: NearestRod | None = None
+) -> NearestRod:
+    """Find the nearest rod for sections of any size; `again` repeats the request within other limits."""
+    if not (start is None or isinstance(start, NearestRod)):
+        raise InputError(
+            "start is {start!r}: give the record that nearest_rod gave for a like curve, or None", start=start
+        )
+    found = _search(task.without_followed_margin, measure, None if start is None else start.ended)
+    smaller = task.in_smaller_sections
+    if smaller is not None and (found.best.violation > MET or found.off > SETTINGS.followed):
+        other, steps = _search(smaller, measure), found.steps
+        found = min(found, other, key=lambda search: _rank(search.best))._replace(steps=steps + other.steps)
+    found = _rescaled(found, measure, task.limits.margin)
+    task = replace(task, section=found.task.section)
+    problem, outcome, target = found.problem, found.best, task.target
+    deviation = measure_deviation(target, outcome.point.position) * target.size
+    distance = outcome.objective if measure == "max" else float(np.sqrt(2 * outcome.objective))
+    return NearestRod(
+        found=task.rod_of(outcome.point), target=task.curve, deviation=deviation,
+        status=judge_search(outcome.violation, deviation / (target.diagonal * target.size), outcome.settled),
+        mean_deviation=found.task.off(outcome.point) * target.size,
+        binding=list_bindings(task, problem, outcome, measure), violation=outcome.violation,
+        iterations=found.steps, limits=task.limits, keep=task.keep, measure=measure,
+        distance=distance * target.size,
+        ties=tuple(task.rod_of(tie.point) for tie in found.ties),
+        ended=found.ended,
+        advise=advise,
+        again=partial(again, weights=task.weights),
+    )  # fmt: skip
+
+
+def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = None) -> Search:
+    """Search from the end of a similar search, or from as many starts as are needed.
+
+    The first start is nearly always enough. The others are tried where it meets no limits, does not converge, or
+    ends far from the target.
+    """
+    problem = pose_problem(task, measure)
+    if before is not None and (near := _from_before(task, problem, before)) is not None:
+        return _concluded(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
+    found = [minimize(problem, _start(task, problem))]
+    # a margin that the first start misses is refused sooner than what is far
+    tight = found[0].violation > MET and task.limits.margin is not None
+    for enough, start in _starts(task, problem):
+        best = min(found, key=_rank)
+        off = task.off(best.point) / task.target.diagonal
+        spent = sum(SQP.steps if one.stalled else one.iterations for one in found)
+        done = best.settled and best.violation <= MET
+        most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
+        if (spent < most or enough == np.inf) and not (done and off < enough):
+            # a largest distance does not tell how far two rods are apart
+            known = [] if measure == "max" else [one for one in found if one.settled and one.violation <= MET]
+            found.append(minimize(problem, start(), known=known))
+    best = min(found, key=_rank)
+    off, steps = task.off(best.point) / task.target.diagonal, sum(one.iterations for one in found)
+    return _concluded(measure, Search(task, problem, best, (), steps, off), found)
+
+
+def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
+    """Repeat the search until sections are as large as the limits allow for the rod that was found."""
+    for _ in range(SETTINGS.rescalings):
+        settled = found.task.settled(found.best.point)
+        if settled is found.task or settled.gravity is None:  # without weight nothing hangs on the scale
+            found = found._replace(task=settled)
+            break
+        found = _go_on(found, settled, measure)
+    if margin == found.task.limits.margin:
+        return found
+    task = found.task.with_margin(margin)
+    problem = pose_problem(task, measure)
+    met = [worst_broken(problem, problem.values(one.point)) <= MET for one in (found.best, *found.ties)]
+    if met[0] or found.best.violation > MET:
+        ties = tuple(tie for tie, stays in zip(found.ties, met[1:], strict=True) if stays)
+        return found._replace(task=task, ties=ties)
+    task = replace(task.scaled_by(SETTINGS.roomy), keeps_scale=True)
+    for _ in range(SETTINGS.rescalings):
+        wider = _narrowed(found, task, measure)
+        if found.task.keeps_scale and wider.best.violation > MET:
+            return found._replace(steps=wider.steps)
+        found = wider
+        task = found.task.settled(found.best.point)
+        if found.best.violation > MET or task.scale < SETTINGS.full * found.task.scale:
+            break
+        task = task.scaled_by(SETTINGS.roomy)
+    return found
+
+
+def _narrowed(found: Search, task: NearestTask, measure: Measure) -> Search:
+    """Continue a search at one scale or at smaller ones, with most of the margin first.
+
+    Narrower strips may keep a margin that wider ones lose.
+    """
+    margin = task.limits.margin or 0.0
+    for share in SETTINGS.narrower:
+        narrow = task.scaled_by(share)
+        eased = _go_on(found, narrow.with_margin(min(margin, SETTINGS.eased * margin)), measure)
+        tried = _go_on(eased, narrow, measure)
+        if tried.best.violation <= MET:
+            break
+        found = found._replace(steps=tried.steps)
+    return tried
+
+
+def _go_on(found: Search, task: NearestTask, measure: Measure) -> Search:
+    """Continue from the end of a search with the present request; the steps are added."""
+    more = _search(task, measure, found.ended)
+    return more._replace(steps=found.steps + more.steps)
+
+
+def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
+    """Search from the end of a previous search; None where the limits are not met or the result is not about as
+    near."""
+    z = before.seen_from(task.target, problem.grid.unknowns)
+    rod = None if z is None else problem.grid.shoot(z)
+    if rod is None or not np.isfinite(rod.moments[-1]):
+        return None
+    found = minimize(problem, rod)
+    enough = max(SETTINGS.near, SETTINGS.as_near * before.off)
+    near = task.off(found.point) < enough * task.target.diagonal
+    return found if near and found.settled and found.violation <= MET else None
+
+
+def _concluded(measure: Measure, so_far: Search, found: Sequence[RodOutcome]) -> Search:
+    """Add to a search a rod of smaller ratio that is as near as its best, or else other results that are as
+    near."""
+    task, problem, best, _, steps, _ = so_far
+    free = task.is_scaled_freely or task.is_light
+    if free and task.off(best.point) < SETTINGS.followed * task.target.diagonal:
+        lean = _leaner(task, measure, best)
+        if lean is not None:
+            tight, problem, best = lean
+            return so_far._replace(task=tight, problem=problem, best=best, steps=steps + best.iterations)
+    return so_far._replace(ties=tuple(_ties(task, problem, measure, best, found)))
+
+
+def _leaner(
+    task: NearestTask, measure: Measure, best: RodOutcome
+) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
+    """A rod with the least ratio that the target needs, where that is smaller than the best one's and as near.
+
+    The distance does not depend on the ratio, so a search for a target that can be met exactly ends with any ratio.
+    """
+    K = best.point.stiffness
+    law = None if task.section is None or task.is_light else task.section.law
+    try:
+        rod = optimal_rod(task.curve, task.gravity, task.supports, task.natural_curvature, section=law)
+    except ElasticaError:
+        return None
+    least = rod.ratio * SETTINGS.spline
+    if best.violation > MET or least >= float(K.max() / K.min()):
+        return None
+    try:
+        tight = task.within_ratio(least)
+        problem = pose_problem(tight, measure)
+    except InputError:  # the stiffness is bounded elsewhere too
+        return None
+    outcome = minimize(problem, _start(tight, problem, stiffness=min(least, 4.0) ** 0.5))
+    near = max(task.off(best.point), SETTINGS.lean * task.target.diagonal)
+    good = outcome.violation <= MET and task.off(outcome.point) <= near
+    return (tight, problem, outcome) if good else None
+
+
+def _ties(
+    task: NearestTask, problem: RodProblem, measure: Measure, best: RodOutcome, found: Sequence[RodOutcome]
+) -> Iterator[RodOutcome]:
+    """Results as near as the best one, within 2 %, whose shapes differ from it and from each other."""
+    allowed = best.objective * (SETTINGS.tie if measure == "max" else SETTINGS.tie**2)
+    apart = (SETTINGS.apart * task.target.diagonal) ** 2
+    told = [best]
+    for outcome in sorted(found, key=lambda one: one.objective):
+        if not outcome.settled or outcome.violation > MET or outcome.objective > allowed:
+            continue
+        if all(problem.apart(outcome.point, other.point) > apart for other in told):
+            told.append(outcome)
+            yield outcome
+
+
+def _rank(outcome: RodOutcome) -> tuple[bool, float]:
+    """Order of results: those that meet the limits first, by distance; the others by distance and violation."""
+    met = outcome.violation <= MET
+    return not met, outcome.objective + (0.0 if met else outcome.violation)
+
+
+def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Callable[[], MappedRod]]]:
+    """Further rods to start from, each unless the mean distance found is small enough, in diagonals.
+
+    Where nothing meets the limits, those that are always good enough are tried whatever was spent before.
+    """
+    chord = task.target.position[-1] - task.target.position[0]
+    chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed)
+    pull = max(task.limits.margin or 0.0, 0.0) * task.even_stiffness
+    for tension in SETTINGS.tensions if pull else SETTINGS.tensions[-1:]:
+        yield np.inf, partial(_start, task, problem, force=-tension * pull * chord)
+    length = problem.grid.unknowns.length
+    if problem.lower[length] < problem.upper[length]:
+        yield SETTINGS.follows, partial(_start, task, problem, length=SETTINGS.longer)
+    for seed in range(SETTINGS.bent):
+        yield SETTINGS.far, partial(_start, task, problem, lifts=SETTINGS.bent_lifts, seed=seed)
+
+
+def _start(
+    task: NearestTask,
+    problem: RodProblem,
+    *,
+    lifts: int = SQP.lifts,
+    length: float | None = None,
+    stiffness: float | None = None,
+    seed: int | None = None,
+    force: FloatArray | None = None,
+) -> MappedRod:
+    """The rod that the lifted program finds from the target with constant stiffness, under `force` where given.
+
+    A `seed` bends the target by slow waves and varies the stiffness: for other valleys.
+    """
+    if stiffness is None:
+        stiffness = task.even_stiffness
+    grid, target = problem.grid, task.target
+    u, n = grid.unknowns, grid.edges
+    places = np.concatenate([[0.0], (np.arange(n) + 0.5) / n, [1.0]])
+    angles = target.angles(places)
+    z = np.zeros(u.count)
+    z[u.stiffness] = stiffness
+    if seed is not None:
+        rng = np.random.default_rng(seed)
+        z[u.stiffness] *= rng.uniform(0.5, 2.0, u.coefficients)
+        for k in range(1, 6):
+            angles += rng.normal(scale=SETTINGS.bent_rad / k) * np.sin(
+                np.pi * k * places + rng.uniform(0, 2 * np.pi)
+            )
+    z[u.position], z[u.angle], z[u.length] = target.position[0], angles[0], 1.0
+    if length is not None:
+        z[u.length] = length
+        problem = problem.with_given(u.length, z[u.length])
+    if force is not None:
+        problem = problem.with_given(u.force, force)
+    z = np.clip(z, problem.lower, problem.upper)
+    moments = (grid.basis @ z[u.stiffness]) * (np.diff(angles) / grid.shares - grid.natural_curvature)
+    start = grid.assemble(z, angles, moments)
+    return lift(replace(problem, distance=task.mean_distance), start, lifts)
+
+
+_STRICTER = 6  # tapers at most, each within stricter limits, from which leaves are laid
+_BEYOND = 1.2  # times what a stack breaks of a limit is asked of the next taper
+_WHOLE = 1e-9  # of a leaf: more than rounding
+
+
+def _find_leaves(
+    again: Callable[..., NearestRod], curve: PlaneCurve, limits: Limits, keep: Keep, law: LeavesLaw,
+    measure: Measure, asked: dict[str, Any],
+) -> NearestRod:  # fmt: skip
+    """A stack of glued leaves near the nearest taper; where a step breaks a limit, that of a stricter taper."""
+    if limits.stiffness_bounds is not None or keep.points or keep.symmetry or keep.line:
+        raise InputError(
+            "leaves keep ends, tangents and length, within ratio, margin, curvature, strain and regions: leave out "
+            "stiffness_bounds, points, symmetry and line"
+        )
+    # (n / k)^3 is the ratio of n leaves and k
+    fewest = int(np.ceil(law.leaves / limits.largest_ratio ** (1 / 3) - _WHOLE))
+    law = replace(law, fewest=min(max(law.fewest, fewest), law.leaves))
+    laid, steps = None, 0
+    taper = _taper_on_curve(curve, limits, law, asked)
+    if taper is not None:
+        laid = lay_leaves(taper, law, tangents=keep.both_tangents)
+    strict = limits
+    for _ in range(_STRICTER):
+        if laid is not None and not _broken_by(laid, limits):
+            break
+        task = NearestTask.of(curve, strict, keep, law.relaxed, **asked)
+        near = _find_rod(replace(task, grows=False), measure, again)
+        steps += near.iterations
+        laid = lay_leaves(near.rod, law, tangents=keep.both_tangents)
+        strict = _stricter(strict, _broken_by(laid, limits))
+    assert laid is not None
+    broken = _broken_by(laid, limits)
+    missed = max((binding.broken for binding in broken), default=0.0)
+    target = TargetCurve.of(curve)
+    position = (laid.rod.position - target.origin) / target.size
+    deviation = measure_deviation(target, position) * target.size
+    drawn = curve.sample(laid.rod.s.size).position
+    mean = float(np.sqrt(((laid.rod.position - drawn) ** 2).sum(axis=1).mean()))
+    return NearestRod(
+        found=laid.rod, target=curve, deviation=deviation, mean_deviation=mean,
+        status=judge_search(missed, deviation / (target.diagonal * target.size), laid.settled),
+        binding=broken, violation=missed, iterations=steps, limits=limits, keep=keep,
+        measure=measure, distance=mean, advise=advise, again=partial(again, section=law),
+    )  # fmt: skip
+
+
+def _taper_on_curve(curve: PlaneCurve, limits: Limits, law: LeavesLaw, asked: dict[str, Any]) -> Rod | None:
+    """The taper that rests in the curve itself, as thick as the stack may be, where there is one."""
+    if limits.length is not None and not limits.length[0] <= curve.length <= limits.length[1]:
+        return None
+    try:
+        names = "gravity", "supports", "natural_curvature"
+        return optimal_rod(curve, section=law.relaxed, **{name: asked[name] for name in names})
+    except ElasticaError:
+        return None
+
+
+def _broken_by(laid: LeafedRod, limits: Limits) -> tuple[Binding, ...]:
+    """The limits that a stack breaks, and by how much, in shares of each."""
+    rod = laid.rod
+    s, bend = leaf_bends(rod, laid.section)
+    shares: dict[str, tuple[float | None, float]] = {}
+    if limits.margin is not None:
+        scale = max(10.0, abs(limits.margin))
+        shares["margin"] = limits.margin, (limits.margin - stability(rod).margin) / scale
+    if limits.curvature is not None:
+        shares["curvature"] = limits.curvature, float(bend.max()) / limits.curvature - 1
+    if limits.sheet is not None:
+        (strain,) = laid.section.strains(bend, laid.section.sheet.thickness * laid.section.counts(s))
+        shares["strain"] = None, strain.largest / (limits.strain or strain.limit) - 1
+    if limits.keep_out:
+        inside = -min(float(region.clearance(rod.position)[0][1:-1].min()) for region in limits.keep_out)
+        shares["keep-out"] = None, inside / rod.length
+    return tuple(Binding(name, limit, 0.0, over) for name, (limit, over) in shares.items() if over > MET)
+
+
+def _stricter(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
+    """Limits for the taper, of which a stack then breaks less."""
+    for one in broken:
+        more = 1 + _BEYOND * one.broken
+        if one.name == "margin":
+            scale = max(10.0, abs(one.limit or 0.0))
+            limits = replace(limits, margin=(limits.margin or 0.0) + _BEYOND * one.broken * scale)
+        elif one.name == "curvature":
+            limits = limits.tightened(curvature=more)
+        elif one.name == "strain":
+            limits = limits.tightened(strain=more)
+    return limits
+
+
+_UNBEARABLE = 50.0
+"""Length of a curve, in elasto-gravity lengths, from which its weight is the reason that no first rod exists."""
+
+
+def nearest_rod(
+    curve: PlaneCurve,
+    limits: Limits | None = None,
+    keep: Keep | None = None,
+    gravity: Gravity | None = None,
+    *,
+    supports: Supports | None = None,
+    weights: Weights = None,
+    measure: Measure = "mean",
+    samples: int = SEARCH_SAMPLES,
+    coefficients: int | None = None,
+    section: BoundedLaw | None = None,
+    natural_curvature: NaturalCurvature = 0.0,
+    start: NearestRod | None = None,
+) -> NearestRod:
+    """The rod nearest to a drawn curve, realizable or not, that meets all limits.
+
+    Stiffness, length and start of the rod are the unknowns and its shape follows from the balance of moments
+    (Eqs. 3 and 5), so every rod that is tried rests in its shape; see `forming.optimizer.sqp` for the method.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+        The target.
+    limits : Limits, optional
+        Hard limits: ratio, stability margin, curvature, ...
+    keep : Keep, optional
+        What must stay; the end positions unless told.
+    gravity : Gravity, optional
+        Weight proportional to the stiffness, as of a plain strip.
+    supports : Supports, optional
+        Clamped at both ends unless given.
+    weights : optional
+        How much each part of the curve matters: a number, values at equal distances, or a function of the arc
+        length of the curve (mm).
+    measure : "mean", "closest" or "max"
+        Mean square distance, arc length against arc length or each point against the nearest; or the largest
+        distance.
+    samples : int
+        Nodes of the rod.
+    coefficients : int
+        B-spline coefficients of the stiffness; unless given 20, and 4 more for each half turn of the curve.
+    section : BoundedLaw, optional
+        What stiffness is made of, as in `optimal_rod`: its limits bound the ratio, under gravity (of which only the
+        direction counts) it carries its own weight, and a limit `sheet` bounds its strain. Of a `LeavesLaw` the
+        nearest rod of any thickness is sought first, then leaves are laid to come near that (`lay_leaves`).
+    natural_curvature : float or RestCurvature
+        kappa_0, 1/mm, or that of a blank bent beforehand: the rod is then as long as the blank, but for 1 %.
+    start : NearestRod, optional
+        The answer to nearly the same request, such as the curve before a small move: the search begins at its rod
+        and takes two thirds of the time, or a tenth where many starts were needed. It stays in that rod's valley
+        while what it finds there meets the limits and is nearly as near as that rod was; else it begins afresh.
+
+    Returns
+    -------
+    NearestRod
+        Of the least ratio (within 0.5 %) where the curve itself meets the limits. Also when limits cannot be
+        met: see its `status`, `met` and `binding`.
+
+    Raises
+    ------
+    InputError
+        Limits that contradict each other or the curve.
+    NotConvergedError
+        No rod to begin with: a curve too wild, or a weight far too much for the stiffness.
+
+    References
+    ----------
+    Paper, sections 4.2, 6.4 and 7.2, whose control point moves this replaces.
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 60), (100, 0)], degree=3)
+    >>> near = nearest_rod(arch, Limits(ratio=1.5, margin=5))
+    >>> near.met, round(near.rod.ratio, 6)
+    (True, 1.5)
+    """
+    asked: dict[str, Any] = {
+        "gravity": gravity, "supports": supports, "weights": weights, "samples": samples,
+        "coefficients": coefficients, "natural_curvature": natural_curvature,
+    }  # fmt: skip
+    again = partial(nearest_rod, curve, section=section, measure=measure, **asked)
+    if isinstance(section, LeavesLaw):
+        return _find_leaves(again, curve, limits or Limits(), keep or Keep(), section, measure, asked)
+    try:
+        return _find_rod(NearestTask.of(curve, limits, keep, section, **asked), measure, again, start)
+    except NotConvergedError as error:
+        if gravity is None or curve.length < _UNBEARABLE * gravity.length:
+            raise
+        raise NotConvergedError(far_too_heavy(gravity, curve.length)) from error

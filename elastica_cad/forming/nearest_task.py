@@ -1,0 +1,390 @@
+"""What is asked of a nearest rod, in lengths of the drawn curve."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_one_of, numbers
+from elastica_cad.errors import InputError
+from elastica_cad.forming.curve_distance import (
+    ClosestDistance,
+    Distance,
+    LargestDistance,
+    MeanDistance,
+    TargetCurve,
+    even_steps,
+)
+from elastica_cad.forming.limits import Keep, Limits, require_limits
+from elastica_cad.forming.rod_map import MappedRod, SectionScale, StiffnessBasis, Unknowns
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.loads import (
+    Gravity,
+    NaturalCurvature,
+    RestCurvature,
+    Supports,
+    nodal_curvature,
+    require_curve,
+    require_gravity,
+    require_natural_curvature,
+    require_supports,
+    whole_number,
+)
+from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod, scaled_to_least
+from elastica_cad.mechanics.rod_system import RodState, RodSystem
+from elastica_cad.mechanics.stiffness_law import BoundedLaw
+from elastica_cad.refusals import Length as Mm
+
+Measure: TypeAlias = Literal["mean", "closest", "max"]
+Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
+
+_MOST_NODES = 5000  # beyond, time grows and the shape hardly changes
+_FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60  # of the stiffness unless told
+_COEFFICIENTS_PER_HALF_TURN = 4.2  # a curve that turns more often asks for a finer stiffness
+
+
+@dataclass(frozen=True, eq=False)
+class NearestTask:
+    """All that is asked, in lengths of the target; `pose_problem` makes a nonlinear program of it.
+
+    Attributes
+    ----------
+    curve : PlaneCurve
+        As drawn.
+    target : TargetCurve
+    limits : Limits
+    keep : Keep
+    supports : Supports
+    gravity : Gravity or None
+    weights : (nodes,) array
+        Of the nodes, mean 1.
+    nodes, coefficients : int
+    line : pair of points or None
+        Inflection line to be kept, mm.
+    section : SectionScale or None
+        What K is made of, where its weight or strain is not that of a plain strip.
+    natural_curvature : float or RestCurvature
+        1/mm before bending.
+    grows : bool
+        Are sizes without weight made as large as the limits let them be, once the rod is found?
+    keeps_scale : bool
+        Does the scale of a strip that follows its bend stay, and each node keep within the largest width there?
+    """
+
+    curve: PlaneCurve
+    target: TargetCurve
+    limits: Limits
+    keep: Keep
+    supports: Supports
+    gravity: Gravity | None
+    weights: FloatArray
+    nodes: int
+    coefficients: int
+    line: tuple[FloatArray, FloatArray] | None = None
+    section: SectionScale | None = None
+    natural_curvature: NaturalCurvature = 0.0
+    grows: bool = True
+    keeps_scale: bool = False
+
+    @classmethod
+    def of(
+        cls, curve: PlaneCurve, limits: Limits | None, keep: Keep | None, section: BoundedLaw | None, *,
+        gravity: Gravity | None, supports: Supports | None, weights: Weights, samples: int,
+        coefficients: int | None, natural_curvature: NaturalCurvature,
+    ) -> "NearestTask":  # fmt: skip
+        """Checked input of `nearest_rod`.
+
+        Raises
+        ------
+        InputError
+            Limits that contradict each other or the curve, and arguments of the wrong kind.
+        """
+        require_curve(curve)
+        require_gravity(gravity)
+        require_natural_curvature(natural_curvature)
+        supports = require_supports(supports)
+        require_limits(limits, keep)
+        if not (section is None or hasattr(section, "bent")):
+            raise InputError(
+                "section is {section!r}: give a law of sections, such as ThicknessLaw, or None",
+                section=section,
+            )
+        if whole_number(samples, "samples", 20) > _MOST_NODES:
+            raise InputError(
+                "samples={samples!r}: a rod needs 20 to {most_nodes} nodes, {search_samples} are usual",
+                samples=samples,
+                most_nodes=_MOST_NODES,
+                search_samples=SEARCH_SAMPLES,
+            )
+        target = TargetCurve.of(curve)
+        if coefficients is None:
+            half_turns = float(np.abs(np.diff(target.angle)).sum()) / np.pi
+            wanted = _FEWEST_COEFFICIENTS + round(_COEFFICIENTS_PER_HALF_TURN * half_turns)
+            coefficients = min(_MOST_COEFFICIENTS, wanted, (samples - 1) // 2)
+        if whole_number(coefficients, "coefficients", 4) > (samples - 1) // 2:
+            raise InputError(
+                "coefficients={coefficients!r}: the stiffness needs 4 coefficients or more, and at "
+                "most half as many as there are edges ({samples})",
+                coefficients=coefficients,
+                samples=samples - 1,
+            )
+        limits, keep = limits or Limits(), keep or Keep()
+        scale = None
+        if section is not None:
+            bent = _nodal_bend(target, natural_curvature, samples)
+            law = section.bent(bent, _nodal_rest(natural_curvature, samples, 1.0))
+            scale = SectionScale.of(law, limits, heavy=gravity is not None)
+            limits = replace(limits, ratio=scale.ratio)
+        for region in limits.keep_out:
+            ends = zip(("start", "end"), keep.both_ends, target.position[[0, -1]], strict=True)
+            for side, kept, point in ends:
+                inside = -float(region.clearance((point * target.size + target.origin)[None])[0][0])
+                if kept and inside > 1e-9 * target.size:
+                    raise InputError(
+                        "the kept {side} of the curve lies {inside} inside a keep-out region: move the curve "
+                        "or the region, or free that end",
+                        side=side,
+                        inside=Mm(inside),
+                    )
+        return cls(
+            curve=curve, target=target, limits=limits, keep=keep, supports=supports, gravity=gravity,
+            weights=_node_weights(weights, samples, target.size), nodes=int(samples),
+            coefficients=int(coefficients), line=_inflection_line(curve, keep, gravity, natural_curvature),
+            section=scale, natural_curvature=natural_curvature,
+        )  # fmt: skip
+
+    @property
+    def is_scaled_freely(self) -> bool:
+        """Whether K is relative only. For a law whose limits determine its scale whatever the bend, K is
+        absolute."""
+        return self.section is None or self.section.law.follows_bend
+
+    @property
+    def is_light(self) -> bool:
+        """Whether it is a law of absolute sizes without weight, whose scale is found afterwards."""
+        return self.grows and self.gravity is None and not self.is_scaled_freely
+
+    def within_ratio(self, ratio: float) -> "NearestTask":
+        """The task with this limit to the ratio; a light one in the sizes that then bear most."""
+        limits = replace(self.limits, ratio=ratio)
+        section = self.section
+        if section is not None and self.is_light:
+            section = SectionScale.of(section.law, limits, heavy=False)
+        return replace(self, limits=limits, section=section)
+
+    def settled(self, mapped: MappedRod) -> "NearestTask":
+        """The task with widths as large as their limit lets a rod be that was found; itself where they were.
+
+        Of other laws the scale is that of their limits, whatever the bend, and their sizes keep within these.
+        """
+        if self.section is None or not self.is_scaled_freely:
+            return self
+        bend = mapped.moments / mapped.stiffness / self.target.size
+        section = self.section.settled(bend, mapped.stiffness, self.rest / self.target.size)
+        return self if section is self.section else replace(self, section=section)
+
+    @property
+    def without_followed_margin(self) -> "NearestTask":
+        """The task without a margin that hangs on the scale, which no rod has settled; itself where none does."""
+        if self.section is None or not self.is_scaled_freely or self.limits.margin is None:
+            return self
+        return self.with_margin(None)
+
+    def with_margin(self, margin: float | None) -> "NearestTask":
+        """The task with another least margin, or none."""
+        return replace(self, limits=replace(self.limits, margin=margin))
+
+    @property
+    def even_stiffness(self) -> float:
+        """The stiffness of an even start, in the middle of the allowed range."""
+        return float(np.sqrt(min(self.limits.largest_ratio, 16.0)))
+
+    def off(self, mapped: MappedRod) -> float:
+        """Root mean square distance of a rod, arc length against arc length, in lengths."""
+        return float(np.sqrt(2 * self.mean_distance.value(mapped)))
+
+    @property
+    def scale(self) -> float:
+        """Scale of the section, N mm2; 1 without a section."""
+        return 1.0 if self.section is None else self.section.scale
+
+    def scaled_by(self, share: float) -> "NearestTask":
+        """The task with its section's stiffness times a share."""
+        if self.section is None:
+            return self
+        return replace(self, section=replace(self.section, scale=share * self.section.scale))
+
+    @property
+    def in_smaller_sections(self) -> "NearestTask | None":
+        """The task with sections that all bear the target's own bend; None where that makes no difference."""
+        if self.section is None or self.is_scaled_freely or self.gravity is None:
+            return None
+        bent = _nodal_bend(self.target, self.natural_curvature, self.nodes)
+        section = self.section.bearing(bent, self.limits)
+        return None if section is None else replace(self, section=section)
+
+    @property
+    def rest(self) -> float | FloatArray:
+        """kappa_0, or that of a blank (nodes,), in the target's units; the blank is stretched to the rod."""
+        return _nodal_rest(self.natural_curvature, self.nodes, self.target.size)
+
+    def rod_of(self, mapped: MappedRod) -> Rod:
+        """The rod in millimetres, least stiffness 1; a light one in sections as large as the limits let it be."""
+        size, section = self.target.size, self.section
+        if section is not None and self.is_light:
+            section = section.grown(mapped.stiffness, mapped.moments / mapped.stiffness / size, self.limits)
+        least = float(mapped.stiffness.min())
+        length = mapped.length * size
+        profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
+        if self.gravity is None and section is None:  # no weight to be asked of a record
+            s = np.linspace(0.0, length, self.nodes)
+            profile, K = scaled_to_least(profile, s)
+            rest = nodal_curvature(self.natural_curvature, s)
+            return Rod(profile=profile, **self._state_of(mapped, K, rest, np.zeros((s.size, 2))).record)
+        blank = Rod.straight(
+            length, profile, samples=self.nodes, gravity=self.gravity, supports=self.supports,
+            natural_curvature=self.natural_curvature,
+        )  # fmt: skip
+        if section is not None:
+            blank = section.carried_by(blank, mapped.stiffness)
+        state = self._state_of(mapped, blank.stiffness, blank.natural_curvature, blank.nodal_load)
+        return state.rod(blank)
+
+    def _state_of(
+        self, mapped: MappedRod, K: FloatArray, rest: float | FloatArray, load: FloatArray
+    ) -> RodState:
+        """State in millimetres, from nodal stiffness (n,) divided by its least value, kappa_0, and weight (n,
+        2)."""
+        size = self.target.size
+        position = mapped.position * size + self.target.origin
+        system = RodSystem(
+            stiffness=K, edge_length=mapped.length * size / (self.nodes - 1), load=load, natural_curvature=rest,
+            supports=self.supports, start=position[0], end=position[-1],
+            end_angles=mapped.all_angles[[0, -1]], force=np.zeros(2), moments=np.zeros(2),
+        )  # fmt: skip
+        force = mapped.force / (float(mapped.stiffness.min()) * size**2)
+        reactions = (force - system.given_force)[:, list(system.held)].mean(axis=0)
+        return system.state(mapped.angles, reactions)
+
+    @property
+    def basis(self) -> StiffnessBasis:
+        """Basis functions of K."""
+        return StiffnessBasis(self.coefficients, mirrored=bool(self.keep.symmetry))
+
+    def distance(self, measure: Measure) -> Distance:
+        """The measure of the distance from the target."""
+        if not is_one_of(measure, ("mean", "closest", "max")):
+            raise InputError("unknown measure {measure!r}: use 'mean', 'closest' or 'max'", measure=measure)
+        if measure == "closest":
+            return ClosestDistance(self.target, self._shares)
+        if measure == "max":
+            return LargestDistance(self.target, self.weights / self.weights.max())
+        return self.mean_distance
+
+    @cached_property
+    def mean_distance(self) -> MeanDistance:
+        """Arc length against arc length."""
+        targets, _ = self.target.at(even_steps(self.nodes))
+        return MeanDistance(targets, self._shares)
+
+    @property
+    def _shares(self) -> FloatArray:
+        shares = self.weights.copy()
+        shares[[0, -1]] /= 2
+        return np.asarray(shares / shares.sum())
+
+
+def _nodal_bend(target: TargetCurve, rest: NaturalCurvature, nodes: int) -> FloatArray:
+    """kappa - kappa_0 (nodes,) of the target itself, 1/mm."""
+    kappa = np.interp(even_steps(nodes), even_steps(target.curvature.size), target.curvature)
+    return np.asarray((kappa - _nodal_rest(rest, nodes, target.size)) / target.size)
+
+
+def _nodal_rest(rest: NaturalCurvature, nodes: int, size: float) -> float | FloatArray:
+    """kappa_0 times `size`, or that of a blank at so many nodes (nodes,)."""
+    if isinstance(rest, RestCurvature):
+        return size * rest.at(np.linspace(0.0, rest.length, nodes))
+    return size * rest
+
+
+@dataclass(frozen=True, eq=False)
+class SearchPoint:
+    """The end of a search: the unknowns of a rod, and the target in whose units they are.
+
+    Attributes
+    ----------
+    z : (p,) array
+    unknowns : Unknowns
+    size : float
+        Length of the target, mm.
+    origin : (2,) array
+        mm.
+    off : float
+        Mean distance that the last search from all starts came to, in diagonals of its target.
+    """
+
+    z: FloatArray
+    unknowns: Unknowns
+    size: float
+    origin: FloatArray
+    off: float
+
+    def seen_from(self, target: TargetCurve, unknowns: Unknowns) -> FloatArray | None:
+        """Unknowns of the same rod in the units of another target; None where the unknowns differ."""
+        u = self.unknowns
+        if unknowns != u:
+            return None
+        z, larger = self.z.copy(), target.size / self.size
+        z[u.moment] *= larger
+        z[u.force] *= larger**2
+        z[u.length] /= larger
+        z[u.position] = (self.z[u.position] * self.size + self.origin - target.origin) / target.size
+        return np.asarray(z)
+
+
+def _inflection_line(
+    curve: PlaneCurve, keep: Keep, gravity: Gravity | None, rest: NaturalCurvature
+) -> tuple[FloatArray, FloatArray] | None:
+    """Two points of the inflection line that is kept."""
+    if not keep.line:
+        return None
+    if gravity is not None:
+        raise InputError("a rod with weight has no inflection line: do without keep line, or without gravity")
+    if not isinstance(keep.line, bool):
+        return np.asarray(keep.line[0]), np.asarray(keep.line[1])
+    line = check_equilibrium(curve, natural_curvature=rest).line
+    if line is None:
+        raise InputError(
+            "the drawn curve has no inflection line to keep: give two points, keep line=((x, y), (x, y))"
+        )
+    point, direction = np.asarray(line.point), np.asarray(line.direction)
+    return point, point + direction * curve.length
+
+
+def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:
+    """Weights along the curve at the nodes, mean 1."""
+    if weights is None:
+        return np.ones(nodes)
+    values = values_along(weights, even_steps(nodes), size, "weights")
+    if np.any(values < 0) or not values.any():
+        raise InputError("weights along the curve must be 0 or more, and not all 0")
+    return np.asarray(values / values.mean())
+
+
+def values_along(given: object, x: FloatArray, size: float, what: str) -> FloatArray:
+    """Values at x (0..1) of a number, of values at equal distances, or of a function of arc length in mm."""
+    values = given(x * size) if callable(given) else given
+    array = numbers(values, what)
+    if array.ndim == 0:
+        array = np.full(2, float(array))
+    if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)):
+        raise InputError(
+            "{what} must be a finite number, values at equal distances, or a function of arc length",
+            what=what,
+        )
+    return np.asarray(np.interp(x, np.linspace(0, 1, array.size), array))

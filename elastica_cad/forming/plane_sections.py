@@ -1,0 +1,360 @@
+"""Triangle meshes, checked and welded, and their sections by planes: ordered lines in the planes' own frames.
+
+A vertex in the plane counts as lying on one side of it, as if the plane were moved aside by less than any
+number (simulation of simplicity): every face that has corners on both sides is then crossed at two of its
+edges, edges are told apart by their vertices alone, and the pieces chain up without comparing places. The
+points themselves are those of the plane as it is.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
+from elastica_cad._values import is_number
+from elastica_cad.errors import InputError
+from elastica_cad.forming.section_lines import IN_PLANE, PlaneSection, collect_section, place_in_words
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.refusals import Length, Listed, Point, note
+
+SHOWN_PLACES = 3
+"""Largest number of places that a message lists."""
+
+CRACK_SHARE = 1e-5
+"""Borders nearer to each other than this share of their extent are one edge with different rounding errors."""
+
+FARTHEST_MM = 1e9
+"""Largest coordinate, mm."""
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """Triangles in space, open or closed.
+
+    Corners at the same place are made one, as files often repeat them, and along borders also those nearer than
+    a hundred thousandth of the borders' extent, as rounding leaves them; triangles without area and repeated
+    ones are left out. Nothing else is moved. `reports` says what was found; none of it stops a section.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array_like
+        mm.
+    faces : (m, 3) array_like of int
+        Rows of `vertices`; their sense does not matter.
+
+    Raises
+    ------
+    InputError
+        Arrays of another shape, numbers that are not finite, faces of vertices that are not there, no face left.
+
+    Examples
+    --------
+    >>> square = Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3), (2, 2, 1)])
+    >>> square.faces.shape[0], square.reports[0]
+    (2, '1 of 3 triangles has no area: left out (the first at (1, 0.666667, 0) mm)')
+    """
+
+    vertices: FloatArray
+    faces: IntArray
+    reports: tuple[str, ...] = ()
+
+    def __init__(self, vertices: ArrayLike, faces: ArrayLike) -> None:
+        points, rows = _checked(vertices, faces)
+        points, index = np.unique(points + 0.0, axis=0, return_inverse=True)
+        rows = _sewn(points, index.reshape(-1)[rows])
+        reports: list[str] = []
+        area = _areas(points, rows)
+        keep = (area > 0) & np.all(rows != np.roll(rows, 1, axis=1), axis=1)
+        reports += _complaint(points, rows[~keep], len(rows), "has no area", "have no area", ": left out")
+        kept = rows[keep]
+        _, first = np.unique(np.sort(kept, axis=1), axis=0, return_index=True)
+        again = np.ones(len(kept), dtype=bool)
+        again[first] = False
+        reports += _complaint(
+            points, kept[again], len(rows), "is there twice", "are there twice", ": left out once"
+        )
+        kept = kept[~again]
+        if not len(kept):
+            raise InputError("the mesh has no triangle with an area: export it anew")
+        reports += _edge_complaints(points, kept)
+        for name, value in (("vertices", points), ("faces", kept), ("reports", tuple(reports))):
+            object.__setattr__(self, name, value)
+
+    @property
+    def size(self) -> float:
+        """Diagonal of the bounding box, mm."""
+        return float(np.linalg.norm(np.ptp(self.vertices[np.unique(self.faces)], axis=0)))
+
+    def scaled(self, factor: float) -> "Mesh":
+        """The mesh with all lengths times `factor`.
+
+        Raises
+        ------
+        InputError
+            A factor that is not positive.
+        """
+        if not (is_number(factor) and factor > 0):
+            raise InputError("a mesh is scaled by a positive factor, not {factor!r}", factor=factor)
+        return Mesh(self.vertices * factor, self.faces)
+
+
+def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArray]:
+    try:
+        points, rows = np.asarray(vertices, dtype=float), np.asarray(faces)
+    except (TypeError, ValueError, OverflowError):
+        raise InputError("a mesh is rows of numbers: vertices (n, 3) and triangles (m, 3)") from None
+    if points.ndim != 2 or points.shape[1] != 3 or rows.ndim != 2 or rows.shape[1] != 3:
+        raise InputError(
+            "a mesh is vertices (n, 3) and triangles (m, 3), not {shape} and {shape_2}: cut "
+            "faces of more corners into triangles first",
+            shape=points.shape,
+            shape_2=rows.shape,
+        )
+    if not rows.size:
+        raise InputError("the mesh has no triangles: nothing can be cut")
+    if not np.issubdtype(rows.dtype, np.integer):
+        raise InputError("the triangles of a mesh are rows of whole numbers that count its vertices from 0")
+    if not np.all(np.isfinite(points)):
+        bad = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
+        raise InputError(
+            "vertex {bad} of the mesh is not finite: {given}", bad=bad, given=points[bad].tolist()
+        )
+    far = float(np.abs(points).max())
+    if far > FARTHEST_MM:
+        bad = int(np.abs(points).max(axis=1).argmax())
+        raise InputError(
+            "vertex {bad} of the mesh lies {far} from the origin: give the right unit or scale, or mend it",
+            bad=bad,
+            far=Length(far),
+        )
+    if rows.min() < 0 or rows.max() >= len(points):
+        raise InputError(
+            "a triangle names vertex {given} of {count}",
+            given=rows.max() if rows.min() >= 0 else rows.min(),
+            count=len(points),
+        )
+    return points, rows.astype(np.intp)
+
+
+def _sewn(points: FloatArray, rows: IntArray) -> IntArray:
+    """The triangles with corners of borders that lie within a crack made one."""
+    edges, count = np.unique(
+        np.sort(np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]]), axis=1),
+        axis=0,
+        return_counts=True,
+    )
+    border = np.unique(edges[(count == 1) & (edges[:, 0] != edges[:, 1])])
+    if not border.size:
+        return rows
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+    from scipy.spatial import cKDTree
+
+    width = CRACK_SHARE * float(np.linalg.norm(np.ptp(points[border], axis=0)))
+    pairs = cKDTree(points[border]).query_pairs(width, output_type="ndarray")
+    if not len(pairs):
+        return rows
+    links = coo_array((np.ones(len(pairs)), pairs.T), shape=(border.size, border.size))
+    _, piece = connected_components(links, directed=False)
+    _, first = np.unique(piece, return_index=True)
+    own = np.arange(len(points))
+    own[border] = border[first[piece]]
+    return np.asarray(own[rows])
+
+
+def _areas(points: FloatArray, rows: IntArray) -> FloatArray:
+    a, b, c = (points[rows[:, k]] for k in range(3))
+    return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)
+
+
+def _complaint(points: FloatArray, rows: IntArray, total: int, one: str, many: str, then: str) -> list[str]:
+    if not len(rows):
+        return []
+    return [
+        note(
+            "{count} of {total} triangles {what}{then} (the first at {place:.6g})",
+            count=len(rows), total=total, what=one if len(rows) == 1 else many, then=then,
+            place=Point(points[rows[0]].mean(axis=0).round(6) + 0.0),
+        )
+    ]  # fmt: skip
+
+
+def _edge_complaints(points: FloatArray, rows: IntArray) -> list[str]:
+    """Edges of one face or of more than two, and neighbours that are turned over against each other."""
+    directed = np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]])
+    edges, index, count = np.unique(
+        np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True
+    )
+    sense = np.bincount(index.reshape(-1), weights=np.where(directed[:, 0] < directed[:, 1], 1.0, -1.0))
+    found: list[str] = []
+    border = edges[count == 1]
+    if len(border):
+        found.append(note(
+            "the mesh is open along {edges} (near {places}): sections end there",
+            edges=_edges(border), places=_places(points, border),
+        ))  # fmt: skip
+    crowded = edges[count > 2]
+    if len(crowded):
+        found.append(note(
+            "more than two faces meet at {edges} (near {places}): sections fall apart there",
+            edges=_edges(crowded), places=_places(points, crowded),
+        ))  # fmt: skip
+    turned = edges[(count == 2) & (sense != 0)]
+    if len(turned):
+        found.append(note(
+            "faces are turned over against their neighbours along {edges} (near {places}): sections are the "
+            "same",
+            edges=_edges(turned), places=_places(points, turned),
+        ))  # fmt: skip
+    return found
+
+
+def _edges(edges: IntArray) -> str:
+    return "1 edge" if len(edges) == 1 else f"{len(edges)} edges"
+
+
+def _places(points: FloatArray, edges: Sequence[IntArray] | IntArray) -> Listed:
+    return Listed(Point(points[edge].mean(axis=0).round(6) + 0.0) for edge in edges[:SHOWN_PLACES])
+
+
+APART = 1e-10
+"""Neighbouring points of a section nearer than this share of the size are one."""
+
+
+def mesh_sections(
+    vertices: ArrayLike, faces: ArrayLike, planes: Sequence[Frame], *, half: bool = False
+) -> tuple[PlaneSection, ...]:
+    """Sections of a triangle mesh, open or closed, by a family of planes; no vertex is moved.
+
+    Parameters
+    ----------
+    vertices, faces : (n, 3) and (m, 3) array_like
+        The mesh, mm; see `Mesh`.
+    planes : sequence of Frame
+        From `parallel_planes`, `radial_planes`, `planes_along`, or by hand.
+    half : bool
+        Only what lies at x >= 0 of each frame: half planes about an axis.
+
+    Returns
+    -------
+    tuple of PlaneSection
+        One a plane, in order; a plane that misses gives a section without lines and a sentence that says so.
+
+    Raises
+    ------
+    InputError
+        A mesh that is none, see `Mesh`; planes that are not a sequence of frames.
+
+    Examples
+    --------
+    >>> corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    >>> quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    >>> cube = [(q[0], q[i], q[i + 1]) for q in quads for i in (1, 2)]
+    >>> section, = mesh_sections(corners, cube, [Frame((0, 0, 0.5))])
+    >>> section.line.is_closed, section.line.length
+    (True, 4.0)
+    """
+    mesh = Mesh(vertices, faces)
+    refuse_odd_planes(planes)
+    found = [
+        _section(mesh, frame, half, note("section {number}", number=i + 1)) for i, frame in enumerate(planes)
+    ]
+    if mesh.reports and found:
+        found[0] = replace(found[0], reports=(*mesh.reports, *found[0].reports))
+    return tuple(found)
+
+
+def refuse_odd_planes(planes: object) -> None:
+    """Raise where planes are not a sequence of frames."""
+    if not (isinstance(planes, Sequence) and all(isinstance(frame, Frame) for frame in planes)):
+        raise InputError(
+            "planes must be a sequence of Frames, not {name}: put one in a list", name=type(planes).__name__
+        )
+
+
+def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> PlaneSection:
+    local = frame.local(mesh.vertices)
+    height = np.where(np.abs(local[:, 2]) <= IN_PLANE * mesh.size, 0.0, local[:, 2])
+    chains = _chained(mesh, local, height, height >= 0)
+    reports: list[str] = []
+    if np.any(height == 0):
+        other = _chained(mesh, local, height, height > 0)
+        one, two = _total(chains), _total(other)
+        if abs(one - two) > 1e-9 * mesh.size:
+            chains = chains if one > two else other
+            at = frame.point(local[height == 0][0, :2])
+            reports.append(note(
+                "{name}: an edge or a face of the mesh lies in the plane, near {place}; the section follows "
+                "the longer of its two sides ({longer:.6g} against {shorter:.6g})",
+                name=name, place=place_in_words(at), longer=Length(max(one, two)),
+                shorter=Length(min(one, two)),
+            ))  # fmt: skip
+    found = collect_section(
+        name, frame, chains, half=half, apart=APART * mesh.size, missed=lambda: _missing(mesh, local, height)
+    )
+    return replace(found, reports=(*reports, *found.reports))
+
+
+def _missing(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
+    """Reason why a plane cuts nothing."""
+    used = np.unique(mesh.faces)
+    low, high = float(local[used, 2].min()), float(local[used, 2].max())
+    if low > 0 or high < 0:
+        return note("misses the mesh by {far}", far=Length(min(abs(low), abs(high))))
+    touched = used[height[used] == 0]
+    if touched.size and (low == 0 or high == 0):
+        return note(
+            "touches the mesh near {place} and cuts nothing: shift it",
+            place=place_in_words(mesh.vertices[touched[0]]),
+        )
+    return note("misses the mesh")
+
+
+def _chained(mesh: Mesh, local: FloatArray, height: FloatArray, above: BoolArray) -> list[FloatArray]:
+    """Lines (k, 2) through the crossed faces, where `above` tells the sides of the vertices apart."""
+    side = above[mesh.faces]
+    faces = mesh.faces[side.any(axis=1) & ~side.all(axis=1)]
+    if not len(faces):
+        return []
+    corner = above[faces]
+    alone = np.argmax(corner == (corner.sum(axis=1) == 1)[:, None], axis=1)
+    rows = np.arange(len(faces))
+    tip = faces[rows, alone]
+    edges = np.stack([np.sort([tip, faces[rows, (alone + k) % 3]], axis=0).T for k in (1, 2)], axis=1)
+    nodes, index = np.unique(edges.reshape(-1, 2), axis=0, return_inverse=True)
+    a, b = nodes.T
+    share = height[a] / (height[a] - height[b])
+    points = local[a, :2] + share[:, None] * (local[b, :2] - local[a, :2])
+    points[share == 1] = local[b[share == 1], :2]
+    return [points[chain] for chain in _walks(index.reshape(-1, 2).astype(np.intp), len(nodes))]
+
+
+def _walks(links: IntArray, count: int) -> list[list[int]]:
+    """Chains of nodes that links (m, 2) make; they end at nodes of one link, or of more than two."""
+    at: list[list[int]] = [[] for _ in range(count)]
+    for k, (a, b) in enumerate(links.tolist()):
+        at[a].append(k)
+        at[b].append(k)
+    used = np.zeros(len(links), dtype=bool)
+    ends = [node for node in range(count) if len(at[node]) != 2]
+    walks = []
+    for start in [*(node for node in ends for _ in at[node]), *range(count)]:
+        walk, node = [start], start
+        while True:
+            onward = next((k for k in at[node] if not used[k]), None)
+            if onward is None:
+                break
+            used[onward] = True
+            a, b = links[onward].tolist()
+            node = b if a == node else a
+            walk.append(node)
+            if len(at[node]) != 2:
+                break
+        if len(walk) > 1:
+            walks.append(walk)
+    return walks
+
+
+def _total(chains: Sequence[FloatArray]) -> float:
+    return sum(float(np.linalg.norm(np.diff(chain, axis=0), axis=1).sum()) for chain in chains)

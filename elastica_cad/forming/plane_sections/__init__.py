@@ -1,1 +1,0 @@
-"""Plane sections of triangle meshes, and the curves fitted to them."""

@@ -1,0 +1,518 @@
+"""The strip as the variable: the rod that unknown stiffness and start make, and how it moves with them.
+
+Everything here is in lengths of the target curve, not in millimetres.
+"""
+
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any, NamedTuple, Self, TypeAlias, cast
+
+import numpy as np
+
+from elastica_cad import _native
+from elastica_cad._compiled_scipy import lapack
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.forming.limits import Limits
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.splines import bezier_spans
+from elastica_cad.mechanics.discrete_rod import DiscreteRod, edge_forces, node_weights, shoot
+from elastica_cad.mechanics.loads import Supports, Weight
+from elastica_cad.mechanics.optimal_balance import TangentWeight
+from elastica_cad.mechanics.rod import CurlingLaw, Rod
+from elastica_cad.mechanics.stiffness_law import BoundedLaw
+from elastica_cad.refusals import Length
+
+
+@dataclass(frozen=True)
+class StiffnessBasis:
+    """`count` cubic B-splines with uniform clamped knots over 0..1.
+
+    Attributes
+    ----------
+    count : int
+    mirrored : bool
+        Each function and its mirror image share one coefficient.
+    """
+
+    count: int
+    mirrored: bool = False
+
+    @property
+    def knots(self) -> FloatArray:
+        """Clamped knots of the splines."""
+        return np.concatenate([np.zeros(3), np.linspace(0, 1, self.count - 2), np.ones(3)])
+
+    def at(self, s: FloatArray) -> FloatArray:
+        """Values of the functions, or of their pairs, at s (n,) in 0..1."""
+        basis = bezier_spans(self.knots, 3).basis(np.clip(s, 0, 1))
+        if not self.mirrored:
+            return basis
+        half = (self.count + 1) // 2
+        mirror = basis[:, ::-1][:, :half].copy()
+        if self.count % 2:
+            mirror[:, -1] = 0
+        return np.asarray(basis[:, :half] + mirror)
+
+    def coefficients(self, z: FloatArray) -> FloatArray:
+        """The coefficient (count,) of every function, from unknowns that begin with those that are free."""
+        m = self.count
+        if not self.mirrored:
+            return z[:m].copy()
+        half = (m + 1) // 2
+        return np.concatenate([z[:half], z[: m // 2][::-1]])
+
+
+SAME_SCALE = 1e-5
+"""Relative difference of scales below which the weight is that of the sections that are made."""
+
+FULL_STRAIN = 1 - 2e-5
+"""Share of a strain limit that is used; the rest covers the error of the strain between nodes and in fitted
+sizes."""
+
+
+@dataclass(frozen=True, eq=False)
+class SectionScale:
+    """E I = `scale` K with 1 <= K <= `ratio` within the limits of a section.
+
+    Attributes
+    ----------
+    law : BoundedLaw
+    scale : float
+        N mm2.
+    ratio : float
+    """
+
+    law: BoundedLaw
+    scale: float
+    ratio: float
+
+    @classmethod
+    def of(cls, law: BoundedLaw, limits: Limits, *, heavy: bool) -> "SectionScale":
+        """Choose the scale of sections: the largest where another limit allows a smaller ratio, if light those that
+        bear most.
+
+        A rod without weight takes the same shape in any size. Thin strips bear a sharper bend than thick ones,
+        laminates where the backing is as wide as the base.
+
+        Raises
+        ------
+        InputError
+            The limits do not leave any section.
+        """
+        least, largest = law.limits
+        ratio = limits.largest_ratio
+        if not np.isfinite(largest):
+            return cls(law, float(np.max(law.bending_stiffness(least))), ratio)
+        most = float(np.min(law.bending_stiffness(largest)))
+        if least > 0:
+            low = float(np.max(law.bending_stiffness(least)))
+            if low > most:
+                raise InputError(
+                    "{quantity} limits {least:g} and {largest:g} are too close: widen them",
+                    quantity=law.quantity,
+                    least=least,
+                    largest=Length(largest),
+                )
+            ratio = min(ratio, most / low)
+            # what a law that follows the bend bears is no question of its size alone: its scale is settled later
+            if not (heavy or law.follows_bend):
+                thin, thick = cls(law, low, ratio).strain(np.array([1.0, most / low]), limits.strain)
+                if thin < thick:
+                    return cls(law, low, ratio)
+        return cls(law, most / ratio, ratio)
+
+    def grown(self, stiffness: FloatArray, bend: FloatArray, limits: Limits) -> Self:
+        """Scale the section up as far as its limits and the strain allow, for nodal K (n,) bent by kappa -
+        kappa_0 (n,), 1/mm."""
+        from scipy.optimize import brentq
+
+        least, most = (
+            pick(self.law.bending_stiffness(np.full(stiffness.size, limit)) / stiffness)
+            for pick, limit in zip((np.max, np.min), self.law.limits, strict=True)
+        )
+
+        def room(log_scale: float) -> float:
+            share = replace(self, scale=float(np.exp(log_scale))).strain(stiffness, limits.strain)
+            return 1.0 - float(np.max(share * np.abs(bend)))
+
+        low, high = np.log(min(least, self.scale)), np.log(max(most, self.scale))
+        if limits.sheet is None or room(high) >= 0:
+            return replace(self, scale=float(np.exp(high)))
+        return replace(self, scale=float(np.exp(brentq(room, low, high)))) if room(low) > 0 else self
+
+    def bearing(self, bend: FloatArray, limits: Limits) -> Self | None:
+        """The largest smaller sections, in the same ratio, that all bear a bend (n,), 1/mm; None where none do.
+
+        The thickest may bear too little while thinner ones take the curve.
+        """
+        least, largest = self.law.limits
+        if limits.sheet is None or not (least > 0 and np.isfinite(largest)):
+            return None
+        low = float(np.max(self.law.bending_stiffness(least)))
+        even = replace(self, scale=low).grown(np.ones(bend.size), bend, limits)
+        scale = max(low, even.scale / self.ratio)
+        return replace(self, scale=scale) if scale < self.scale * (1 - SAME_SCALE) else None
+
+    def settled(self, bend: FloatArray, stiffness: FloatArray, rest: float | FloatArray) -> Self:
+        """Scale it so that the largest section belongs to nodal K (n,), bent by kappa - kappa_0 (n,) from `rest`.
+
+        Returns itself where it has that scale already.
+        """
+        law = self.law.bent(bend, rest)
+        least, largest = law.limits
+        if np.isfinite(largest):
+            scale = float(np.min(self.largest(bend, rest) / stiffness))
+        else:
+            scale = float(np.max(law.bending_stiffness(np.full(stiffness.size, least)) / stiffness))
+        return self if abs(scale / self.scale - 1) < SAME_SCALE else replace(self, law=law, scale=scale)
+
+    def largest(self, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
+        """E I (n,), N mm2, of the largest section, bent by kappa - kappa_0 (n,) from `rest`, 1/mm."""
+        most = np.full(bend.size, self.law.limits[1])
+        return self.law.bent(bend, rest).bending_stiffness(most)
+
+    def weight(self, stiffness: FloatArray, *, size: float) -> tuple[FloatArray, FloatArray]:
+        """Weight over the scale (n,) of K (n,), times `size` mm cubed, and its derivative."""
+        EI = self.scale * stiffness
+        tangent = TangentWeight.of(self.law, EI)
+        over = size**3
+        return (tangent.fixed / self.scale + tangent.slope * stiffness) * over, tangent.slope * over
+
+    def carried_by(self, rod: Rod, stiffness: FloatArray) -> Rod:
+        """The rod with its scale, and under gravity the weight of nodal K (n,) of the search."""
+        EI = self.scale * stiffness
+        scaled = replace(rod, bending_stiffness=float(EI.min()), section=self.law)
+        if rod.gravity is None:
+            return scaled
+        tangent = TangentWeight.of(self.law, EI)
+        alpha = Profile.interpolate(rod.s, tangent.fixed)
+        return replace(scaled, weight=Weight(alpha, Profile.interpolate(rod.s, tangent.slope * EI.min())))
+
+    def tangent(self, stiffness: FloatArray, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
+        """dM/dkappa (..., n) of K (..., n), in units of it, bent by kappa - kappa_0 (..., n) from `rest`, 1/mm."""
+        law = self.law.bent(bend, rest)
+        curl = law.curl(law.parameter(self.scale * stiffness))
+        if curl is None:
+            return stiffness
+        return stiffness * CurlingLaw(curl, curl(bend + rest), rest).slope(bend)
+
+    def strain(self, stiffness: FloatArray, limit: float | None) -> FloatArray:
+        """Share (n,) of what the skin is let bear that a curvature of 1/mm takes, of K (n,)."""
+        layers = self.law.strains(np.ones(stiffness.size), self.law.parameter(self.scale * stiffness))
+        shares = [layer.strain / (FULL_STRAIN * (limit or layer.limit)) for layer in layers]
+        return np.asarray(np.max(shares, axis=0))
+
+
+_SHAPE = "tangents", "position", "pull", "shear"  # of a rod, computed together where that is compiled
+
+WeightLaw: TypeAlias = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
+
+
+@dataclass(frozen=True)
+class Unknowns:
+    """The place of each unknown in the vector z (count,).
+
+    Attributes
+    ----------
+    coefficients, count : int
+        Number of coefficients of K, and of unknowns p.
+    stiffness : slice
+        Coefficients of K.
+    moment : int
+        M_0.
+    force : slice
+        lambda at the very start, before the weight of the first node.
+    position : slice
+        gamma_0.
+    angle, length : int
+        alpha_0, and the length of the rod.
+    """
+
+    coefficients: int
+    count: int
+    stiffness: slice
+    moment: int
+    force: slice
+    position: slice
+    angle: int
+    length: int
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class MappedRod(DiscreteRod):
+    """The discrete rod of given unknowns, in balance or, while it is being closed, nearly so.
+
+    Attributes
+    ----------
+    z : (p,) array
+        The unknowns.
+    moments : (n+1,) array
+    all_angles : (n+2,) array
+        Start, edges, end.
+    all_forces : (n+2, 2) array
+        lambda before the first node, of the edges, and behind the last node.
+    length : float
+    memory : dict
+        Costly results that the merit and the model of one rod share.
+    """
+
+    z: FloatArray
+    moments: FloatArray
+    all_angles: FloatArray
+    all_forces: FloatArray
+    length: float
+    memory: dict[Hashable, Any] = field(default_factory=dict)
+
+    def remembered(self, key: Hashable, compute: Callable[[], Any]) -> Any:
+        """Return the result of `compute`, which is kept under `key` for this rod."""
+        if key not in self.memory:
+            self.memory[key] = compute()
+        return self.memory[key]
+
+
+@dataclass(frozen=True, eq=False)
+class Sensitivities:
+    """Derivatives of a rod in its p unknowns; a last column more, where asked, closes its defects.
+
+    Attributes
+    ----------
+    angles : (n+2, p) array
+    moments : (n+1, p) array
+    position : (n+1, 2, p) array
+    """
+
+    grid: "StripGrid"
+    rod: MappedRod
+    angles: FloatArray
+    moments: FloatArray
+    position: FloatArray
+
+    def along_forces(self, weights: FloatArray) -> FloatArray:
+        """Gradient (p,) of sum(weights * edge forces), weights (n, 2)."""
+        grid = self.grid
+        u, out = grid.unknowns, np.zeros(self.angles.shape[1])
+        out[u.force] = weights.sum(axis=0)
+        if grid.heavy:
+            pull = weights @ grid.e
+            out[u.stiffness] = -self.rod.length * (pull @ self.carried.slopes[:-1])
+            out[u.length] = -float(pull @ self.carried.sums[:-1])
+        return out
+
+    def last_load_row(self, axis: int) -> FloatArray:
+        """Gradient (p,) of the last node's load -w q(K) e along `axis` (0: x, 1: y)."""
+        grid, carried = self.grid, self.carried
+        u, out = grid.unknowns, np.zeros(self.angles.shape[1])
+        out[u.stiffness] = -grid.e[axis] * self.rod.length * (carried.slopes[-1] - carried.slopes[-2])
+        out[u.length] = -grid.e[axis] * float(carried.sums[-1] - carried.sums[-2])
+        return out
+
+    @property
+    def carried(self) -> "CarriedWeight":
+        """The weight of the rod."""
+        return self.grid.carried(self.rod)
+
+
+class CarriedWeight(NamedTuple):
+    """Integral of the weight q up to and including each node, for a rod of length 1: `sums` (n+1,).
+
+    `slopes` (n+1, m) are derivatives by the coefficients of K.
+    """
+
+    sums: FloatArray
+    slopes: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class StripGrid:
+    """n edges, and a basis for K on the nodes.
+
+    Parameters
+    ----------
+    basis : (n+1, m) array
+        Values of the basis functions of K at the nodes; they sum to 1.
+    e : (2,) array
+        Weight vector of Eq. 5 (it points up), times the unit of length cubed.
+    weight : callable, optional
+        Weight q (n+1,) of K (n+1,) at the nodes, which `e` multiplies, and its derivative; K itself unless given.
+    natural_curvature : float or (n+1,) array
+        Times the unit of length.
+    supports : Supports
+    """
+
+    basis: FloatArray
+    e: FloatArray
+    natural_curvature: float | FloatArray = 0.0
+    supports: Supports = field(default_factory=Supports)
+    weight: WeightLaw | None = None
+
+    @property
+    def edges(self) -> int:
+        """Number of edges n."""
+        return int(self.basis.shape[0]) - 1
+
+    @cached_property
+    def unknowns(self) -> Unknowns:
+        """Layout of z."""
+        m = self.basis.shape[1]
+        return Unknowns(
+            coefficients=m, count=m + 7, stiffness=slice(0, m), moment=m, force=slice(m + 1, m + 3),
+            position=slice(m + 3, m + 5), angle=m + 5, length=m + 6,
+        )  # fmt: skip
+
+    @cached_property
+    def shares(self) -> FloatArray:
+        """Voronoi lengths of the nodes for a rod of length 1 (n+1,)."""
+        return node_weights(1 / self.edges, self.edges)
+
+    @cached_property
+    def running(self) -> FloatArray:
+        """Integral of every basis function up to and with each node, for a rod of length 1 (n+1, m)."""
+        return np.asarray(np.cumsum(self.shares[:, None] * self.basis, axis=0))
+
+    def carried(self, rod: MappedRod) -> CarriedWeight:
+        """The weight of a rod, computed once."""
+
+        def summed() -> CarriedWeight:
+            if self.weight is None:
+                return CarriedWeight(np.cumsum(self.shares * rod.stiffness), self.running)
+            q, slope = self.weight(rod.stiffness)
+            by_coefficient = (self.shares * slope)[:, None] * self.basis
+            return CarriedWeight(np.cumsum(self.shares * q), np.cumsum(by_coefficient, axis=0))
+
+        return cast(CarriedWeight, rod.remembered("carried weight", summed))
+
+    @cached_property
+    def heavy(self) -> bool:
+        """Whether there is weight."""
+        return bool(np.any(self.e))
+
+    def shoot(self, z: FloatArray) -> MappedRod:
+        """The rod in balance; its last moment is not a number where it winds up so far that numbers overflow."""
+        K, force, length = self._given(z)
+        u = self.unknowns
+        angles, moments = shoot(
+            K, length * self.shares, force[1:-1], length / self.edges,
+            moment=z[u.moment], angle=z[u.angle], natural_curvature=self.natural_curvature,
+        )  # fmt: skip
+        return self._assemble(z, angles, moments, K, force, length)
+
+    def assemble(self, z: FloatArray, angles: FloatArray, moments: FloatArray) -> MappedRod:
+        """A rod with angles (n+2,) and moments (n+1,) that need not be in balance."""
+        return self._assemble(z, angles, moments, *self._given(z))
+
+    def sensitivities(self, rod: MappedRod, *, closing: bool = False) -> Sensitivities:
+        """Derivatives of angles, moments and positions in z.
+
+        The linearised recursion couples each angle and moment to the two before it: one banded triangular solve
+        for all columns. With `closing`, a last column p tells what brings the rod into balance to first order.
+        """
+        columns = self.unknowns.count + closing
+        if _native.compiled is None:
+            return self._sensitivities_in_python(rod, columns, closing)
+        derivatives = _native.sensitivities(
+            stiffness=rod.stiffness, moments=rod.moments, all_angles=rod.all_angles, tangents=rod.tangents,
+            pull=rod.pull, shear=rod.shear, shares=self.shares, rest=self._rest, basis=self.basis, e=self.e,
+            carried=self.carried(rod) if self.heavy else None, length=rod.length,
+            start_moment=rod.z[self.unknowns.moment], start_angle=rod.z[self.unknowns.angle], closing=closing,
+        )  # fmt: skip
+        return Sensitivities(self, rod, *derivatives)
+
+    @cached_property
+    def _rest(self) -> FloatArray:
+        """kappa_0 of every node (n+1,)."""
+        return np.ascontiguousarray(np.broadcast_to(self.natural_curvature, self.shares.shape), dtype=float)
+
+    def _sensitivities_in_python(self, rod: MappedRod, columns: int, closing: bool) -> Sensitivities:
+        n, u = self.edges, self.unknowns
+        K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
+        edge, w = length / n, length * self.shares
+
+        # unknowns alpha_1, M_1, alpha_2, M_2, ..., alpha_{n+1}; right-hand sides are what drives them
+        right = np.zeros((2 * n + 1, columns), order="F")
+        drive_angle, drive_moment = right[0::2], right[1::2]
+        np.multiply((-w * M / K**2)[:, None], self.basis, out=drive_angle[:, u.stiffness])
+        drive_angle[:, u.length] = self.shares * (M / K + self.natural_curvature)
+        drive_angle[0, u.moment] += w[0] / K[0]
+        drive_angle[0, u.angle] += 1
+        first, second = u.force.start, u.force.start + 1
+        drive_moment[:, first], drive_moment[:, second] = -edge * T[:, 1], edge * T[:, 0]
+        drive_moment[:, u.length] = rod.shear / n
+        drive_moment[0, u.moment] += 1
+        if self.heavy:
+            lift = self.e[1] * T[:, 0] - self.e[0] * T[:, 1]
+            carried = self.carried(rod)
+            np.multiply(
+                (-edge * length * lift)[:, None], carried.slopes[:-1], out=drive_moment[:, u.stiffness]
+            )
+            drive_moment[:, u.length] -= edge * lift * carried.sums[:-1]
+        if closing:
+            late = rod.z[u.moment] - M[0]
+            drive_angle[:, -1] = (
+                rod.all_angles[:-1] + w * (M / K + self.natural_curvature) - rod.all_angles[1:]
+            )
+            drive_moment[:, -1] = M[:-1] + edge * rod.shear - M[1:]
+            drive_angle[0, -1] += w[0] / K[0] * late + rod.z[u.angle] - rod.all_angles[0]
+            drive_moment[0, -1] += late
+        solved, _ = lapack().dtbtrs(self._band(rod), right, uplo="L", diag="U", overwrite_b=1)
+
+        angles = np.zeros((n + 2, columns))
+        angles[0, u.angle] = 1
+        angles[1:] = solved[0::2]
+        moments = np.zeros((n + 1, columns))
+        moments[0, u.moment] = 1
+        moments[1:] = solved[1::2]
+        if closing:
+            angles[0, -1], moments[0, -1] = rod.z[u.angle] - rod.all_angles[0], late
+        position = np.zeros((n + 1, 2, columns))
+        step = position[1:]
+        with np.errstate(
+            over="ignore", invalid="ignore"
+        ):  # sensitivities may overflow; `linearize` refuses them
+            np.multiply((-edge * T[:, 1])[:, None], angles[1:-1], out=step[:, 0])
+            np.multiply((edge * T[:, 0])[:, None], angles[1:-1], out=step[:, 1])
+            step[:, :, u.length] += T / n
+            np.cumsum(step, axis=0, out=step)
+        position[:, 0, u.position.start] += 1
+        position[:, 1, u.position.start + 1] += 1
+        return Sensitivities(self, rod, angles, moments, position)
+
+    def _band(self, rod: MappedRod) -> FloatArray:
+        """The linearised recursion on (alpha_1, M_1, ..., alpha_{n+1}), unit lower triangular, by diagonals."""
+        band = np.empty((3, 2 * self.edges + 1))
+        band[0] = 1
+        band[1, 0:-1:2] = rod.edge_length * rod.pull  # -dM_i / dalpha_i
+        band[1, 1::2] = -(rod.length * self.shares / rod.stiffness)[1:]
+        band[1, -1] = 0
+        band[2] = -1
+        return band
+
+    def _given(self, z: FloatArray) -> tuple[FloatArray, FloatArray, float]:
+        """K at the nodes, forces (n+2, 2), length."""
+        u = self.unknowns
+        length = float(z[u.length])
+        K = self.basis @ z[u.stiffness]
+        force = np.empty((self.edges + 2, 2))
+        if not self.heavy:
+            force[:] = z[u.force]
+            return K, force, length
+        weight = K if self.weight is None else self.weight(K)[0]
+        load = (-length * self.shares * weight)[:, None] * self.e
+        force[0] = z[u.force]
+        force[1:-1] = edge_forces(z[u.force] + load[0], load)
+        force[-1] = force[-2] + load[-1]
+        return K, force, length
+
+    def _assemble(
+        self, z: FloatArray, angles: FloatArray, moments: FloatArray, K: FloatArray, force: FloatArray,
+        length: float,
+    ) -> MappedRod:  # fmt: skip
+        rod = MappedRod(
+            K, angles[1:-1], force[1:-1], length / self.edges, self.supports, z[self.unknowns.position],
+            z=z, moments=moments, all_angles=angles, all_forces=force, length=length,
+        )  # fmt: skip
+        if _native.compiled is not None:
+            shape = _native.shape(rod.angles, rod.force, rod.start, length / self.edges)
+            rod.__dict__.update(zip(_SHAPE, shape, strict=True))
+        return rod

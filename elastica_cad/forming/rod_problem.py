@@ -1,0 +1,432 @@
+"""What is asked of a nearest rod as a nonlinear program, what was found, and what holds the rod there."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.forming.constraints import (
+    Constraint,
+    CurvatureLimit,
+    EndAngle,
+    EndForce,
+    EndMoment,
+    EndPosition,
+    FollowedMarginLimit,
+    InflectionLine,
+    KeepOut,
+    LargestSection,
+    LeastStiffness,
+    MarginLimit,
+    MiddleOfMirror,
+    MiddleOfTurn,
+    StrainLimit,
+    Through,
+)
+from elastica_cad.forming.curve_distance import Distance, even_steps, symmetry_frame
+from elastica_cad.forming.limits import MET, Symmetry
+from elastica_cad.forming.nearest_record import Binding
+from elastica_cad.forming.nearest_task import Measure, NearestTask, SearchPoint, values_along
+from elastica_cad.forming.rod_map import MappedRod, Sensitivities, StripGrid
+from elastica_cad.forming.sqp import ConstraintRows, Linearization, NonlinearProgram, Outcome
+from elastica_cad.mechanics.loads import LENGTHS_APART, RestCurvature
+from elastica_cad.refusals import Length
+
+_TOO_SENSITIVE = 1e50  # rad per unknown: squares of such derivatives overflow
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class RodProblem(NonlinearProgram[MappedRod]):
+    """Minimise `distance` over the unknowns of `grid` in a box under `constraints`.
+
+    A point is a rod; its state, angles and moments, follows from the unknowns by the balance of moments.
+    """
+
+    grid: StripGrid
+    distance: Distance
+    constraints: tuple[Constraint, ...]
+
+    @cached_property
+    def one_sided(self) -> BoolArray:
+        """Whether the values of each constraint must be at least 0 instead of 0."""
+        return np.array([c.one_sided for c in self.constraints], dtype=bool)
+
+    @cached_property
+    def highest_prices(self) -> FloatArray:
+        """The most that breaking a value of each constraint by 1 costs."""
+        return np.array([c.price for c in self.constraints], dtype=float)
+
+    def objective(self, point: MappedRod) -> float:
+        """The distance."""
+        return self.distance.value(point)
+
+    def values(self, point: MappedRod) -> list[FloatArray]:
+        """Values of each constraint."""
+        return [c.values(point) for c in self.constraints]
+
+    def rows(self, point: MappedRod, values: Sequence[FloatArray]) -> tuple[FloatArray, ConstraintRows]:
+        """The unknowns of a rod in balance with these values, and its constraints around it."""
+        return point.z, self._stacked(self.grid.sensitivities(point), values)
+
+    def linearize(self, point: MappedRod) -> Linearization[MappedRod] | None:
+        """A rod with its derivatives; None where it winds up, or reacts to its unknowns, too much for numbers."""
+        if not np.isfinite(point.moments[-1]):
+            return None
+        sensitivities = self.grid.sensitivities(point, closing=True)
+        if not np.abs(sensitivities.angles).max() < _TOO_SENSITIVE:
+            return None
+        return Linearization(
+            point, point.z, self._stacked(sensitivities),
+            self.distance.model(point, sensitivities), sensitivities.angles,
+            partial(self._moved, sensitivities),
+        )  # fmt: skip
+
+    def close(self, point: MappedRod, step: FloatArray | None = None) -> MappedRod | None:
+        """The rod in balance; None where it winds up so far that numbers overflow."""
+        rod = self.grid.shoot(point.z if step is None else self._inside(point.z + step))
+        return rod if np.isfinite(rod.moments[-1]) else None
+
+    def clip(self, point: MappedRod) -> MappedRod:
+        """The rod with its unknowns moved into the box, angles and moments as they are."""
+        z = self._inside(point.z)
+        return point if np.array_equal(z, point.z) else self.grid.assemble(z, point.all_angles, point.moments)
+
+    def fallback(self) -> MappedRod:
+        """An even rod without forces."""
+        u = self.grid.unknowns
+        z = np.zeros(u.count)
+        z[u.stiffness], z[u.length] = 1.0, 1.0
+        return self.grid.shoot(self._inside(z))
+
+    def apart(self, one: MappedRod, other: MappedRod) -> float:
+        """Mean square distance of the nodes."""
+        return float(np.mean((one.position - other.position) ** 2))
+
+    def for_open_points(self) -> "RodProblem":
+        """Return the problem without the constraints that make no sense far from balance."""
+        return replace(self, constraints=tuple(c for c in self.constraints if not c.near_balance_only))
+
+    def _moved(self, d: Sensitivities, change: FloatArray) -> MappedRod:
+        """The rod after a change (p + 1,), to first order."""
+        z = self._inside(d.rod.z + change[:-1])
+        angles, moments = d.angles @ change, d.moments @ change
+        return self.grid.assemble(z, d.rod.all_angles + angles, d.rod.moments + moments)
+
+    def _inside(self, z: FloatArray) -> FloatArray:
+        """The nearest unknowns in the box."""
+        return np.asarray(np.clip(z, self.lower, self.upper))
+
+    def with_given(self, unknowns: int | slice, value: FloatArray | float) -> "RodProblem":
+        """Return the problem with these unknowns fixed, as far as that is allowed."""
+        lower, upper = self.lower.copy(), self.upper.copy()
+        lower[unknowns] = upper[unknowns] = np.clip(value, lower[unknowns], upper[unknowns])
+        return replace(self, lower=lower, upper=upper)
+
+    def _stacked(
+        self, sensitivities: Sensitivities, values: Sequence[FloatArray] | None = None
+    ) -> ConstraintRows:
+        """Rows of all constraints that matter near a rod; with a closing column, their values once it is closed."""
+        p = sensitivities.rod.z.size
+        if not self.constraints:
+            none, empty = np.zeros(0), np.zeros(0, dtype=int)
+            return ConstraintRows(empty, empty, none, np.zeros((0, p)), none, none > 0)
+        values = self.values(sensitivities.rod) if values is None else values
+        rows = [constraint.rows(sensitivities) for constraint in self.constraints]
+        jacobian = np.concatenate([slopes for _, slopes in rows])
+        at = np.concatenate([value[index] for value, (index, _) in zip(values, rows, strict=True)])
+        if jacobian.shape[1] > p:
+            at, jacobian = at + jacobian[:, p], jacobian[:, :p]
+        number = np.repeat(np.arange(len(rows)), [index.size for index, _ in rows])
+        return ConstraintRows(
+            number, np.concatenate([index for index, _ in rows]), at, jacobian, self.highest_prices[number],
+            self.one_sided[number],
+        )  # fmt: skip
+
+
+_SAME_LENGTH = 1e-6  # of the room that a blank has: rods keep inside it for all rounding
+_SAME_CURVATURE = 1e-6  # of the target's typical one: blanks are symmetric but for rounding
+_LENGTHS = (0.2, 5.0)  # of the target, least and largest: where no limit says so a rod stays of its kind
+
+RodOutcome: TypeAlias = Outcome[MappedRod]
+
+
+class Search(NamedTuple):
+    """What was asked at last, its best outcome, outcomes elsewhere that are as near, and all steps taken.
+
+    `off` is the mean distance that a search from all starts came to, in diagonals of the target.
+    """
+
+    task: NearestTask
+    problem: RodProblem
+    best: RodOutcome
+    ties: tuple[RodOutcome, ...]
+    steps: int
+    off: float
+
+    @property
+    def ended(self) -> SearchPoint:
+        """Point at which the search ended, as a start for a similar search."""
+        target = self.task.target
+        return SearchPoint(
+            self.best.point.z, self.problem.grid.unknowns, target.size, target.origin, self.off
+        )
+
+
+def pose_problem(task: NearestTask, measure: Measure) -> RodProblem:
+    """The request as a nonlinear program."""
+    grid = _grid(task)
+    lower, upper = _box(task, grid)
+    return RodProblem(
+        lower, upper, _scale(task, grid), grid=grid, distance=task.distance(measure),
+        constraints=tuple(_constraints(task)),
+    )  # fmt: skip
+
+
+def _grid(task: NearestTask) -> StripGrid:
+    """The nodes, with the weight that they carry."""
+    basis = task.basis.at(even_steps(task.nodes))
+    rest = task.rest
+    if task.gravity is None:
+        return StripGrid(basis, np.zeros(2), rest, supports=task.supports)
+    if task.section is None:
+        return StripGrid(basis, task.gravity.e * task.target.size**3, rest, supports=task.supports)
+    up = -np.asarray(task.gravity.direction)
+    carried = partial(task.section.weight, size=task.target.size)
+    return StripGrid(basis, up, rest, supports=task.supports, weight=carried)
+
+
+def _moment_scale(task: NearestTask) -> float:
+    """Typical moment."""
+    bend = float(np.sqrt(np.mean(task.target.curvature**2)))
+    return float(max(1.0, bend * min(2.0, np.sqrt(task.limits.largest_ratio))))
+
+
+def _scale(task: NearestTask, grid: StripGrid) -> FloatArray:
+    u = grid.unknowns
+    scale = np.ones(u.count)
+    scale[u.moment] = _moment_scale(task)
+    scale[u.force] = 5 * _moment_scale(task)
+    return scale
+
+
+def _box(task: NearestTask, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
+    u, target = grid.unknowns, task.target
+    lower, upper = np.full(u.count, -np.inf), np.full(u.count, np.inf)
+    lower[u.stiffness], upper[u.stiffness] = _stiffness_box(task, u.coefficients)
+    start = task.supports.ends[0]
+    if task.keep.both_ends[0]:
+        lower[u.position] = upper[u.position] = target.position[0]
+    if task.keep.both_tangents[0]:
+        lower[u.angle] = upper[u.angle] = target.angle[0]
+    if not start.angle:
+        lower[u.moment] = upper[u.moment] = 0.0
+    for axis, held in enumerate((start.x, start.y)):
+        if not held:
+            lower[u.force.start + axis] = upper[u.force.start + axis] = 0.0
+    lower[u.length], upper[u.length] = _lengths(task)
+    return lower, upper
+
+
+def _lengths(task: NearestTask) -> tuple[float, float]:
+    target, limits = task.target, task.limits
+    low, high = _LENGTHS if limits.length is None else np.asarray(limits.length) / target.size
+    blank = task.natural_curvature.length if isinstance(task.natural_curvature, RestCurvature) else None
+    if blank is not None:
+        asked = "keep length asks" if task.keep.length else "the limit length asks"
+        least, most = (1.0, 1.0) if task.keep.length else (low, high)
+        room = LENGTHS_APART * (1 - _SAME_LENGTH)
+        low, high = (
+            max(low, (1 - room) * blank / target.size),
+            min(high, (1 + room) * blank / target.size),
+        )
+        if least > high or most < low:
+            raise InputError(
+                "{asked} for {size:.6g} to {size_2:.6g}, but the blank is {blank:.6g} long before it "
+                "is bent: give its curvature along the length that is asked for",
+                asked=asked,
+                size=least * target.size,
+                size_2=Length(most * target.size),
+                blank=Length(blank),
+            )
+    if task.keep.length:
+        if not low * (1 - 1e-12) <= 1 <= high * (1 + 1e-12):
+            raise InputError(
+                "keep length asks for {size:.6g}, outside the limit length of {size_2:.6g} to "
+                "{size_3:.6g}: drop one of them",
+                size=Length(target.size),
+                size_2=low * target.size,
+                size_3=Length(high * target.size),
+            )
+        low = high = 1.0
+    if all(task.keep.both_ends):
+        chord = float(np.hypot(*(target.position[-1] - target.position[0])))
+        if high < chord * (1 - 1e-12):
+            raise InputError(
+                "the rod may be at most {size:.6g} long, but its kept ends are {size_2:.6g} apart: "
+                "allow more length or free an end",
+                size=Length(high * target.size),
+                size_2=Length(chord * target.size),
+            )
+    return float(low), float(high)
+
+
+def _constraints(task: NearestTask) -> list[Constraint]:
+    target, limits, keep = task.target, task.limits, task.keep
+    end = task.supports.ends[1]
+    found: list[Constraint] = []
+    if keep.symmetry:
+        found.append(_symmetry(task, keep.symmetry))
+    else:
+        if keep.both_ends[1]:
+            found.append(EndPosition(target=_pair(target.position[-1])))
+        if keep.both_tangents[1]:
+            found.append(EndAngle(target=float(target.angle[-1])))
+        if not end.angle:
+            found.append(EndMoment(scale=_moment_scale(task)))
+        found += [
+            EndForce(axis=axis, scale=5 * _moment_scale(task))
+            for axis, held in enumerate((end.x, end.y))
+            if not held
+        ]
+    for s in keep.points:
+        if not 0 <= s <= target.size * (1 + 1e-9):
+            raise InputError(
+                "keep point at {s:.6g} lies off the drawn curve of {size:.6g}",
+                s=Length(s),
+                size=Length(target.size),
+            )
+        place = min(s / target.size, 1.0)
+        point, _ = target.at(np.array([place]))
+        found.append(Through(target=_pair(point[0]), place=place))
+    if task.line is not None:
+        a, b = ((np.asarray(p) - target.origin) / target.size for p in task.line)
+        direction = (b - a) / np.hypot(*(b - a))
+        found.append(InflectionLine(point=_pair(a), direction=_pair(direction), scale=_moment_scale(task)))
+    curvature = limits.largest_curvature if task.section is None else limits.curvature
+    if task.section is not None and limits.sheet is not None:
+        found.append(StrainLimit(section=task.section, strain=limits.strain, size=target.size))
+    if curvature is not None:
+        found.append(CurvatureLimit(limit=curvature * target.size))
+    found += [
+        KeepOut(region=region, size=target.size, origin=_pair(target.origin), kept=keep.both_ends)
+        for region in limits.keep_out
+    ]
+    if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
+        found.append(LeastStiffness())
+    if limits.margin is not None:
+        found += _margin_limits(task, limits.margin)
+    return found
+
+
+def _margin_limits(task: NearestTask, margin: float) -> list[Constraint]:
+    section, size = task.section, task.target.size
+    if section is None or not task.is_scaled_freely:
+        return [MarginLimit(limit=margin)]
+    found: list[Constraint] = [FollowedMarginLimit(limit=margin, section=section, rest=task.rest, size=size)]
+    if task.keeps_scale and np.isfinite(section.law.limits[1]):
+        found.append(LargestSection(section=section, rest=task.rest, size=size))
+    return found
+
+
+def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
+    target = task.target
+    centre, axis = symmetry_frame(target, kind)
+    rest = np.broadcast_to(task.rest, (task.nodes,))
+    if np.abs(rest - (1 if kind == "mirror" else -1) * rest[::-1]).max() > _SAME_CURVATURE * _moment_scale(
+        task
+    ):
+        image = "mirror image" if kind == "mirror" else "half turn"
+        raise InputError(
+            "the blank is not its own {image} before it is bent: give one that is, or leave out "
+            "keep symmetry",
+            image=image,
+        )
+    if kind == "turn":
+        if task.gravity is not None:
+            raise InputError("a half turn turns gravity over: keep symmetry='turn' only without weight")
+        return MiddleOfTurn(centre=_pair(centre), scale=_moment_scale(task))
+    if task.gravity is not None and abs(np.dot(task.gravity.direction, axis)) < 1 - 1e-9:
+        raise InputError("gravity pulls across the mirror axis: a strip with weight cannot stay symmetric")
+    across = np.array([-axis[1], axis[0]])
+    middle = float(target.angles(np.array([0.5]))[0])
+    angle = float(np.arctan2(across[1], across[0]))
+    angle += np.pi * np.round((middle - angle) / np.pi)
+    return MiddleOfMirror(centre=_pair(centre), axis=_pair(axis), angle=angle, scale=5 * _moment_scale(task))
+
+
+def _stiffness_box(task: NearestTask, count: int) -> tuple[FloatArray, FloatArray]:
+    """Least and largest coefficients: of the bounds along the strip the strictest over each one's support."""
+    ratio = task.limits.largest_ratio
+    low, high = np.ones(count), np.full(count, ratio)
+    if task.limits.stiffness_bounds is None:
+        return low, high
+    s = np.linspace(0, 1, 20 * task.coefficients + 1)
+    support = task.basis.at(s) > 0
+    below, above = task.limits.stiffness_bounds
+    if below is not None:
+        values = values_along(below, s, task.target.size, "stiffness bounds")
+        low = np.maximum(low, np.where(support, values[:, None], -np.inf).max(axis=0))
+    if above is not None:
+        values = values_along(above, s, task.target.size, "stiffness bounds")
+        high = np.minimum(high, np.where(support, values[:, None], np.inf).min(axis=0))
+    if low.min() > 1:
+        raise InputError(
+            "stiffness_bounds ask for at least {least:.4g} everywhere, but K / min K is 1 "
+            "somewhere: let the lower bound come down to 1",
+            least=low.min(),
+        )
+    if np.any(low > high):
+        at = float(s[int(np.argmax(support[:, int(np.argmax(low - high))]))]) * task.target.size
+        raise InputError(
+            "no stiffness is both above the lower and below the upper bound (or the ratio limit "
+            "{ratio:.4g}) near {at:.4g}: widen the bounds",
+            ratio=ratio,
+            at=Length(at),
+        )
+    return low, high
+
+
+def _pair(point: FloatArray) -> tuple[float, float]:
+    return float(point[0]), float(point[1])
+
+
+_IDLE = 1e-6  # of the largest cost: smaller ones are what the quadratic program leaves open
+
+
+def list_bindings(
+    task: NearestTask, problem: RodProblem, outcome: Outcome[MappedRod], measure: Measure
+) -> tuple[Binding, ...]:
+    """All limits with a cost, the dearest relative change first."""
+    size, limits, u = task.target.size, task.limits, problem.grid.unknowns
+    if measure == "max":
+        per = size
+    else:
+        per = float(size / np.sqrt(2 * outcome.objective)) if outcome.objective > 1e-14 else 0.0
+    found: list[Binding] = []
+    at_ratio = float(outcome.at_upper[u.stiffness].sum())
+    found.append(Binding("ratio", limits.largest_ratio, per * at_ratio))
+    if limits.length is not None or task.keep.length:
+        pull = float(outcome.at_upper[u.length] - outcome.at_lower[u.length])
+        found.append(Binding("length", float(outcome.point.length * size), per * abs(pull) / size))
+    for name, part, unit in (("start position", u.position, size), ("start tangent", u.angle, 1.0)):
+        pull = float(np.linalg.norm(outcome.at_upper[part] - outcome.at_lower[part]))
+        found.append(Binding(name, None, per * pull / unit))
+    values = problem.values(outcome.point)
+    for constraint, y, value in zip(problem.constraints, outcome.multipliers, values, strict=True):
+        broken = float((np.maximum(-value, 0) if constraint.one_sided else np.abs(value)).max(initial=0.0))
+        total = float(np.abs(y).sum()) if constraint.one_sided else float(np.linalg.norm(y))
+        limit: float | None = None
+        if isinstance(constraint, MarginLimit):
+            limit, total = constraint.limit, total / constraint.scale
+        elif isinstance(constraint, CurvatureLimit):
+            limit, total = constraint.limit / size, total / constraint.limit * size
+        elif constraint.name in ("end position", "points", "keep-out"):
+            total /= size
+        found.append(Binding(constraint.name, limit, per * total, broken))
+    largest = max(b.cost * abs(b.limit or 1.0) for b in found)
+    kept = [b for b in found if b.broken > MET or b.cost * abs(b.limit or 1.0) > _IDLE * max(largest, 1e-12)]
+    return tuple(sorted(kept, key=lambda b: (-(b.broken > MET), -b.cost * abs(b.limit or 1.0))))

@@ -1,0 +1,692 @@
+"""Lines of sections: split, named and sorted, and the smooth curves fitted to them."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import (
+    is_number,
+    is_whole,
+    numbers,
+    require_flag,
+    require_positive,
+    require_record,
+    several,
+)
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.nurbs_curve import turn_between
+from elastica_cad.geometry.path import distances, polyline_distances
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import lengths_along
+from elastica_cad.geometry.segments import Spline
+from elastica_cad.geometry.splines import fit_spline
+from elastica_cad.mechanics.loads import Gravity
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.refusals import Change, Length, Listed, Point, Span, note
+
+IN_PLANE = 1e-12
+"""Vertices nearer to a plane than this share of the surface's size lie in the plane."""
+
+
+@dataclass(frozen=True, eq=False)
+class SectionLine:
+    """One line of a section.
+
+    Open ones run from their lower end (y), at equal height from the left one; closed ones anticlockwise from
+    their lowest point, which is repeated at the end.
+
+    Attributes
+    ----------
+    points : (n, 2) array
+        In the coordinates of the frame, mm.
+    frame : Frame
+    name : str
+        What messages call it.
+    """
+
+    points: FloatArray
+    frame: Frame
+    name: str
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether the line ends at its start."""
+        return bool(np.all(self.points[0] == self.points[-1]))
+
+    @property
+    def length(self) -> float:
+        """Length of the line, mm."""
+        return float(lengths_along(self.points)[-1])
+
+    @property
+    def places(self) -> FloatArray:
+        """The points in space (n, 3), mm."""
+        return self.frame.point(self.points)
+
+    def reversed(self) -> "SectionLine":
+        """The line in the opposite direction."""
+        return replace(self, points=self.points[::-1])
+
+    def split_at(self, points: ArrayLike) -> tuple["SectionLine", ...]:
+        """The pieces between the places nearest to `points` (k, 2): k + 1 of an open line, k of a closed one.
+
+        Raises
+        ------
+        InputError
+            No points, or two with the same place.
+        """
+        wanted = np.atleast_2d(np.asarray(points, dtype=float))
+        if wanted.shape[1] != 2 or not np.all(np.isfinite(wanted)):
+            raise InputError("{name} is split at points (k, 2) of its plane, mm", name=self.name)
+        return self._split(np.sort([_nearest(self.points, p) for p in wanted]))
+
+    def split_by(self, point: ArrayLike, normal: ArrayLike) -> tuple["SectionLine", ...]:
+        """The pieces on either side of the plane through `point` (3,) across `normal` (3,): a spine.
+
+        The line itself where the plane misses it.
+        """
+        n, p = np.asarray(normal, dtype=float), np.asarray(point, dtype=float)
+        if n.shape != (3,) or p.shape != (3,) or not np.any(n) or not np.all(np.isfinite([n, p])):
+            raise InputError("a spine is a point and a normal of three numbers, the normal not zero")
+        height = (self.places - p) @ (n / np.linalg.norm(n))
+        height = np.where(np.abs(height) <= IN_PLANE * np.abs(self.places).max(), 0.0, height)
+        above = height >= 0
+        i = np.flatnonzero(above[:-1] != above[1:])
+        cuts = i + height[i] / (height[i] - height[i + 1])
+        if not self.is_closed:  # a plane through its end does not split it
+            cuts = cuts[(cuts > 0) & (cuts < len(self.points) - 1)]
+        return self._split(cuts) if cuts.size else (self,)
+
+    def split_at_corners(self, turn: float) -> tuple["SectionLine", ...]:
+        """The pieces between corners that turn by more than `turn`, rad; the line itself where it has none.
+
+        Raises
+        ------
+        InputError
+            An angle that is not between 0 and pi.
+        """
+        if not 0 < turn < np.pi:
+            raise InputError("corners turn by an angle between 0 and pi rad, not {turn!r}", turn=turn)
+        points = np.concatenate([self.points, self.points[1:2]]) if self.is_closed else self.points
+        corners = 1.0 + np.flatnonzero(_inner_turns(points) > turn)
+        if self.is_closed:
+            corners %= len(self.points) - 1
+        return self._split(np.sort(corners)) if corners.size else (self,)
+
+    def _split(self, cuts: FloatArray) -> tuple["SectionLine", ...]:
+        """Pieces between cuts, in points and shares of the way to the next."""
+        last = len(self.points) - 1
+        index = np.arange(last + 1)
+        at = np.column_stack([np.interp(cuts, index, column) for column in self.points.T])
+        cuts = np.unique(cuts)
+        if len(cuts) < len(at) or (not self.is_closed and (cuts[0] <= 0 or cuts[-1] >= last)):
+            raise InputError(
+                "{name} is split twice at one place, or at its very end: move the points", name=self.name
+            )
+        marks = np.concatenate([[0], cuts, [last]])
+        points = [
+            np.concatenate([[start], self.points[(index > a) & (index < b)], [end]])
+            for a, b, start, end in zip(
+                marks[:-1], marks[1:], [self.points[0], *at], [*at, self.points[-1]], strict=True
+            )
+        ]
+        if self.is_closed:
+            points = [np.concatenate([points[-1][:-1], points[0]]), *points[1:-1]]
+        points = [p[np.append(True, np.any(np.diff(p, axis=0) != 0, axis=1))] for p in points]
+        return tuple(
+            replace(self, points=p, name=f"{self.name}, piece {k + 1}")
+            for k, p in enumerate(points)
+            if len(p) > 1
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class PlaneSection:
+    """What one plane cuts out of a mesh.
+
+    Attributes
+    ----------
+    name : str
+        "section 3" after its place in the family.
+    frame : Frame
+    lines : tuple of SectionLine
+        The longest first; none where the plane misses.
+    reports : tuple of str
+        What is worth knowing, one sentence each, the section and the place named.
+    """
+
+    name: str
+    frame: Frame
+    lines: tuple[SectionLine, ...]
+    reports: tuple[str, ...] = ()
+
+    @property
+    def line(self) -> SectionLine:
+        """The only line.
+
+        Raises
+        ------
+        InputError
+            None, or several: choose from `lines`.
+        """
+        if len(self.lines) != 1:
+            reason = (
+                self.reports[0]
+                if self.reports
+                else note("{name} has {count} lines", name=self.name, count=len(self.lines))
+            )
+            raise InputError("{reason}: choose from its lines", reason=reason)
+        return self.lines[0]
+
+
+def _inner_turns(points: FloatArray) -> FloatArray:
+    """Angles (n - 2,), rad, by which a polyline (n, 2) turns at its inner points."""
+    step = np.diff(points, axis=0)
+    return np.abs(turn_between(step[:-1], step[1:]))
+
+
+def collect_section(
+    name: str,
+    frame: Frame,
+    chains: Iterable[FloatArray],
+    *,
+    half: bool = False,
+    apart: float,
+    missed: Callable[[], str] = lambda: "misses the shape",
+) -> PlaneSection:
+    """The section that lines (k, 2) make: the longest first, each with a name, and what is worth knowing.
+
+    Parameters
+    ----------
+    half : bool
+        Only what lies at x >= 0.
+    apart : float
+        Neighbouring points nearer than this are one, mm.
+    missed : callable
+        What the plane does where there is no line, in words.
+    """
+    if require_flag(half, "half"):
+        chains = [part for chain in chains for part in _clip_to_right_half(chain)]
+    lines = [line for line in (tidy_points(chain, apart) for chain in chains) if len(line) > 1]
+    lines.sort(key=lambda line: -lengths_along(line)[-1])
+    reports: tuple[str, ...] = ()
+    if not lines:
+        reports = (
+            note(
+                "{name} at {place}: the plane {missed}",
+                name=name,
+                place=place_in_words(frame.origin),
+                missed=missed(),
+            ),
+        )
+    elif len(lines) > 1:
+        starts = Listed(place_in_words(frame.point(line[0])) for line in lines[:3])
+        reports = (
+            note(
+                "{name} falls into {count} lines, starting at {starts}",
+                name=name,
+                count=len(lines),
+                starts=starts,
+            ),
+        )
+    names = [name]
+    if len(lines) != 1:
+        names = [note("{name}, line {number}", name=name, number=k + 1) for k in range(len(lines))]
+    made = tuple(SectionLine(line, frame, called) for line, called in zip(lines, names, strict=True))
+    return PlaneSection(name, frame, made, reports)
+
+
+def tidy_points(points: FloatArray, small: float) -> FloatArray:
+    """Remove repeated points, and give the line its standard direction."""
+    closed = bool(np.all(points[0] == points[-1])) and len(points) > 2
+    keep = np.append(True, np.linalg.norm(np.diff(points, axis=0), axis=1) > small)
+    points = points[keep]
+    if closed and len(points) > 1:
+        if np.linalg.norm(points[-1] - points[0]) <= small:
+            points = points[:-1]
+        if len(points) < 3:
+            return points[:1]
+        x, y = points.T
+        if np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 0:
+            points = points[::-1]
+        points = np.roll(points, -int(np.lexsort(points.T)[0]), axis=0)
+        return np.concatenate([points, points[:1]])
+    if len(points) > 1:
+        first, last = points[0], points[-1]
+        level = abs(first[1] - last[1]) <= 1e-9 * np.abs(points).max()
+        if (last[0] < first[0]) if level else (last[1] < first[1]):
+            points = points[::-1]
+    return points
+
+
+def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
+    """The parts of a line with x >= 0."""
+    closed = bool(np.all(points[0] == points[-1]))
+    x = points[:, 0]
+    if np.all(x >= 0):
+        return [points]
+    if closed:  # begin on the other side, so that no part runs over the seam
+        shift = int(np.argmin(x[:-1]))
+        points = np.concatenate([points[shift:-1], points[: shift + 1]])
+        x = points[:, 0]
+    parts: list[list[FloatArray]] = []
+    for i in range(len(points)):
+        if i and (x[i] >= 0) != (x[i - 1] >= 0):
+            u = x[i - 1] / (x[i - 1] - x[i])
+            cut = np.array([0.0, points[i - 1, 1] + u * (points[i, 1] - points[i - 1, 1])])
+            if x[i] >= 0:
+                parts.append([cut])
+            else:
+                parts[-1].append(cut)
+        if x[i] >= 0:
+            if not parts:
+                parts.append([])
+            parts[-1].append(points[i])
+    return [np.array(part) for part in parts]
+
+
+def _nearest(points: FloatArray, place: FloatArray) -> float:
+    """Position of the point of the polyline nearest to a place: number of a point plus the share of the way to
+    the next."""
+    step = np.diff(points, axis=0)
+    u = np.clip(((place - points[:-1]) * step).sum(axis=1) / (step**2).sum(axis=1), 0.0, 1.0)
+    off = np.linalg.norm(points[:-1] + u[:, None] * step - place, axis=1)
+    i = int(np.argmin(off))
+    return i + float(u[i])
+
+
+def place_in_words(point: FloatArray) -> Point:
+    """A point (3,) as messages give it."""
+    return Point(np.asarray(point).round(9) + 0.0)
+
+
+SMOOTHED_POINTS, MOST_SMOOTHED = 240, 5_000
+"""Usual and largest number of points that are smoothed; they make one dense matrix."""
+
+FALSE_TURN_RAD = np.radians(4.0)
+"""A bend between two inflections that turns less than this comes from the mesh, not from its maker."""
+
+FILLED_POINTS = 240
+"""Places along a line that a curve is fitted to, besides its vertices."""
+
+SAMPLES = 2001
+"""Number of points of a curve at which its distance from the section is measured."""
+
+CLOSED_SHARE = 1e-6
+"""A line counts as closed when the gap between its ends is below this share of the length."""
+
+CORNER_RADIUS_SHARE = 0.01
+"""A radius below this share of the length is a corner."""
+
+SHARP_TURN_RAD = np.radians(20.0)
+"""A line that turns by more than this at one point has a corner there."""
+
+AT_CORNERS = Change("split_corners", True)
+"""Change of the request that a message suggests for a corner."""
+
+AT_TWO_PLACES = Change("split", True)
+"""Change of the request that a message suggests for a closed line: split it at a spine or at two points."""
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
+
+
+@dataclass(frozen=True, eq=False)
+class SectionCurve:
+    """A smooth curve in its plane in space.
+
+    Attributes
+    ----------
+    curve : PlaneCurve
+    frame : Frame
+    name : str
+    deviation : float
+        Largest distance of any point of the section from the curve or of the curve from the section, mm.
+    removed : int
+        False inflections that were smoothed away.
+    """
+
+    curve: PlaneCurve
+    frame: Frame
+    name: str
+    deviation: float
+    removed: int = 0
+
+    @property
+    def called(self) -> str:
+        """The name of the section, and where in space it begins."""
+        begins = Point(self.frame.point(self.curve.evaluate(self.curve.domain[0])).round(9) + 0.0)
+        return note("{name}, from {begins}", name=self.name, begins=begins)
+
+    def gravity(self, sheet: Sheet, direction: ArrayLike = (0.0, 0.0, -1.0)) -> Gravity | None:
+        """The weight of a sheet as the curve's plane feels it, where things fall along `direction` in space."""
+        frame = self.frame
+        return Gravity.in_plane(sheet.elasto_gravity_length, direction, frame.x_axis, frame.y_axis)
+
+
+def section_curves(
+    sections: Iterable[PlaneSection | SectionLine],
+    *,
+    tolerance: float = 0.3,
+    wavelength: float = 0.0,
+    false_turn: float = FALSE_TURN_RAD,
+) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
+    """Curves of degree 4 along the lines of sections, ready for `nearest_rods`.
+
+    Parameters
+    ----------
+    sections : iterable of PlaneSection or SectionLine
+        All lines of a section are taken; closed ones must be split before.
+    tolerance : float
+        Largest distance of the (smoothed) points from the curve, mm.
+    wavelength : float
+        Waves of the line shorter than this are taken out first, mm; ends stay. 0 for none.
+    false_turn : float
+        Inflections in pairs between which the curve turns by less than this are removed, rad; 0 keeps all.
+
+    Returns
+    -------
+    curves : tuple of SectionCurve
+    reports : tuple of str
+        What the sections reported, and why a line gave no curve; the others go on.
+
+    Raises
+    ------
+    InputError
+        A tolerance, a wavelength or an angle that is none.
+
+    Examples
+    --------
+    >>> u = np.linspace(0, np.pi, 60)
+    >>> line = SectionLine(50 * np.column_stack([-np.cos(u), np.sin(u)]), Frame(), "arch")
+    >>> (found,), reports = section_curves([line])
+    >>> found.name, found.curve.degree, reports
+    ('arch', 4, ())
+    """
+    if not (is_number(wavelength) and wavelength >= 0):
+        raise InputError(
+            "wavelength={wavelength!r}: it must be 0 mm (no smoothing) or more", wavelength=wavelength
+        )
+    if not (is_number(tolerance) and tolerance > 0):
+        raise InputError("tolerance={tolerance!r}: it must be positive, in mm", tolerance=tolerance)
+    if not (is_number(false_turn) and 0 <= false_turn <= np.pi):
+        raise InputError(
+            "false_turn={false_turn!r}: it must be an angle from 0 to pi rad", false_turn=false_turn
+        )
+    found: list[SectionCurve] = []
+    reports: list[str] = []
+    for item in several("sections", sections, PlaneSection | SectionLine, "PlaneSection or SectionLine"):
+        reports += item.reports if isinstance(item, PlaneSection) else ()
+        for line in item.lines if isinstance(item, PlaneSection) else (item,):
+            try:
+                curve, told = _curve(line, tolerance, wavelength, false_turn)
+            except (InputError, NotConvergedError) as error:
+                reports.append(error.at(strip=line.name).refusal)
+                continue
+            found.append(curve)
+            reports += told
+    return tuple(found), tuple(reports)
+
+
+def _curve(
+    line: SectionLine, tolerance: float, wavelength: float, false_turn: float
+) -> tuple[SectionCurve, list[str]]:
+    small = CLOSED_SHARE * line.length
+    if line.is_closed or np.linalg.norm(line.points[-1] - line.points[0]) <= small:
+        raise InputError(
+            "the section is closed (it passes {place}): a strip has two ends, so split it at a spine or at two "
+            "points",
+            place=Point(line.places[0]),
+            changes=[AT_TWO_PLACES],
+        )
+    drawn = _filled(line.points)
+    points = smooth_polyline(line.points, wavelength) if wavelength > 0 else drawn
+    try:
+        curve = PlaneCurve(*fit_spline(points, 4, tolerance), 4)
+    except NotConvergedError as error:
+        raise NotConvergedError(_unfitted(line, tolerance) or str(error)) from error
+    fitted, before = curve, curve.inflections.size
+    told = _corner(curve, line)
+    if false_turn > 0:
+        try:
+            curve = remove_false_inflections(curve, turn=false_turn)
+        except NotConvergedError as error:
+            told.append(note("{name}: {why}: it is kept", name=line.name, why=error.refusal))
+    if told and not wavelength:
+        _refuse_corners(line, tolerance)
+    removed = before - curve.inflections.size
+    places = np.concatenate([drawn, curve.sample(SAMPLES).position])
+    off = np.concatenate(
+        [distances(Spline(curve), drawn), polyline_distances(line.points, places[len(drawn) :])]
+    )
+    worst = int(off.argmax())
+    if off[worst] > tolerance:
+        place = note(
+            "{far} off the section at {place}", far=Length(off[worst]), place=_place(line, places[worst])
+        )
+        told.append(_departure(line, place, tolerance, wavelength, changed=curve is not fitted))
+    return SectionCurve(curve, line.frame, line.name, float(off[worst]), removed), told
+
+
+def _filled(points: FloatArray) -> FloatArray:
+    """The points of a polyline and others between them, nowhere farther apart than a 240th of its length.
+
+    A coarse mesh has few vertices, and a curve through them alone may leave the lines between them.
+    """
+    s = lengths_along(points)
+    counts = np.maximum(np.ceil(np.diff(s) / s[-1] * FILLED_POINTS), 1).astype(int)
+    index = np.repeat(np.arange(len(counts)), counts)
+    share = np.arange(len(index)) - np.repeat(np.cumsum(counts) - counts, counts)
+    between = points[index] + (share / counts[index])[:, None] * (points[index + 1] - points[index])
+    return np.concatenate([between, points[-1:]])
+
+
+def _place(line: SectionLine, point: FloatArray) -> str:
+    return note("{place}", place=Point(line.frame.point(point).round(6) + 0.0))
+
+
+def _refuse_corners(line: SectionLine, tolerance: float) -> None:
+    """Raise where a line has a corner; a turn between sides shorter than the tolerance is roughness."""
+    turned, sides = _inner_turns(line.points), np.diff(lengths_along(line.points))
+    turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
+    if turned.max(initial=0.0) > SHARP_TURN_RAD:
+        raise InputError(
+            "{sharpest}; split it at its corners, export a finer mesh, or smooth it",
+            sharpest=_sharpest(line, turned),
+            changes=[AT_CORNERS],
+        )
+
+
+def _unfitted(line: SectionLine, tolerance: float) -> str:
+    """Why no smooth curve follows a line: its sharpest turn, or nothing if it has none."""
+    turned = _inner_turns(line.points)
+    if turned.max(initial=0.0) < SHARP_TURN_RAD:
+        return ""
+    return note(
+        "no smooth curve stays within the tolerance of {tolerance:g}: {sharpest}; split it at its corners, "
+        "or smooth it",
+        tolerance=Length(tolerance), sharpest=_sharpest(line, turned), changes=(AT_CORNERS,),
+    )  # fmt: skip
+
+
+def _sharpest(line: SectionLine, turned: FloatArray) -> str:
+    worst = int(turned.argmax())
+    return note(
+        "the section turns by {angle:.3g} degrees at {place}",
+        angle=np.degrees(turned[worst]),
+        place=_place(line, line.points[worst + 1]),
+    )
+
+
+def _departure(line: SectionLine, place: str, tolerance: float, wavelength: float, *, changed: bool) -> str:
+    """Message that says where the curve is away from its section by more than the tolerance."""
+    if wavelength > 0:
+        cause = note(
+            "smoothing took waves shorter than {wavelength:g} away; a shorter wavelength stays nearer",
+            wavelength=Length(wavelength),
+        )
+    elif changed:
+        cause = note("bends between false inflections were smoothed away")
+    else:
+        cause = note("no smooth curve came nearer; smooth the section first, with a wavelength")
+    return note(
+        "{name}: the curve lies {off}, more than the tolerance of {tolerance:g}: {cause}",
+        name=line.name, off=place, tolerance=Length(tolerance), cause=cause,
+    )  # fmt: skip
+
+
+def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
+    """Message that says where the curve bends as no strip can."""
+    samples = curve.sample(SAMPLES)
+    worst = int(np.abs(samples.curvature).argmax())
+    kappa = abs(float(samples.curvature[worst]))
+    if kappa * curve.length <= 1 / CORNER_RADIUS_SHARE:
+        return []
+    return [
+        note(
+            "{name} bends with a radius of {radius:.2g} at {place}, a corner to any strip: split it at its "
+            "corners, or smooth it",
+            name=line.name,
+            radius=Length(1 / kappa),
+            place=_place(line, samples.position[worst]),
+            changes=(AT_CORNERS,),
+        )
+    ]
+
+
+def smooth_polyline(
+    points: ArrayLike, wavelength: float, *, where: ArrayLike = (), count: int = SMOOTHED_POINTS
+) -> FloatArray:
+    """Points (count, 2) at equal distances along a polyline (n, 2), short waves taken out, both ends kept.
+
+    Of a wave as long as `wavelength` half is left, of one half as long a 65th: the points that make
+    |x - p|^2 + (wavelength / 2 pi)^6 |x'''|^2 least. Parabolas stay as they are.
+
+    Parameters
+    ----------
+    points : (n, 2) array_like
+        mm.
+    wavelength : float
+        mm.
+    where : (k, 2) array_like
+        Smooth only between these pairs of arc lengths, mm; everywhere if not given.
+    count : int
+        Points that are returned.
+
+    Raises
+    ------
+    InputError
+        A wavelength that is not positive, or points that are all the same.
+
+    Examples
+    --------
+    >>> x = np.linspace(0, 100, 400)
+    >>> wavy = np.column_stack([x, np.sin(2 * np.pi * x / 4)])
+    >>> bool(np.abs(smooth_polyline(wavy, 20)[20:-20, 1]).max() < 0.05)
+    True
+    """
+    given = numbers(points, "points to smooth")
+    if given.ndim != 2 or not len(given) or not np.isfinite(given).all():
+        raise InputError(
+            "points to smooth are finite rows (n, 2), in mm, not of shape {shape}", shape=given.shape
+        )
+    if not (is_whole(count) and 4 <= count <= MOST_SMOOTHED):
+        raise InputError(
+            "count is {count!r}: smoothing gives points (k, 2), k from 4 to {most_smoothed}",
+            count=count,
+            most_smoothed=MOST_SMOOTHED,
+        )
+    if not (is_number(wavelength) and wavelength > 0):
+        raise InputError(
+            "smoothing needs a positive wavelength in mm, not {wavelength!r}", wavelength=wavelength
+        )
+    s = lengths_along(given)
+    if s[-1] == 0:
+        raise InputError("the points to smooth are all the same")
+    at = np.linspace(0.0, s[-1], count)
+    even = np.column_stack([np.interp(at, s, column) for column in given.T])
+    third = np.diff(np.eye(count), 3, axis=0)
+    middle = (at[:-3] + at[3:]) / 2
+    spans = numbers(where, "parts to smooth")
+    if spans.size and spans.shape[1:] != (2,):
+        raise InputError("parts to smooth are rows (k, 2) of finite lengths along the points, in mm")
+    counted = np.any([(middle >= a) & (middle <= b) for a, b in spans], axis=0) if len(spans) else True
+    # of waves four times as long as the line nothing is left but a parabola; beyond, only digits are lost
+    share = min(wavelength, 4 * s[-1]) / (2 * np.pi * at[1])
+    third = third * (np.broadcast_to(counted, middle.shape) * share**3)[:, None]
+    system = np.eye(count) + third.T @ third
+    inner = slice(1, -1)
+    right = even[inner] - system[inner][:, [0, -1]] @ even[[0, -1]]
+    even[inner] = np.linalg.solve(system[inner, inner], right)
+    return np.asarray(even)
+
+
+def remove_false_inflections(
+    curve: PlaneCurve, *, turn: float = FALSE_TURN_RAD, give: float | None = None
+) -> PlaneCurve:
+    """The curve with bends that turn by less than `turn` (rad) smoothed away; ends stay.
+
+    Only what lies between two inflections, or between one and an end, counts as a bend. It is smoothed there and
+    a wavelength about, by the shortest wavelength that does.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+    turn : float
+        rad.
+    give : float, optional
+        Largest distance that the curve may move, mm; a hundredth of its length unless given.
+
+    Raises
+    ------
+    NotConvergedError
+        Such bends stay, or go only with larger moves.
+
+    Examples
+    --------
+    >>> x = np.linspace(0, 100, 60)
+    >>> bumpy = PlaneCurve.fit(np.column_stack([x, 0.01 * (x - 50) ** 2 + 0.02 * np.sin(x)]), tolerance=1e-3)
+    >>> bumpy.inflections.size > 4, remove_false_inflections(bumpy).inflections.size
+    (True, 0)
+    """
+    require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
+    require_positive(turn, "turn", "rad")
+    if give is not None:
+        require_positive(give, "give")
+    bends = _false_bends(curve, turn)
+    if not len(bends):
+        return curve
+    points = curve.sample(SMOOTHED_POINTS).position
+    most = curve.length / 100 if give is None else give
+    for wavelength in curve.length * 2.0 ** np.arange(-4.0, 0.1, 0.5):
+        where = bends + wavelength * np.array([-1.0, 1.0])
+        even = smooth_polyline(points, float(wavelength), where=where)
+        if np.hypot(*(even - points).T).max() > most:
+            break
+        try:
+            simpler = PlaneCurve(*fit_spline(even, 4, most / 20), 4)
+        except NotConvergedError:  # kinks where the smoothed part begins: a longer wavelength may have none
+            continue
+        if not len(_false_bends(simpler, turn)):
+            return simpler
+    raise NotConvergedError(
+        "{stretches} from its start, the curve turns by less than {turn:.2g} degrees between inflections; "
+        "no smoothing that moves it by less than {most} takes that away",
+        stretches=Listed(Span((Length(a), Length(b))) for a, b in bends),
+        turn=np.degrees(turn),
+        most=Length(most),
+    )
+
+
+def _false_bends(curve: PlaneCurve, turn: float) -> FloatArray:
+    """Parts (k, 2) between neighbouring inflections, arc lengths, that turn by less than `turn`."""
+    marks = np.concatenate([[0.0], curve.inflections, [curve.length]])
+    if marks.size == 2:
+        return np.empty((0, 2))
+    half = np.diff(marks) / 2
+    s = (marks[:-1] + half)[:, None] + half[:, None] * NODES
+    kappa = curve.at(s.ravel()).curvature.reshape(s.shape)
+    false = np.abs(kappa @ WEIGHTS) * half < turn
+    return np.column_stack([marks[:-1], marks[1:]])[false]

@@ -1,0 +1,505 @@
+"""What is asked of the sections of a surface: families of planes, the lines that are wanted, and their curves."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Annotated, ClassVar, Protocol, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import as_floats, is_whole, require_flag
+from elastica_cad.declared import Asked
+from elastica_cad.errors import InputError, quoted
+from elastica_cad.forming.plane_sections import FARTHEST_MM
+from elastica_cad.forming.section_lines import PlaneSection, SectionCurve, SectionLine, section_curves
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_points import lengths_along
+from elastica_cad.refusals import Length, Point, Refusal, note, sentences
+
+MOST_PLANES = 1000
+"""Largest number of planes."""
+
+
+def parallel_planes(
+    point: ArrayLike, normal: ArrayLike, offsets: ArrayLike, *, up: ArrayLike = (0.0, 0.0, 1.0)
+) -> tuple[Frame, ...]:
+    """Planes across `normal` (3,) through `point` (3,), shifted by `offsets` (k,) mm along it.
+
+    The y axis of each is as near to `up` as it can be.
+
+    Raises
+    ------
+    InputError
+        A direction that is zero, or `up` along the normal.
+
+    Examples
+    --------
+    >>> [frame.origin.tolist() for frame in parallel_planes((0, 0, 0), (0, 1, 0), (0, 5))]
+    [[0.0, 0.0, 0.0], [0.0, 5.0, 0.0]]
+    """
+    p, n = _vector("point", point), _direction("normal", normal)
+    return tuple(_across(p + offset * n, n, up) for offset in _row("offsets", offsets))
+
+
+def radial_planes(
+    point: ArrayLike,
+    axis: ArrayLike,
+    angles: ArrayLike,
+    *,
+    zero: ArrayLike = (1.0, 0.0, 0.0),
+) -> tuple[Frame, ...]:
+    """Half planes about an axis: x leads away from the axis, y along it; their sections have x >= 0.
+
+    Parameters
+    ----------
+    point, axis : (3,) array_like
+        A point (mm) and the direction of the axis.
+    angles : (k,) array_like
+        Where the half planes lie, rad, from `zero` about the axis.
+    zero : (3,) array_like
+        Direction of angle 0; its part across the axis counts.
+
+    Raises
+    ------
+    InputError
+        A direction that is zero, or `zero` along the axis.
+
+    Examples
+    --------
+    >>> radial_planes((0, 0, 0), (0, 0, 1), [np.pi / 2])[0].x_axis.round(12).tolist()
+    [0.0, 1.0, 0.0]
+    """
+    p, a = _vector("point", point), _direction("axis", axis)
+    x = _rejected("zero", zero, a)
+    y = np.cross(a, x)
+    return tuple(Frame(p, np.cos(t) * x + np.sin(t) * y, a) for t in _row("angles", angles))
+
+
+def planes_along(
+    path: ArrayLike, count: int, *, ends: bool = False, up: ArrayLike = (0.0, 0.0, 1.0)
+) -> tuple[Frame, ...]:
+    """Planes across a path in space, at equal distances along it.
+
+    Parameters
+    ----------
+    path : (n, 3) array_like
+        Points of the path, mm; a smooth one is given by many.
+    count : int
+        Planes; the first and the last stand half a distance from the ends, or on them with `ends=True`.
+    up : (3,) array_like
+        The y axis of each is as near to this as it can be.
+
+    Raises
+    ------
+    InputError
+        Fewer than two different points, no planes, or a path that runs along `up`.
+
+    Examples
+    --------
+    >>> [float(frame.origin[0]) for frame in planes_along([(0, 0, 0), (9, 0, 0)], 3)]
+    [1.5, 4.5, 7.5]
+    """
+    points = _numbers("path", path)
+    if points.ndim != 2 or points.shape[1] != 3:
+        raise InputError("a path is points (n, 3) in mm, not {shape}", shape=points.shape)
+    if not is_whole(count) or not 1 <= count <= MOST_PLANES or (require_flag(ends, "ends") and count < 2):
+        raise InputError(
+            "count={count}: a path is cut by a whole number of planes, one plane at least, two "
+            "with ends=True, and {most_planes} at most",
+            count=quoted(count),
+            most_planes=MOST_PLANES,
+        )
+    points = points[np.append(True, np.any(np.diff(points, axis=0) != 0, axis=1))]
+    if len(points) < 2:
+        raise InputError("a path needs two different points or more")
+    s = lengths_along(points)
+    at = np.linspace(0.0, s[-1], count) if ends else s[-1] * (np.arange(count) + 0.5) / count
+    slopes = np.column_stack([_slopes(s, column) for column in points.T])
+    places, ways = (np.column_stack([np.interp(at, s, c) for c in rows.T]) for rows in (points, slopes))
+    return tuple(_across(p, _direction("path", w), up) for p, w in zip(places, ways, strict=True))
+
+
+def _slopes(s: FloatArray, values: FloatArray) -> FloatArray:
+    """Derivatives (n,) by arc length."""
+    if s.size < 3:
+        return np.full(s.size, (values[-1] - values[0]) / s[-1])
+    return np.asarray(np.gradient(values, s, edge_order=2), dtype=float)
+
+
+def _across(point: FloatArray, normal: FloatArray, up: ArrayLike) -> Frame:
+    y = _rejected("up", up, normal)
+    return Frame(point, np.cross(y, normal), y)
+
+
+def _rejected(name: str, value: ArrayLike, along: FloatArray) -> FloatArray:
+    """The unit part of a vector across a unit direction."""
+    v = _direction(name, value)
+    part = v - (v @ along) * along
+    size = float(np.linalg.norm(part))
+    if size < 1e-9:
+        raise InputError(
+            "{name}={given} is at right angles to the plane: choose another direction",
+            name=name,
+            given=v.tolist(),
+        )
+    return np.asarray(part / size)
+
+
+def _direction(name: str, value: ArrayLike) -> FloatArray:
+    v = _vector(name, value)
+    size = float(np.linalg.norm(v))
+    if size == 0:
+        raise InputError("{name} is zero: give a direction of three numbers", name=name)
+    return np.asarray(v / size)
+
+
+def _vector(name: str, value: ArrayLike) -> FloatArray:
+    v = _numbers(name, value)
+    if v.shape != (3,):
+        raise InputError("{name} must be three numbers, not {shape}", name=name, shape=np.shape(value))
+    return v
+
+
+def _row(name: str, value: ArrayLike) -> list[float]:
+    """One number or several in a row."""
+    v = np.atleast_1d(_numbers(name, value))
+    if v.ndim != 1:
+        raise InputError(
+            "{name} must be one number or a row of numbers, not an array of shape {shape}",
+            name=name,
+            shape=v.shape,
+        )
+    return [float(x) for x in v]
+
+
+def _numbers(name: str, value: ArrayLike) -> FloatArray:
+    v = as_floats(value)
+    if v is None:
+        raise InputError("{name} must be numbers, not {given!r}", name=name, given=str(value)[:60])
+    if not np.all(np.isfinite(v)):
+        raise InputError("{name} must be finite numbers, got {given}", name=name, given=v.tolist())
+    if np.abs(v).max(initial=0.0) > FARTHEST_MM:
+        raise InputError(
+            "{name} holds {most:.3g}: nothing made of strips is so far away", name=name, most=np.abs(v).max()
+        )
+    return v
+
+
+Triple: TypeAlias = tuple[float, float, float]
+
+NAMED_REASONS = 6
+"""Largest number of reasons in a refusal."""
+
+SAME_PLANE = 1e-9
+"""Two planes are the same when their numbers differ by less than this share of the largest."""
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """A surface that can be cut by planes.
+
+    Attributes
+    ----------
+    points : (n, 3) array
+        Places whose hull holds it, mm: the vertices of a mesh, the corners of a box around a CAD body.
+    cut : callable
+        Its sections by planes, with half planes if the second argument is true: `cut(planes, half)`.
+    """
+
+    points: FloatArray
+    cut: Callable[[Sequence[Frame], bool], tuple[PlaneSection, ...]]
+
+    @property
+    def middle(self) -> FloatArray:
+        """Middle (3,) of the box around it, mm."""
+        return np.asarray((self.points.min(axis=0) + self.points.max(axis=0)) / 2)
+
+    @property
+    def size(self) -> float:
+        """Diagonal of the box around it, mm."""
+        return float(np.linalg.norm(np.ptp(self.points, axis=0)))
+
+
+class Cuts(Protocol):
+    """A family of planes."""
+
+    half: ClassVar[bool]
+    """Whether the planes end at an axis by default."""
+
+    def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
+        """The planes for a surface."""
+        ...
+
+
+@dataclass(frozen=True)
+class RadialCuts:
+    """Half planes about an axis: at `angles`, rad from `zero`, or `count` of them all around."""
+
+    half: ClassVar[bool] = True
+    count: Annotated[int, Asked("So many half planes all around.", least=1)] = 8
+    angles: Annotated[
+        tuple[float, ...] | None, Asked("Where the half planes lie, in place of count.", "rad")
+    ] = None
+    point: Annotated[Triple, Asked("A point on the axis.", "mm")] = (0.0, 0.0, 0.0)
+    axis: Annotated[Triple, Asked("Direction of the axis.")] = (0.0, 0.0, 1.0)
+    zero: Annotated[Triple, Asked("Where angles begin.")] = (1.0, 0.0, 0.0)
+
+    def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
+        """Frames of the planes; they do not depend on the surface."""
+        if self.angles is not None:
+            _refuse_twice("angles", self.angles, 2 * np.pi)
+            return radial_planes(self.point, self.axis, self.angles, zero=self.zero)
+        angles = 2 * np.pi * np.arange(_plane_count(self.count)) / self.count
+        return radial_planes(self.point, self.axis, angles, zero=self.zero)
+
+
+@dataclass(frozen=True)
+class ParallelCuts:
+    """Planes across `normal`: at `offsets` from the point, mm, or through `count` equal slices of the surface."""
+
+    half: ClassVar[bool] = False
+    normal: Annotated[Triple, Asked("Across the planes.")]
+    count: Annotated[int, Asked("So many equal slices, in place of offsets.", least=1)] = 8
+    offsets: Annotated[tuple[float, ...] | None, Asked("Distances of the planes from the point.", "mm")] = (
+        None
+    )
+    point: Annotated[Triple, Asked("From where offsets are measured.", "mm")] = (0.0, 0.0, 0.0)
+    up: Annotated[Triple, Asked("The y axis of the sections.")] = (0.0, 0.0, 1.0)
+
+    def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
+        """The planes; slices are those of the surface."""
+        if self.offsets is not None:
+            _refuse_twice("offsets", self.offsets)
+            return parallel_planes(self.point, self.normal, self.offsets, up=self.up)
+        count = _plane_count(self.count)
+        (first,) = parallel_planes(self.point, self.normal, 0.0, up=self.up)
+        away = (surface.points - self.point) @ first.z_axis
+        offsets = away.min() + np.ptp(away) * (np.arange(count) + 0.5) / count
+        return parallel_planes(self.point, self.normal, offsets, up=self.up)
+
+
+@dataclass(frozen=True, eq=False)
+class AlongPath:
+    """`count` planes across a path of points (n, 3), mm; `ends` puts the first and the last at its ends."""
+
+    half: ClassVar[bool] = False
+    path: Annotated[FloatArray, Asked("Points of the path.", "mm", written=tuple[Triple, ...])]
+    count: Annotated[int, Asked("So many planes.", least=1)] = 8
+    ends: Annotated[bool, Asked("The first and the last plane stand at the ends of the path.")] = False
+    up: Annotated[Triple, Asked("The y axis of the sections.")] = (0.0, 0.0, 1.0)
+
+    def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
+        """Frames of the planes; they do not depend on the surface."""
+        return planes_along(self.path, _plane_count(self.count), ends=self.ends, up=self.up)
+
+
+@dataclass(frozen=True, eq=False)
+class GivenCuts:
+    """Planes as they are drawn."""
+
+    half: ClassVar[bool] = False
+    planes: tuple[Frame, ...]
+
+    def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
+        """Frames of the planes; they do not depend on the surface."""
+        return self.planes
+
+
+class Split(Protocol):
+    """A way to split the line of a section."""
+
+    @property
+    def name(self) -> str:
+        """Name of the split in messages."""
+        ...
+
+    def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
+        """The line in pieces, or as it is where it is not met."""
+        ...
+
+
+@dataclass(frozen=True)
+class PlaneSplit:
+    """At a spine: the plane through `point` across `normal`.
+
+    Raises
+    ------
+    InputError
+        A normal of zero.
+    """
+
+    normal: Annotated[Triple, Asked("Across the plane.")]
+    point: Annotated[Triple, Asked("A point of the plane.", "mm")] = (0.0, 0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        if not any(self.normal):
+            raise InputError("normal is zero: give a direction of three numbers")
+
+    @property
+    def name(self) -> str:
+        """The plane."""
+        x, y, z = map(float, self.normal)
+        across = "the plane through {place} across ({x:.4g}, {y:.4g}, {z:.4g})"
+        return note(across, place=Point(self.point), x=x, y=y, z=z)
+
+    def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
+        """See `SectionLine.split_by`."""
+        return line.split_by(self.point, self.normal)
+
+
+@dataclass(frozen=True, eq=False)
+class PointSplit:
+    """Split at the places nearest to points (k, 3) in space."""
+
+    points: Annotated[
+        FloatArray, Asked("Split at the places nearest to these points.", "mm", written=tuple[Triple, ...])
+    ]
+
+    name: ClassVar[str] = "a point"
+
+    def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
+        """See `SectionLine.split_at`."""
+        return line.split_at(line.frame.local(np.asarray(self.points))[:, :2])
+
+
+@dataclass(frozen=True)
+class CornerSplit:
+    """Splits a line at corners where it turns by more than `corners`, rad.
+
+    Raises
+    ------
+    InputError
+        An angle that no corner has.
+    """
+
+    corners: Annotated[float, Asked("Split where the line turns by more than this.", "rad", least=0)]
+
+    def __post_init__(self) -> None:
+        if not 0 < self.corners < np.pi:
+            raise InputError(
+                "corners is {turn:g}: corners turn by an angle between 0 and pi", turn=self.corners
+            )
+
+    @property
+    def name(self) -> str:
+        """The angle."""
+        return note("a turn of more than {turn:.4g} degrees at a corner", turn=np.degrees(self.corners))
+
+    def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
+        """See `SectionLine.split_at_corners`."""
+        return line.split_at_corners(self.corners)
+
+
+@dataclass(frozen=True, eq=False)
+class SectionSpec:
+    """All that is asked of the sections of a surface.
+
+    Parameters
+    ----------
+    cuts : RadialCuts, ParallelCuts, AlongPath or GivenCuts
+    half : bool, optional
+        Only what lies at x >= 0 of each plane; of radial cuts unless told.
+    longest : bool
+        Only the longest line of each section.
+    splits : sequence of PlaneSplit, PointSplit and CornerSplit
+    tolerance : float
+        Largest distance of the curves from the sections, mm.
+    wavelength : float
+        Waves shorter than this are smoothed away first, mm.
+    """
+
+    cuts: Cuts
+    half: bool | None = None
+    longest: bool = False
+    splits: tuple[Split, ...] = ()
+    tolerance: float = 0.3
+    wavelength: float = 0.0
+
+    def curves(self, surface: Surface) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
+        """A curve for every line that a strip can follow, and what is worth knowing.
+
+        Raises
+        ------
+        InputError
+            Planes that make no sense, or no section that a strip could follow.
+        """
+        half = self.cuts.half if self.half is None else self.half
+        divided = [self._divide(section) for section in surface.cut(self.cuts.frames(surface), half)]
+        curves, reports = section_curves(
+            [section for section, _ in divided], tolerance=self.tolerance, wavelength=self.wavelength
+        )
+        if not curves:
+            raise InputError(
+                "no plane gives a strip: {reasons}",
+                reasons=_reasons(reports),
+                changes=[change for one in reports if isinstance(one, Refusal) for change in one.all_changes],
+            )
+        idle = [split.name for split in self.splits if not any(split.name in used for _, used in divided)]
+        return tuple(curves), (*reports, *(note("{name} splits no section", name=name) for name in idle))
+
+    def _divide(self, section: PlaneSection) -> tuple[PlaneSection, frozenset[str]]:
+        """The section with the lines that are wanted of it, split where asked; what split any of them."""
+        used = set()
+        lines, reports = section.lines, section.reports
+        if self.longest and len(lines) > 1:
+            reports = (
+                *reports,
+                note(
+                    "{name}: the longest line is kept, {length} of it",
+                    name=section.name,
+                    length=Length(lines[0].length),
+                ),
+            )
+            lines = lines[:1]
+        for split in self.splits:
+            pieces: list[SectionLine] = []
+            for line in lines:
+                try:
+                    found = split.pieces(line)
+                except InputError as problem:
+                    reports = (*reports, problem.at(strip=line.name).refusal)
+                    used.add(split.name)
+                    continue
+                pieces += found
+                if found != (line,):
+                    used.add(split.name)
+            lines = tuple(pieces)
+        if not lines:
+            used |= {split.name for split in self.splits if not section.lines}
+        return replace(section, lines=lines, reports=reports), frozenset(used)
+
+
+def _reasons(reports: Sequence[str]) -> str:
+    """Why sections gave no strip, one after the other."""
+    named = [one for one in reports if isinstance(one, Refusal) and ("name" in one.values or one.where)]
+    reasons: Sequence[str] = named or reports
+    left = len(reasons) - NAMED_REASONS
+    more = [note("and {count} more like these", count=left)] if left > 0 else []
+    return sentences([*reasons[:NAMED_REASONS], *more]) if reasons else note("none is given")
+
+
+def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) -> None:
+    """Refuse planes that are given twice."""
+    order = np.argsort(np.mod(values, period), kind="stable")
+    ring = np.append(order, order[:1]) if np.isfinite(period) else order
+    steps = np.diff(np.asarray(values)[ring])
+    if np.isfinite(period):
+        steps -= period * np.round(steps / period)
+    largest = max(1.0, float(np.abs(values).max(initial=0.0)))
+    twice = np.flatnonzero(np.abs(steps) <= SAME_PLANE * largest)
+    if len(values) > 1 and twice.size:
+        i, j = sorted((int(ring[twice[0]]), int(ring[twice[0] + 1])))
+        raise InputError(
+            "{name} holds one plane twice, as its numbers {i} and {j}: leave one out",
+            name=name,
+            i=i + 1,
+            j=j + 1,
+        )
+
+
+def _plane_count(count: int) -> int:
+    if count > MOST_PLANES:
+        raise InputError(
+            "count is {count}: {most_planes} planes are the most", count=count, most_planes=MOST_PLANES
+        )
+    return count

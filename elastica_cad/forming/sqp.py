@@ -1,0 +1,779 @@
+"""Sequential quadratic programming with a trust region and an exact penalty: problem, state and steps.
+
+A point has unknowns z and a state that follows from them by equations (z alone decides a closed point). Search
+runs over points that are not quite closed: what it is told of one is to first order what holds once it is closed.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Generic, NamedTuple, TypeVar
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray, IntArray
+from elastica_cad.errors import NotConvergedError
+from elastica_cad.forming.quadratic_program import QuadraticProgram, QuadraticSolution, solve_quadratic
+
+Point = TypeVar("Point")
+
+KEY_STRIDE = 1_000_000
+"""More than the number of values of any constraint: the key of a row is its constraint's number times this plus
+its index."""
+
+
+class Closing(NamedTuple):
+    """Settings by which a point is closed. States are in numbers whose linearity ends at 1 (angles in radians).
+
+    Attributes
+    ----------
+    steps : int
+        Newton corrections on the way to one iterate: the error is squared four times.
+    room : float
+        Scales from a bound within which an unknown is at it.
+    closed : float
+        Change of the state that still shows when a point is as good as closed: its square is rounding.
+    lost : float
+        A state that would have to change so far does not close: beyond a quarter turn.
+    tolerable : float
+        By which the state of an iterate may be off when it is not reliable: errors of a percent.
+    reliable : float
+        Share of what a step promises that may be unknown.
+    badly_broken : float
+        Of a constraint's value: a hundred times what counts as met.
+    """
+
+    steps: int = 4
+    room: float = 1e-6
+    closed: float = 1e-8
+    lost: float = 1.5
+    tolerable: float = 0.1
+    reliable: float = 0.5
+    badly_broken: float = 1e-4
+
+
+CLOSING = Closing()
+
+
+@dataclass(frozen=True, eq=False)
+class LocalModel:
+    """value + h^T d + d^T H d / 2, plus the largest of peaks + peak_rows d where there are peaks.
+
+    Attributes
+    ----------
+    value : float
+    hessian, gradient : (p, p), (p,) arrays
+    peaks, peak_rows : (k,), (k, p) arrays
+        Empty for smooth objectives.
+    """
+
+    value: float
+    hessian: FloatArray
+    gradient: FloatArray
+    peaks: FloatArray
+    peak_rows: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class ConstraintRows:
+    """The constraints' rows that matter near a point, stacked: value + jacobian @ step.
+
+    Attributes
+    ----------
+    constraint, index : (j,) arrays
+        The number of each row's constraint, and its place among the values of that.
+    value : (j,) array
+        Once the point is closed, where the rows come from a linearization.
+    jacobian : (j, p) array
+    price : (j,) array
+        The most that breaking a row by 1 costs.
+    one_sided : (j,) boolean array
+        At least 0, not 0.
+    """
+
+    constraint: IntArray
+    index: IntArray
+    value: FloatArray
+    jacobian: FloatArray
+    price: FloatArray
+    one_sided: BoolArray
+
+
+@dataclass(frozen=True, eq=False)
+class Linearization(Generic[Point]):
+    """A point and what changes (p + 1,) do to it; their last entry is the share of closing it.
+
+    Attributes
+    ----------
+    point : Point
+    z : (p,) array
+        Its unknowns.
+    rows : ConstraintRows
+        Constraints in steps (p,) from the closed point.
+    model : LocalModel
+        The objective in the same steps.
+    state_jacobian : (k, p + 1) array
+        Of the part of the state that tells how far linearity holds, in numbers of order 1 where it ends.
+    moved : callable
+        The point after a change, its unknowns within their box, to first order.
+    """
+
+    point: Point
+    z: FloatArray
+    rows: ConstraintRows
+    model: LocalModel
+    state_jacobian: FloatArray
+    moved: Callable[[FloatArray], Point]
+
+
+@dataclass(frozen=True, eq=False)
+class NonlinearProgram(ABC, Generic[Point]):
+    """Minimise an objective over unknowns in a box under constraints.
+
+    Attributes
+    ----------
+    lower, upper : (p,) arrays
+        Equal where an unknown is given.
+    scale : (p,) array
+        Typical sizes of the unknowns.
+    """
+
+    lower: FloatArray
+    upper: FloatArray
+    scale: FloatArray
+
+    @property
+    @abstractmethod
+    def one_sided(self) -> BoolArray:
+        """Whether the values of each constraint (c,) must be at least 0 instead of 0."""
+
+    @property
+    @abstractmethod
+    def highest_prices(self) -> FloatArray:
+        """Largest multiplier (c,) among the values of each constraint."""
+
+    @abstractmethod
+    def objective(self, point: Point) -> float:
+        """The number to be minimised."""
+
+    @abstractmethod
+    def apart(self, one: Point, other: Point) -> float:
+        """Mean square distance of two points, in the unit of the objective."""
+
+    @abstractmethod
+    def values(self, point: Point) -> Sequence[FloatArray]:
+        """Values of each constraint."""
+
+    @abstractmethod
+    def rows(self, point: Point, values: Sequence[FloatArray]) -> tuple[FloatArray, ConstraintRows]:
+        """The unknowns of a closed point with these values, and the constraints in steps between closed points."""
+
+    @abstractmethod
+    def linearize(self, point: Point) -> Linearization[Point] | None:
+        """The point, closed or not, with its derivatives; None where they are no numbers to go by."""
+
+    @abstractmethod
+    def close(self, point: Point, step: FloatArray | None = None) -> Point | None:
+        """The closed point of the unknowns of `point`, after a step (p,) in the box; None where there is none."""
+
+    @abstractmethod
+    def clip(self, point: Point) -> Point:
+        """The point with its unknowns moved into the box, its state as it is."""
+
+    @abstractmethod
+    def fallback(self) -> Point:
+        """A closed point, where the search has no other."""
+
+    @abstractmethod
+    def for_open_points(self) -> "NonlinearProgram[Point]":
+        """Return the program without the constraints that make no sense for points far from closed."""
+
+
+@dataclass(frozen=True, eq=False)
+class ActiveSet:
+    """Rows, by their keys (k,), that a point keeps at the values `aim` (k,) while it closes."""
+
+    keys: IntArray
+    aim: FloatArray
+
+
+_NONE_ACTIVE = ActiveSet(np.zeros(0, dtype=int), np.zeros(0))
+
+
+@dataclass(frozen=True, eq=False)
+class Iterate(Generic[Point]):
+    """The present point of a search; its state need not quite follow from its unknowns.
+
+    Attributes
+    ----------
+    program : NonlinearProgram
+    local : Linearization
+    change : (p + 1,) array
+        The least step that closes the point to first order and keeps the active rows at their aim; its last
+        entry is 1.
+    state_change : array
+        What `change` does to the state.
+    """
+
+    program: NonlinearProgram[Point]
+    local: Linearization[Point]
+    change: FloatArray
+    state_change: FloatArray
+
+    @cached_property
+    def defect(self) -> float:
+        """Largest change of the state that closes the point."""
+        return float(np.abs(self.state_change).max())
+
+    @cached_property
+    def objective(self) -> float:
+        """The objective of the closed point, to second order in the defect."""
+        return self._expected(self.change[:-1])
+
+    @cached_property
+    def violation(self) -> float:
+        """Largest violation of a constraint at the closed point, to first order."""
+        return float(self._broken_closed.max(initial=0.0))
+
+    @cached_property
+    def _broken_closed(self) -> FloatArray:
+        """Violation of each row at the closed point, to first order."""
+        return self._broken(self.change[:-1])
+
+    def merit(self, prices: FloatArray) -> float:
+        """Objective and price of what is broken, once closed."""
+        return self.objective + self._cost(self._broken_closed, prices)
+
+    def predicted_merit(self, step: FloatArray, prices: FloatArray) -> float:
+        """The merit that the local program expects after a step."""
+        return self._expected(step) + self._cost(self._broken(step), prices)
+
+    def is_reliable(self, promise: float, highest_price: float) -> bool:
+        """Whether the second-order change from closing the point is small beside a predicted decrease."""
+        if not self.defect**2 * highest_price < CLOSING.reliable * promise:  # whatever the objective
+            return False
+        weight = 1.0 if self.local.model.peaks.size else float(np.sqrt(2 * max(self.objective, 0.0)))
+        return self.defect**2 * (weight + highest_price) < CLOSING.reliable * promise
+
+    def restores_feasibility(self, step: FloatArray) -> bool:
+        """Whether a step removes most of a large violation, even if it lowers the merit little."""
+        return self.violation > CLOSING.badly_broken and bool(
+            self._broken(step).max(initial=0.0) < 0.5 * self.violation
+        )
+
+    def _expected(self, step: FloatArray) -> float:
+        """The objective that the model expects after a step (p,)."""
+        model = self.local.model
+        smooth = model.value + float((model.gradient + 0.5 * (model.hessian @ step)) @ step)
+        return smooth + (float((model.peaks + model.peak_rows @ step).max()) if model.peaks.size else 0.0)
+
+    def _broken(self, step: FloatArray) -> FloatArray:
+        """Violation of each row after a step (p,)."""
+        rows = self.local.rows
+        value = rows.value + rows.jacobian @ step
+        return np.where(rows.one_sided, np.maximum(-value, 0.0), np.abs(value))
+
+    def _cost(self, broken: FloatArray, prices: FloatArray) -> float:
+        """The price of rows that are broken by so much."""
+        return float(prices[self.local.rows.constraint] @ broken)
+
+
+def iterate_at(
+    program: NonlinearProgram[Point], point: Point, active: ActiveSet = _NONE_ACTIVE
+) -> Iterate[Point] | None:
+    """The iterate of a point, closed or not; None where it has no usable derivatives."""
+    local = program.linearize(point)
+    return None if local is None else _with_active(program, local, active)
+
+
+def meet_equalities(at: Iterate[Point]) -> Iterate[Point]:
+    """Return the iterate such that it is closed by the least change that meets every equality."""
+    return _with_active(at.program, at.local, all_equalities(at))
+
+
+def all_equalities(at: Iterate[Point]) -> ActiveSet:
+    """Every equality, to be met."""
+    keys = _row_keys(at.local.rows)[~at.local.rows.one_sided]
+    return ActiveSet(keys, np.zeros(keys.size))
+
+
+def _find_free(program: NonlinearProgram[Point], z: FloatArray) -> BoolArray:
+    """Which unknowns (p,) have room on both sides."""
+    return np.asarray(np.minimum(z - program.lower, program.upper - z) > CLOSING.room * program.scale)
+
+
+def _row_keys(rows: ConstraintRows) -> IntArray:
+    """One number for each row, the same from point to point."""
+    return rows.constraint * KEY_STRIDE + rows.index
+
+
+def _with_active(
+    program: NonlinearProgram[Point], local: Linearization[Point], active: ActiveSet
+) -> Iterate[Point]:
+    change = np.zeros(local.z.size + 1)
+    change[-1] = 1.0
+    if active.keys.size:
+        rows = local.rows
+        _, here, there = np.intersect1d(_row_keys(rows), active.keys, assume_unique=True, return_indices=True)
+        free = _find_free(program, local.z)
+        s = program.scale[free]
+        gap = active.aim[there] - rows.value[here]
+        # where more rows are kept than unknowns are free the rows that react most come first
+        change[:-1][free] = np.linalg.lstsq(rows.jacobian[here][:, free] * s, gap, rcond=1e-10)[0] * s
+    return Iterate(program, local, change, local.state_jacobian @ change)
+
+
+def follow_step(
+    start: Iterate[Point], step: FloatArray, active: ActiveSet, promise: float, highest_price: float
+) -> Iterate[Point] | None:
+    """Return the point that a step (p + 1,) leads to; None when its state does not converge there.
+
+    The state takes its linear change, then Newton steps bring it towards closed and, by least changes of the
+    unknowns that are free, active rows to where the program expected them, until what is left is of second
+    order small beside the promise. A state that is sensitive to the unknowns stands far larger steps so than
+    solved anew from them (and no Maratos effect).
+    """
+    at, change = start, step
+    for _ in range(CLOSING.steps):
+        found = iterate_at(start.program, at.local.moved(change), active)
+        if found is None or not found.defect < CLOSING.lost:
+            return None
+        if found.is_reliable(promise, highest_price):
+            return found
+        at, change = found, found.change
+    return at if at.defect < CLOSING.tolerable else None
+
+
+def close_iterate(start: Iterate[Point], active: ActiveSet) -> Point | None:
+    """The closed point near an iterate; None when there is none."""
+    at = start
+    for _ in range(2 * CLOSING.steps):
+        if not at.defect < CLOSING.lost:
+            return None
+        point = at.local.moved(at.change)
+        found = None if at.defect < CLOSING.closed else iterate_at(start.program, point, active)
+        if found is None:
+            break
+        at = found
+    return start.program.close(point)
+
+
+class SearchSettings(NamedTuple):
+    """Settings of a search.
+
+    Attributes
+    ----------
+    steps, lifts : int
+        Largest number of quadratic programs of one search (usual searches take less than half), and of lifted
+        steps, which converge quadratically or not at all.
+    settled : float
+        The search ends when a step promises to reduce the objective by less than this share.
+    resolution : float
+        Absolute accuracy of an objective of order 1 (half a mean square): a micrometre on a strip of 300 mm.
+    smallest_radius, far : float
+        Radius of the trust region, in scales, at which the search is given up; and the radius of lifted steps.
+    stuck : float
+        Radius, in scales, below which a step that makes the objective worse ends the search.
+    damping, calm : float
+        Damping of steps and of the first lifted step, relative to the largest curvature of the objective. It keeps
+        the quadratic program strictly convex, and selects the smallest of several possible changes.
+    idle : float
+        Largest share of the objective that damping may add to a step of one scale.
+    easiest : float
+        Least share of the damping that is left when steps achieve what they promise.
+    calmed, worthwhile : float
+        Lifted steps end when one changes the state by less than `calmed` and leaves more than the share
+        `worthwhile` of the objective.
+    ajar : float
+        Largest change of the state that closes a start; a start that is farther from closed is replaced by the
+        closed point of its unknowns.
+    patience, stalled, far_from_met : int, float, float
+        The search ends when `patience` steps leave more than the share `stalled` of the violation, unless the
+        violation is below `far_from_met`.
+    alike : float
+        A search ends at a known optimum when it is nearer to it than this share of that optimum's own distance.
+    closer : float
+        A rejected point is taken all the same if its defect is below this share of the present one.
+    sensitive : float
+        Root of the objective's curvature, per scale, above which an unknown gets a finer scale.
+    clearance : float
+        Distance that is kept from an active limit, so that rounding does not violate it.
+    exact_steps : int
+        Newton steps at the end of a search; each squares the remaining violation, down to rounding.
+    in_reach, missed : float
+        Largest violation that these steps correct, and the violation at which they end.
+    firm : float
+        Bound on such a step and on its multipliers, in multiples of the violation.
+    rough : float
+        Accuracy of such a step, whose error the next one corrects.
+    """
+
+    steps: int = 80
+    lifts: int = 12
+    settled: float = 3e-4
+    resolution: float = 1e-11
+    smallest_radius: float = 1e-7
+    far: float = 20.0
+    stuck: float = 0.01
+    damping: float = 1e-9
+    calm: float = 1e-6
+    idle: float = 1e-2
+    easiest: float = 1e-4
+    calmed: float = 0.1
+    worthwhile: float = 0.7
+    ajar: float = 1.0
+    patience: int = 7
+    stalled: float = 0.95
+    far_from_met: float = 0.02
+    alike: float = 0.1
+    closer: float = 0.1
+    sensitive: float = 100.0
+    clearance: float = 1e-9
+    exact_steps: int = 6
+    in_reach: float = 1e-3
+    missed: float = 1e-13
+    firm: float = 1e4
+    rough: float = 1e-4
+
+
+SETTINGS = SearchSettings()
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome(Generic[Point]):
+    """The point at which a search ended.
+
+    Attributes
+    ----------
+    point : Point
+        Closed.
+    objective, violation : float
+    multipliers : tuple of (k,) arrays
+        Of every constraint's values: d(objective) / d(value).
+    at_lower, at_upper : (p,) arrays
+        Multipliers of the box.
+    iterations : int
+    settled, stalled : bool
+        Does no step promise more; was the search given up, as what is broken came down too slowly?
+    """
+
+    point: Point
+    objective: float
+    violation: float
+    multipliers: tuple[FloatArray, ...]
+    at_lower: FloatArray
+    at_upper: FloatArray
+    iterations: int
+    settled: bool
+    stalled: bool
+
+
+def lift(program: NonlinearProgram[Point], start: Point, steps: int = SETTINGS.lifts) -> Point:
+    """Find a nearly closed point near a point that is far from closed.
+
+    Here the state is an unknown, and its equations are one more constraint, linearised about it. So the quadratic
+    program is convex for any start. Its first step weighs the error of the equations by its effect on the
+    objective.
+    """
+    program = program.for_open_points()
+    point = best = start
+    before = least = np.inf
+    for k in range(steps):
+        here = iterate_at(program, point)
+        if here is None:
+            break
+        damping = _damping(here, SETTINGS.calm, np.inf if k == 0 else SETTINGS.idle)
+        solved = _solve_step(here, SETTINGS.far, damping)
+        if solved is None:
+            break
+        change = np.append(solved[0], 1.0)
+        point = here.local.moved(change)
+        after = program.objective(point)
+        changed = float(np.abs(here.local.state_jacobian @ change).max())
+        # second order in the change of state is what closing the point may add to its distance
+        if (rank := float(np.sqrt(2 * after)) + 0.1 * changed**2) < least:
+            best, least = point, rank
+        if changed < SETTINGS.calmed and after > SETTINGS.worthwhile * before - SETTINGS.resolution:
+            break
+        before = after
+    return best
+
+
+def minimize(
+    program: NonlinearProgram[Point],
+    start: Point,
+    *,
+    steps: int = SETTINGS.steps,
+    known: Sequence[Outcome[Point]] = (),
+) -> Outcome[Point]:
+    """Find a local minimum from a point that need not be closed; of optima that are `known`, that nearby.
+
+    Each step solves one quadratic program: a local model of the objective, linearised constraints with penalties,
+    and a box of one radius (in scales). The state follows the unknowns (see `follow_step`). The penalties of the
+    merit function follow the multipliers (Powell's rule).
+
+    Raises
+    ------
+    NotConvergedError
+        When no first point is found.
+    """
+    walk = _Walk(_begin(program, start), np.zeros(program.highest_prices.size))
+    iteration, broken, stalled = 0, [walk.here.violation], False
+    while iteration < steps and not walk.settled and walk.radius > SETTINGS.smallest_radius and not stalled:
+        for other in known:
+            if program.apart(walk.here.local.point, other.point) < SETTINGS.alike**2 * other.objective:
+                return replace(other, iterations=iteration)
+        iteration += 1
+        walk.advance()
+        broken.append(walk.here.violation)
+        before = max(broken[-SETTINGS.patience :]) if iteration > SETTINGS.patience else np.inf
+        stalled = broken[-1] > max(SETTINGS.far_from_met, SETTINGS.stalled * before)
+    point = _make_exact(program, walk.end())
+    values = program.values(point)
+    multipliers, low, high = _multipliers(program, values, walk.solved)
+    return Outcome(
+        point, program.objective(point), worst_broken(program, values), multipliers, low, high, iteration,
+        walk.settled, stalled,
+    )  # fmt: skip
+
+
+@dataclass(eq=False)
+class _Walk(Generic[Point]):
+    """State of a search between iterates.
+
+    Attributes
+    ----------
+    here : Iterate
+    prices : (c,) array
+        Penalty of every constraint in the merit function.
+    radius : float
+        Radius of the trust region, in scales.
+    damping_share : float
+        Share of the full damping; it decreases when steps achieve what they promise.
+    solved : pair of ConstraintRows and QuadraticSolution, or None
+        The last quadratic program.
+    settled : bool
+        Whether no step promises more than the accuracy of the search.
+    active : ActiveSet
+        Constraints that the last step made active.
+    """
+
+    here: Iterate[Point]
+    prices: FloatArray
+    radius: float = 1.0
+    damping_share: float = 1.0
+    solved: tuple[ConstraintRows, QuadraticSolution] | None = None
+    settled: bool = False
+
+    def __post_init__(self) -> None:
+        self.active = all_equalities(self.here)
+
+    def advance(self) -> None:
+        """Try steps within smaller and smaller radii, until one is accepted or none is worthwhile."""
+        while self.radius > SETTINGS.smallest_radius and not self._try_step():
+            pass
+
+    def end(self) -> Point:
+        """The closed point at which the search ended."""
+        program = self.here.program
+        found = close_iterate(self.here, self.active) or program.close(self.here.local.point)
+        return found or program.fallback()
+
+    def _try_step(self) -> bool:
+        """Try one step of the quadratic program; False asks for another one within the present radius."""
+        here = self.here
+        damping = self.damping_share * _damping(here, SETTINGS.damping, SETTINGS.idle)
+        solved = _solve_step(here, self.radius, damping)
+        if solved is None:
+            self.radius *= 0.25
+            return False
+        step, solution = solved
+        self.solved = here.local.rows, solution
+        self.prices = _prices(here.program, here.local.rows, solution, self.prices)
+        merit, floor = here.merit(self.prices), SETTINGS.settled * here.objective + SETTINGS.resolution
+        promised = merit - here.predicted_merit(step, self.prices)
+        worth, highest = max(promised, floor), float(self.prices.max(initial=0.0))
+        reliable = here.is_reliable(worth, highest)
+        if reliable and promised <= floor and not here.restores_feasibility(step):
+            if promised < -floor and self.radius > SETTINGS.stuck:
+                # no solution of the program: try a shorter step with full damping
+                self.damping_share, self.radius = 1.0, 0.25 * self.radius
+                return False
+            self.settled = True
+        touched = _touched(here, step, solution)
+        trial = follow_step(here, np.append(step, 1.0), touched, worth, highest)
+        gain = -np.inf if trial is None else (merit - trial.merit(self.prices)) / worth
+        accepted = gain > 1e-4
+        if trial is not None and accepted:
+            self.here, self.active = trial, touched
+        elif not reliable:
+            # the present merit may belong to a point that does not close as predicted
+            nearer = follow_step(here, here.change, self.active, worth, highest)
+            if nearer is None and trial is not None and trial.defect < SETTINGS.closer * here.defect:
+                nearer = trial
+            if nearer is None and self.radius < SETTINGS.stuck:
+                point = here.program.close(here.local.point)
+                nearer = None if point is None else iterate_at(here.program, point)
+            if nearer is not None:
+                self.here = nearer
+                return True
+        if not self.settled:
+            self._adapt(gain, float(np.abs(step / here.program.scale).max()), accepted=accepted)
+        return accepted or self.settled
+
+    def _adapt(self, gain: float, size: float, *, accepted: bool) -> None:
+        """Change radius and damping after a step of `size` scales that achieved the share `gain` of its promise."""
+        if gain > 0.75:
+            self.radius = max(self.radius, min(5.0, 2 * size))
+            self.damping_share = max(0.1 * self.damping_share, SETTINGS.easiest)
+        elif gain < 0.25:
+            self.radius, self.damping_share = (0.5 if accepted else 0.3) * size, 1.0
+
+
+def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
+    """First iterate: the given point, or where that cannot be closed, the point that belongs to its unknowns."""
+    point = program.clip(start)
+    found = iterate_at(program, point)
+    if found is not None:
+        here = meet_equalities(found)
+        if here.defect < SETTINGS.ajar:
+            return here
+    for other in (program.close(point), program.fallback()):
+        found = None if other is None else iterate_at(program, other)
+        if found is not None:
+            return found
+    raise NotConvergedError("no rod is found to begin with: draw a smoother curve, or a shorter one")
+
+
+def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution) -> ActiveSet:
+    """Equalities and the limits that a step touches, where it leads."""
+    rows = here.local.rows
+    y = solution.row_multipliers[: rows.value.size]
+    touched = ~rows.one_sided | (y > 1e-6 * rows.price)
+    return ActiveSet(_row_keys(rows)[touched], (rows.value + rows.jacobian @ step)[touched])
+
+
+def _prices(
+    program: NonlinearProgram[Point], rows: ConstraintRows, solution: QuadraticSolution, before: FloatArray
+) -> FloatArray:
+    """Prices for the merit: half as much again as the multipliers, falling step by step (Powell's rule)."""
+    y = np.abs(solution.row_multipliers[: rows.value.size])
+    largest = np.zeros_like(before)
+    np.maximum.at(largest, rows.constraint, 1.5 * y)
+    return np.minimum(program.highest_prices, np.maximum(largest, 0.1 * before))
+
+
+def _solve_step(
+    here: Iterate[Point], radius: float, damping: float
+) -> tuple[FloatArray, QuadraticSolution] | None:
+    """The step (p,) of the local model and linearised constraints in a box, and the solution in scales.
+
+    `radius` is in scales, and `damping` is added to the Hessian's diagonal in scales; None where the step is not
+    finite.
+    """
+    program, local = here.program, here.local
+    rows, model, z = local.rows, local.model, local.z
+    p = z.size
+    # what the objective is very sensitive to is measured finer: it would set how well the others are solved for
+    curved = model.hessian.diagonal() * (program.scale / SETTINGS.sensitive) ** 2
+    fine = np.sqrt(np.maximum(1.0, curved))
+    s = program.scale / fine
+    hessian, gradient = model.hessian * np.outer(s, s) + np.diag(damping / fine**2), model.gradient * s
+    lower = np.maximum((program.lower - z) / s, -radius * fine)
+    upper = np.minimum((program.upper - z) / s, radius * fine)
+    jacobian, value, price, one_sided = rows.jacobian * s, rows.value, rows.price, rows.one_sided
+    if model.peaks.size:
+        # one more unknown t >= every peak; its rows cannot be worth breaking
+        k, top = model.peaks.size, float(model.peaks.max())
+        hessian, gradient = np.pad(hessian, (0, 1)), np.append(gradient, 1.0)
+        lower, upper = np.append(lower, -2 * top - 1e-9), np.append(upper, 2 * top + 1e-9)
+        jacobian = np.block([[jacobian, np.zeros((value.size, 1))], [-model.peak_rows * s, np.ones((k, 1))]])
+        value = np.append(value, top - model.peaks)
+        price, one_sided = np.append(price, np.full(k, 10.0)), np.append(one_sided, np.ones(k, dtype=bool))
+    found = solve_quadratic(
+        QuadraticProgram(hessian, gradient, lower, upper, jacobian, -value, price, one_sided)
+    )
+    if not np.all(np.isfinite(found.x)):
+        return None
+    low, high = found.lower_multipliers[:p] * fine, found.upper_multipliers[:p] * fine
+    return found.x[:p] * s, replace(
+        found, x=found.x[:p] / fine, lower_multipliers=low, upper_multipliers=high
+    )
+
+
+def _damping(here: Iterate[Point], most: float, share: float) -> float:
+    """What is added to the Hessian against long steps that change nothing: less as the objective comes down.
+
+    It is at most the share `most` of the Hessian's largest entry, and a step of one scale costs at most `share` of
+    the objective; an infinite share means `most` itself.
+    """
+    model = here.local.model
+    largest = most * float(model.hessian.diagonal().max())
+    if model.peaks.size:
+        return largest
+    return min(largest, max(share * here.program.objective(here.local.point), 1e-16))
+
+
+def worst_broken(program: NonlinearProgram[Point], values: Sequence[FloatArray]) -> float:
+    """The worst broken constraint."""
+    return max(
+        (
+            float((np.maximum(-value, 0.0) if one_sided else np.abs(value)).max())
+            for value, one_sided in zip(values, program.one_sided, strict=True)
+        ),
+        default=0.0,
+    )
+
+
+def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
+    """The point near a closed one that meets the equalities, and what limits are nearly met, to rounding.
+
+    Newton's method by least steps of the unknowns within their box.
+    """
+    best, least = point, np.inf
+    for _ in range(SETTINGS.exact_steps):
+        values = program.values(point)
+        z, rows = program.rows(point, values)
+        aim = np.where(rows.one_sided, SETTINGS.clearance - rows.value, -rows.value)
+        missed = float(np.where(rows.one_sided, aim, np.abs(aim)).max(initial=0.0))
+        if missed < least:
+            best, least = point, missed
+        elif least <= SETTINGS.clearance:  # rounding is left
+            break
+        if missed <= SETTINGS.missed or missed > SETTINGS.in_reach:
+            break
+        # in scales in which no row changes fast: one unknown may rule all rows
+        s, p = program.scale / np.maximum(1.0, np.linalg.norm(rows.jacobian * program.scale, axis=0)), z.size
+        step = solve_quadratic(
+            QuadraticProgram(
+                np.eye(p), np.zeros(p), np.maximum((program.lower - z) / s / missed, -SETTINGS.firm),
+                np.minimum((program.upper - z) / s / missed, SETTINGS.firm), rows.jacobian * s, aim / missed,
+                np.full(aim.size, SETTINGS.firm), rows.one_sided,
+            ),
+            accuracy=SETTINGS.rough,
+        )  # fmt: skip
+        trial = program.close(point, step.x * s * missed)
+        if trial is None:
+            break
+        point = trial
+    return best
+
+
+def _multipliers(
+    program: NonlinearProgram[Point],
+    values: Sequence[FloatArray],
+    found: tuple[ConstraintRows, QuadraticSolution] | None,
+) -> tuple[tuple[FloatArray, ...], FloatArray, FloatArray]:
+    """d(objective) / d(value) of every constraint and of the box, from the last quadratic program."""
+    out = [np.zeros_like(v) for v in values]
+    if found is None:
+        return tuple(out), np.zeros(program.scale.size), np.zeros(program.scale.size)
+    rows, solution = found
+    for k, i, y in zip(rows.constraint, rows.index, solution.row_multipliers, strict=False):
+        out[k][i] = y
+    return (
+        tuple(out),
+        solution.lower_multipliers / program.scale,
+        solution.upper_multipliers / program.scale,
+    )

@@ -1,0 +1,284 @@
+"""Paths of cubics, arcs or lines in place of splines, to a stated tolerance."""
+
+from collections.abc import Callable
+from itertools import pairwise
+from operator import is_
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import require_record
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.nurbs_curve import turn_between
+from elastica_cad.geometry.path import Path, distances
+from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
+from elastica_cad.geometry.segments import Segment, Spline, place, require_tolerance_mm, segment_from_bulge
+from elastica_cad.geometry.splines import knot_runs
+from elastica_cad.refusals import Length
+
+Motion = Callable[[FloatArray, int, bool], FloatArray]
+
+_PROBES = np.array([0.06, 0.2, 0.36, 0.5, 0.64, 0.8, 0.94])
+"""Places of a span at which the error is measured, in shares of the span: unlike the sites, unevenly spaced."""
+
+_MOST_SPANS = 20_000
+"""Largest number of spans; a tolerance that needs more is refused."""
+
+
+def as_cubics(path: Path, tolerance: float = 0.02, *, rational: bool = True) -> Path:
+    """The path with every spline of degree 3 at most and clamped; what already is stays exact.
+
+    Parameters
+    ----------
+    path : Path
+        Lines and arcs are kept.
+    tolerance : float
+        Largest distance, mm, of a replaced spline from its original; checked between the samples.
+    rational : bool
+        False replaces weighted splines too, for writers of polynomial pieces.
+
+    Examples
+    --------
+    >>> from elastica_cad.geometry.plane_curve import PlaneCurve
+    >>> quintic = PlaneCurve.spline([(0, 0), (2, 3), (5, -4), (8, 3), (10, 0), (12, 1)], degree=5)
+    >>> as_cubics(Path([Spline(quintic)]), 1e-3).segments[0].curve.degree
+    3
+    """
+    require_record(path, Path, "what becomes cubics", "a Path")
+    tolerance = require_tolerance_mm(tolerance)
+    cubics = [_as_cubic(segment, tolerance, rational) for segment in path.segments]
+    return path if all(map(is_, cubics, path.segments)) else Path(cubics, path.closed)
+
+
+def _as_cubic(segment: Segment, tolerance: float, rational: bool) -> Segment:
+    if not isinstance(segment, Spline):
+        return segment
+    curve = segment.curve
+    if curve.degree <= 3 and (rational or not curve.is_rational):
+        clamped = clamp_ends(curve)
+        return segment if clamped is curve else Spline(clamped)
+
+    def motion(t: FloatArray, derivative: int, left: bool) -> FloatArray:
+        return curve.evaluate(t, derivative, left=left)
+
+    return Spline(cubic_through(motion, smooth_stretches(curve, 1), tolerance))
+
+
+def as_beziers(path: Path) -> Path:
+    """The path with every spline as joined cubic Bezier curves: the same curve, each interior knot three times.
+
+    Splines are of degree 3 at most, as `as_cubics` makes them.
+
+    Examples
+    --------
+    >>> from elastica_cad.geometry.plane_curve import PlaneCurve
+    >>> arch = PlaneCurve.spline([(0, 0), (10, 20), (30, 20), (50, 20), (60, 0)], degree=3)
+    >>> as_beziers(Path([Spline(arch)])).segments[0].curve.knots.tolist()
+    [0.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.5, 1.0, 1.0, 1.0, 1.0]
+    """
+    require_record(path, Path, "what becomes Bezier curves", "a Path")
+    if not path.has_splines:
+        return path
+    segments = [
+        Spline(_joined_beziers(one.curve)) if isinstance(one, Spline) else one for one in path.segments
+    ]
+    return Path(segments, path.closed)
+
+
+def _joined_beziers(curve: PlaneCurve) -> PlaneCurve:
+    pieces = [(start, end, _raised(rows)) for start, end, rows in curve.bezier_pieces()]
+    rows = np.concatenate([pieces[0][2][:1], *(piece[1:] for _, _, piece in pieces)])
+    inside = np.repeat([start for start, _, _ in pieces[1:]], 3)
+    knots = np.concatenate([[pieces[0][0]] * 4, inside, [pieces[-1][1]] * 4])
+    weights = rows[:, 2] if curve.is_rational else None
+    return PlaneCurve(knots, rows[:, :2] / rows[:, 2:], 3, weights)
+
+
+def _raised(rows: FloatArray) -> FloatArray:
+    """Homogeneous control points (n, 3) of one Bezier curve, those of degree 1 and 2 raised to 3."""
+    while (degree := len(rows) - 1) < 3:
+        share = np.arange(1, degree + 1)[:, None] / (degree + 1)
+        rows = np.concatenate([rows[:1], share * rows[:-1] + (1 - share) * rows[1:], rows[-1:]])
+    return rows
+
+
+def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ...]:
+    """The distinct knots of a curve, a row (k,) for each stretch that has `continuity` continuous derivatives.
+
+    The last knot of a stretch is the first of the next.
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.spline([(0, 0), (1, 1), (2, 1), (3, 0)], degree=2)
+    >>> [[knots.tolist() for knots in smooth_stretches(arch, order)] for order in (1, 2)]
+    [[[0.0, 0.5, 1.0]], [[0.0, 0.5], [0.5, 1.0]]]
+    """
+    t0, t1 = curve.domain
+    knots, counts = knot_runs(curve.knots)
+    inside = (knots > t0) & (knots < t1)
+    cuts = knots[inside & (curve.degree - counts < continuity)]
+    sites = np.concatenate([[t0], knots[inside], [t1]])
+    edges = [t0, *cuts, t1]
+    return tuple(sites[(sites >= a) & (sites <= b)] for a, b in pairwise(edges))
+
+
+def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: float) -> PlaneCurve:
+    """The clamped cubic B-spline that follows `motion` to `tolerance` mm at equal parameters.
+
+    It passes through the motion at the knots and has its direction at the ends of every stretch.
+
+    Parameters
+    ----------
+    motion : callable
+        Maps parameters (n,), order (0 or 1) and side (True: the left limit) to positions or derivatives
+        (n, 2); smooth inside each stretch.
+    stretches : tuple of arrays
+        Sites from which each stretch is refined; the end of one is the start of the next.
+    """
+    knots: list[FloatArray] = []
+    points: list[FloatArray] = []
+    for sites in stretches:
+        t, c = _complete_spline(motion, sites, tolerance)
+        last = sites is stretches[-1]
+        knots.append(t[: None if last else -4] if not knots else t[1 : None if last else -4])
+        points.append(c if not points else c[1:])
+    return PlaneCurve(np.concatenate(knots), np.concatenate(points), 3)
+
+
+def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tuple[FloatArray, FloatArray]:
+    """Knots and control points of one stretch: interpolating, with end slopes, refined as needed."""
+    from scipy.interpolate import make_interp_spline
+
+    ends = ([(1, motion(sites[:1], 1, False)[0])], [(1, motion(sites[-1:], 1, True)[0])])
+    while sites.size <= _MOST_SPANS:
+        spline = make_interp_spline(sites, motion(sites, 0, False), k=3, bc_type=ends)
+        probes = sites[:-1, None] + np.diff(sites)[:, None] * _PROBES
+        off = spline(probes.ravel()) - motion(probes.ravel(), 0, False)
+        error = np.hypot(off[:, 0], off[:, 1]).reshape(probes.shape).max(axis=1)
+        bad = error > 0.9 * tolerance
+        if not bad.any():
+            return spline.t, spline.c
+        sites = np.sort(np.concatenate([sites, (sites[:-1] + np.diff(sites) / 2)[bad]]))
+    raise InputError(
+        "the spline from {place} can't be followed to {tolerance:g} by a cubic: allow a larger tolerance",
+        place=place(motion(sites[:1], 0, False)[0]),
+        tolerance=Length(tolerance),
+    )
+
+
+_ROUNDING_SHARE = 1e-12
+"""A chord shorter than this share of its coordinates has no direction."""
+
+_SHORTEST_SHARE = 1e-6
+"""Splines are never cut into pieces shorter than this part of their parameter."""
+
+_SAMPLES = np.linspace(0.0, 1.0, 33)
+"""Places on a piece of a spline at which a biarc is compared with it."""
+
+_TAKEN = 0.95
+"""Share of the tolerance that is used, since samples may miss the worst place."""
+
+_NEAR = 0.05
+"""A biarc may be shorter than the longest possible one by this share."""
+
+
+def as_polyline(path: Path, tolerance: float = 0.02) -> Path:
+    """The path as lines between points on it, nowhere further than `tolerance` mm from it.
+
+    Examples
+    --------
+    >>> len(as_polyline(Path.circle((0, 0), 10), 0.1).segments)
+    23
+    """
+    require_record(path, Path, "what becomes lines", "a Path")
+    return Path.polyline(path.points(tolerance), closed=path.closed)
+
+
+def as_arcs(path: Path, tolerance: float = 0.02) -> Path:
+    """The path with every spline replaced by tangent arcs (biarcs), nowhere further than `tolerance` mm away.
+
+    Lines and arcs are kept. Each biarc meets the spline's points and directions at its ends.
+
+    Examples
+    --------
+    >>> from elastica_cad.geometry.segments import Arc
+    >>> from elastica_cad.geometry.plane_curve import PlaneCurve
+    >>> arch = Path([Spline(PlaneCurve.spline([(0, 0), (10, 20), (30, 20), (50, 20), (60, 0)]))])
+    >>> all(isinstance(piece, Arc) for piece in as_arcs(arch, 0.05).segments)
+    True
+    """
+    require_record(path, Path, "what becomes arcs", "a Path")
+    tolerance = require_tolerance_mm(tolerance)
+    pieces: list[Segment] = []
+    for segment in path.segments:
+        pieces.extend(_biarcs(segment, tolerance) if isinstance(segment, Spline) else [segment])
+    return Path(pieces, path.closed)
+
+
+def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
+    t0, t1 = spline.curve.domain
+    pieces: list[Segment] = []
+    for stretch in smooth_stretches(spline.curve, 1):
+        a, end = (float(t - t0) / (t1 - t0) for t in (stretch[0], stretch[-1]))
+        while a < end:
+            start = a, spline.tangent_at(a)
+            b, found = _longest(spline, start, end, tolerance)
+            if end - b < 0.5 * (b - a) and b < end:
+                # two pieces of like size rather than a stump at the end
+                middle = (a + end) / 2
+                shorter, off = _biarc(spline, start, middle)
+                b, found = (middle, shorter) if off <= _TAKEN * tolerance else (b, found)
+            pieces.extend(found)
+            a = b
+    return pieces
+
+
+def _longest(
+    spline: Spline, start: tuple[float, FloatArray], end: float, tolerance: float
+) -> tuple[float, list[Segment]]:
+    """The furthest place b, to a twentieth, and the biarc up to there that stays within the tolerance."""
+    allowed = _TAKEN * tolerance
+    pieces, off = _biarc(spline, start, end)
+    if off <= allowed:
+        return end, pieces
+    a, _ = start
+    good, bad, best = a, end, list[Segment]()
+    while not best or bad - good > _NEAR * (good - a):
+        trial = (good + bad) / 2
+        pieces, off = _biarc(spline, start, trial)
+        if off <= allowed:
+            good, best = trial, pieces
+        else:
+            bad = trial
+        if bad - a < _SHORTEST_SHARE:
+            raise InputError(
+                "the spline at {place} can't be followed to {tolerance:g} by arcs: allow a larger tolerance",
+                place=place(spline.at(a)),
+                tolerance=Length(tolerance),
+            )
+    return good, best
+
+
+def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[list[Segment], float]:
+    """The biarc from a place, with its direction, to u = b with equal tangent lengths, and how far it strays."""
+    a, s = start
+    samples = spline.at(a + (b - a) * _SAMPLES)
+    p, q = samples[0], samples[-1]
+    t = spline.tangent_at(b, left=True)
+    chord = q - p
+    along, bend = float(chord @ (s + t)), float(2 * (1 - s @ t))
+    square = float(chord @ chord)
+    if along <= _ROUNDING_SHARE * float(np.abs([p, q]).max()):
+        return [], np.inf  # backwards, or once round a loop
+    # positive root of bend d^2 + 2 along d = square, in the form that holds for bend = 0 too
+    d = square / (along + np.sqrt(along**2 + bend * square))
+    middle = (p + d * s + q - d * t) / 2
+    pieces = [_arc(p, middle, s, 1.0), _arc(middle, q, t, -1.0)]
+    off = np.minimum(*(distances(piece, samples[1:-1]) for piece in pieces))
+    return pieces, float(off.max())
+
+
+def _arc(p: FloatArray, q: FloatArray, tangent: FloatArray, end: float) -> Segment:
+    """The arc from p to q that has `tangent` at p (end = 1) or at q (end = -1)."""
+    half_turn = end * float(turn_between(tangent, q - p))
+    return segment_from_bulge(p, q, float(np.tan(half_turn / 2)))

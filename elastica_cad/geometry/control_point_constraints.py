@@ -1,0 +1,353 @@
+"""Constraints on the control points of a curve, and the least move that restores them.
+
+Appendix C of the paper: inflections on a line, end points, end tangents, arc length. Every constraint is an
+equation G(q) = 0 in the control points q (m, 2), read row by row; of a rational curve the weights stay as they are.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._values import is_whole, require_positive, require_record
+from elastica_cad.errors import InputError, NotConvergedError, quoted
+from elastica_cad.geometry.nurbs_curve import cross
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.polynomials import gauss_rule
+
+_EPS = float(np.finfo(float).eps)
+
+
+class Constraint(Protocol):
+    """Equations that the control points of a curve must satisfy."""
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Residuals (k,) and their derivatives (k, 2 m) by the control points, x and y of each in turn."""
+
+
+@dataclass(frozen=True, eq=False)
+class EndPositions:
+    """The ends of the curve stay at given points (2,), mm; None leaves an end free."""
+
+    start: FloatArray | None
+    end: FloatArray | None
+
+    @classmethod
+    def of(cls, curve: PlaneCurve) -> "EndPositions":
+        """Both ends stay where they are on `curve`."""
+        require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
+        start, end = curve.evaluate(np.array(curve.domain))
+        return cls(start, end)
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Gaps in x and y of the ends that are held, mm."""
+        held = [(t, p) for t, p in zip(curve.domain, (self.start, self.end), strict=True) if p is not None]
+        if not held:
+            return np.zeros(0), np.zeros((0, curve.control_points.size))
+        t = np.array([at for at, _ in held])
+        gap = curve.evaluate(t) - np.array([p for _, p in held])
+        return gap.ravel(), directed_rows(curve.basis(t).repeat(2, axis=0), np.tile(np.eye(2), (t.size, 1)))
+
+
+@dataclass(frozen=True, eq=False)
+class EndTangents:
+    """The end tangents stay normal to given vectors (2,); None leaves an end free."""
+
+    start_normal: FloatArray | None
+    end_normal: FloatArray | None
+
+    @classmethod
+    def of(cls, curve: PlaneCurve) -> "EndTangents":
+        """Both tangents stay as they are on `curve`."""
+        require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
+        velocity = curve.evaluate(np.array(curve.domain), 1)
+        unit = velocity / np.linalg.norm(velocity, axis=1, keepdims=True)
+        start, end = np.column_stack([-unit[:, 1], unit[:, 0]])
+        return cls(start, end)
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Normal parts of the velocities d/dt at the ends that are held."""
+        ends = zip(curve.domain, (self.start_normal, self.end_normal), strict=True)
+        held = [(t, n) for t, n in ends if n is not None]
+        if not held:
+            return np.zeros(0), np.zeros((0, curve.control_points.size))
+        t, normal = np.array([at for at, _ in held]), np.array([n for _, n in held])
+        residual = (curve.evaluate(t, 1) * normal).sum(axis=1)
+        return residual, directed_rows(curve.basis(t, 1), normal)
+
+
+@dataclass(frozen=True, eq=False)
+class SmoothJoints:
+    """The tangent stays continuous where pieces meet in a control point, as those of a pen's path do.
+
+    Attributes
+    ----------
+    at : (k,) array
+        Which control points pieces meet in.
+    size : (k,) array
+        Lengths, mm, that make lengths of the residuals.
+    """
+
+    at: IntArray
+    size: FloatArray
+
+    @classmethod
+    def of(cls, curve: PlaneCurve) -> "SmoothJoints":
+        """The joints of `curve`, but for its corners."""
+        corners = {corner.t for corner in curve.tangent_breaks}
+        free = [one.t for one in curve.breaks if one.t not in corners]
+        first = np.searchsorted(curve.knots, free, side="left")
+        ends = np.searchsorted(curve.knots, free, side="right")
+        at = (first - 1)[ends - first == curve.degree]
+        handle = np.linalg.norm(curve.control_points[at + 1] - curve.control_points[at], axis=1)
+        return cls(at, handle)
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Distance, mm, of the control point before a joint from the tangent after it."""
+        points, at = curve.control_points, self.at
+        before, after = points[at] - points[at - 1], points[at + 1] - points[at]
+        residual = cross(before, after) / self.size
+        rows, row = np.zeros((at.size, *points.shape)), np.arange(at.size)
+        by_before = np.column_stack([after[:, 1], -after[:, 0]]) / self.size[:, None]
+        by_after = np.column_stack([-before[:, 1], before[:, 0]]) / self.size[:, None]
+        rows[row, at - 1], rows[row, at], rows[row, at + 1] = -by_before, by_before - by_after, by_after
+        return residual, rows.reshape(at.size, points.size)
+
+
+@dataclass(frozen=True)
+class FixedLength:
+    """The arc length stays `length`, mm."""
+
+    length: float
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Excess length, mm; the derivative by q_i is the integral of <gamma' / |gamma'|, dR_i/dt>."""
+        low, width = curve.smooth_panels[:-1], np.diff(curve.smooth_panels)
+        x, w = gauss_rule(16)
+        t = (low[:, None] + width[:, None] * (1 + x) / 2).ravel()
+        weight = (width[:, None] * w / 2).ravel()
+        velocity = curve.evaluate(t, 1)
+        tangent = velocity / np.linalg.norm(velocity, axis=1, keepdims=True)
+        gradient = curve.basis(t, 1).T @ (tangent * weight[:, None])
+        return np.array([curve.length - self.length]), gradient.reshape(1, -1)
+
+
+@dataclass(frozen=True, eq=False)
+class InflectionsOnLine:
+    """The inflections near parameters `t` (k,) lie on the line a + <b, x> = 0.
+
+    With a natural curvature, 1/mm, they are the places where the curvature crosses that.
+    """
+
+    a: float
+    b: FloatArray
+    t: FloatArray
+    natural_curvature: float = 0.0
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Values a + <b, gamma(t_0)> at the inflections t_0, which move with the control points."""
+        position, jacobian = _inflections(curve, self.t, self.natural_curvature)
+        b = np.asarray(self.b, dtype=float)
+        return self.a + position @ b, np.asarray(np.einsum("k,ikq->iq", b, jacobian))
+
+
+@dataclass(frozen=True, eq=False)
+class PointsOnLine:
+    """The points of given parameters `t` (k,) lie on the line a + <b, x> = 0, as pinned ends must."""
+
+    a: float
+    b: FloatArray
+    t: FloatArray
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Values a + <b, gamma(t)>."""
+        b = np.asarray(self.b, dtype=float)
+        rows = directed_rows(curve.basis(self.t), np.tile(b, (self.t.size, 1)))
+        return self.a + curve.evaluate(self.t) @ b, rows
+
+
+@dataclass(frozen=True, eq=False)
+class CurvatureAt:
+    """The curvature at given parameters `t` (k,) is `curvature`, 1/mm; `size`, mm, makes a length of it."""
+
+    t: FloatArray
+    curvature: float | FloatArray
+    size: float
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Excess curvature times the square of `size`, mm."""
+        excess = curve.curvature_at(self.t) - self.curvature
+        return excess * self.size**2, curvature_rows(curve, self.t) * self.size**2
+
+
+@dataclass(frozen=True, eq=False)
+class CollinearInflections:
+    """The inflections near parameters `t` (k,) lie on one line, whichever it is."""
+
+    t: FloatArray
+
+    def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
+        """Distances, mm, of the other inflections from the line through the two that are farthest apart."""
+        position, jacobian = _inflections(curve, self.t)
+        apart = np.linalg.norm(position[:, None] - position[None], axis=2)
+        i, j = np.unravel_index(int(apart.argmax()), apart.shape)
+        others = [k for k in range(len(position)) if k not in (i, j)]
+        if not others:
+            return np.zeros(0), np.zeros((0, curve.control_points.size))
+        chord, size = position[j] - position[i], apart[i, j]
+        normal = np.array([-chord[1], chord[0]]) / size
+        offset = position[others] - position[i]
+        along = offset @ chord / size**2
+        # d<offset, n>: the chord's own turn moves the line by the share `along` of its far end
+        step = jacobian[others] - jacobian[i] - along[:, None, None] * (jacobian[j] - jacobian[i])
+        return offset @ normal, np.asarray(np.einsum("k,ikq->iq", normal, step))
+
+
+def least_norm_newton(
+    curve: PlaneCurve,
+    constraints: Sequence[Constraint],
+    *,
+    tolerance: float = 1e-10,
+    max_steps: int = 30,
+) -> tuple[PlaneCurve, tuple[float, ...]]:
+    """Move the control points a little until all constraints hold (paper, Appendix C).
+
+    Each step is the least-norm solution of J dq = -G; it is shortened only where the residual would grow.
+
+    Parameters
+    ----------
+    tolerance : float
+        Norm of all residuals at which to stop, relative to the size of the curve. It stops too where no step
+        lessens residuals that rounding of the control points makes: with dense knots these are larger.
+
+    Returns
+    -------
+    curve : PlaneCurve
+    residuals : tuple of float
+        Norm of the residuals at the start and after every step.
+
+    Raises
+    ------
+    NotConvergedError
+        When the constraints contradict each other, or an inflection gets lost on the way.
+
+    Examples
+    --------
+    >>> curve = PlaneCurve.spline([(0, 0), (30, 40), (60, -40), (90, 0), (120, 30)])
+    >>> shorter, _ = least_norm_newton(curve, [EndPositions.of(curve), FixedLength(130.0)])
+    >>> round(shorter.length, 6)
+    130.0
+    """
+    require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
+    require_positive(tolerance, "the tolerance of constraints", "shares of the size")
+    if not (is_whole(max_steps) and max_steps >= 1):
+        raise InputError("max_steps is {max_steps!r}: allow at least one step", max_steps=max_steps)
+    if not isinstance(constraints, Sequence) or not all(hasattr(one, "equations") for one in constraints):
+        raise InputError(
+            "constraints are {constraints}: give a list of EndPositions, FixedLength and the like",
+            constraints=quoted(constraints),
+        )
+    size = float(np.ptp(curve.control_points, axis=0).max())
+    residual, jacobian = _assembled(curve, constraints)
+    norms = [float(np.linalg.norm(residual))]
+    while norms[-1] > tolerance * size:
+        is_rounding = norms[-1] <= _rounding(curve, jacobian)
+        if len(norms) > max_steps and is_rounding:
+            break
+        if len(norms) > max_steps:
+            raise NotConvergedError(
+                "the constraints on the curve are not met after {max_steps} steps: {norms:.3g} is "
+                "left; give up one of them, or start from a curve that is nearer",
+                max_steps=max_steps,
+                norms=norms[-1],
+            )
+        step = np.asarray(np.linalg.lstsq(jacobian, -residual, rcond=1e-12)[0].reshape(-1, 2), dtype=float)
+        try:
+            curve, residual, jacobian = _advanced(curve, constraints, step, norms[-1])
+        except NotConvergedError:
+            if is_rounding:
+                break
+            raise
+        norms.append(float(np.linalg.norm(residual)))
+    return curve, tuple(norms)
+
+
+def _rounding(curve: PlaneCurve, jacobian: FloatArray) -> float:
+    """Norm of the residuals that control points make by being rounded, and evaluation by being some times so."""
+    return float(8 * _EPS * np.linalg.norm(np.abs(jacobian) @ np.abs(curve.control_points).ravel()))
+
+
+def _advanced(
+    curve: PlaneCurve, constraints: Sequence[Constraint], step: FloatArray, norm: float
+) -> tuple[PlaneCurve, FloatArray, FloatArray]:
+    """The curve after the longest of the steps 1, 1/2, ... 1/64 that lessens the residual."""
+    lost: Exception | None = None
+    for halving in range(7):
+        try:
+            moved = curve.with_control_points(curve.control_points + step / 2**halving)
+            residual, jacobian = _assembled(moved, constraints)
+        except (InputError, NotConvergedError) as error:
+            lost = error
+            continue
+        if np.linalg.norm(residual) < norm:
+            return moved, residual, jacobian
+    raise NotConvergedError(
+        "the constraints on the curve cannot be met: no step lessens the residual "
+        "{norm:.3g}; give up one of them, or start from a curve that is nearer",
+        norm=norm,
+    ) from lost
+
+
+def _assembled(curve: PlaneCurve, constraints: Sequence[Constraint]) -> tuple[FloatArray, FloatArray]:
+    parts = [constraint.equations(curve) for constraint in constraints]
+    if not parts:
+        return np.zeros(0), np.zeros((0, curve.control_points.size))
+    return np.concatenate([r for r, _ in parts]), np.concatenate([j for _, j in parts])
+
+
+def directed_rows(basis: FloatArray, direction: FloatArray) -> FloatArray:
+    """Derivatives (k, 2 m) of <direction_k, sum_i basis_ki q_i> by the control points q_i."""
+    return np.asarray((basis[:, :, None] * direction[:, None, :]).reshape(basis.shape[0], -1))
+
+
+def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
+    """Derivatives (k, 2 m) of the curvature det(gamma', gamma'') / |gamma'|^3 at parameters t (k,)."""
+    d1, d2 = curve.evaluate(t, 1), curve.evaluate(t, 2)
+    speed = np.hypot(d1[:, 0], d1[:, 1])[:, None]
+    turned1, turned2 = (np.column_stack([-d[:, 1], d[:, 0]]) for d in (d1, d2))
+    kappa = curve.curvature_at(t)[:, None]
+    by_velocity = directed_rows(curve.basis(t, 1), turned2 + 3 * kappa * speed * d1)
+    return np.asarray((directed_rows(curve.basis(t, 2), turned1) - by_velocity) / speed**3)
+
+
+def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> tuple[FloatArray, FloatArray]:
+    """Positions (k, 2) of the inflections near given parameters, and derivatives (k, 2, 2 m).
+
+    They stay where kappa = kappa_0, so dt_0/dq = -(d kappa/dq) / (d kappa/dt).
+    """
+    t = _nearest_inflections(curve, np.atleast_1d(np.asarray(near, dtype=float)), kappa_0)
+    velocity = curve.evaluate(t, 1)
+    slope = curve.curvature_slope_at(t) * np.hypot(velocity[:, 0], velocity[:, 1])
+    moved = -curvature_rows(curve, t) / slope[:, None]
+    fixed = np.stack([directed_rows(curve.basis(t), np.tile(e, (t.size, 1))) for e in np.eye(2)], axis=1)
+    return curve.evaluate(t), fixed + velocity[:, :, None] * moved[:, None, :]
+
+
+def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) -> FloatArray:
+    """One inflection for each given parameter: in order where the numbers agree, else the nearest."""
+    found = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
+    if found.size < near.size:
+        raise NotConvergedError(
+            "the curve has {size} inflections where {size_2} are to be kept: the move is too "
+            "large or an inflection is too shallow",
+            size=found.size,
+            size_2=near.size,
+        )
+    if found.size == near.size:
+        return np.asarray(found[np.argsort(np.argsort(near))])
+    picked = found[np.abs(found[None, :] - near[:, None]).argmin(axis=1)]
+    if np.unique(picked).size < near.size:
+        raise NotConvergedError("two inflections to be kept run into the same one: the move is too large")
+    return np.asarray(picked)

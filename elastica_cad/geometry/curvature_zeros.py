@@ -1,0 +1,263 @@
+"""Where a piecewise polynomial along the curve vanishes: curvature zeros and crossings with a line.
+
+The sign of the curvature is that of det(P, P', P'') / w^3 in homogeneous coordinates P = (x w, y w, w), a
+polynomial on every knot span; so no zero can hide between samples, however close two of them lie.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import comb
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray
+from elastica_cad.geometry.polynomials import divide_out_end_root, product, roots, without_end_roots
+
+ZeroKind: TypeAlias = Literal["crossing", "touch", "end", "jump", "flat"]
+
+_EPS = float(np.finfo(float).eps)
+
+_DEGREE = 11
+"""Degree of the polynomials that approximate a function that is not a polynomial."""
+
+_FOLLOWED = 1e-13
+"""A polynomial follows a function when its last coefficients are this small, relative to the size of the
+function."""
+
+_FOLLOWED_NOISE = 1e-12
+"""Their size in Bernstein form, in which the zeros are found."""
+
+_FLAT = 1e-7
+"""A function that stays below this share of its size between two places is 0 there."""
+
+_MOST_CUTS = 12  # of a span in halves: what is not followed then is rounding
+
+_SITES = np.cos(np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1))
+_TO_CHEBYSHEV = np.linalg.inv(np.polynomial.chebyshev.chebvander(_SITES, _DEGREE))
+_TO_BERNSTEIN = np.linalg.inv(
+    [
+        [comb(_DEGREE, i) * u**i * (1 - u) ** (_DEGREE - i) for i in range(_DEGREE + 1)]
+        for u in (1 + _SITES) / 2
+    ]
+)
+
+
+@dataclass(frozen=True)
+class ZeroPlace:
+    """A zero of a function along the curve, by parameter.
+
+    Attributes
+    ----------
+    t, t_end : float
+        Place; t_end differs from t only for a stretch on which the function vanishes ("flat").
+    kind : str
+        "crossing" (the sign changes), "touch" (it does not), "end" (zero at an end of the curve),
+        "jump" (the sign changes by a jump, at a knot), "flat" (zero all along t..t_end).
+    before, after : int
+        Sign of the function on either side, 0 beyond the ends of the curve.
+    """
+
+    t: float
+    t_end: float
+    kind: ZeroKind
+    before: int
+    after: int
+
+
+def curvature_zero_places(bezier: FloatArray, edges: FloatArray, smooth: BoolArray) -> tuple[ZeroPlace, ...]:
+    """All zeros of the curvature of homogeneous Bezier pieces (p, degree + 1, 3).
+
+    Parameters
+    ----------
+    edges : (p + 1,) array
+        Parameters at which the pieces meet.
+    smooth : (p - 1,) bool array
+        True where the curvature is continuous.
+    """
+    bezier = _unit_sized(bezier)
+    numerator, noise = _curvature_numerator(bezier)
+    flat = _straight_pieces(bezier) | (np.abs(numerator).max(axis=1) <= noise)
+    return _places(_Pieces(numerator, noise, flat, smooth), edges)
+
+
+def line_places(bezier: FloatArray, edges: FloatArray, a: float, b: FloatArray) -> tuple[ZeroPlace, ...]:
+    """All zeros of a + <b, gamma> along homogeneous Bezier pieces."""
+    terms = bezier * np.array([b[0], b[1], a])
+    distance = terms.sum(axis=-1)
+    noise = 16 * _EPS * np.abs(terms).sum(axis=-1).max(axis=1)
+    level = 1e-12 * np.hypot(*b) * _extent(bezier) * bezier[..., 2].max(axis=1)
+    on_line = np.abs(distance).max(axis=1) <= np.maximum(noise, level)
+    return _places(_Pieces(distance, noise, on_line, np.ones(edges.size - 2, dtype=bool)), edges)
+
+
+def function_zero_places(
+    function: Callable[[FloatArray], FloatArray], edges: FloatArray, smooth: BoolArray, size: float
+) -> tuple[ZeroPlace, ...]:
+    """All zeros along the curve of a function that is no quotient of polynomials, but smooth between `edges`.
+
+    Each span is halved until a polynomial follows the function to rounding; its zeros are then found like those
+    of the curvature, so that none hides between samples and one that only touches is seen.
+
+    Parameters
+    ----------
+    function : callable
+        Maps parameters (k,), never those of an edge, to values (k,).
+    smooth : (p - 1,) bool array
+        True where the function is continuous across an inner edge.
+    size : float
+        Against which values are small.
+    """
+    low, high, cuts = edges[:-1], edges[1:], np.zeros(edges.size - 1, dtype=int)
+    found: list[tuple[FloatArray, FloatArray]] = []
+    while low.size:
+        t = low[:, None] + (high - low)[:, None] * (1 + _SITES) / 2
+        values = function(t.ravel()).reshape(t.shape)
+        tail = np.abs(values @ _TO_CHEBYSHEV[-2:].T).max(axis=1)
+        done = (
+            (tail <= _FOLLOWED * size) | (cuts == _MOST_CUTS) | (np.abs(values).max(axis=1) <= _FLAT * size)
+        )
+        found.append((low[done], values[done]))
+        low, high, cuts = low[~done], high[~done], cuts[~done] + 1
+        middle = (low + high) / 2
+        low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
+        cuts = np.concatenate([cuts, cuts])
+    starts, values = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    order = np.argsort(starts)
+    starts, values = starts[order], values[order]
+    flat = np.abs(values).max(axis=1) <= _FLAT * size
+    noise = np.full(starts.size, _FOLLOWED_NOISE * size)
+    joined = _smooth_between(starts, edges, smooth)
+    return _places(_Pieces(values @ _TO_BERNSTEIN.T, noise, flat, joined), np.append(starts, edges[-1]))
+
+
+def _smooth_between(starts: FloatArray, edges: FloatArray, smooth: BoolArray) -> BoolArray:
+    """Whether pieces that were cut at `starts` (k,) meet smoothly (k - 1,): as `smooth` says at the inner
+    `edges`, and always elsewhere."""
+    joined = np.ones(starts.size - 1, dtype=bool)
+    joined[np.searchsorted(starts, edges[1:-1]) - 1] = smooth
+    return joined
+
+
+def _straight_pieces(bezier: FloatArray) -> BoolArray:
+    """Which pieces of a curve of extent 1 are straight (p,): curvature below 1e-8."""
+    points = bezier[..., :2] / bezier[..., 2:]
+    x, y = (points - points[:, :1]).transpose(2, 0, 1)
+    along, across = x[:, -1:], y[:, -1:]
+    length = np.hypot(along, across)
+    safe = np.where(length > 0, length, 1.0)
+    sagitta = np.abs((y * along - x * across) / safe)
+    sagitta = np.where(length > 1e-12, sagitta, np.hypot(x, y)).max(axis=1)
+    return np.asarray(8 * sagitta <= 1e-8 * length[:, 0] ** 2 + 16 * _EPS)
+
+
+def _extent(bezier: FloatArray) -> float:
+    points = bezier[..., :2] / bezier[..., 2:]
+    return float(np.ptp(points, axis=(0, 1)).max())
+
+
+def _unit_sized(bezier: FloatArray) -> FloatArray:
+    """The pieces moved to the origin and scaled to extent 1, weights to largest 1."""
+    points = bezier[..., :2] / bezier[..., 2:]
+    high, low = points.max(axis=(0, 1)), points.min(axis=(0, 1))
+    unit = np.empty_like(bezier)
+    unit[..., 2] = bezier[..., 2] / bezier[..., 2].max()
+    unit[..., :2] = (points - (high + low) / 2) / float((high - low).max()) * unit[..., 2:]
+    return unit
+
+
+def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Bernstein coefficients of det(A, B - A, A - 2B + C) and their rounding level (p,).
+
+    A, B, C are the de Casteljau points of the last but one step; the determinant is det(P, P', P'') up to the
+    factor degree^2 (degree - 1), and kappa = (degree - 1)/degree * it * w^3 / |h|^3 with h of `hodograph`.
+    """
+    centre = bezier[:, :, :2].sum(axis=1) / bezier[:, :, 2:].sum(axis=1)
+    step = bezier[:, 1:] - bezier[:, :-1]
+    bend = step[:, 1:] - step[:, :-1]
+    if np.ptp(bezier[..., 2]) == 0:  # to 1, so that the second factor of the first term alone is left
+        d, e = (v[..., :2].transpose(2, 0, 1) for v in (step[:, :-1], bend))
+        first, second = product(d, e[::-1])
+        return first - second, _numerator_noise(d, e, centre)
+    # seen from the middle of each piece; rows x w, y w, w
+    a, d, e = (
+        np.stack([*(v[..., :2] - centre[:, None] * v[..., 2:]).transpose(2, 0, 1), v[..., 2]])
+        for v in (bezier[:, :-2], step[:, :-1], bend)
+    )
+
+    def minor(i: int, j: int) -> FloatArray:
+        return product(d[i], e[j]) - product(d[j], e[i])
+
+    value = product(a[2], minor(0, 1)) + product(a[0], minor(1, 2)) + product(a[1], minor(2, 0))
+    return value, _numerator_noise(d, e, centre)
+
+
+def _numerator_noise(d: FloatArray, e: FloatArray, centre: FloatArray) -> FloatArray:
+    sizes = np.sqrt((d * d).sum(axis=0).max(axis=1)) + np.sqrt((e * e).sum(axis=0).max(axis=1))
+    return np.asarray(8 * _EPS * sizes * (1 + np.abs(centre).max()))
+
+
+@dataclass(frozen=True, eq=False)
+class _Pieces:
+    """A function along the curve that has the sign of Bernstein polynomials (p, n)."""
+
+    coefficients: FloatArray
+    noise: FloatArray
+    flat: BoolArray
+    smooth: BoolArray
+
+
+def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
+    count = f.flat.size
+    c, zero = without_end_roots(f.coefficients, f.noise, ~f.flat)
+    for i in range(count - 1):
+        if f.flat[i] or f.flat[i + 1] or not f.smooth[i]:
+            continue
+        differ = c[i, -1] * c[i + 1, 0] < 0
+        if zero[i, 1] != zero[i + 1, 0] or (differ and not zero[i, 1]):
+            for j, side in ((i, 1), (i + 1, 0)):
+                if not zero[j, side]:
+                    c[j] = divide_out_end_root(c[j], at_end=bool(side))
+                    zero[j, side] = True
+    curved = np.flatnonzero(~f.flat)
+    inside: dict[int, list[tuple[float, bool]]] = {int(i): [] for i in curved}
+    for root in roots(c[curved], f.noise[curved]):
+        inside[int(curved[root.piece])].append((root.u, root.crossing))
+    start, stop = (np.where(f.flat, 0, np.sign(c[:, side])).astype(int).tolist() for side in (0, -1))
+    places: list[ZeroPlace] = []
+    for i in range(count):
+        places.extend(_at_start(f, edges, i, zero=zero, start=start, stop=stop))
+        if f.flat[i]:
+            continue
+        before, width = start[i], edges[i + 1] - edges[i]
+        for u, crossing in inside[i]:
+            t, after = float(edges[i] + u * width), -before if crossing else before
+            places.append(ZeroPlace(t, t, "crossing" if crossing else "touch", before, after))
+            before = after
+    if not f.flat[-1] and zero[-1, 1]:
+        t = float(edges[-1])
+        places.append(ZeroPlace(t, t, "end", stop[-1], 0))
+    return tuple(places)
+
+
+def _at_start(
+    f: _Pieces, edges: FloatArray, i: int, *, zero: BoolArray, start: list[int], stop: list[int]
+) -> list[ZeroPlace]:
+    """The zero, if any, at the knot where piece i begins, or the flat stretch that begins there."""
+    t = float(edges[i])
+    if f.flat[i]:
+        if i and f.flat[i - 1]:
+            return []
+        bent = [j for j in range(i, f.flat.size) if not f.flat[j]]
+        last = bent[0] if bent else f.flat.size
+        after = start[last] if last < f.flat.size else 0
+        return [ZeroPlace(t, float(edges[last]), "flat", stop[i - 1] if i else 0, after)]
+    if i == 0:
+        return [ZeroPlace(t, t, "end", 0, start[0])] if zero[0, 0] else []
+    if f.flat[i - 1]:
+        return []
+    before, after = stop[i - 1], start[i]
+    if before * after < 0:
+        both = zero[i - 1, 1] and zero[i, 0]
+        return [ZeroPlace(t, t, "crossing" if both else "jump", before, after)]
+    return [ZeroPlace(t, t, "touch", before, after)] if zero[i - 1, 1] or zero[i, 0] else []

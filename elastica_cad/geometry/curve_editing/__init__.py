@@ -1,1 +1,0 @@
-"""Curves changed through their control points: constraints that hold, waves that are made fair."""

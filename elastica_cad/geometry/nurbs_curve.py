@@ -1,0 +1,820 @@
+"""Plane NURBS curves as numbers: construction, evaluation, derivatives, smoothness at knots, maps."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, fields
+from functools import cached_property, lru_cache
+from itertools import pairwise
+from math import comb, perm
+from typing import Any, Self
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray, IntArray
+from elastica_cad._values import is_whole, numbers, require_number, require_record
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.arc_length import ArcLength, arc_length_table
+from elastica_cad.geometry.measured_points import MeasuredPoints, Provenance
+from elastica_cad.geometry.plane_points import box_about
+from elastica_cad.geometry.polynomials import (
+    binomials,
+    interior_roots,
+    product,
+    raise_degree,
+    subdivide,
+    sums_in_pieces,
+)
+from elastica_cad.geometry.projective_maps import map_spline
+from elastica_cad.geometry.splines import (
+    Spans,
+    adaptive_spline,
+    bezier_spans,
+    check_knots,
+    distinct_points,
+    finite,
+    fit_spline,
+    unit_circle_arc,
+    whole_degree,
+)
+from elastica_cad.refusals import Length, note
+
+_STANDSTILL_SHARE = 1e-9  # of the largest speed on the span; a curve slower than that stands still
+_STILL_SPAN = 1e-14  # of the largest speed of all; a span that is nowhere faster is a point
+_ALONG_SHARE = 1e-9  # of a velocity, that it has along the axis of its cone
+_MOST_HALVINGS = 27  # halvings of a knot span; a direction that still is undecided there is a cusp
+
+
+@dataclass(frozen=True, eq=False)
+class TangentAngle:
+    """Angle of the tangent over the cones of the curve, continued from one to the next.
+
+    Attributes
+    ----------
+    edges : (k + 1,) array
+        Parameters t at which the cones meet.
+    axis : (k, 2) array
+        Unit middle direction of each cone.
+    angle : (k,) array
+        Angle of that direction, continued from cone to cone.
+    spread : float
+        Between the least and the largest angle of the curve, rad, or a little more.
+    """
+
+    edges: FloatArray
+    axis: FloatArray
+    angle: FloatArray
+    spread: float
+
+    def at(self, t: FloatArray, velocity: FloatArray, *, left: bool = False) -> FloatArray:
+        """Angle (n,) of velocities (n, 2) at parameters (n,), without jumps of 2 pi."""
+        cone = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
+        return np.asarray(self.angle[cone] + turn_between(self.axis[cone], velocity), dtype=float)
+
+
+def hodograph(bezier: FloatArray) -> FloatArray:
+    """Bernstein coefficients (p, n, 2) along the velocity of homogeneous Bezier pieces (p, degree + 1, 3).
+
+    The derivative by u times the squared weight: w P' - P w' (degree times left out).
+    """
+    a, b = bezier[:, :-1], bezier[:, 1:]
+    if np.ptp(bezier[..., 2]) == 0:
+        return np.asarray((b - a)[..., :2])
+    aw, bw = a[..., 2], b[..., 2]
+    return np.stack([product(aw, b[..., k]) - product(a[..., k], bw) for k in (0, 1)], axis=-1)
+
+
+@dataclass(frozen=True, eq=False)
+class TangentCones:
+    """Parts of a curve within which the velocity stays in an open half plane.
+
+    Attributes
+    ----------
+    edges : (k + 1,) array
+        Parameters at which they meet.
+    hodographs : (k, n, 2) array
+        Bernstein coefficients along the velocity.
+    standstill : float or None
+        Parameter of the first place where the velocity vanishes (cusp, coincident control points); the other
+        fields are of no use then.
+    """
+
+    edges: FloatArray
+    hodographs: FloatArray
+    standstill: float | None = None
+
+
+def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
+    """The turning angle of a curve without cusp; at a tangent break it jumps by the exterior angle."""
+    first, last = _unit(cones.hodographs[:, [0, -1]].swapaxes(0, 1))
+    axis = _unit(first + last)
+    # the velocity runs between its coefficients
+    off_axis = turn_between(axis[:, None], cones.hodographs)
+    to_start, to_end = off_axis[:, 0], off_axis[:, -1]
+    across = turn_between(last[:-1], first[1:])
+    angle = np.empty(len(axis))
+    angle[0] = np.arctan2(first[0, 1], first[0, 0]) - to_start[0]
+    angle[1:] = to_end[:-1] + across - to_start[1:]
+    angle = angle.cumsum()
+    reached = angle[:, None] + off_axis
+    return TangentAngle(cones.edges, axis, angle, float(reached.max() - reached.min()))
+
+
+def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> TangentCones:
+    """The tangent cones of pieces whose velocities have Bernstein coefficients (p, n, 2)."""
+    part, low, width = hodographs, edges[:-1], edges[1:] - edges[:-1]
+    size = np.hypot(part[..., 0], part[..., 1])
+    largest = size.max(axis=1)
+    still = largest <= _STILL_SPAN * largest.max()
+    stopped = np.concatenate(
+        [low[(size[:, 0] <= 1e-12 * largest) | still], (low + width)[size[:, -1] <= 1e-12 * largest]]
+    )
+    if stopped.size:
+        return TangentCones(edges, part, float(stopped.min()))
+    starts: list[FloatArray] = []
+    found: list[FloatArray] = []
+    slowest = _STANDSTILL_SHARE * largest
+    for _ in range(_MOST_HALVINGS):
+        if not low.size:
+            break
+        axis = _unit(part[:, [0, -1]]).sum(axis=1)
+        along = (part @ axis[:, :, None])[:, :, 0]
+        decided = (along > _ALONG_SHARE * size).all(axis=1) & (size[:, [0, -1]].min(axis=1) > slowest)
+        if not starts and decided.all():
+            return TangentCones(edges, part)
+        starts.append(low[decided])
+        found.append(part[decided])
+        rest = ~decided
+        left, right = subdivide(np.swapaxes(part[rest], 1, 2))
+        part = np.swapaxes(np.concatenate([left, right]), 1, 2)
+        width, slowest = np.tile(width[rest] / 2, 2), np.tile(slowest[rest], 2)
+        low = np.concatenate([low[rest], low[rest] + width[: rest.sum()]])
+        size = np.hypot(part[..., 0], part[..., 1])
+    if low.size:
+        return TangentCones(edges, part, float((low + width / 2).min()))
+    begin, coefficients = np.concatenate(starts), np.concatenate(found)
+    order = np.argsort(begin, kind="stable")
+    return TangentCones(np.append(begin[order], edges[-1]), coefficients[order])
+
+
+def _unit(v: FloatArray) -> FloatArray:
+    length = np.hypot(v[..., :1], v[..., 1:])
+    return np.asarray(v / np.where(length > 0, length, 1.0))
+
+
+def turn_between(u: FloatArray, v: FloatArray) -> FloatArray:
+    """Angles (...,) from directions u to directions v (..., 2), rad in (-pi, pi], positive to the left."""
+    cross = u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
+    return np.asarray(np.arctan2(cross, u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1]))
+
+
+@dataclass(frozen=True, eq=False)
+class RationalPieces:
+    """A curve as homogeneous Bezier pieces over the spans of its knots.
+
+    Attributes
+    ----------
+    spans : Spans
+        The knot spans.
+    control_points : (m, 3) array
+        Rows x w, y w, w.
+    rational : bool
+        Do the weights differ?
+    """
+
+    spans: Spans
+    control_points: FloatArray
+    rational: bool
+
+    @cached_property
+    def bezier(self) -> FloatArray:
+        """Rows x w, y w, w of every span, (p, degree + 1, 3)."""
+        return self.spans.bezier(self.control_points)
+
+    @property
+    def edges(self) -> FloatArray:
+        """Parameters (p + 1,) at which the pieces meet."""
+        return self.spans.edges
+
+    @property
+    def ends(self) -> tuple[list[float], list[float]]:
+        """First and last point, as x w, y w, w."""
+        return self.bezier[0, 0].tolist(), self.bezier[-1, -1].tolist()
+
+    def inside(self, t: FloatArray) -> FloatArray:
+        """The parameters, rounding beyond the ends taken off; others outside are refused."""
+        a, b = self.edges[0], self.edges[-1]
+        inside = np.minimum(np.maximum(t, a), b)
+        if not np.abs(t - inside).max(initial=0.0) <= 1e-9 * (b - a):
+            raise InputError("parameter outside the curve: use {a:g} to {b:g}", a=a, b=b)
+        return np.asarray(inside)
+
+    def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:
+        """Position and derivatives d/dt up to `order`, each (n, 2)."""
+        return self.within(*self.spans.locate(self.inside(t), left=left), order)
+
+    def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
+        """Evaluate at local coordinates u (n,) of spans (n,)."""
+        rows = [sums_in_pieces(self._series(k), index, u) for k in range(order + 1)]
+        if self.rational:
+            parts = _quotient([row[:, :2].T for row in rows], [row[:, 2] for row in rows])
+            rows = [part.T for part in parts]
+        rows[0] = rows[0] + self._origins[index]
+        return rows
+
+    def beside_knots(self, order: int) -> tuple[list[FloatArray], list[FloatArray]]:
+        """Derivatives up to `order` just before and just after the p - 1 interior knots, each (p - 1, 2)."""
+        knots = self.edges.size - 2
+        before = np.arange(knots)
+        both = self.within(np.concatenate([before, before + 1]), np.repeat([1.0, 0.0], knots), order)
+        return [d[:knots] for d in both], [d[knots:] for d in both]
+
+    def speed(self, index: IntArray, t: FloatArray) -> FloatArray:
+        """Lengths (n,) of the velocities d/dt, mm, at parameters (n,) of spans (n,)."""
+        u = (t - self.edges[index]) / self.spans.widths[index]
+        u = np.minimum(np.maximum(u, 0.0), 1.0)
+        if self.rational:
+            return norm(self.within(index, u, 1)[1])
+        return norm(sums_in_pieces(self._series(1), index, u))
+
+    def stationary(self) -> FloatArray:
+        """Parameters (k,) of the knots and of all places where x or y is stationary."""
+        velocity, edges = hodograph(self.bezier), self.edges
+        inner = interior_roots(np.concatenate([velocity[..., 0], velocity[..., 1]]))
+        at, u = np.array([r.piece for r in inner], dtype=int) % len(velocity), np.array([r.u for r in inner])
+        return np.concatenate([edges, edges[at] + u * (edges[at + 1] - edges[at])])
+
+    @cached_property
+    def arc_length(self) -> ArcLength:
+        """Arc length as a function of the parameter."""
+        return arc_length_table(self.speed, self.edges)
+
+    @cached_property
+    def tangent_cones(self) -> TangentCones:
+        """Parts of the curve within which it turns by less than half a turn."""
+        return cut_into_tangent_cones(hodograph(self.bezier), self.edges)
+
+    def _series(self, order: int) -> FloatArray:
+        """The derivative d/dt of this order of all pieces, (p, degree + 1, 2 or 3), in a scaled Bernstein basis."""
+        if order not in self._known:
+            degree, widths = self.spans.degree, self.spans.widths[:, None, None]
+            if order > degree:
+                return np.zeros_like(self._local)
+            # derivatives overflow where knots nearly coincide: callers that need them refuse such curves
+            with np.errstate(over="ignore", invalid="ignore"):
+                rate = perm(degree, order) / widths**order
+                self._known[order] = _raised(degree, order) @ np.diff(self._local, order, axis=1) * rate
+        return self._known[order]
+
+    @cached_property
+    def _known(self) -> dict[int, FloatArray]:
+        """The series that were asked for, by order."""
+        return {}
+
+    @cached_property
+    def _local(self) -> FloatArray:
+        """Bezier points (p, degree + 1, 2 or 3) of the pieces, w among them where weights differ.
+
+        Each piece is seen from its middle control point, from which the others are subtracted without rounding: the
+        second derivatives of short pieces far from the origin would otherwise carry that of their coordinates.
+        """
+        near = self.control_points[self.spans.first[:, None] + np.arange(self.spans.degree + 1)]
+        near[..., :2] -= near[..., 2:] * self._origins[:, None, :]
+        return np.asarray(self.spans.matrix @ near[..., : 3 if self.rational else 2])
+
+    @cached_property
+    def _origins(self) -> FloatArray:
+        """Middle control points (p, 2) of the pieces, mm."""
+        middle = self.control_points[self.spans.first + self.spans.degree // 2]
+        return np.asarray(middle[:, :2] / middle[:, 2:])
+
+
+@lru_cache(maxsize=64)
+def _raised(degree: int, times: int) -> FloatArray:
+    """Scaled Bernstein coefficients of `degree` from plain ones of `times` degrees less, (degree + 1, ...)."""
+    c = np.eye(degree + 1 - times)
+    for _ in range(times):
+        c = raise_degree(c) if c.shape[1] > 1 else np.repeat(c, 2, axis=1)
+    return np.ascontiguousarray((c * binomials(degree)).T)
+
+
+def _quotient(numerators: list[FloatArray], weights: list[FloatArray]) -> list[FloatArray]:
+    """Derivatives (k, n) of P / w from those of P (k, n) and w (n,), by Leibniz' rule."""
+    out: list[FloatArray] = []
+    for k, numerator in enumerate(numerators):
+        value = numerator.copy()
+        for j in range(1, k + 1):
+            value -= comb(k, j) * weights[j] * out[k - j]
+        out.append(value / weights[0])
+    return out
+
+
+def curvature(d1: FloatArray, d2: FloatArray) -> FloatArray:
+    """Signed curvature (n,) from first and second derivatives (n, 2) by any parameter."""
+    speed = norm(d1)
+    return np.asarray(cross(d1, d2) / (speed * speed * speed))
+
+
+def curvature_slope(d1: FloatArray, d2: FloatArray, d3: FloatArray) -> FloatArray:
+    """Derivative of the curvature by arc length (n,), from derivatives (n, 2) by any parameter."""
+    speed2 = dot(d1, d1)
+    square = speed2 * speed2
+    return np.asarray(cross(d1, d3) / square - 3 * cross(d1, d2) * dot(d1, d2) / (square * speed2))
+
+
+def norm(v: FloatArray) -> FloatArray:
+    """Lengths (n,) of vectors (n, 2)."""
+    return np.asarray(np.hypot(v[:, 0], v[:, 1]))
+
+
+def dot(u: FloatArray, v: FloatArray) -> FloatArray:
+    """Products (n,) of pairs of vectors (n, 2)."""
+    return np.asarray(u[:, 0] * v[:, 0] + u[:, 1] * v[:, 1])
+
+
+def cross(u: FloatArray, v: FloatArray) -> FloatArray:
+    """Determinants (n,) of pairs of vectors (n, 2)."""
+    return np.asarray(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+
+
+ORDERS_OF_SIDES = 3
+"""Number of derivatives that `KnotSides` compares; higher ones follow from the multiplicity of a knot."""
+
+SHORT_SPAN_SHARE = 1e-6
+"""Knots nearer to each other than this share of the domain are examined on both sides of each knot only."""
+
+
+@dataclass(frozen=True, eq=False)
+class KnotSides:
+    """Angle (rad), curvature and its slope just before and just after the interior knots, (3, p - 1) each."""
+
+    before: FloatArray
+    after: FloatArray
+
+    @classmethod
+    def of(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
+        """Compare the curve on both sides of each knot."""
+        sides = []
+        for (_, d1, d2, d3), left in zip(pieces.beside_knots(3), (True, False), strict=True):
+            angle = turning.at(pieces.edges[1:-1], d1, left=left)
+            sides.append(np.array([angle, curvature(d1, d2), curvature_slope(d1, d2, d3)]))
+        return cls(*sides)
+
+    @classmethod
+    def of_seam(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
+        """Compare a closed curve (3, 1) where its end meets its start: before it closes, and after it begins."""
+        sides = []
+        for t, left in ((pieces.edges[-1:], True), (pieces.edges[:1], False)):
+            _, d1, d2, d3 = pieces.at(t, 3, left=left)
+            sides.append(
+                np.array([turning.at(t, d1, left=left), curvature(d1, d2), curvature_slope(d1, d2, d3)])
+            )
+        turn = (sides[1][0] - sides[0][0] + np.pi) % (2 * np.pi) - np.pi
+        sides[1][0] = sides[0][0] + turn
+        return cls(*sides)
+
+    @property
+    def corners(self) -> FloatArray:
+        """Exterior angles (p - 1,), rad."""
+        return np.asarray(self.after[0] - self.before[0])
+
+
+def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
+    """Number of continuous derivatives at the interior knots (p - 1,), from their multiplicity."""
+    t = pieces.edges[1:-1]
+    repeated = np.searchsorted(knots, t, side="right") - np.searchsorted(knots, t)
+    return np.asarray(pieces.spans.degree - repeated)
+
+
+def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
+    """Number of the quantities angle, curvature and its slope, in this order, that agree on both sides."""
+    before, after = sides.before, sides.after
+    scale = 1 / length + np.maximum(np.abs(before[1]), np.abs(after[1]))
+    allowed = np.array([np.full(scale.size, 1e-9), 1e-8 * scale, 1e-6 * scale**2])
+    return np.asarray(np.cumprod(np.abs(before - after) <= allowed, axis=0).sum(axis=0))
+
+
+def _in_millimetres(point: FloatArray) -> str:
+    """A place as it stands in messages."""
+    return f"({point[0]:g}, {point[1]:g}) mm"
+
+
+SHORT_HANDLE = 1e-3
+"""A handle shorter than this share of the curve's size was drawn so short: it is not a result of missing
+digits."""
+
+
+def _refuse_standstill(
+    pieces: RationalPieces,
+    control_points: FloatArray,
+    shown: Callable[[FloatArray], str] = _in_millimetres,
+    rounding: float = 0.0,
+) -> None:
+    """Raise InputError, with the place, when the curve has zero length or a point without tangent.
+
+    `shown` writes a point (2,) in mm the way the drawing program does; `rounding` is how far one may be from what
+    was drawn, mm.
+    """
+    if np.ptp(control_points, axis=0).max() == 0:
+        raise InputError("all control points coincide: the curve has zero length")
+    t = pieces.tangent_cones.standstill
+    if t is None:
+        return
+    place = shown(pieces.at(np.array([t]), 0)[0][0])
+    twins = np.flatnonzero((np.diff(control_points, axis=0) == 0).all(axis=1))
+    size = float(np.ptp(control_points, axis=0).max())
+    where = note(
+        "the curve has no tangent at {place}, {s} from its start",
+        place=place,
+        s=Length(_length_until(pieces, t)),
+    )
+    if not twins.size:
+        raise InputError("{place}: it has a cusp; move or delete a control point there", place=where)
+    cause = note("control points {one} and {next} coincide", one=twins[0], next=twins[0] + 1)
+    if 2 * np.sqrt(2.0) * rounding > SHORT_HANDLE * size:
+        raise InputError(
+            "undecided at this precision: {place}, for {cause}, and the numbers in the file are "
+            "exact to {rounding}, so a shorter handle is lost: save it with more decimals, or "
+            "draw out the handle of that node",
+            place=where,
+            cause=cause,
+            rounding=Length(rounding),
+        )
+    raise InputError(
+        "{place}: {cause}; move or delete one of them (in a drawing program: draw out the "
+        "handle of that node)",
+        place=where,
+        cause=cause,
+    )
+
+
+def _length_until(pieces: RationalPieces, t: float) -> float:
+    edges = np.append(pieces.edges[pieces.edges < t], t)
+    dense = [np.linspace(a, b, 65) for a, b in pairwise(edges)]
+    return float(sum(norm(np.diff(pieces.at(places, 0)[0], axis=0)).sum() for places in dense))
+
+
+SAME_KNOT = 1e-12
+"""A place nearer to a knot than this share of the domain is that knot, so that no span is as short as rounding
+errors."""
+
+FAR_SIZES = 1e6
+"""A curve that is moved farther than this many of its sizes loses digits and is checked again."""
+
+_AHEAD_SHARE = 1e-6
+"""Steps of a control polygon that advance by more than this share of the chord between the ends count as
+advancing."""
+
+MOST_TURNS = 100
+"""Largest number of turns of an arc."""
+
+MOST_UNEVEN = 1e8
+"""Largest ratio of weights; beyond it, points are lost in rounding errors."""
+
+
+@dataclass(frozen=True, eq=False)
+class NurbsCurve:
+    """Knots, control points and weights that make a curve with a tangent everywhere: see `PlaneCurve`."""
+
+    knots: FloatArray
+    control_points: FloatArray
+    degree: int
+    weights: FloatArray | None = None
+    provenance: Provenance | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "degree", whole_degree(self.degree))
+        points = finite("control_points", self.control_points)
+        if points.ndim != 2 or points.shape[1] != 2:
+            raise InputError(
+                "control_points must be rows of x, y: shape (m, 2), not {shape}", shape=points.shape
+            )
+        object.__setattr__(self, "control_points", points)
+        object.__setattr__(self, "knots", finite("knots", self.knots))
+        check_knots(self.knots, points.shape[0], self.degree)
+        if self.weights is not None:
+            weights = finite("weights", self.weights)
+            if weights.shape != (points.shape[0],):
+                raise InputError(
+                    "{shape} control points need as many weights, not {size}",
+                    shape=points.shape[0],
+                    size=weights.size,
+                )
+            if weights.min() <= 0:
+                raise InputError(
+                    "weight {given} is {least:g}: weights must be positive",
+                    given=int(weights.argmin()),
+                    least=weights.min(),
+                )
+            if weights.max() > MOST_UNEVEN * weights.min():
+                raise InputError(
+                    "weights run from {least:.3g} to {most:.3g}: the largest may be {most_uneven:g} "
+                    "times the least; export the curve without them",
+                    least=weights.min(),
+                    most=weights.max(),
+                    most_uneven=MOST_UNEVEN,
+                )
+            object.__setattr__(self, "weights", weights if np.ptp(weights) > 0 else None)
+        drawn = self.provenance
+        require_record(drawn, Provenance | None, "provenance", "what read_curves gives, or None")
+        shown, rounding = (_in_millimetres, 0.0) if drawn is None else (drawn.shown, drawn.rounding)
+        steps = np.diff(points, axis=0)
+        along = steps @ steps.sum(axis=0)
+        if self.is_rational or along.min() <= _AHEAD_SHARE * along.sum():  # else it goes ahead everywhere
+            _refuse_standstill(self._pieces, self.control_points, shown, rounding)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The numbers alone: what was computed from them is larger by far, and soon had again."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}
+
+    def _part(
+        self, knots: FloatArray, control_points: FloatArray, weights: FloatArray | None,
+        provenance: Provenance | None = None,
+    ) -> Self:  # fmt: skip
+        """A curve of this degree that is a part or a moved copy of this one, so that it needs no check."""
+        made = object.__new__(type(self))
+        for array in (knots, control_points, weights):
+            if array is not None:
+                array.setflags(write=False)
+        vars(made).update(
+            knots=knots,
+            control_points=control_points,
+            degree=self.degree,
+            weights=weights,
+            provenance=provenance,
+        )
+        return made
+
+    @classmethod
+    def spline(cls, control_points: ArrayLike, degree: int = 4) -> Self:
+        """The clamped B-spline with uniform knots over `control_points` (m, 2), m > degree."""
+        points, degree = finite("control_points", control_points), whole_degree(degree)
+        count = points.shape[0] if points.ndim else 0
+        if count <= degree:
+            raise InputError(
+                "{count} control points are too few for degree {degree}: give {degree_2} or more",
+                count=count,
+                degree=degree,
+                degree_2=degree + 1,
+            )
+        inner = np.linspace(0.0, 1.0, count - degree + 1)
+        knots = np.concatenate([np.zeros(degree), inner, np.ones(degree)])
+        return cls(knots, points, degree)
+
+    @classmethod
+    def line(cls, start: ArrayLike, end: ArrayLike, *, degree: int = 2) -> Self:
+        """The straight segment between two points."""
+        a, b = finite("start", start), finite("end", end)
+        degree = whole_degree(degree)
+        if a.shape != (2,) or b.shape != (2,):
+            raise InputError("a line runs between two points of two numbers each, in mm")
+        u = np.linspace(0.0, 1.0, degree + 1)[:, None]
+        return cls(np.repeat([0.0, 1.0], degree + 1), a * (1 - u) + b * u, degree)
+
+    @classmethod
+    def arc(cls, center: ArrayLike, radius: float, start_angle: float, end_angle: float) -> Self:
+        """The circular arc between two angles (rad), counterclockwise when end_angle > start_angle; exact."""
+        return cls.ellipse(center, (radius, radius), start=start_angle, end=end_angle)
+
+    @classmethod
+    def ellipse(
+        cls,
+        center: ArrayLike,
+        semi_axes: ArrayLike,
+        rotation: float = 0.0,
+        start: float = 0.0,
+        end: float = 2 * np.pi,
+    ) -> Self:
+        """The ellipse arc (a cos v, b sin v), v from start to end (rad), turned and moved; exact."""
+        centre, axes = finite("center", center), finite("semi_axes", semi_axes)
+        if centre.shape != (2,):
+            raise InputError("the center must be two numbers, in mm, not {given}", given=centre.tolist())
+        if axes.shape != (2,) or axes.min() <= 0:
+            raise InputError("semi-axes (or the radius) must be positive, not {given}", given=axes.tolist())
+        turn, first, last = finite("angles", [rotation, start, end]).tolist()
+        if first == last:
+            raise InputError("the arc has zero length: start and end angle are the same")
+        if not abs(last - first) <= MOST_TURNS * 2 * np.pi:
+            raise InputError(
+                "the arc runs from {first:g} to {last:g} rad: give angles at most {most_turns} turns apart",
+                first=first,
+                last=last,
+                most_turns=MOST_TURNS,
+            )
+        knots, points, weights = unit_circle_arc(first, last)
+        c, s = np.cos(turn), np.sin(turn)
+        return cls(knots, centre + points * axes @ np.array([[c, s], [-s, c]]), 2, weights)
+
+    @classmethod
+    def fit(
+        cls, points: ArrayLike, degree: int = 4, tolerance: float = 0.05, smoothing: float | None = None
+    ) -> Self:
+        """Return a spline with few control points that passes all `points` (n, 2) within `tolerance` mm.
+
+        Of points that waver, such as measured ones, the curve keeps the noise: strips tell where it rules their
+        widths, and `smooth` of a strip takes it out.
+
+        Parameters
+        ----------
+        points : (n, 2) array_like
+            Points in order, mm; the first and last are met exactly.
+        degree : int
+            3, 4 or 5.
+        tolerance : float
+            Largest distance of a point from the curve, mm.
+        smoothing : float, optional
+            Weight of the mean square third derivative (mm, parameter from 0 to 1) beside the mean square
+            distance (mm2); it may then miss the tolerance. Chosen by the noise of the points when not given.
+
+        Examples
+        --------
+        >>> v = np.linspace(0, 3, 60)
+        >>> from elastica_cad.geometry.plane_curve import PlaneCurve
+        >>> curve = PlaneCurve.fit(np.column_stack([100 * np.cos(v), 100 * np.sin(v)]), tolerance=1e-3)
+        >>> round(curve.length, 2)
+        300.0
+        """
+        knots, control_points = fit_spline(points, degree, tolerance, smoothing)
+        drawn = Provenance(measured=MeasuredPoints.of(distinct_points(points)))
+        return cls(knots, control_points, degree, provenance=drawn)
+
+    @classmethod
+    def fit_function(
+        cls,
+        function: Callable[[FloatArray], FloatArray],
+        start: float,
+        end: float,
+        *,
+        tolerance: float = 1e-6,
+        degree: int = 4,
+        breaks: Sequence[tuple[float, int]] = (),
+    ) -> Self:
+        """The spline that follows a smooth function within `tolerance` mm, in the function's own parameter.
+
+        Parameters
+        ----------
+        function : callable
+            Maps parameters (k,) between `start` and `end` to points (k, 2), mm.
+        breaks : sequence of (parameter, continuity)
+            Places where the function is only `continuity` times differentiable; they become knots.
+
+        Examples
+        --------
+        >>> from elastica_cad.geometry.plane_curve import PlaneCurve
+        >>> spiral = PlaneCurve.fit_function(lambda v: np.column_stack([v * np.cos(v), v * np.sin(v)]), 3, 9)
+        >>> round(spiral.length, 4)
+        36.5433
+        """
+        for name, value in {"start": start, "end": end}.items():
+            require_number(value, f"the {name} of a function")
+        knots, control_points = adaptive_spline(
+            function, (float(start), float(end)), degree=degree, tolerance=tolerance, breaks=breaks
+        )
+        return cls(knots, control_points, degree)
+
+    def drawn_as(self, provenance: Provenance | None) -> Self:
+        """Return the curve with another record of its source."""
+        return self._part(self.knots, self.control_points, self.weights, provenance)
+
+    @property
+    def domain(self) -> tuple[float, float]:
+        """First and last parameter."""
+        return float(self.knots[self.degree]), float(self.knots[-self.degree - 1])
+
+    @property
+    def is_rational(self) -> bool:
+        """Whether the weights differ."""
+        return self.weights is not None
+
+    def evaluate(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray:
+        """Position or its derivative d/dt of order up to 3, shape (..., 2) for parameters (...).
+
+        At a knot of low continuity the right-hand value is given, with `left=True` the left-hand one.
+        """
+        if not (is_whole(derivative) and 0 <= derivative <= 3):
+            raise InputError(
+                "derivatives of order 0 to 3 are known, not {derivative!r}", derivative=derivative
+            )
+        t = numbers(t, "parameters")
+        return self._pieces.at(t.ravel(), derivative, left=left)[derivative].reshape(*t.shape, 2)
+
+    def derivatives(self, t: FloatArray, order: int) -> list[FloatArray]:
+        """Positions and their derivatives d/dt up to `order`, (n, 2) each, at parameters (n,), at one go."""
+        return self._pieces.at(t, order)
+
+    def basis(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
+        """Derivatives (n, m) of the position (or of its derivative) at t (n,) by the m control points.
+
+        The rational basis functions R_i: position = sum of R_i(t) times control point i.
+        """
+        t = self._pieces.inside(np.atleast_1d(numbers(t, "parameters")))
+        spans = self._pieces.spans
+        if self.weights is None:
+            return spans.basis(t, derivative)
+        numerators = [(spans.basis(t, k) * self.weights).T for k in range(derivative + 1)]
+        return _quotient(numerators, [rows.sum(axis=0) for rows in numerators])[derivative].T
+
+    def with_control_points(self, control_points: ArrayLike) -> Self:
+        """The curve with the same knots and weights over other control points (m, 2)."""
+        return type(self)(self.knots, numbers(control_points, "control_points"), self.degree, self.weights)
+
+    def siblings(self, control_points: FloatArray) -> list[Self]:
+        """Curves over the same knots and control points (n, m, 2), without weights.
+
+        They are not checked, for thousands at one go: like this one they must run on without standing still.
+        """
+        return [self._part(self.knots, points, None) for points in control_points]
+
+    @property
+    def bezier_table(self) -> tuple[FloatArray, FloatArray]:
+        """The knot spans' ends (p + 1,) and homogeneous control points (p, degree + 1, 3); not to be written on."""
+        return self._pieces.edges, self._pieces.bezier
+
+    def bezier_pieces(self) -> tuple[tuple[float, float, FloatArray], ...]:
+        """The knot spans as (t0, t1, homogeneous control points (degree + 1, 3): rows x w, y w, w)."""
+        edges = self._pieces.edges
+        return tuple(
+            (float(a), float(b), piece.copy())
+            for a, b, piece in zip(edges[:-1], edges[1:], self._pieces.bezier, strict=True)
+        )
+
+    def reversed(self) -> Self:
+        """The curve run from its other end."""
+        weights = None if self.weights is None else self.weights[::-1]
+        knots = self.knots[0] + self.knots[-1] - self.knots[::-1]
+        drawn = self.provenance and self.provenance.reversed()
+        return self._part(knots, self.control_points[::-1], weights, drawn)
+
+    def trimmed(self, start: float, end: float) -> Self:
+        """The part between two parameters as a clamped curve of its own (Boehm's knot insertion)."""
+        p, start, end = self.degree, self._at_knot(start), self._at_knot(end)
+        points = self._pieces.control_points.copy() if self.is_rational else self.control_points.copy()
+        last = int(np.searchsorted(self.knots, end)) - 1
+        for r, row in enumerate(_de_boor(self.knots, points, last, end), 1):
+            points[last - p + r] = row[0]
+        knots = np.minimum(self.knots, end)
+        first = int(np.searchsorted(knots, start, side="right")) - 1
+        for r, row in enumerate(_de_boor(knots, points, first, start), 1):
+            points[first - r] = row[-1]
+        knots, rows = np.maximum(knots, start)[first - p : last + p + 2], points[first - p : last + 1]
+        if self.is_rational:
+            return self._part(knots, rows[:, :2] / rows[:, 2:], rows[:, 2])
+        return self._part(knots, rows, None)
+
+    def _at_knot(self, t: float) -> float:
+        """The knot that a parameter lies at but for rounding, else the parameter."""
+        low, high = self.domain
+        nearest = float(self.knots[np.abs(self.knots - t).argmin()])
+        return nearest if abs(nearest - t) <= SAME_KNOT * (high - low) else t
+
+    def transformed(self, matrix: ArrayLike) -> Self:
+        """The exact image under a projective map: matrix @ (x, y, 1), divided by its third number.
+
+        Realizable curves stay realizable with clamped ends (paper, section 4.3).
+
+        Raises
+        ------
+        InputError
+            When the matrix is singular, or when it sends a point of the curve to infinity.
+        """
+        knots, points, weights = map_spline(
+            self.knots,
+            self.control_points,
+            self.weights,
+            matrix,
+            degree=self.degree,
+            pieces=lambda: (self._pieces.bezier, self._pieces.edges),
+        )
+        drawn = (
+            None if self.provenance is None else self.provenance.transformed(np.asarray(matrix, dtype=float))
+        )
+        even = not np.asarray(matrix, dtype=float)[2, :2].any()
+        if even and np.abs(points).max() < FAR_SIZES * np.ptp(points, axis=0).max():
+            return self._part(knots, points, weights, drawn)
+        return type(self)(knots, points, self.degree, weights, drawn)
+
+    @cached_property
+    def bounds(self) -> FloatArray:
+        """The smallest box around the curve, [[x_min, y_min], [x_max, y_max]], mm."""
+        points, (low, high) = self.control_points, self.domain
+        box = box_about(points[[0, -1]])
+        clamped = self.knots[0] == low and self.knots[-1] == high
+        if clamped and (points >= box[0]).all() and (points <= box[1]).all():  # the curve lies in their hull
+            return box
+        return box_about(self.evaluate(self._pieces.stationary()))
+
+    @cached_property
+    def _pieces(self) -> RationalPieces:
+        spans = bezier_spans(self.knots, self.degree)
+        weights = np.ones(self.control_points.shape[0]) if self.weights is None else self.weights
+        homogeneous = np.column_stack([self.control_points * weights[:, None], weights])
+        return RationalPieces(spans, homogeneous, self.is_rational)
+
+
+def _de_boor(knots: FloatArray, points: FloatArray, span: int, t: float) -> list[FloatArray]:
+    """De Boor's triangle at a parameter in the span that begins at a knot: its rows (degree, d) to (1, d)."""
+    degree = knots.size - len(points) - 1
+    rows, near = [points[span - degree : span + 1]], knots[span - degree + 1 : span + degree + 1]
+    for level in range(1, degree + 1):
+        low, high = near[level - 1 : degree], near[degree : 2 * degree - level + 1]
+        share = ((t - low) / (high - low))[:, None]
+        rows.append(rows[-1][:-1] * (1 - share) + rows[-1][1:] * share)
+    return rows[1:]

@@ -1,0 +1,252 @@
+"""Parallel paths: a loop grown or shrunk by a distance, an open path moved sideways."""
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import require_number, require_record
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.approximations import cubic_through, smooth_stretches
+from elastica_cad.geometry.nurbs_curve import turn_between
+from elastica_cad.geometry.path import JOIN, Path, distances
+from elastica_cad.geometry.path_intersections import segment_crossings, self_crossing
+from elastica_cad.geometry.segments import (
+    Arc,
+    Line,
+    Segment,
+    Spline,
+    left_of,
+    place,
+    require_tolerance_mm,
+    trim_segment,
+)
+from elastica_cad.refusals import Length
+
+_LOST_OFFSETS = 4.0
+"""A piece of the path longer than this many offsets must not disappear: it is a feature, not a corner."""
+
+
+def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path:
+    """The path at `distance` mm from `path`: exact for lines and arcs, to `tolerance` for splines.
+
+    A closed path grows where `distance` is positive and shrinks where it is negative, whichever way it runs;
+    an open path moves to the left of its direction where `distance` is positive. Outer corners are rounded by
+    arcs about the old corner, inner ones are trimmed. A spline stays one spline (cubic).
+
+    Parameters
+    ----------
+    path : Path
+        Without self-crossings.
+    distance : float
+        mm.
+    tolerance : float
+        Largest error of an offset spline, mm; checked between the samples.
+
+    Raises
+    ------
+    InputError
+        The loop, or a feature of it, is too narrow for the offset; or a spline is too sharply curved.
+
+    Examples
+    --------
+    >>> grown = offset_path(Path.rectangle(40, 10), 1.0)
+    >>> round(grown.area - (400 + 100 * 1.0), 6)  # plus four quarter circles
+    3.141593
+    """
+    require_record(path, Path, "what is offset", "a Path")
+    require_number(distance, "the offset", "mm")
+    tolerance = require_tolerance_mm(tolerance)
+    if distance == 0:
+        return path
+    left = distance
+    if path.closed:
+        if path.area == 0:
+            raise InputError(
+                "the loop at {start} encloses nothing: it has no inside to offset", start=place(path.start)
+            )
+        left = -distance * float(np.sign(path.area))
+    ring = _Ring(_elements(path, left, tolerance), path.closed, distance)
+    moved = Path(ring.joined(), path.closed)
+    _check(path, moved, distance, tolerance)
+    return moved
+
+
+@dataclass(frozen=True, eq=False)
+class _Element:
+    """A piece of the raw offset: a moved segment or a rounded corner; `piece` is None where none is left."""
+
+    piece: Segment | None
+    source_length: float
+    source: FloatArray
+
+
+def _elements(path: Path, left: float, tolerance: float) -> list[_Element]:
+    """Moved segments with the arcs that round the corners which open up."""
+    segments = [part for segment in path.segments for part in _without_corners(segment)]
+    following = segments[1:] + (segments[:1] if path.closed else [])
+    elements: list[_Element] = []
+    for i, segment in enumerate(segments):
+        piece = _moved(segment, left, tolerance)
+        elements.append(_Element(piece, segment.length, segment.at(0.5)))
+        if i < len(following):
+            corner = _corner(segment, following[i], left)
+            if corner is not None:
+                elements.append(_Element(corner, 0.0, segment.end))
+    return elements
+
+
+def _without_corners(segment: Segment) -> list[Segment]:
+    """A spline cut where its direction jumps."""
+    if not isinstance(segment, Spline):
+        return [segment]
+    t0, t1 = segment.curve.domain
+    corners = [(corner.t - t0) / (t1 - t0) for corner in segment.curve.tangent_breaks]
+    return [trim_segment(segment, a, b) for a, b in pairwise([0.0, *corners, 1.0])]
+
+
+def _moved(segment: Segment, left: float, tolerance: float) -> Segment | None:
+    """The segment moved to its left; None where an arc's radius is used up."""
+    if isinstance(segment, Line):
+        normal = left_of(segment.tangent_at(0.0))
+        return Line(segment.start + left * normal, segment.end + left * normal)
+    if isinstance(segment, Arc):
+        radius = segment.radius - left * np.sign(segment.sweep)
+        if radius <= JOIN:
+            return None
+        return Arc(segment.center, radius, segment.start_angle, segment.end_angle)
+    return _moved_spline(segment, left, tolerance)
+
+
+def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
+    curve = spline.curve
+    stretches = smooth_stretches(curve, 2)
+    probes = np.concatenate([np.linspace(a, b, 18) for s in stretches for a, b in pairwise(s)])
+    kappa = np.asarray(curve.curvature_at(probes), dtype=float)
+    sharpest = int(np.argmax(left * kappa))
+    if left * kappa[sharpest] >= 1 - 1e-6:
+        raise InputError(
+            "the curve at {place} has a radius of {given:.4g}, too small for an offset of "
+            "{left:g}: make it gentler",
+            place=place(curve.evaluate(probes[sharpest])),
+            given=Length(1 / abs(kappa[sharpest])),
+            left=Length(abs(left)),
+        )
+
+    def motion(t: FloatArray, derivative: int, before: bool) -> FloatArray:
+        d = curve.evaluate(t, 1, left=before)
+        if derivative:
+            return (1 - left * curve.curvature_at(t, left=before))[:, None] * d
+        normal = np.column_stack([-d[:, 1], d[:, 0]]) / np.hypot(d[:, 0], d[:, 1])[:, None]
+        return curve.evaluate(t, left=before) + left * normal
+
+    return Spline(cubic_through(motion, stretches, tolerance))
+
+
+def _corner(before: Segment, after: Segment, left: float) -> Arc | None:
+    """The arc about a corner that opens up on the offset side; None where it closes or is no corner."""
+    s, t = before.tangent_at(1.0), after.tangent_at(0.0)
+    turn = float(turn_between(s, t))
+    if turn * left >= 0 or abs(turn * left) < JOIN / 4:
+        return None
+    normal = left_of(s) * np.sign(left)
+    first = float(np.arctan2(normal[1], normal[0]))
+    return Arc(before.end, abs(left), first, first + turn)
+
+
+class _Ring:
+    """The raw offset's elements in order, joined by trimming; elements that vanish are taken out."""
+
+    def __init__(self, elements: list[_Element], closed: bool, distance: float) -> None:
+        self.elements = elements
+        self.closed = closed
+        self.distance = distance
+
+    def joined(self) -> list[Segment]:
+        """The trimmed chain."""
+        alive = [i for i, element in enumerate(self.elements) if element.piece is not None]
+        while True:
+            self._refuse_losses(set(alive))
+            failed = None
+            starts, ends = dict.fromkeys(alive, 0.0), dict.fromkeys(alive, 1.0)
+            for i, j in self._joints(alive):
+                cut = _joint(self._piece(i), self._piece(j))
+                if cut is None:
+                    failed = min(i, j, key=self._raw_length)
+                    break
+                ends[i], starts[j] = cut
+            if failed is None:
+                inverted = [i for i in alive if ends[i] - starts[i] <= 1e-9]
+                if not inverted:
+                    return [trim_segment(self._piece(i), starts[i], ends[i]) for i in alive]
+                failed = min(inverted, key=self._raw_length)
+            alive.remove(failed)
+
+    def _joints(self, alive: list[int]) -> list[tuple[int, int]]:
+        joints = list(pairwise(alive))
+        return [*joints, (alive[-1], alive[0])] if self.closed else joints
+
+    def _piece(self, i: int) -> Segment:
+        piece = self.elements[i].piece
+        assert piece is not None
+        return piece
+
+    def _raw_length(self, i: int) -> float:
+        return self._piece(i).length
+
+    def _refuse_losses(self, alive: set[int]) -> None:
+        """Refuse a result in which a stretch of the path has no counterpart."""
+        n = len(self.elements)
+        if not alive or (self.closed and len(alive) == 1 and n > 1 and not _closes(self._piece(min(alive)))):
+            self._refuse(self.elements[0].source)
+        run = 0.0
+        first = min(alive)
+        for k in range(first, first + n):
+            run = 0.0 if k % n in alive else run + self.elements[k % n].source_length
+            if run > _LOST_OFFSETS * abs(self.distance):
+                self._refuse(self.elements[k % n].source)
+
+    def _refuse(self, at: FloatArray) -> None:
+        raise InputError(
+            "an offset of {distance:g} swallows the path at {at}: make that part larger or the "
+            "offset smaller",
+            distance=Length(self.distance),
+            at=place(at),
+        )
+
+
+def _closes(piece: Segment) -> bool:
+    return bool(np.hypot(*(piece.end - piece.start)) <= JOIN)
+
+
+def _joint(a: Segment, b: Segment) -> tuple[float, float] | None:
+    """Parameters of a and b at which they meet; None where they do not meet."""
+    if np.hypot(*(b.start - a.end)) <= JOIN / 2:
+        return 1.0, 0.0
+    crossings = segment_crossings(a, b)
+    if not crossings:
+        return None
+    return min(crossings, key=lambda uv: (1 - uv[0]) * a.length + uv[1] * b.length)
+
+
+def _check(path: Path, moved: Path, distance: float, tolerance: float) -> None:
+    """Refuse a result that crosses itself or comes nearer to the path than it should."""
+    samples = np.concatenate([segment.at(np.array([0.1, 0.35, 0.65, 0.9])) for segment in moved.segments])
+    near = np.min([distances(segment, samples) for segment in path.segments], axis=0)
+    worst = int(np.argmin(near))
+    if near[worst] < abs(distance) - 2 * tolerance - JOIN:
+        raise InputError(
+            "an offset of {distance:g} runs into another part of the path at {place}: widen the "
+            "gap there or make the offset smaller",
+            distance=Length(distance),
+            place=place(samples[worst]),
+        )
+    crossing = self_crossing(moved.points(tolerance), closed=path.closed)
+    if crossing is not None:
+        raise InputError(
+            "an offset of {distance:g} makes the path cross itself at {crossing}: widen the gap "
+            "there or make the offset smaller",
+            distance=Length(distance),
+            crossing=place(crossing),
+        )

@@ -1,0 +1,300 @@
+"""A path: a chain of lines, arcs and splines, open or closed, and its distance from points."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import dist
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number, numbers, require_flag, several
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import box_around, is_similarity
+from elastica_cad.geometry.segments import (
+    Arc,
+    Line,
+    Segment,
+    Spline,
+    chord_points,
+    chords,
+    place,
+    point,
+    segment_from_bulge,
+)
+from elastica_cad.refusals import Length
+
+_BLOCK = 4096
+"""Number of points whose distances from all chords of a spline are in memory at a time (some ten MB)."""
+
+_NEWTON_STEPS = 6
+_ROUNDING_SHARE = 1e-12  # of a length
+_SETTLED = 1e-12  # of the domain: the distance changes with the square of such a step
+_UNSETTLED = 1e-7  # of the domain, after Newton's last step: it goes round in circles
+_SEARCHES = 20  # each leaves a quarter of the span, or less
+
+
+def distances(segment: Segment, points: ArrayLike) -> FloatArray:
+    """Least distances (n,) of points (n, 2) from a segment, mm, to rounding error."""
+    p = np.asarray(points, dtype=float).reshape(-1, 2)
+    if isinstance(segment, Line):
+        return _to_chords(p, segment.start[None], segment.end[None])[0][:, 0]
+    if isinstance(segment, Arc):
+        return _to_arc(p, segment)
+    blocks = [p[i : i + _BLOCK] for i in range(0, max(len(p), 1), _BLOCK)]
+    return np.concatenate([_to_spline(block, segment) for block in blocks])
+
+
+def polyline_distances(line: FloatArray, points: FloatArray) -> FloatArray:
+    """Least distances (n,) of points (n, 2) from a polyline (m, 2), mm."""
+    rows = max(1, _BLOCK * _BLOCK // (16 * len(line)))
+    return np.concatenate(
+        [
+            _to_chords(points[i : i + rows], line[:-1], line[1:])[0].min(axis=1)
+            for i in range(0, len(points), rows)
+        ]
+    )
+
+
+def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
+    """Largest distance of 401 points of `found` from `target`, mm; 0 where it is rounding."""
+    points, rounding = found.sample(401).position, _ROUNDING_SHARE * found.length
+    if np.abs(points - target.sample(401).position).max() <= rounding:
+        return 0.0
+    off = float(distances(Spline(target), points).max())
+    return off if off > rounding else 0.0
+
+
+def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Distances (n, m) of points from chords a[j] b[j], and where on the chord (0 to 1) they are taken."""
+    (x, y), (dx, dy) = a.T, (b - a).T
+    left, down = p[:, :1] - x, p[:, 1:] - y  # x and y apart: sums over an axis of two are slow
+    square = dx**2 + dy**2
+    where = left * dx
+    where += down * dy
+    where /= np.where(square > 0, square, 1.0)
+    np.clip(where, 0.0, 1.0, out=where)
+    return np.hypot(where * dx - left, where * dy - down), where
+
+
+def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
+    off = p - arc.center
+    turn = np.sign(arc.sweep) * (np.arctan2(off[:, 1], off[:, 0]) - arc.start_angle)
+    on = np.mod(turn, 2 * np.pi) <= abs(arc.sweep)
+    ends = [np.hypot(*(p - end).T) for end in (arc.start, arc.end)]
+    return np.where(on, np.abs(np.hypot(off[:, 0], off[:, 1]) - arc.radius), np.minimum(*ends))
+
+
+def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
+    """Nearest chords, then Newton on <gamma - p, gamma'> = 0, kept only where it comes nearer."""
+    u, q = chords(spline, _chord_tolerance(spline))
+    chord, where = _to_chords(p, q[:-1], q[1:])
+    # the nearest chord, and those of other branches that may be nearer but for what chords leave out
+    close = chord <= chord.min(axis=1, keepdims=True) + 2 * _chord_tolerance(spline)
+    close[:, 1:] &= chord[:, 1:] < chord[:, :-1]
+    close[:, :-1] &= chord[:, :-1] <= chord[:, 1:]
+    rows, i = np.nonzero(close)
+    t = spline.parameter(u[i] + where[rows, i] * np.diff(u)[i])
+    curve, (t0, t1) = spline.curve, spline.curve.domain
+    count, p = len(p), p[rows]
+    best = np.full(rows.size, np.inf)
+    for _ in range(_NEWTON_STEPS + 1):
+        position, d1, d2 = curve.derivatives(t, 2)
+        off = position - p
+        best = np.minimum(best, np.hypot(off[:, 0], off[:, 1]))
+        slope = (d1**2).sum(axis=1) + (off * d2).sum(axis=1)
+        step = (off * d1).sum(axis=1) / np.where(slope > 0, slope, (d1**2).sum(axis=1))
+        before, t = t, np.clip(t - step, t0, t1)
+        if np.abs(t - before).max(initial=0.0) <= _SETTLED * (t1 - t0):
+            break
+    low, high = spans = spline.parameter(np.stack([u[i], u[i + 1]]))
+    strayed = (np.abs(t - (low + high) / 2) > high - low) | (np.abs(t - before) > _UNSETTLED * (t1 - t0))
+    strayed |= best > chord[rows, i] + _chord_tolerance(spline)
+    if strayed.any():
+        best[strayed] = np.minimum(best[strayed], _searched(p[strayed], curve, *spans[:, strayed]))
+    least = np.full(count, np.inf)
+    np.minimum.at(least, rows, best)
+    return least
+
+
+def _searched(p: FloatArray, curve: PlaneCurve, low: FloatArray, high: FloatArray) -> FloatArray:
+    """Least distances (n,) of points from spans low to high of a curve, by ever finer samples.
+
+    For spans that are run through so unevenly that Newton's method strays from where their chords say.
+    """
+    rows, least = np.arange(len(p)), np.full(len(p), np.inf)
+    for _ in range(_SEARCHES):
+        t = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, 9)
+        off = curve.evaluate(np.clip(t, *curve.domain)) - p[:, None, :]
+        gap = np.hypot(off[..., 0], off[..., 1])
+        k = gap.argmin(axis=1)
+        least = np.minimum(least, gap[rows, k])
+        low, high = t[rows, np.maximum(k - 1, 0)], t[rows, np.minimum(k + 1, 8)]
+    return least
+
+
+def _chord_tolerance(spline: Spline) -> float:
+    """Largest distance of chords from a spline, mm, with which Newton's method can start from them."""
+    return 1e-3 * max(1.0, spline.length / 100)
+
+
+JOIN = 1e-6
+"""Largest gap between the ends of neighbouring segments, mm."""
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """A chain of segments whose ends meet to 1e-6 mm.
+
+    Parameters
+    ----------
+    segments : sequence of Line, Arc, Spline
+        Each begins where the one before it ends.
+    closed : bool
+        True where the last segment ends at the start of the first.
+
+    Raises
+    ------
+    InputError
+        No segments, or ends that do not meet.
+
+    Examples
+    --------
+    >>> plate = Path.rectangle(40, 10)
+    >>> plate.area, plate.length
+    (400.0, 100.0)
+    """
+
+    segments: tuple[Segment, ...]
+    closed: bool = False
+
+    def __init__(self, segments: Sequence[Segment], closed: bool = False) -> None:
+        object.__setattr__(
+            self, "segments", several("the segments of a path", segments, Segment, "Line, Arc and Spline")
+        )
+        object.__setattr__(self, "closed", require_flag(closed, "closed"))
+        if not self.segments:
+            raise InputError("a path needs at least one segment")
+        following = self.segments[1:] + (self.segments[:1] if closed else ())
+        for segment, after in zip(self.segments, following, strict=False):
+            gap = dist(after.start.tolist(), segment.end.tolist())
+            if not gap <= JOIN:
+                raise InputError(
+                    "the path has a gap of {gap} at {end}: the ends must meet",
+                    gap=Length(gap),
+                    end=place(segment.end),
+                )
+
+    @classmethod
+    def polyline(cls, points: ArrayLike, bulges: ArrayLike | None = None, *, closed: bool = False) -> "Path":
+        """Lines through `points` (n, 2); arcs where the point's bulge, tan(turn / 4) as in DXF, is not 0.
+
+        Repeated points are passed over; a closed path may or may not repeat its first point at the end.
+        """
+        p = numbers(points, "the points of a polyline")
+        if p.ndim != 2 or p.shape[1:] != (2,) or not np.all(np.isfinite(p)):
+            raise InputError("a polyline needs finite points as rows (n, 2), in mm")
+        b = np.zeros(len(p)) if bulges is None else numbers(bulges, "the bulges of a polyline")
+        if b.shape != (len(p),) or not np.all(np.isfinite(b)):
+            raise InputError("a polyline needs one finite bulge per point")
+        after = np.roll(p, -1, axis=0) if require_flag(closed, "closed") else p[1:]
+        segments = [
+            segment_from_bulge(start, end, float(bulge))
+            for start, end, bulge in zip(p, after, b, strict=False)
+            if np.any(start != end)
+        ]
+        return cls(segments, closed)
+
+    @classmethod
+    def polygon(cls, points: ArrayLike) -> "Path":
+        """The closed path of lines through `points` (n, 2)."""
+        return cls.polyline(points, closed=True)
+
+    @classmethod
+    def rectangle(cls, width: float, height: float, *, corner: ArrayLike = (0.0, 0.0)) -> "Path":
+        """A closed rectangle, anticlockwise from its lower left `corner`, mm."""
+        if not (is_number(width) and is_number(height) and width > 0 and height > 0):
+            raise InputError(
+                "a rectangle of {width} by {height} mm: both sides must be positive",
+                width=width,
+                height=height,
+            )
+        x, y = point(corner, "the corner of a rectangle")
+        return cls.polygon([(x, y), (x + width, y), (x + width, y + height), (x, y + height)])
+
+    @classmethod
+    def circle(cls, center: ArrayLike, radius: float) -> "Path":
+        """A circle, anticlockwise, one arc."""
+        return cls((Arc(center, radius, 0.0, 2 * np.pi),), closed=True)
+
+    @property
+    def start(self) -> FloatArray:
+        """First point (2,), mm."""
+        return self.segments[0].start
+
+    @property
+    def end(self) -> FloatArray:
+        """Last point (2,), mm."""
+        return self.segments[-1].end
+
+    @property
+    def widest_gap(self) -> float:
+        """Between the end of a segment and the start of the next, mm: rounding, `JOIN` at most."""
+        following = self.segments[1:] + (self.segments[:1] if self.closed else ())
+        pairs = zip(self.segments, following, strict=False)
+        return max((dist(one.end.tolist(), after.start.tolist()) for one, after in pairs), default=0.0)
+
+    @cached_property
+    def length(self) -> float:
+        """Length of the path, mm."""
+        return float(sum(segment.length for segment in self.segments))
+
+    @cached_property
+    def area(self) -> float:
+        """Area inside a closed path, mm2: positive where it runs anticlockwise, negative clockwise.
+
+        Raises
+        ------
+        InputError
+            The path is open.
+        """
+        if not self.closed:
+            raise InputError("an open path has no area: close it first")
+        return sum(segment.swept_area(self.start) for segment in self.segments)
+
+    @cached_property
+    def bounds(self) -> FloatArray:
+        """[[x_min, y_min], [x_max, y_max]], mm, exact."""
+        return box_around(np.array([segment.bounds for segment in self.segments]))
+
+    def reversed(self) -> "Path":
+        """The path run the other way."""
+        return Path([segment.reversed() for segment in reversed(self.segments)], self.closed)
+
+    def transformed(self, matrix: ArrayLike) -> "Path":
+        """The path moved by a 3x3 affine matrix; an uneven scaling turns arcs into exact rational splines."""
+        m = numbers(matrix, "the matrix that a path is moved by")
+        even = is_similarity(m)
+        plain = [s.as_spline() if isinstance(s, Arc) and not even else s for s in self.segments]
+        return Path([s.transformed(m) for s in plain], self.closed)
+
+    def moved(self, x: float, y: float) -> "Path":
+        """The path shifted by (x, y) mm."""
+        return self.transformed([[1.0, 0.0, x], [0.0, 1.0, y], [0.0, 0.0, 1.0]])
+
+    def points(self, tolerance: float) -> FloatArray:
+        """Points (n, 2) on the path whose polyline stays within `tolerance` mm of it.
+
+        The first point of a closed path is not repeated at the end.
+        """
+        rows = [chord_points(segment, tolerance)[:-1] for segment in self.segments]
+        points = np.concatenate(rows if self.closed else [*rows, self.end[None]])
+        if self.closed and len(points) < 3 and not all(isinstance(s, Line) for s in self.segments):
+            return self.points(tolerance / 4)  # a thin lens keeps its inside
+        return points
+
+    @property
+    def has_splines(self) -> bool:
+        """True where a segment is a spline."""
+        return any(isinstance(segment, Spline) for segment in self.segments)

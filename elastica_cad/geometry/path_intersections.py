@@ -1,0 +1,311 @@
+"""Where segments and paths cross, and what of a path lies between two lines across."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import hypot
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.nurbs_curve import cross
+from elastica_cad.geometry.path import JOIN, Path
+from elastica_cad.geometry.plane_points import boxes_meet
+from elastica_cad.geometry.segments import Line, Segment, chords, trim_segment
+from elastica_cad.refusals import Length
+
+IndexArray: TypeAlias = NDArray[np.intp]
+
+_CHORD_TOLERANCE_MM = 1e-3
+"""Chords this near to a segment (mm) are good enough to start Newton's method from."""
+
+
+@dataclass(frozen=True, eq=False)
+class Chords:
+    """Points (n, 2) along a segment at its u (n,), close enough to start Newton's method from.
+
+    Made once for a segment that is crossed many times.
+    """
+
+    segment: Segment
+    u: FloatArray
+    points: FloatArray
+
+    @classmethod
+    def of(cls, segment: Segment) -> "Chords":
+        """The chords of a segment."""
+        return cls(segment, *chords(segment, _CHORD_TOLERANCE_MM))
+
+
+def segment_crossings(a: Segment, b: Segment) -> tuple[tuple[float, float], ...]:
+    """Parameters (u, v) in [0, 1] where a(u) = b(v), to rounding error.
+
+    The end of `a` and the start of `b` are tried first, so that a crossing close to a shared corner is found.
+    """
+    return chord_crossings(Chords.of(a), Chords.of(b), corner=True)
+
+
+def chord_crossings(
+    first: Chords, second: Chords, *, corner: bool = False
+) -> tuple[tuple[float, float], ...]:
+    """Parameters (u, v) in [0, 1] where two segments cross, a(u) = b(v), to rounding error.
+
+    Parameters
+    ----------
+    first, second : Chords
+        The segments with chords along them, where Newton's method starts.
+    corner : bool
+        Try the end of the first segment and the start of the second, too: for neighbours that share a corner.
+
+    Examples
+    --------
+    >>> rising, falling = Line((0, 0), (2, 2)), Line((0, 2), (2, 0))
+    >>> chord_crossings(Chords.of(rising), Chords.of(falling))
+    ((0.5, 0.5),)
+    """
+    a, b = first.segment, second.segment
+    if isinstance(a, Line) and isinstance(b, Line):
+        u, v = (float(x[0]) for x in _line_parameters(a.start[None], a.end[None], b.start[None], b.end[None]))
+        return ((u, v),) if 0 <= u <= 1 and 0 <= v <= 1 else ()
+    starts = [*([(1.0, 0.0)] if corner else []), *_chord_guesses(first, second)]
+    found: list[tuple[float, float]] = []
+    for guess in starts:
+        pair = _newton(a, b, *guess)
+        if pair is not None and not any(max(abs(pair[0] - u), abs(pair[1] - v)) < 1e-9 for u, v in found):
+            found.append(pair)
+    return tuple(found)
+
+
+def polylines_cross(p: FloatArray, q: FloatArray) -> FloatArray | None:
+    """A point (2,) where the polylines through p (n, 2) and q (m, 2) cross or touch, or None."""
+    return _first_crossing(p, q, *_candidate_pairs(p, q))
+
+
+def encloses(loop: FloatArray, point: FloatArray) -> bool:
+    """Whether the polyline through (n, 2), closed from its last point to its first, encloses a point (2,)."""
+    (x0, y0), (x1, y1) = (loop - point).T, (np.roll(loop, -1, axis=0) - point).T
+    rises = (y0 > 0) != (y1 > 0)
+    x = x0[rises] - y0[rises] * (x1[rises] - x0[rises]) / (y1[rises] - y0[rises])
+    return bool(np.count_nonzero(x > 0) % 2)
+
+
+def self_crossing(p: FloatArray, *, closed: bool) -> FloatArray | None:
+    """A point (2,) where the polyline through p (n, 2) meets itself, or None.
+
+    Neighbouring chords do not count. A closed polyline does not repeat its first point.
+    """
+    q = np.concatenate([p, p[:1]]) if closed else p
+    q = q[np.append(True, np.hypot(*np.diff(q, axis=0).T) > 0)]
+    i, j = _candidate_pairs(q, q)
+    neighbours = (j - i <= 1) | (closed & (j - i == len(q) - 2))
+    return _first_crossing(q, q, i[~neighbours], j[~neighbours])
+
+
+def _first_crossing(p: FloatArray, q: FloatArray, i: IndexArray, j: IndexArray) -> FloatArray | None:
+    a, b, c, d = p[i], p[i + 1], q[j], q[j + 1]
+    hit = (_side(a, b, c) * _side(a, b, d) <= 0) & (_side(c, d, a) * _side(c, d, b) <= 0)
+    if not hit.any():
+        return None
+    k = int(np.flatnonzero(hit)[0])
+    u = float(_line_parameters(a[k : k + 1], b[k : k + 1], c[k : k + 1], d[k : k + 1])[0][0])
+    return np.asarray(a[k] + (u if np.isfinite(u) else 0.5) * (b[k] - a[k]), dtype=float)
+
+
+def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArray]:
+    """Index pairs (i, j) of chords of p and q whose bounding boxes overlap, in order.
+
+    Boxes of neighbouring chords are joined into a tree; only boxes that overlap are opened again.
+    """
+    first, second = _box_tree(p), _box_tree(q)
+    i = j = np.zeros(min(len(p) - 1, len(q) - 1, 1), dtype=np.intp)
+    while True:
+        (low, high), (other_low, other_high) = first[-1], second[-1]
+        overlap = ((low[i] <= other_high[j]) & (high[i] >= other_low[j])).all(axis=1)
+        i, j = i[overlap], j[overlap]
+        if len(first) == len(second) == 1:
+            order = np.lexsort((j, i))
+            return i[order], j[order]
+        deepest = max(len(first), len(second))
+        if len(first) == deepest:
+            first.pop()
+            i, j = (_FAN * i[:, None] + np.arange(_FAN)).ravel(), j.repeat(_FAN)
+        if len(second) == deepest:
+            second.pop()
+            i, j = i.repeat(_FAN), (_FAN * j[:, None] + np.arange(_FAN)).ravel()
+        inside = (i < len(first[-1][0])) & (j < len(second[-1][0]))
+        i, j = i[inside], j[inside]
+
+
+_FAN = 8
+"""Boxes that are joined into one: few levels for short polylines, few vain pairs for long ones."""
+
+
+def _box_tree(points: FloatArray) -> list[tuple[FloatArray, FloatArray]]:
+    """Lower and upper corners (m, 2) of the boxes of chords, then of each few of them, up to the box of all."""
+    levels = [(np.minimum(points[:-1], points[1:]), np.maximum(points[:-1], points[1:]))]
+    while len(levels[-1][0]) > 1:
+        low, high = levels[-1]
+        begins = np.arange(0, len(low), _FAN)
+        levels.append((np.minimum.reduceat(low, begins), np.maximum.reduceat(high, begins)))
+    return levels
+
+
+def _side(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:
+    """Twice the area of the triangles a b c: on which side of a b the points c lie."""
+    return cross(b - a, c - a)
+
+
+def _line_parameters(
+    a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Intersections of the lines a b and c d (n, 2 each), as fractions of a b and of c d; nan where parallel."""
+    p, q, gap = b - a, d - c, c - a
+    det = cross(p, q)
+    det = np.where(np.abs(det) > 1e-14 * np.hypot(*p.T) * np.hypot(*q.T), det, np.nan)
+    return cross(gap, q) / det, cross(gap, p) / det
+
+
+def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
+    """Crossings of chords of the two segments, a little beyond their ends too."""
+    u, v, p, q = a.u, b.u, a.points, b.points
+    i, j = _candidate_pairs(p, q)
+    f, g = _line_parameters(p[i], p[i + 1], q[j], q[j + 1])
+    hit = (np.abs(f - 0.5) <= 0.6) & (np.abs(g - 0.5) <= 0.6)
+    pairs = np.column_stack([u[i] + f * np.diff(u)[i], v[j] + g * np.diff(v)[j]])[hit]
+    return [(float(x), float(y)) for x, y in pairs]
+
+
+def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] | None:
+    """The crossing that Newton's method reaches from (u, v), or None where there is none on the segments."""
+    for _ in range(30):
+        inside_u, inside_v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
+        (ax, ay, adx, ady), (bx, by, bdx, bdy) = _motion(a, inside_u), _motion(b, inside_v)
+        # beyond their ends the segments go on straight, so that a step may leave them and come back
+        gx = bx + (v - inside_v) * bdx - ax - (u - inside_u) * adx
+        gy = by + (v - inside_v) * bdy - ay - (u - inside_u) * ady
+        det = adx * bdy - ady * bdx
+        if abs(det) <= 1e-13 * hypot(adx, ady) * hypot(bdx, bdy):
+            return None
+        du, dv = (gx * bdy - gy * bdx) / det, (gx * ady - gy * adx) / det
+        u, v = u + du, v + dv
+        if max(abs(u), abs(v)) > 4:
+            return None
+        if max(abs(du), abs(dv)) < 1e-14:
+            break
+    if max(abs(u - 0.5), abs(v - 0.5)) > 0.5 + 1e-12:
+        return None
+    u, v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
+    return (float(u), float(v)) if np.hypot(*(a.at(u) - b.at(v))) < 1e-7 else None
+
+
+def _motion(segment: Segment, u: float) -> tuple[float, float, float, float]:
+    """x and y of the point at u, and their derivatives by u."""
+    (x, y), (dx, dy) = segment.at(u), segment.velocity_at(u)
+    return float(x), float(y), float(dx), float(dy)
+
+
+FLAT_MM = 0.002
+"""Flatness of loops in tests of what lies inside them."""
+
+
+def clip_across(path: Path, low: float, high: float) -> Path:
+    """The part of a closed path with low <= x <= high, closed by straight lines; its curves stay exact.
+
+    Raises
+    ------
+    InputError
+        A line that meets the path more or less often than twice, so that there is not one part, or none.
+
+    Examples
+    --------
+    >>> clip_across(Path.rectangle(40, 10), 5, 25).area
+    200.0
+    """
+    runs = _runs_between(path, low, high)
+    if not runs:
+        raise InputError(
+            "nothing of the path lies between x = {low:g} and {high:g}: give places from "
+            "{bounds:g} to {bounds_2:g}",
+            low=low,
+            high=Length(high),
+            bounds=path.bounds[0, 0],
+            bounds_2=Length(path.bounds[1, 0]),
+        )
+    if len(runs) > 1 and _meets(runs[-1][-1], runs[0][0]):
+        runs[0] = runs.pop() + runs[0]
+    chain: list[Segment] = []
+    for run, following in zip(runs, [*runs[1:], runs[0]], strict=True):
+        chain += run
+        if not _meets(run[-1], following[0]):
+            if abs(run[-1].end[0] - following[0].start[0]) > JOIN:
+                raise InputError(
+                    "the part between x = {low:g} and {high:g} is not in one piece",
+                    low=low,
+                    high=Length(high),
+                )
+            chain.append(Line(run[-1].end, following[0].start))
+    return Path(chain, closed=True)
+
+
+def trim_across(path: Path, low: float, high: float) -> tuple[Path, ...]:
+    """The parts of an open path with low <= x <= high, in order.
+
+    Examples
+    --------
+    >>> (part,) = trim_across(Path.polyline([(0, 0), (40, 10)]), 10, 30)
+    >>> part.bounds.tolist()
+    [[10.0, 2.5], [30.0, 7.5]]
+    """
+    return tuple(Path(run) for run in _runs_between(path, low, high))
+
+
+def trim_off(path: Path, loops: Sequence[Path]) -> tuple[Path, ...]:
+    """The parts of an open path that lie outside of closed ones, in order.
+
+    Examples
+    --------
+    >>> parts = trim_off(Path.polyline([(-10, 5), (60, 5)]), [Path.rectangle(40, 10)])
+    >>> [round(part.length, 9) for part in parts]
+    [10.0, 20.0]
+    """
+    met = [one for one in loops if boxes_meet(one.bounds, path.bounds)]
+    if not met:
+        return (path,)
+    walls = [segment for one in met for segment in one.segments]
+    rims = [one.points(FLAT_MM) for one in met]
+    kept = _runs(path, walls, lambda place: not any(encloses(rim, place) for rim in rims))
+    return tuple(Path(run) for run in kept)
+
+
+def _runs_between(path: Path, low: float, high: float) -> list[list[Segment]]:
+    """Chains of a path's segments between two lines across, in order."""
+    (left, bottom), (right, top) = path.bounds
+    walls = [Line((x, bottom - 1), (x, top + 1)) for x in (low, high) if left + JOIN < x < right - JOIN]
+    return _runs(path, walls, lambda place: low <= float(place[0]) <= high)
+
+
+def _runs(path: Path, walls: Sequence[Segment], keeps: Callable[[FloatArray], bool]) -> list[list[Segment]]:
+    """Chains of a path's segments, cut at `walls`, whose middles are kept, in order."""
+    runs: list[list[Segment]] = [[]]
+    for segment in path.segments:
+        cuts = {u for wall in walls for u, _ in segment_crossings(segment, wall)}
+        edges = np.unique([0.0, *(u for u in cuts if _is_within(segment, u)), 1.0])
+        for u0, u1 in pairwise(edges.tolist()):
+            if keeps(segment.at((u0 + u1) / 2)):
+                runs[-1].append(trim_segment(segment, u0, u1))
+            elif runs[-1]:
+                runs.append([])
+    return runs if runs[-1] else runs[:-1]
+
+
+def _is_within(segment: Segment, u: float) -> bool:
+    """Whether a place on a segment is not one of its ends, within rounding."""
+    gaps = np.array([segment.start, segment.end]) - segment.at(u)
+    return 0 < u < 1 and bool(np.hypot(*gaps.T).min() > JOIN)
+
+
+def _meets(before: Segment, after: Segment) -> bool:
+    return float(np.hypot(*(before.end - after.start))) <= JOIN

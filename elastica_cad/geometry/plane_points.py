@@ -1,0 +1,142 @@
+"""Arrays of points in the plane: matrices, boxes, running sums."""
+
+from math import atan2, hypot, inf, isfinite
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
+from elastica_cad._values import numbers
+from elastica_cad.errors import InputError
+
+
+def transform_points(matrix: ArrayLike, points: ArrayLike) -> FloatArray:
+    """Points (..., 2) moved by a 3x3 affine matrix."""
+    m = require_affine(matrix)
+    moved = (np.asarray(points, dtype=float) @ m[:2, :2].T + m[:2, 2]) / m[2, 2]
+    return np.asarray(moved, dtype=float)
+
+
+def require_affine(matrix: ArrayLike) -> FloatArray:
+    """The matrix, refused unless it is affine and invertible."""
+    m = numbers(matrix, "the matrix that a path is moved by")
+    if m.shape != (3, 3):
+        raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
+    (a, b, x), (c, d, y), last = m.tolist()  # plain numbers: this is asked once for every segment
+    if not all(map(isfinite, (a, b, x, c, d, y))) or last[:2] != [0.0, 0.0] or not 0 < abs(last[2]) < inf:
+        raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
+    if abs(a * d - b * c) <= 1e-14 * max(abs(a), abs(b), abs(c), abs(d)) ** 2:
+        raise InputError("a path can't be flattened to a line: use an invertible matrix")
+    return m
+
+
+def is_similarity(matrix: ArrayLike) -> bool:
+    """True where a 3x3 affine matrix keeps circles circles."""
+    (a, b, _), (c, d, _), _ = require_affine(matrix).tolist()
+    slack = 1e-12 * max(abs(a), abs(b), abs(c), abs(d))
+    turned = bool(abs(b + c) <= slack and abs(d - a) <= slack)
+    return turned or bool(abs(b - c) <= slack and abs(d + a) <= slack)
+
+
+def similarity_of(matrix: FloatArray) -> tuple[float, float, float]:
+    """Scale, angle (rad) and hand of a similarity, a 3x3 matrix that keeps circles circles.
+
+    The hand is 1.0, or -1.0 where the map mirrors in the x axis before it turns. That the matrix is a similarity is
+    not checked: `is_similarity` does that.
+
+    Examples
+    --------
+    >>> similarity_of(np.diag([2.0, -2.0, 1.0]))
+    (2.0, 0.0, -1.0)
+    """
+    (a, b, _), (c, d, _), (_, _, last) = matrix.tolist()
+    way = 1.0 if last > 0 else -1.0
+    return hypot(a, c) / abs(last), atan2(way * c, way * a), 1.0 if a * d > b * c else -1.0
+
+
+def box_about(points: FloatArray) -> FloatArray:
+    """Least and largest coordinates (2, d) of points (n, d).
+
+    Examples
+    --------
+    >>> box_about(np.array([[0.0, 5.0], [2.0, 1.0]])).tolist()
+    [[0.0, 1.0], [2.0, 5.0]]
+    """
+    return np.array([points.min(axis=0), points.max(axis=0)])
+
+
+def boxes_about(points: FloatArray) -> FloatArray:
+    """Least and largest coordinates (k, 2, d) of each of many sets of points (k, n, d).
+
+    Examples
+    --------
+    >>> boxes_about(np.array([[[0, 5], [2, 1]], [[1, 1], [0, 0]]])).tolist()
+    [[[0, 1], [2, 5]], [[0, 0], [1, 1]]]
+    """
+    return np.stack([points.min(axis=1), points.max(axis=1)], axis=1)
+
+
+def box_around(boxes: FloatArray) -> FloatArray:
+    """The box (2, d) about boxes (n, 2, d).
+
+    Examples
+    --------
+    >>> box_around(np.array([[[0, 1], [2, 3]], [[1, 0], [3, 2]]])).tolist()
+    [[0, 0], [3, 3]]
+    """
+    return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
+
+
+def boxes_meet(a: FloatArray, b: FloatArray) -> BoolArray:
+    """Do boxes (..., 2, d) overlap or touch?
+
+    Examples
+    --------
+    >>> boxes_meet(np.array([[0, 0], [2, 2]]), np.array([[[1, 1], [3, 3]], [[3, 0], [4, 1]]])).tolist()
+    [True, False]
+    """
+    return np.asarray(((a[..., 0, :] <= b[..., 1, :]) & (a[..., 1, :] >= b[..., 0, :])).all(axis=-1))
+
+
+def lengths_along(points: FloatArray) -> FloatArray:
+    """Lengths (n,) of the polyline through points (n, d) up to each of them.
+
+    Examples
+    --------
+    >>> lengths_along(np.array([[0.0, 0.0], [3.0, 4.0], [3.0, 5.0]])).tolist()
+    [0.0, 5.0, 6.0]
+    """
+    return np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+
+
+def turns_along(angles: FloatArray) -> FloatArray:
+    """How far (n,) angles (n,) have turned, to either side, up to each of them.
+
+    Examples
+    --------
+    >>> turns_along(np.array([0.5, 1.5, 0.5])).tolist()
+    [0.0, 1.0, 2.0]
+    """
+    return np.append(0.0, np.cumsum(np.abs(np.diff(angles))))
+
+
+def numbers_in_groups(counts: IntArray) -> IntArray:
+    """0, 1, ... within each of the groups of `counts` (k,), one group after the other.
+
+    Examples
+    --------
+    >>> numbers_in_groups(np.array([2, 0, 3])).tolist()
+    [0, 1, 0, 1, 2]
+    """
+    return np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+
+
+def distinct(values: FloatArray) -> FloatArray:
+    """The values (n,) in order, each once. (numpy's `unique` loads its masked arrays first.)
+
+    Examples
+    --------
+    >>> distinct(np.array([2.0, 0.5, 2.0])).tolist()
+    [0.5, 2.0]
+    """
+    ordered = np.sort(values)
+    return np.asarray(ordered[np.append(True, ordered[1:] != ordered[:-1])])

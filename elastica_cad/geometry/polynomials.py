@@ -1,0 +1,470 @@
+"""Polynomials in Bernstein form with all their roots, and piecewise polynomials over panels."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import comb
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray, IntArray
+
+
+@lru_cache(maxsize=64)
+def binomials(degree: int) -> FloatArray:
+    """Numbers (degree + 1,) by which the Bernstein polynomials are larger than `_scaled_bernstein`."""
+    return np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
+
+
+_SPLIT = 0.46875
+"""Place at which an interval is divided: not its middle, where symmetric curves have zeros, and exact in
+binary."""
+
+
+def _scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
+    """Values (n, degree + 1) of u^i (1 - u)^(degree - i): Bernstein polynomials without their binomials."""
+    powers = np.empty((degree + 1, 2, u.size))
+    powers[0] = 1.0
+    if degree:
+        powers[1, 0] = u
+        np.subtract(1.0, u, out=powers[1, 1])
+    for k in range(2, degree + 1):
+        np.multiply(powers[k - 1], powers[1], out=powers[k])
+    return np.asarray((powers[:, 0] * powers[::-1, 1]).T)
+
+
+def bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray:
+    """Derivatives (n, degree + 1) of the Bernstein polynomials at local coordinates (n,)."""
+    if derivative > degree:
+        return np.zeros((u.size, degree + 1))
+    values = np.ones((1, u.size))
+    for _ in range(degree - derivative):
+        raised = np.empty((len(values) + 1, u.size))
+        raised[0], raised[-1] = values[0] * (1 - u), values[-1] * u
+        raised[1:-1] = values[1:] + (values[:-1] - values[1:]) * u
+        values = raised
+    for k in range(degree - derivative + 1, degree + 1):
+        values = k * np.diff(values, axis=0, prepend=0.0, append=0.0) * -1.0
+    return np.ascontiguousarray(values.T)
+
+
+def sums_in_pieces(series: FloatArray, piece: IntArray, u: FloatArray) -> FloatArray:
+    """Values (n, c) of polynomials by `_scaled_bernstein` (p, degree + 1, c) at u (n,) of pieces (n,)."""
+    basis = _scaled_bernstein(series.shape[1] - 1, u)
+    return np.asarray(np.einsum("nj,njc->nc", basis, series.take(piece, axis=0)))
+
+
+def product(a: FloatArray, b: FloatArray) -> FloatArray:
+    """Coefficients (..., m+n+1) of the product of polynomials with coefficients (..., m+1) and (..., n+1)."""
+    m, n = a.shape[-1] - 1, b.shape[-1] - 1
+    terms = (a * binomials(m))[..., :, None] * (b * binomials(n))[..., None, :]
+    return np.asarray(terms.reshape(*terms.shape[:-2], -1) @ _gathered(m, n) / binomials(m + n))
+
+
+@lru_cache(maxsize=256)
+def _gathered(m: int, n: int) -> FloatArray:
+    """Matrix that sums the terms i, j ((m + 1) (n + 1),) of a product of two polynomials over i + j = k, (m + n
+    + 1,)."""
+    i, j = np.indices((m + 1, n + 1)).reshape(2, -1)
+    matrix = np.zeros((i.size, m + n + 1))
+    matrix[np.arange(i.size), i + j] = 1.0
+    return matrix
+
+
+def raise_degree(c: FloatArray) -> FloatArray:
+    """Write polynomials (..., n+1) of degree n with degree n + 1."""
+    n = c.shape[-1]
+    weight = np.arange(n + 1) / n
+    padded = np.concatenate([c[..., :1], c, c[..., -1:]], axis=-1)
+    return np.asarray(padded[..., :-1] * weight + padded[..., 1:] * (1 - weight))
+
+
+def subdivide(c: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
+    """Coefficients (..., n+1) of the parts on [0, u] and [u, 1]."""
+    left, right = np.empty(c.shape), np.empty(c.shape)
+    for k in range(c.shape[-1]):  # de Casteljau
+        left[..., k], right[..., -1 - k] = c[..., 0], c[..., -1]
+        c = c[..., :-1] * (1 - u) + c[..., 1:] * u
+    return left, right
+
+
+def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Values and derivatives (k,) of polynomials (k, n+1) at one place u (k,) each."""
+    degree = c.shape[-1] - 1
+    if degree == 0:
+        return c[:, 0].copy(), np.zeros(c.shape[0])
+    u = u[:, None]
+    for _ in range(degree - 1):
+        c = c[:, :-1] + (c[:, 1:] - c[:, :-1]) * u
+    step = c[:, 1] - c[:, 0]
+    return c[:, 0] + step * u[:, 0], degree * step
+
+
+def without_end_roots(c: FloatArray, noise: FloatArray, which: BoolArray) -> tuple[FloatArray, BoolArray]:
+    """Polynomials (k, n+1) without the zeros at their ends, below `noise` (k,), and whether they had any (k, 2).
+
+    Only those of `which` (k,) are looked at.
+    """
+    c, zero = c.copy(), np.zeros((len(c), 2), dtype=bool)
+    ends = np.abs(c[:, [0, -1]]) <= noise[:, None]
+    for i in (ends.any(axis=1) & which).nonzero()[0].tolist():
+        for side in (0, 1):
+            for _ in range(c.shape[1] - 1):
+                if abs(c[i, -side]) > noise[i]:
+                    break
+                c[i] = divide_out_end_root(c[i], at_end=bool(side))
+                zero[i, side] = True
+    return c, zero
+
+
+def divide_out_end_root(c: FloatArray, *, at_end: bool) -> FloatArray:
+    """Polynomials (..., n+1) divided by 1 - u (or by u), at the same degree: same signs inside (0, 1)."""
+    return c @ _division(c.shape[-1] - 1, at_end) if c.shape[-1] > 1 else c
+
+
+@lru_cache(maxsize=64)
+def _division(n: int, at_end: bool) -> FloatArray:
+    """Matrix (n+1, n+1) by which coefficients (n+1,) are multiplied to divide by 1 - u (or by u) at the same
+    degree."""
+    index = np.arange(n)
+    unit = np.eye(n + 1)
+    return raise_degree(unit[:, :-1] * n / (n - index) if at_end else unit[:, 1:] * n / (index + 1))
+
+
+@dataclass(frozen=True)
+class Root:
+    """A zero strictly inside one polynomial's interval (0, 1).
+
+    Attributes
+    ----------
+    piece : int
+        Which polynomial.
+    u : float
+        Where, in (0, 1).
+    crossing : bool
+        True when the sign changes there, False when the polynomial only touches zero.
+    """
+
+    piece: int
+    u: float
+    crossing: bool
+
+
+_MOST_HALVINGS = 48
+"""A piece that was halved this often is as short as rounding errors; what remains in it is one multiple zero."""
+
+_GENTLE, _BLUR = 10.0, 4.0
+"""With e, the third root of the noise: a sign change whose slope is below 10 e^2 times the largest coefficient
+is a multiple zero. It lies within 4 e of where rounding puts it, and is found as the zero of a derivative."""
+
+_EPS = float(np.finfo(float).eps)
+
+
+def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
+    """All zeros in the open interval (0, 1) of polynomials (k, n+1), in order.
+
+    Sign variations of Bernstein coefficients bound the number of zeros (Descartes); pieces are halved until
+    each holds none, one, or nothing above `noise` (k,), the rounding level of the coefficients. Zeros that
+    rounding cannot separate count as one: a crossing when the sign differs on its two sides, else a touch.
+    The coefficients at both ends must exceed the noise (see `divide_out_end_root`).
+    """
+    return _classified(c, _merged(sorted(_events(c, noise))))
+
+
+def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, bool]]:
+    """Sign changes, and stretches on which nothing is above the noise: piece, start, end, is it a sign change?"""
+    piece = np.arange(c.shape[0])
+    part, low, width = c, np.zeros(c.shape[0]), np.ones(c.shape[0])
+    events: list[tuple[int, float, float, bool]] = []
+    for depth in range(_MOST_HALVINGS + 1):
+        if not piece.size:
+            break
+        sign = np.where(np.abs(part) > noise[piece, None], np.sign(part), 0.0)
+        some = (sign != 0).any(axis=1)
+        changes, blurred = _variations(sign)
+        one = some & (changes == 1) & (sign[:, 0] * sign[:, -1] < 0)
+        none = some & (changes == 0) & ~blurred
+        cluster = ~some if depth < _MOST_HALVINGS else ~(one | none)
+        sharp = _enclosed(part[one], noise[piece[one]])
+        for i, start, end in zip(one.nonzero()[0].tolist(), *sharp, strict=True):
+            place, length = float(low[i]), float(width[i])
+            events.append((int(piece[i]), place + length * start, place + length * end, start == end))
+        for i in cluster.nonzero()[0].tolist():
+            events.append((int(piece[i]), float(low[i]), float(low[i] + width[i]), False))
+        rest = ~(one | none | cluster)
+        piece, part, low, width = _halved(piece[rest], part[rest], low[rest], width[rest])
+    return events
+
+
+def interior_roots(c: FloatArray) -> list[Root]:
+    """Zeros in (0, 1) of polynomials (k, n+1), not those at the ends, none of vanishing polynomials."""
+    noise = 32 * _EPS * np.abs(c).max(axis=1)
+    noise = np.maximum(noise, 1e-15 * np.abs(c).max(initial=0.0))
+    c, _ = without_end_roots(c, noise, np.ones(len(c), dtype=bool))
+    kept = np.flatnonzero(np.abs(c).max(axis=1) > noise)
+    found = roots(c[kept], noise[kept])
+    return [Root(int(kept[root.piece]), root.u, root.crossing) for root in found]
+
+
+def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
+    """Sign changes (k,) of rows with zeros skipped, and whether a row holds zeros."""
+    blurred = (sign == 0).any(axis=1)
+    if blurred.any():
+        sign = sign.copy()
+        for j in range(1, sign.shape[1]):
+            sign[:, j] = np.where(sign[:, j] == 0, sign[:, j - 1], sign[:, j])
+    return (sign[:, :-1] * sign[:, 1:] < 0).sum(axis=1), blurred
+
+
+def _halved(
+    piece: IntArray, part: FloatArray, low: FloatArray, width: FloatArray
+) -> tuple[IntArray, FloatArray, FloatArray, FloatArray]:
+    """Divide every interval in two parts."""
+    return (
+        np.concatenate([piece, piece]),
+        np.concatenate(subdivide(part, _SPLIT)),
+        np.concatenate([low, low + width * _SPLIT]),
+        np.concatenate([width * _SPLIT, width * (1 - _SPLIT)]),
+    )
+
+
+def _enclosed(c: FloatArray, noise: FloatArray) -> tuple[list[float], list[float]]:
+    """Interval that contains the single sign change of each polynomial (k, n+1): a point, or for a multiple
+    zero an interval about it."""
+    largest = np.abs(c).max(axis=1, initial=0.0)
+    u, slope = _crossings(c, largest)
+    blur = np.cbrt(noise / largest)
+    reach = np.where(np.abs(slope) <= _GENTLE * blur**2 * largest, _BLUR * blur, 0.0)
+    return np.maximum(u - reach, 0.0).tolist(), np.minimum(u + reach, 1.0).tolist()
+
+
+def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The single sign change (k,) of each polynomial whose end values differ in sign, exact to rounding, and
+    the slope there."""
+    low, high = np.zeros(len(c)), np.ones(len(c))
+    u, slope = c[:, 0] / (c[:, 0] - c[:, -1]), np.zeros(len(c))
+    for _ in range(80):
+        value, slope = value_and_slope(c, u)
+        beyond = (value > 0) == (c[:, -1] > 0)
+        low, high = np.where(beyond, low, u), np.where(beyond, u, high)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            newton = u - value / slope
+        following = np.where((newton > low) & (newton < high), newton, (low + high) / 2)
+        open_ = (np.abs(value) > _EPS * largest) & (np.abs(following - u) > 4e-16)
+        u = np.where(open_, following, u)
+        if not open_.any():
+            break
+    return u, slope
+
+
+def _merged(events: list[tuple[int, float, float, bool]]) -> list[tuple[int, float, float, bool]]:
+    """Adjoining clusters, and roots inside or beside them, as one event."""
+    merged: list[tuple[int, float, float, bool]] = []
+    for piece, a, b, sharp in events:
+        if merged and merged[-1][0] == piece and not (sharp and merged[-1][3]):
+            _, a0, b0, _ = merged[-1]
+            if a <= b0 + max(b0 - a0, b - a):
+                merged[-1] = (piece, a0, max(b, b0), False)
+                continue
+        merged.append((piece, a, b, sharp))
+    return merged
+
+
+def _classified(c: FloatArray, events: list[tuple[int, float, float, bool]]) -> list[Root]:
+    found = []
+    for k, (piece, a, b, sharp) in enumerate(events):
+        if sharp:
+            found.append(Root(piece, a, True))
+            continue
+        before = events[k - 1][2] if k and events[k - 1][0] == piece else 0.0
+        after = events[k + 1][1] if k + 1 < len(events) and events[k + 1][0] == piece else 1.0
+        sides = np.array([(before + a) / 2, (b + after) / 2])
+        values, _ = value_and_slope(np.tile(c[piece], (2, 1)), sides)
+        crossing = bool(values[0] * values[1] < 0)
+        found.append(Root(piece, _multiple_root(c[piece], a, b, crossing=crossing), crossing))
+    return found
+
+
+def _multiple_root(c: FloatArray, a: float, b: float, *, crossing: bool) -> float:
+    """Place of a multiple zero in [a, b]: where the derivative of next lower order (1 or 2) vanishes."""
+    derivative = np.diff(c)
+    if crossing and derivative.size > 1:
+        derivative = np.diff(derivative)
+    middle, reach = (a + b) / 2, 2 * (b - a) + 1e-12
+    u = middle
+    for _ in range(4):
+        value, slope = value_and_slope(derivative[None], np.array([u]))
+        if slope[0] == 0:
+            break
+        u = float(np.clip(u - value[0] / slope[0], max(0.0, middle - reach), min(1.0, middle + reach)))
+    return u
+
+
+ORDER = 12  # Gauss nodes of a panel
+
+DENSE_PARTS = 24
+"""Number of parts of each panel at whose ends bounds are checked first."""
+
+EXTREME_STEPS = 2
+"""Steps of Halley's method from the nearest of those places to an extreme; two raise the error to the ninth
+power."""
+
+_REACH = 0.15  # from a place to the extreme that it lies next to
+_NEAR_SHARE = (
+    0.05  # of all that a function spans: extremes this near to its largest or least value are looked for
+)
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
+_DEGREES = np.arange(ORDER)
+VANDER: FloatArray = np.asarray(np.polynomial.legendre.legvander(NODES, ORDER - 1), dtype=float)
+TO_COEFFICIENTS = (VANDER * WEIGHTS[:, None]).T * (_DEGREES + 0.5)[:, None]
+
+
+def _antiderivatives() -> tuple[FloatArray, FloatArray]:
+    """Matrices (p, p) that integrate nodal values from -1 to each node, and from each node to 1."""
+    longer = np.polynomial.legendre.legvander(NODES, ORDER)
+    primitive = np.empty((ORDER, ORDER))
+    primitive[:, 0] = NODES + 1
+    for n in range(1, ORDER):
+        primitive[:, n] = (longer[:, n + 1] - longer[:, n - 1]) / (2 * n + 1)
+    left = primitive @ TO_COEFFICIENTS
+    return left, WEIGHTS - left
+
+
+LEFT, RIGHT = _antiderivatives()
+SLOPES: FloatArray = np.zeros((ORDER, ORDER))
+SLOPES[:-1] = np.polynomial.legendre.legder(np.eye(ORDER))
+"""Legendre coefficients of the derivative from those of a function."""
+
+
+def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, FloatArray]:
+    """Between which edges (N + 1,) places (n,) lie, and where there, from -1 to 1."""
+    panel = np.searchsorted(edges[1:-1], places, side="right")
+    start, end = edges[panel], edges[panel + 1]
+    return panel, np.minimum(np.maximum((2 * places - start - end) / (end - start), -1.0), 1.0)
+
+
+@dataclass(frozen=True, eq=False)
+class PanelFunction:
+    """A piecewise polynomial: Legendre coefficients (N, p, ...) over the panels."""
+
+    coefficients: FloatArray
+
+    @classmethod
+    def through(cls, values: FloatArray) -> "PanelFunction":
+        """The interpolant of nodal values (N, p, ...)."""
+        return cls(in_panels(TO_COEFFICIENTS, values))
+
+    def at(self, panel: IntArray, x: FloatArray) -> FloatArray:
+        """Values (n, ...) at places x (n,) of panels (n,)."""
+        own = self.coefficients[panel].swapaxes(0, 1)
+        places = x.reshape(x.size, *[1] * (own.ndim - 2))
+        return np.asarray(np.polynomial.legendre.legval(places, own, tensor=False))
+
+    def in_every_panel(self, basis: FloatArray) -> FloatArray:
+        """Values (N, k, ...) at the same places of every panel, from their `legendre_basis` (k, p)."""
+        return in_panels(basis, self.coefficients)
+
+    def slope_at(self, panel: IntArray, x: FloatArray) -> FloatArray:
+        """Derivatives by x (n, ...)."""
+        return PanelFunction(in_panels(SLOPES, self.coefficients)).at(panel, x)
+
+    def unresolved(self, tolerance: float) -> BoolArray:
+        """Panels (N,) whose last coefficients exceed `tolerance` times the largest one."""
+        size = np.abs(self.coefficients)
+        return np.asarray(size[:, -2:].max(axis=1) > tolerance * size.max(axis=1))
+
+    @property
+    def nodal(self) -> FloatArray:
+        """Values (N, p, ...) at the nodes of the panels."""
+        return in_panels(VANDER, self.coefficients)
+
+    @property
+    def where_panels_meet(self) -> tuple[FloatArray, FloatArray]:
+        """Values (N - 1, ...) before and after the places where panels meet."""
+        at_ends = self.in_every_panel(_ENDS_BASIS)
+        return at_ends[:-1, 1], at_ends[1:, 0]
+
+    @property
+    def dense(self) -> FloatArray:
+        """Values (n, ...) at `Panels.dense_places`."""
+        values = self.in_every_panel(_DENSE_BASIS)
+        return values.reshape(values.shape[0] * values.shape[1], *values.shape[2:])
+
+    @property
+    def extremes(self) -> FloatArray:
+        """Values at the local extremes near the largest and least one, and at the samples beside them."""
+        return self.at(*self.extreme_places)
+
+    @property
+    def extreme_places(self) -> tuple[IntArray, FloatArray]:
+        """Panels and places x of those samples and extremes."""
+        panel, sample, x = self.found_extremes
+        return np.concatenate([panel, panel]), np.concatenate([_DENSE[sample], x])
+
+    @property
+    def found_extremes(self) -> tuple[IntArray, IntArray, FloatArray]:
+        """Panels (n,) of the local extremes near the largest and least value, the samples of `dense_places` in
+        them (n,) that each was found from, and the places x (n,), by Halley's method.
+        """
+        table = self.in_every_panel(_DENSE_BASIS)
+        extreme = np.zeros_like(table, dtype=bool)
+        middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]
+        extreme[:, 1:-1] = ((middle >= before) & (middle >= after)) | ((middle <= before) & (middle <= after))
+        low, high = table.min(), table.max()
+        band = _NEAR_SHARE * (high - low)
+        near = extreme & ((table > high - band) | (table < low + band))
+        # the worst samples stay in, ends of panels among them
+        near.flat[[table.argmin(), table.argmax()]] = True
+        panel, sample = near.nonzero()
+        own, start = self.coefficients[panel], _DENSE[sample]
+        x, slopes = start, _DENSE_SLOPES[sample]
+        lower, upper = np.maximum(start - _REACH, -1.0), np.minimum(start + _REACH, 1.0)
+        for step in range(EXTREME_STEPS):
+            if step:
+                slopes = (legendre_basis(x) @ _ALL_SLOPES).reshape(-1, 3, ORDER)
+            first, second, third = (slopes @ own[:, :, None])[:, :, 0].T
+            # Halley's step: Newton's, with the third derivative taken in
+            bend = 2 * second * second - first * third
+            step_by = np.divide(-2 * first * second, bend, out=np.zeros_like(x), where=bend != 0)
+            x = np.minimum(np.maximum(x + step_by, lower), upper)
+        return panel, sample, x
+
+    def combined(self, numbers: FloatArray) -> "PanelFunction":
+        """The last axis contracted with `numbers`."""
+        return PanelFunction(self.coefficients @ numbers)
+
+
+def legendre_basis(x: FloatArray) -> FloatArray:
+    """Values (n, p) of the Legendre polynomials at x (n,)."""
+    return np.asarray(np.polynomial.legendre.legvander(x, ORDER - 1), dtype=float)
+
+
+def in_panels(matrix: FloatArray, values: FloatArray) -> FloatArray:
+    """A matrix (k, p) applied to the p nodal values or coefficients (N, p, ...) of every panel: (N, k, ...)."""
+    if values.ndim == 2:
+        return np.asarray(values @ matrix.T)
+    flat = matrix @ values.reshape(*values.shape[:2], -1)
+    return np.asarray(flat.reshape(len(values), len(matrix), *values.shape[2:]))
+
+
+def lobatto_places(parts: int) -> FloatArray:
+    """Places (parts + 1,) from -1 to 1, closer towards the ends."""
+    inner = np.cos(np.pi * (np.arange(1, parts)[::-1] / parts))
+    return np.concatenate([[-1.0], inner, [1.0]])
+
+
+_DENSE = lobatto_places(DENSE_PARTS)
+_DENSE_BASIS = legendre_basis(_DENSE)
+_ENDS_BASIS = legendre_basis(np.array([-1.0, 1.0]))
+_ALL_SLOPES = np.concatenate([np.linalg.matrix_power(SLOPES, k) for k in (1, 2, 3)], axis=1)
+_DENSE_SLOPES = (_DENSE_BASIS @ _ALL_SLOPES).reshape(-1, 3, ORDER)
+"""First, second and third derivatives by x, of every Legendre polynomial."""
+
+
+@lru_cache(maxsize=64)
+def gauss_rule(count: int) -> tuple[FloatArray, FloatArray]:
+    """Places and weights (count,) of the Gauss rule over [-1, 1], read-only."""
+    places, weights = np.polynomial.legendre.leggauss(count)
+    places.setflags(write=False)
+    weights.setflags(write=False)
+    return places, weights

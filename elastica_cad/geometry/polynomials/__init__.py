@@ -1,1 +1,0 @@
-"""Polynomials and splines as numbers: Bernstein roots, Bezier pieces, least-squares fits."""

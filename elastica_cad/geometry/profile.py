@@ -1,0 +1,219 @@
+"""A number along the strip (stiffness, width) as a B-spline function of arc length."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number, is_whole, numbers, require_number
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.polynomials import raise_degree
+from elastica_cad.geometry.splines import adaptive_spline, finite, greville, knot_runs, spline_through
+
+STEP_SHARE = 2e-5
+"""Share of the length within which a change is a step. It is drawn as a ramp, so that an outline stays one
+edge."""
+
+
+@dataclass(frozen=True, eq=False)
+class Profile:
+    """A spline function of arc length; its graph is a true B-spline curve.
+
+    Parameters
+    ----------
+    knots : (m + degree + 1,) array_like
+        Full knot vector over arc length, mm, clamped at both ends.
+    coefficients : (m,) array_like
+        B-spline coefficients, in the unit of the value.
+    degree : int
+        Polynomial degree, 3 unless told.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> taper = Profile.fit(lambda s: 1 + s / 100, 100.0, tolerance=1e-9)
+    >>> float(np.round(taper(50.0), 6))
+    1.5
+    """
+
+    knots: FloatArray
+    coefficients: FloatArray
+    degree: int = 3
+
+    def __post_init__(self) -> None:
+        for name in ("knots", "coefficients"):
+            array = finite(f"profile {name}", getattr(self, name))
+            if array.ndim != 1:
+                raise InputError(
+                    "profile {name} must be a row of numbers, not an array of shape {shape}",
+                    name=name,
+                    shape=array.shape,
+                )
+            object.__setattr__(self, name, array)
+        if not (is_whole(self.degree) and self.degree >= 1):
+            raise InputError("a profile has a whole degree of 1 or more, not {degree!r}", degree=self.degree)
+        if self.knots.size != self.coefficients.size + self.degree + 1:
+            raise InputError(
+                "profile has {size} knots and {size_2} coefficients: degree {degree} needs {given} knots",
+                size=self.knots.size,
+                size_2=self.coefficients.size,
+                degree=self.degree,
+                given=self.coefficients.size + self.degree + 1,
+            )
+        clamped = self.knots[0] == self.knots[self.degree] and self.knots[-1] == self.knots[-self.degree - 1]
+        if (self.knots[1:] < self.knots[:-1]).any() or not self.knots[-1] > self.knots[0] or not clamped:
+            raise InputError("profile knots must increase and be repeated at both ends (clamped)")
+
+    def __repr__(self) -> str:
+        low, high = self.extremes
+        return f"<Profile of degree {self.degree}, {self.coefficients.size} coefficients, {low:.4g} to {high:.4g}>"
+
+    @classmethod
+    def fit(
+        cls,
+        function: Callable[[FloatArray], FloatArray],
+        length: float,
+        *,
+        breaks: Sequence[tuple[float, int]] = (),
+        knots: ArrayLike = (),
+        tolerance: float = 1e-7,
+        degree: int = 3,
+    ) -> "Profile":
+        """Approximate `function` on [0, length] to `tolerance` (absolute, checked between the samples).
+
+        Parameters
+        ----------
+        function : callable
+            Maps arc lengths (k,) to values (k,); never asked at a break or an end.
+        breaks : sequence of (s, continuity)
+            Places where the function is only `continuity` times differentiable; -1 is a jump.
+            They become knots of the matching multiplicity, so that a kink stays a kink.
+        knots : (k,) array_like
+            Where to begin with knots; more are put where the tolerance asks for them.
+
+        Raises
+        ------
+        NotConvergedError
+            When the function has a break that was not declared, or noise above the tolerance.
+        """
+        if not (is_number(length) and length > 0):
+            raise InputError("a profile needs a positive length, not {length!r} mm", length=length)
+        found, coefficients = adaptive_spline(
+            function,
+            (0.0, float(length)),
+            degree=degree,
+            tolerance=tolerance,
+            breaks=breaks,
+            knots=finite("knots", knots),
+            rounding=1e-9,  # quotients of moment and curvature are rarely known better
+        )
+        return cls(found, coefficients, degree)
+
+    @classmethod
+    def interpolate(cls, s: ArrayLike, values: ArrayLike) -> "Profile":
+        """The cubic spline through `values` (n,) at increasing arc lengths `s` (n,)."""
+        s, values = finite("arc lengths", s), finite("values", values)
+        if s.ndim != 1 or s.shape != values.shape or s.size < 2 or np.any(np.diff(s) <= 0):
+            raise InputError(
+                "a profile is interpolated at two or more increasing arc lengths, one value each"
+            )
+        through = spline_through(s, values, min(3, s.size - 1))
+        knots, coefficients = through.t, through.c
+        while knots.size < 8:
+            knots = np.concatenate([knots[:1], knots, knots[-1:]])
+            coefficients = raise_degree(coefficients)
+        return cls(knots, coefficients)
+
+    def __call__(self, s: ArrayLike, derivative: int = 0) -> FloatArray:
+        """Values (or derivatives per mm) at arc lengths `s`, same shape; continued beyond the ends."""
+        if not (is_whole(derivative) and derivative >= 0):
+            raise InputError(
+                "a profile has derivatives of order 0, 1, 2 ..., not {derivative!r}", derivative=derivative
+            )
+        return np.asarray(self._function(numbers(s, "arc lengths of a profile"), derivative), dtype=float)
+
+    @property
+    def length(self) -> float:
+        """End of the domain, mm."""
+        return float(self.knots[-1])
+
+    @property
+    def extremes(self) -> tuple[float, float]:
+        """Smallest and largest value over the domain, both sides of a jump included, to rounding error."""
+        (_, low), (_, high) = self._extreme_points
+        return low, high
+
+    @property
+    def is_positive(self) -> bool:
+        """Whether the value is above 0 everywhere."""
+        return bool(self.coefficients.min() > 0) or self.extremes[0] > 0
+
+    @property
+    def extreme_places(self) -> tuple[float, float]:
+        """Arc lengths, mm, of the smallest and of the largest value."""
+        (first, _), (second, _) = self._extreme_points
+        return first, second
+
+    @cached_property
+    def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        from scipy.interpolate import PPoly
+
+        pieces = PPoly.from_spline(self._function)
+        starts, widths = pieces.x[:-1], np.diff(pieces.x)
+        turns = pieces.derivative().roots(discontinuity=False, extrapolate=False)
+        turns = turns[np.isfinite(turns)]
+        # at a knot where the value jumps both sides count
+        before = sum(c * widths**k for k, c in enumerate(pieces.c[::-1]))
+        places = np.concatenate([starts, starts + widths, turns])
+        values = np.concatenate([pieces.c[-1], before, self._function(turns)])
+        low, high = int(values.argmin()), int(values.argmax())
+        return (float(places[low]), float(values[low])), (float(places[high]), float(values[high]))
+
+    @property
+    def breaks(self) -> tuple[tuple[float, int], ...]:
+        """Interior knots (s, continuity): how often the value can be differentiated there, -1 at a jump."""
+        knots, counts = knot_runs(self.knots[self.degree + 1 : -self.degree - 1])
+        return tuple((float(s), self.degree - int(n)) for s, n in zip(knots, counts, strict=True))
+
+    @cached_property
+    def steps(self) -> tuple[tuple[float, float], ...]:
+        """Begin and end, mm, of each ramp that represents a step."""
+        places = np.array([place for place, _ in self.breaks])
+        ends = np.flatnonzero(np.diff(places, append=np.inf) > STEP_SHARE * self.length)
+        starts = np.concatenate([[0], ends + 1])[:-1]
+        return tuple((float(places[i]), float(places[j])) for i, j in zip(starts, ends, strict=True) if i < j)
+
+    @property
+    def greville(self) -> FloatArray:
+        """Greville abscissae (m,): with these as x the graph of the spline is the spline curve itself."""
+        return greville(self.knots, self.degree)
+
+    def scaled(self, factor: float) -> "Profile":
+        """The profile times `factor`."""
+        require_number(factor, "the factor of a profile")
+        return Profile(self.knots, self.coefficients * factor, self.degree)
+
+    def stretched(self, low: float, high: float) -> "Profile":
+        """The profile, not an even one, with its values stretched so that its extremes are these two.
+
+        Examples
+        --------
+        >>> ramp = Profile.interpolate([0.0, 10.0], [1.0, 3.0]).stretched(1.0, 2.0)
+        >>> ramp.extremes, float(ramp(5.0))
+        ((1.0, 2.0), 1.5)
+        """
+        require_number(low, "the least value of a profile")
+        require_number(high, "the largest value of a profile")
+        least, most = self.extremes
+        factor = (high - low) / (most - least)
+        return Profile(self.knots, low + (self.coefficients - least) * factor, self.degree)
+
+    @cached_property
+    def _function(self) -> Any:
+        """The `scipy.interpolate.BSpline`."""
+        from scipy.interpolate import BSpline
+
+        return BSpline(np.array(self.knots), np.array(self.coefficients), self.degree)

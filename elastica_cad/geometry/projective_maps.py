@@ -1,0 +1,186 @@
+"""Projective maps of the plane: by four handles, and what they make of rational splines."""
+
+from collections.abc import Callable
+from itertools import combinations
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.polynomials import subdivide
+from elastica_cad.geometry.splines import finite
+from elastica_cad.refusals import Length
+
+_MOST_HALVINGS = 30  # of a piece, until its weights are even
+
+IN_LINE_SHARE = 1e-9
+"""Three points count as collinear when the height of their triangle is below this share of the size of all four
+points."""
+
+
+def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
+    """The projective map that takes four handles to four other places; `PlaneCurve.transformed` applies it.
+
+    Lines stay lines, so inflections that lie on one line still do: a curve that can be bent from a strip can
+    be bent after any such edit too (paper, section 4.3).
+
+    Parameters
+    ----------
+    before, after : (4, 2) array_like
+        Handles and where they go, mm; no three of either in a line.
+
+    Returns
+    -------
+    (3, 3) array
+        matrix @ (x, y, 1) divided by its third number is the image; that number is 1 at the first handle.
+
+    Raises
+    ------
+    InputError
+        Not four points each, two handles in one place, or three in a line. Handles that swap sides can send
+        a curve through infinity: `transformed` refuses that, with the place.
+
+    Examples
+    --------
+    >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> matrix = four_point_map(square, [(0, 0), (1, 0), (2, 2), (0, 1)])
+    >>> image = matrix @ (0.5, 0.0, 1)
+    >>> (image[:2] / image[2]).round(6).tolist()
+    [0.4, 0.0]
+    """
+    forth, home = _basis("before", before), _basis("after", after)
+    matrix = home @ np.linalg.inv(forth)
+    x, y = np.asarray(before, dtype=float)[0]
+    matrix = matrix / (matrix[2] @ (x, y, 1.0))
+    size = float(np.abs(np.asarray(before, dtype=float)).max())
+    if np.abs(matrix[2, :2]).max() * size < 1e-13:  # rounding only: an affine map leaves a curve polynomial
+        matrix[2] = 0.0, 0.0, 1.0
+    return np.asarray(matrix)
+
+
+def _basis(name: str, points: ArrayLike) -> FloatArray:
+    """The matrix that takes the unit vectors and their sum to the four points, homogeneous."""
+    handles = finite(name, points)
+    if handles.shape != (4, 2):
+        raise InputError(
+            "{name} must be four handles (x, y), shape (4, 2), not {shape}", name=name, shape=handles.shape
+        )
+    middle, size = handles.mean(axis=0), float(np.ptp(handles, axis=0).max())
+    if size == 0:
+        raise InputError(
+            "{name}: all four handles lie at {place}: take them apart", name=name, place=_place(handles[0])
+        )
+    rows = np.column_stack([(handles - middle) / size, np.ones(4)])
+    for i, j in combinations(range(4), 2):
+        if np.linalg.norm(rows[i] - rows[j]) <= IN_LINE_SHARE:
+            apart = float(np.linalg.norm(handles[i] - handles[j]))
+            if apart > 0:
+                raise InputError(
+                    "{name}: handles {i} and {j} lie {apart} apart while others lie {size} apart: too "
+                    "far for a map; move the far ones nearer",
+                    name=name,
+                    i=i + 1,
+                    j=j + 1,
+                    apart=Length(apart),
+                    size=Length(size),
+                )
+            raise InputError(
+                "{name}: handles {i} and {j} lie in one place, {place}: move one",
+                name=name,
+                i=i + 1,
+                j=j + 1,
+                place=_place(handles[i]),
+            )
+    for three in combinations(range(4), 3):
+        corner = rows[list(three)]
+        longest = max(float(np.linalg.norm(corner[i] - corner[j])) for i, j in combinations(range(3), 2))
+        (ux, uy, _), (vx, vy, _) = corner[1:] - corner[0]
+        if abs(ux * vy - uy * vx) <= IN_LINE_SHARE * longest:
+            numbers = ", ".join(str(i + 1) for i in three)
+            raise InputError(
+                "{name}: handles {numbers} lie in one line, through {place} and {place_2}: move one off it",
+                name=name,
+                numbers=numbers,
+                place=_place(handles[three[0]]),
+                place_2=_place(handles[three[2]]),
+            )
+    shares = np.linalg.solve(rows[:3].T, rows[3])
+    back = np.array([[size, 0.0, middle[0]], [0.0, size, middle[1]], [0.0, 0.0, 1.0]])
+    return np.asarray(back @ (rows[:3] * shares[:, None]).T)
+
+
+def _vanishing(piece: FloatArray) -> FloatArray:
+    """The homogeneous point of a Bezier piece at which the weight, positive at the start, reaches 0."""
+    for _ in range(_MOST_HALVINGS):
+        left, right = (np.ascontiguousarray(h.T) for h in subdivide(piece.T))
+        piece = left if left[-1, 2] <= 0 else right
+    return np.asarray(piece[0])
+
+
+def _place(point: FloatArray) -> str:
+    x, y = point.round(9) + 0.0
+    return f"({x:.4g}, {y:.4g}) mm"
+
+
+def map_spline(
+    knots: FloatArray,
+    control_points: FloatArray,
+    weights: FloatArray | None,
+    matrix: ArrayLike,
+    *,
+    degree: int,
+    pieces: Callable[[], tuple[FloatArray, FloatArray]],
+) -> tuple[FloatArray, FloatArray, FloatArray | None]:
+    """Knots, control points and weights of the image of a spline under a 3 x 3 matrix.
+
+    The map acts linearly on homogeneous control points. Where a control point (not the curve) would get a
+    weight that is not positive, the image is written as Bezier pieces, halved until all weights are positive;
+    `pieces` gives those of the spline, homogeneous, and their ends.
+    """
+    m = finite("matrix", matrix)
+    if m.shape != (3, 3):
+        raise InputError("a projective map is a 3 x 3 matrix, not {shape}", shape=m.shape)
+    if np.linalg.matrix_rank(m) < 3:
+        raise InputError("the matrix is singular: it would flatten the plane; use an invertible one")
+    affine = not m[2, :2].any()
+    w = np.ones(control_points.shape[0]) if weights is None else weights
+    image = np.column_stack([control_points * w[:, None], w]) @ m.T
+    if affine:
+        return knots, image[:, :2] / image[:, 2:], weights
+    if np.all(image[:, 2] > 0) or np.all(image[:, 2] < 0):
+        return knots, image[:, :2] / image[:, 2:], np.abs(image[:, 2])
+    bezier, edges = pieces()
+    parts = _positive_pieces(bezier @ m.T, edges, np.asarray(np.linalg.inv(m), dtype=float))
+    t = [edges[0]] * (degree + 1)
+    for start, _ in parts[1:]:
+        t += [start] * degree
+    t += [edges[-1]] * (degree + 1)
+    # neighbours share their end point, so each piece but the first leaves out its first control point
+    points = np.concatenate([parts[0][1], *(p[1:] for _, p in parts[1:])])
+    return np.array(t), points[:, :2] / points[:, 2:], np.abs(points[:, 2])
+
+
+def _positive_pieces(
+    bezier: FloatArray, edges: FloatArray, back: FloatArray
+) -> list[tuple[float, FloatArray]]:
+    sign = np.sign(bezier[0, 0, 2])
+    todo = [(float(a), float(b), p * sign, 0) for a, b, p in zip(edges[:-1], edges[1:], bezier, strict=True)][
+        ::-1
+    ]
+    done: list[tuple[float, FloatArray]] = []
+    while todo:
+        a, b, piece, depth = todo.pop()
+        if np.all(piece[:, 2] > 0):
+            done.append((a, piece))
+            continue
+        if min(piece[0, 2], piece[-1, 2]) <= 0 or depth == _MOST_HALVINGS:
+            x, y, w = back @ _vanishing(piece)
+            raise InputError(
+                "the projective map sends the curve through infinity, near {place}: keep the map's "
+                "vanishing line off the curve (move the handles less)",
+                place=_place(np.array([x, y]) / w),
+            )
+        left, right = (np.ascontiguousarray(h.T) for h in subdivide(piece.T))
+        middle = (a + b) / 2
+        todo += [(middle, b, right, depth + 1), (a, middle, left, depth + 1)]
+    return done

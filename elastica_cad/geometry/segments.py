@@ -1,0 +1,593 @@
+"""The three kinds of segment of a path, one at a time and thousands at once: line, arc, spline."""
+
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import acos, atan, atan2, ceil, cos, dist, floor, isfinite, pi, sin
+from typing import TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
+from elastica_cad._values import is_number, numbers, require_flag, require_number
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.nurbs_curve import cross
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import (
+    distinct,
+    is_similarity,
+    require_affine,
+    similarity_of,
+    transform_points,
+)
+from elastica_cad.geometry.polynomials import gauss_rule
+from elastica_cad.refusals import Length
+
+_FLATTEST_MM = 1e-7
+"""An arc that rises less than this over its chord (mm) is a line."""
+
+_FARTHEST_MM = 1e9
+"""An arc of a larger radius (mm) is a line, too: in double precision its ends are not known to 1e-6 mm."""
+
+RATIONAL_NODES = 32
+"""Nodes of Gauss's rule for the area beside a rational piece; for a quarter circle it is exact to rounding."""
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """A straight segment.
+
+    Parameters
+    ----------
+    start, end : (2,) array_like
+        mm; they must differ.
+
+    Examples
+    --------
+    >>> Line((0, 0), (3, 4)).length
+    5.0
+    """
+
+    start: FloatArray
+    end: FloatArray
+
+    def __init__(self, start: ArrayLike, end: ArrayLike) -> None:
+        object.__setattr__(self, "start", point(start, "line start"))
+        object.__setattr__(self, "end", point(end, "line end"))
+        if self.start.tolist() == self.end.tolist():
+            raise InputError("a line at {start} has no length: leave it out", start=place(self.start))
+
+    @property
+    def length(self) -> float:
+        """Length, mm."""
+        return dist(self.start.tolist(), self.end.tolist())
+
+    @property
+    def direction(self) -> tuple[float, float]:
+        """Direction from start to end, of length 1."""
+        start, end = self.start.tolist(), self.end.tolist()
+        size = dist(start, end)
+        return (end[0] - start[0]) / size, (end[1] - start[1]) / size
+
+    @property
+    def bounds(self) -> FloatArray:
+        """[[x_min, y_min], [x_max, y_max]], mm."""
+        return np.array([np.minimum(self.start, self.end), np.maximum(self.start, self.end)])
+
+    def at(self, u: ArrayLike) -> FloatArray:
+        """Points (..., 2) at u in [0, 1]."""
+        u = numbers(u, "u")[..., None]
+        return np.asarray(self.start * (1 - u) + self.end * u, dtype=float)
+
+    def velocity_at(self, u: ArrayLike) -> FloatArray:
+        """Derivative (..., 2) of `at` by u, mm."""
+        return np.broadcast_to(self.end - self.start, (*numbers(u, "u").shape, 2)).copy()
+
+    def tangent_at(self, u: ArrayLike) -> FloatArray:
+        """Unit tangents (..., 2) at u in [0, 1]."""
+        return np.asarray(self.velocity_at(u) / self.length, dtype=float)
+
+    def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
+        """Signed area swept by the ray from `origin`, mm2: 1/2 of the integral of x dy - y dx."""
+        origin = point(origin, "origin")
+        return 0.5 * _cross(self.start - origin, self.end - origin)
+
+    def reversed(self) -> "Line":
+        """The line run the other way."""
+        return Line(self.end, self.start)
+
+    def transformed(self, matrix: ArrayLike) -> "Line":
+        """The line moved by a 3x3 affine matrix."""
+        return Line(transform_points(matrix, self.start), transform_points(matrix, self.end))
+
+
+@dataclass(frozen=True, eq=False)
+class Arc:
+    """A circular arc, anticlockwise where `end_angle` > `start_angle`; a whole turn is a circle.
+
+    Parameters
+    ----------
+    center : (2,) array_like
+        mm.
+    radius : float
+        mm, positive.
+    start_angle, end_angle : float
+        rad, from the x axis; they may differ by at most 2 pi.
+
+    Examples
+    --------
+    >>> quarter = Arc((0, 0), 2.0, 0.0, 3.141592653589793 / 2)
+    >>> round(quarter.length, 6), round(quarter.swept_area(), 6)
+    (3.141593, 3.141593)
+    """
+
+    center: FloatArray
+    radius: float
+    start_angle: float
+    end_angle: float
+
+    def __init__(self, center: ArrayLike, radius: float, start_angle: float, end_angle: float) -> None:
+        object.__setattr__(self, "center", point(center, "arc center"))
+        for name, value in {"radius": radius, "start_angle": start_angle, "end_angle": end_angle}.items():
+            object.__setattr__(self, name, require_number(value, f"arc {name}"))
+        if self.radius <= 0:
+            raise InputError(
+                "arc radius is {radius:g} at {center}: it must be positive",
+                radius=Length(self.radius),
+                center=place(self.center),
+            )
+        if self.sweep == 0 or abs(self.sweep) > 2 * np.pi * (1 + 1e-12):
+            raise InputError(
+                "arc at {center} turns by {sweep:g} rad: give more than 0 and at most 2 pi",
+                center=place(self.center),
+                sweep=self.sweep,
+            )
+
+    @classmethod
+    def from_bulge(cls, start: ArrayLike, end: ArrayLike, bulge: float) -> "Arc":
+        """The arc between two points with `bulge` = tan(turn / 4), positive anticlockwise, as in DXF."""
+        start, end = point(start, "arc start"), point(end, "arc end")
+        require_number(bulge, "the bulge of an arc")
+        (x0, y0), (x1, y1) = start.tolist(), end.tolist()
+        if not bulge or (x0, y0) == (x1, y1):
+            raise InputError(
+                "an arc at {start} needs two different ends and a bulge other than 0", start=place(start)
+            )
+        square = bulge * bulge
+        off = (1 - square) / (4 * bulge)
+        x, y = (x0 + x1) / 2 - (y1 - y0) * off, (y0 + y1) / 2 + (x1 - x0) * off
+        first = atan2(y0 - y, x0 - x)
+        radius = dist((x0, y0), (x1, y1)) * (1 + square) / (4 * abs(bulge))
+        arc = cls((x, y), radius, first, first + 4 * atan(bulge))
+        vars(arc).update(start=start, end=end)  # to the last digit
+        return arc
+
+    @property
+    def sweep(self) -> float:
+        """Turn, rad, positive anticlockwise."""
+        return self.end_angle - self.start_angle
+
+    @property
+    def bulge(self) -> float:
+        """tan(sweep / 4), as DXF writes arcs of polylines."""
+        return float(np.tan(self.sweep / 4))
+
+    @property
+    def is_circle(self) -> bool:
+        """True for a whole turn."""
+        return abs(abs(self.sweep) - 2 * np.pi) < 1e-12
+
+    @cached_property
+    def start(self) -> FloatArray:
+        """First point (2,), mm."""
+        return self._on(self.start_angle)
+
+    @cached_property
+    def end(self) -> FloatArray:
+        """Last point (2,), mm; exactly the first one of a circle."""
+        return self.start if self.is_circle else self._on(self.end_angle)
+
+    @property
+    def length(self) -> float:
+        """Length, mm."""
+        return self.radius * abs(self.sweep)
+
+    @property
+    def bounds(self) -> FloatArray:
+        """[[x_min, y_min], [x_max, y_max]], mm."""
+        low, high = sorted((self.start_angle, self.end_angle))
+        quarter = pi / 2
+        poles = (quarter * k for k in range(ceil(low / quarter), floor(high / quarter) + 1))
+        (x, y), r, angles = self.center.tolist(), self.radius, (low, high, *poles)
+        across, up = [x + r * cos(angle) for angle in angles], [y + r * sin(angle) for angle in angles]
+        return np.array([[min(across), min(up)], [max(across), max(up)]])
+
+    def at(self, u: ArrayLike) -> FloatArray:
+        """Points (..., 2) at u in [0, 1], uniform in arc length."""
+        return self._on(self.start_angle + self.sweep * numbers(u, "u"))
+
+    def velocity_at(self, u: ArrayLike) -> FloatArray:
+        """Derivative (..., 2) of `at` by u, mm."""
+        return np.asarray(self.length * self.tangent_at(u), dtype=float)
+
+    def tangent_at(self, u: ArrayLike) -> FloatArray:
+        """Unit tangents (..., 2) at u in [0, 1]."""
+        angle = self.start_angle + self.sweep * numbers(u, "u")
+        forward = np.stack([-np.sin(angle), np.cos(angle)], axis=-1)
+        return forward if self.sweep > 0 else -forward
+
+    def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
+        """Signed area swept by the ray from `origin`, mm2."""
+        origin = point(origin, "origin")
+        return float(_swept_by(self.start - origin, self.end - origin, self.radius, self.sweep))
+
+    def reversed(self) -> "Arc":
+        """The arc in the opposite direction."""
+        return Arc(self.center, self.radius, self.end_angle, self.start_angle)
+
+    def transformed(self, matrix: ArrayLike) -> "Arc":
+        """The arc moved, turned, mirrored or scaled by a 3x3 similarity.
+
+        Raises
+        ------
+        InputError
+            The matrix would make an ellipse of it; `Path.transformed` then takes a spline.
+        """
+        m = require_affine(matrix)
+        if not is_similarity(m):
+            raise InputError("an arc stays an arc only when moved, turned, mirrored or scaled evenly")
+        scale, turn, sign = similarity_of(m)
+        return Arc(
+            transform_points(m, self.center),
+            self.radius * scale,
+            turn + sign * self.start_angle,
+            turn + sign * self.end_angle,
+        )
+
+    def as_spline(self) -> "Spline":
+        """Return the same arc as an exact rational spline."""
+        return Spline(PlaneCurve.arc(self.center, self.radius, self.start_angle, self.end_angle))
+
+    def _on(self, angle: FloatArray | float) -> FloatArray:
+        return _points_on_circles(self.center, self.radius, angle)
+
+
+@dataclass(frozen=True, eq=False)
+class Spline:
+    """A segment along a whole `PlaneCurve`."""
+
+    curve: PlaneCurve
+
+    @cached_property
+    def start(self) -> FloatArray:
+        """First point (2,), mm."""
+        c = self.curve
+        return c.control_points[0] if c.knots[0] == c.knots[c.degree] else self.at(0.0)
+
+    @cached_property
+    def end(self) -> FloatArray:
+        """Last point (2,), mm."""
+        c = self.curve
+        return c.control_points[-1] if c.knots[-1] == c.knots[-c.degree - 1] else self.at(1.0)
+
+    @property
+    def length(self) -> float:
+        """Length, mm."""
+        return float(self.curve.length)
+
+    @property
+    def bounds(self) -> FloatArray:
+        """[[x_min, y_min], [x_max, y_max]], mm."""
+        return np.asarray(self.curve.bounds).reshape(2, 2)
+
+    def parameter(self, u: ArrayLike) -> FloatArray:
+        """The curve's parameters at u in [0, 1]."""
+        t0, t1 = self.curve.domain
+        u = numbers(u, "u")
+        return np.asarray(t0 * (1 - u) + t1 * u, dtype=float)
+
+    def at(self, u: ArrayLike) -> FloatArray:
+        """Points (..., 2) at u in [0, 1], uniform in the curve's parameter."""
+        return np.asarray(self.curve.evaluate(self.parameter(u)), dtype=float)
+
+    def velocity_at(self, u: ArrayLike) -> FloatArray:
+        """Derivative (..., 2) of `at` by u, mm."""
+        t0, t1 = self.curve.domain
+        return np.asarray(self.curve.evaluate(self.parameter(u), 1) * (t1 - t0), dtype=float)
+
+    def tangent_at(self, u: ArrayLike, *, left: bool = False) -> FloatArray:
+        """Unit tangents (..., 2) at u in [0, 1]; at a corner the one after it, with `left` the one before."""
+        d = np.asarray(
+            self.curve.evaluate(self.parameter(u), 1, left=require_flag(left, "left")), dtype=float
+        )
+        return np.asarray(d / np.hypot(d[..., 0], d[..., 1])[..., None], dtype=float)
+
+    def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
+        """Signed area swept by the ray from `origin`, mm2, by Gauss's rule on each Bezier piece.
+
+        Exact without weights, where x y' - y x' is of degree 2 p - 1 at most.
+        """
+        origin = point(origin, "origin")
+        edges, _ = self.curve.bezier_table
+        x, w = gauss_rule(RATIONAL_NODES if self.curve.is_rational else self.curve.degree)
+        half = np.diff(edges)[:, None] / 2
+        t = (edges[:-1, None] + half * (1 + x)).ravel()
+        p, d = self.curve.derivatives(t, 1)
+        return float(0.5 * np.sum((half * w).ravel() * cross(p - origin, d)))
+
+    def reversed(self) -> "Spline":
+        """The spline run the other way."""
+        return Spline(self.curve.reversed())
+
+    def transformed(self, matrix: ArrayLike) -> "Spline":
+        """The spline moved by a 3x3 projective matrix."""
+        return Spline(self.curve.transformed(matrix))
+
+
+Segment: TypeAlias = Line | Arc | Spline
+
+
+def segment_from_bulge(start: ArrayLike, end: ArrayLike, bulge: float) -> Line | Arc:
+    """The arc from start to end with `bulge` = tan(turn / 4), or a line where it is too flat for a centre."""
+    chord = float(np.hypot(*(np.asarray(end, dtype=float) - np.asarray(start, dtype=float))))
+    rise = abs(bulge) * chord / 2
+    if rise < _FLATTEST_MM or chord**2 > 8 * rise * _FARTHEST_MM:
+        return Line(start, end)
+    return Arc.from_bulge(start, end, bulge)
+
+
+def left_of(v: FloatArray) -> FloatArray:
+    """The vector (2,) turned by a quarter to the left."""
+    return np.array([-v[1], v[0]])
+
+
+def _cross(a: FloatArray, b: FloatArray) -> float:
+    return float(a[0] * b[1] - a[1] * b[0])
+
+
+def place(p: ArrayLike) -> str:
+    """A point as messages write it."""
+    x, y = np.asarray(p, dtype=float)
+    return f"({x:.6g}, {y:.6g}) mm"
+
+
+def point(value: ArrayLike, name: str) -> FloatArray:
+    """Check a point (2,), mm, and return it as a read-only array."""
+    p = numbers(value, name).copy()
+    if p.shape != (2,) or not all(map(isfinite, p.tolist())):
+        raise InputError("{name} must be two finite numbers in mm, got {given!r}", name=name, given=value)
+    p.setflags(write=False)
+    return p
+
+
+def _points_on_circles(
+    centers: FloatArray, radii: FloatArray | float, angles: FloatArray | float
+) -> FloatArray:
+    """Points (..., 2) at angles (...), rad, from the x axis.
+
+    Examples
+    --------
+    >>> _points_on_circles(np.array([[3.0, 4.0]]), np.array([2.0]), np.array([0.0])).tolist()
+    [[5.0, 4.0]]
+    """
+    reach = np.asarray(radii)[..., None]
+    return np.asarray(centers + reach * np.stack([np.cos(angles), np.sin(angles)], axis=-1), dtype=float)
+
+
+def _swept_by(start: FloatArray, end: FloatArray, radius: ArrayLike, sweep: ArrayLike) -> FloatArray:
+    """Areas (...,), mm2, that rays sweep along arcs, or lines (radius and sweep 0), from start to end (..., 2)."""
+    triangle = start[..., 0] * end[..., 1] - start[..., 1] * end[..., 0]
+    segment = np.square(radius) * _beyond_sine(np.asarray(sweep, dtype=float))
+    return np.asarray(0.5 * (triangle + segment), dtype=float)
+
+
+def _beyond_sine(x: FloatArray) -> FloatArray:
+    """x - sin x without cancellation, so that the segment of a flat arc keeps its digits."""
+    y = x * x
+    near = x * y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110))))
+    return np.where(np.abs(x) > 0.3, x - np.sin(x), near)
+
+
+def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
+    """The part of a segment between 0 <= u0 < u1 <= 1, exact."""
+    if not 0 <= u0 < u1 <= 1:
+        raise InputError(
+            "a segment is trimmed between 0 <= u0 < u1 <= 1, got {u0:g} and {u1:g}", u0=u0, u1=u1
+        )
+    if (u0, u1) == (0, 1):
+        return segment
+    if isinstance(segment, Line):
+        return Line(segment.at(u0), segment.at(u1))
+    if isinstance(segment, Arc):
+        a, sweep = segment.start_angle, segment.sweep
+        return Arc(segment.center, segment.radius, a + u0 * sweep, a + u1 * sweep)
+    return Spline(segment.curve.trimmed(float(segment.parameter(u0)), float(segment.parameter(u1))))
+
+
+_PROBES = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
+"""Places of a span at which its distance from the chord is measured, in shares of the span."""
+
+_ENDS, _HALVES = np.array([0.0, 1.0]), np.array([0.0, 0.5, 1.0])
+
+MOST_ROUNDS = 40
+"""Largest number of halvings; a span is then as short as rounding errors."""
+
+
+def require_tolerance_mm(tolerance: float) -> float:
+    """The tolerance, mm, refused unless it is positive and finite."""
+    if not (is_number(tolerance) and tolerance > 0):
+        raise InputError("the tolerance is {tolerance}: it must be positive, in mm", tolerance=tolerance)
+    return float(tolerance)
+
+
+def chords(segment: Segment, tolerance: float) -> tuple[FloatArray, FloatArray]:
+    """Parameters u (n,) from 0 to 1 whose chords stay within `tolerance` mm of a segment, and its points there."""
+    u = _first_places(segment, tolerance)
+    if not isinstance(segment, Spline):
+        return u, segment.at(u)
+    one = np.zeros(u.size, dtype=int)
+    return _halve_chords(lambda _, u: segment.at(u), one, u, one == 0, tolerance)[1:]
+
+
+def chord_points(segment: Segment, tolerance: float) -> FloatArray:
+    """The points of `chords` alone, (n, 2), mm."""
+    return chords(segment, tolerance)[1]
+
+
+def _first_places(segment: Segment, tolerance: float) -> FloatArray:
+    """Places u (n,) from 0 to 1: all that chords of lines and arcs need, of splines what they are halved from."""
+    tolerance = require_tolerance_mm(tolerance)
+    if isinstance(segment, Line):
+        return _ENDS
+    if isinstance(segment, Arc):
+        # a third of a turn at most, so that a circle keeps an inside
+        half = acos(min(max(1 - tolerance / segment.radius, 0.5), 1 - 1e-15))
+        return np.linspace(0.0, 1.0, ceil(abs(segment.sweep) / (2 * half) - 1e-9) + 1)
+    knots, (t0, t1) = segment.curve.knots, segment.curve.domain
+    inner = knots[(knots > t0) & (knots < t1)]
+    return distinct(np.concatenate([[0.0], (inner - t0) / (t1 - t0), [0.5, 1.0]])) if inner.size else _HALVES
+
+
+def _halve_chords(
+    at: Callable[[IntArray, FloatArray], FloatArray], which: IntArray, u: FloatArray, bent: BoolArray,
+    tolerance: float,
+) -> tuple[IntArray, FloatArray, FloatArray]:  # fmt: skip
+    """Places with others between them until chords are near enough, and the points (n, 2) there.
+
+    Parameters
+    ----------
+    at : callable
+        Points (n, 2) of segments (n,) at places u (n,).
+    which, u : (k,) arrays
+        Numbers of segments, increasing, and places on them from 0 to 1.
+    bent : (k,) boolean array
+        Places behind which chords are measured.
+    tolerance : float
+        mm.
+    """
+    found = [(which, u)]
+    spans = np.flatnonzero(bent[:-1] & (which[1:] == which[:-1]))
+    number, low, high = which[spans], u[spans], u[spans + 1]
+    for _ in range(MOST_ROUNDS):
+        probes = low[:, None] + (high - low)[:, None] * _PROBES
+        points = at(np.repeat(number, _PROBES.size), probes.ravel()).reshape(*probes.shape, 2)
+        bad = _chord_errors(points[:, 0], points[:, -1], points[:, 1:-1]) > 0.95 * tolerance
+        if not bad.any():
+            break
+        number, low, high = number[bad], low[bad], high[bad]
+        middle = low + (high - low) / 2
+        found.append((number, middle))
+        number, low, high = np.tile(number, 2), np.append(low, middle), np.append(middle, high)
+    which, u = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    order = np.lexsort((u, which))
+    return which[order], u[order], at(which[order], u[order])
+
+
+def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
+    """Largest distance (n,) of the probes (n, k, 2) of each span from the chord between its ends (n, 2)."""
+    chord, off = ends - begins, probes - begins[:, None, :]
+    size = (chord**2).sum(axis=1)[:, None]
+    # beyond an end of the chord that end is nearest: hairpins reach out there
+    along = np.divide((off * chord[:, None]).sum(axis=2), size, out=np.zeros(off.shape[:2]), where=size > 0)
+    away = off - np.clip(along, 0.0, 1.0)[..., None] * chord[:, None]
+    return np.asarray(np.hypot(away[..., 0], away[..., 1]).max(axis=1), dtype=float)
+
+
+_Motion: TypeAlias = Callable[[IntArray, FloatArray, int], FloatArray]
+"""Points (n, 2), or derivatives of that order by u, at places u (n,) of segments (n,) of one kind."""
+
+
+class SegmentTable:
+    """Segments of any kinds, evaluated together.
+
+    Examples
+    --------
+    >>> table = SegmentTable([Line((0, 0), (4, 0)), Arc((0, 0), 2.0, 0.0, np.pi)])
+    >>> table.at(np.array([0, 1]), np.array([0.5, 0.5])).round(6).tolist()
+    [[2.0, 0.0], [0.0, 2.0]]
+    """
+
+    def __init__(self, segments: Sequence[Segment]) -> None:
+        kinds: dict[Hashable, list[int]] = {}
+        for i, segment in enumerate(segments):
+            kinds.setdefault(_kind(segment), []).append(i)
+        self._kind, self._number = np.empty((2, len(segments)), dtype=int)
+        self._motions: list[_Motion] = []
+        for k, members in enumerate(kinds.values()):
+            self._kind[members], self._number[members] = k, np.arange(len(members))
+            self._motions.append(_motion([segments[i] for i in members]))
+
+    def at(self, which: IntArray, u: FloatArray, derivative: int = 0) -> FloatArray:
+        """Points (n, 2), or first derivatives by u, mm, at places u (n,) in [0, 1] of segments (n,)."""
+        found, kind = np.empty((which.size, 2)), self._kind[which]
+        for k, motion in enumerate(self._motions):
+            here = kind == k
+            if here.any():
+                found[here] = motion(self._number[which[here]], u[here], derivative)
+        return found
+
+
+def chords_of_all(segments: Sequence[Segment], tolerance: float) -> tuple[IntArray, FloatArray]:
+    """The points of `chords` of every segment (n, 2), and the numbers (n,) of their segments."""
+    places = [_first_places(segment, tolerance) for segment in segments]
+    which, u = np.repeat(np.arange(len(places)), [one.size for one in places]), np.concatenate(places)
+    bent = np.array([isinstance(segment, Spline) for segment in segments])
+    return _halve_chords(SegmentTable(segments).at, which, u, bent[which], tolerance)[::2]
+
+
+def _kind(segment: Segment) -> Hashable:
+    """What segments have in common that are evaluated together: clamped splines without weights their degree."""
+    if isinstance(segment, Spline):
+        curve = segment.curve
+        clamped = (curve.knots[0], curve.knots[-1]) == curve.domain
+        return curve.degree if clamped and not curve.is_rational else segment
+    return type(segment).__name__
+
+
+def _motion(segments: Sequence[Segment]) -> _Motion:
+    arcs = [segment for segment in segments if isinstance(segment, Arc)]
+    if arcs:
+        return _on_circles(arcs)
+    lines = [segment for segment in segments if isinstance(segment, Line)]
+    splines = [segment for segment in segments if isinstance(segment, Spline)]
+    if lines:
+        ends = [np.array([line.start, line.end]) for line in lines]
+        return _on_splines([np.array([0.0, 0.0, 1.0, 1.0])] * len(lines), ends, 1)
+    first = splines[0]
+    if len(splines) == 1:
+        return lambda _, u, derivative: first.velocity_at(u) if derivative else first.at(u)
+    return _on_splines(
+        [(one.curve.knots - one.curve.knots[0]) / np.ptp(one.curve.knots) for one in splines],
+        [one.curve.control_points for one in splines],
+        first.curve.degree,
+    )
+
+
+def _on_circles(arcs: Sequence[Arc]) -> _Motion:
+    centers = np.array([arc.center for arc in arcs])
+    radii, starts, sweeps = np.array([(arc.radius, arc.start_angle, arc.sweep) for arc in arcs]).T
+
+    def motion(which: IntArray, u: FloatArray, derivative: int) -> FloatArray:
+        angle = starts[which] + u * sweeps[which] + derivative * np.pi / 2
+        out = np.column_stack([np.cos(angle), np.sin(angle)])
+        out *= (radii[which] * sweeps[which] ** derivative)[:, None]
+        return out if derivative else out + centers[which]
+
+    return motion
+
+
+def _on_splines(knots: Sequence[FloatArray], points: Sequence[FloatArray], degree: int) -> _Motion:
+    """As one B-spline: the i-th, over clamped knots from 0 to 1, from 2 i to 2 i + 1, and nothing between."""
+    from scipy.interpolate import BSpline
+
+    nothing = np.zeros((degree + 1, 2))
+    chain = [part for one in points for part in (one, nothing)][:-1]
+    joined = BSpline(
+        np.concatenate([2 * i + one for i, one in enumerate(knots)]), np.concatenate(chain), degree
+    )
+
+    def motion(which: IntArray, u: FloatArray, derivative: int) -> FloatArray:
+        at = np.minimum(2.0 * which + u, np.nextafter(2.0 * which + 1, 0.0))
+        return np.asarray(joined(at, nu=derivative), dtype=float)
+
+    return motion

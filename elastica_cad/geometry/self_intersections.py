@@ -1,0 +1,219 @@
+"""Where a curve meets itself, and under which angles it is seen from one of its own points."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray, IntArray
+from elastica_cad.geometry.nurbs_curve import (
+    NurbsCurve,
+    cut_into_tangent_cones,
+    hodograph,
+    tabulate_tangent_angle,
+)
+from elastica_cad.geometry.plane_points import boxes_about
+from elastica_cad.geometry.polynomials import (
+    binomials,
+    divide_out_end_root,
+    interior_roots,
+    product,
+    subdivide,
+    sums_in_pieces,
+)
+
+_MOST_HALVINGS = 40
+"""A piece that was halved this often is as short as rounding errors."""
+
+_NEWTON_SHARE = 1e-4  # of the extent: from here Newton steps find the common point
+_MOST_PAIRS = 1000  # more are overlapping stretches: a tenth of their points is enough
+
+
+def find_self_intersections(
+    bezier: FloatArray, edges: FloatArray, motion: Callable[[FloatArray], Sequence[FloatArray]]
+) -> FloatArray:
+    """Pairs of parameters (k, 2), first < second, at which homogeneous Bezier pieces (p, degree + 1, 3) meet.
+
+    Pieces are halved while their boxes overlap. Two neighbours, or one piece, whose velocities lie in a
+    common half plane run on in one direction and cannot meet again, so that joints are no false alarms.
+
+    Parameters
+    ----------
+    edges : (p + 1,) array
+        Parameters at which the pieces meet.
+    motion : callable
+        Positions and velocities d/dt, (n, 2) each, at parameters (n,).
+    """
+    points = bezier[..., :2] / bezier[..., 2:]
+    small = _NEWTON_SHARE * float(np.ptp(points, axis=(0, 1)).max())
+    part, low, high = bezier, edges[:-1], edges[1:]
+    first, second = np.triu_indices(low.size)
+    found: list[FloatArray] = []
+    for _ in range(_MOST_HALVINGS):
+        first, second = _meeting(part, (low, high), first, second)
+        size = _sizes(_boxes(part))
+        tiny = np.maximum(size[first], size[second]) < small
+        if first.size > _MOST_PAIRS:
+            thinned = np.linspace(0, first.size - 1, _MOST_PAIRS // 10).astype(int)
+            first, second, tiny = first[thinned], second[thinned], np.ones(thinned.size, dtype=bool)
+        middle = (low + high) / 2
+        found.append(np.column_stack([middle[first], middle[second]])[tiny])
+        first, second = first[~tiny], second[~tiny]
+        if not first.size:
+            break
+        part, low, high, first, second = _halved(part, low, high, first, second)
+    starts = np.concatenate(found)
+    return _distinct(_polished(starts, motion, edges, small), edges)
+
+
+def _boxes(part: FloatArray) -> FloatArray:
+    return boxes_about(part[..., :2] / part[..., 2:])
+
+
+def _sizes(box: FloatArray) -> FloatArray:
+    return np.asarray((box[:, 1] - box[:, 0]).max(axis=1))
+
+
+def _meeting(
+    part: FloatArray, limits: tuple[FloatArray, FloatArray], first: IntArray, second: IntArray
+) -> tuple[IntArray, IntArray]:
+    """Pairs of pieces whose boxes overlap and that do not continue each other in one direction."""
+    (low, high), box = limits, _boxes(part)
+    overlap = (box[first, 0] <= box[second, 1]).all(axis=1) & (box[second, 0] <= box[first, 1]).all(axis=1)
+    first, second = first[overlap], second[overlap]
+    joined = high[first] >= low[second]
+    onward = np.zeros(first.size, dtype=bool)
+    onward[joined] = _one_way(hodograph(part), first[joined], second[joined])
+    return first[~onward], second[~onward]
+
+
+def _one_way(velocity: FloatArray, first: IntArray, second: IntArray) -> BoolArray:
+    length = np.linalg.norm(velocity, axis=2, keepdims=True)
+    unit = velocity / np.where(length > 0, length, 1.0)
+    both = np.concatenate([unit[first], unit[second]], axis=1)
+    return np.asarray((np.einsum("pnk,pk->pn", both, both.sum(axis=1)) > 0).all(axis=1))
+
+
+def _halved(
+    part: FloatArray, low: FloatArray, high: FloatArray, first: IntArray, second: IntArray
+) -> tuple[FloatArray, FloatArray, FloatArray, IntArray, IntArray]:
+    """Halves of the pieces still in question, and all pairs of halves."""
+    used, index = np.unique(np.concatenate([first, second]), return_inverse=True)
+    first, second = index[: first.size], index[first.size :]
+    left, right = subdivide(np.swapaxes(part[used], 1, 2))
+    halves = np.swapaxes(np.stack([left, right], axis=1), 2, 3).reshape(-1, *part.shape[1:])
+    middle = (low[used] + high[used]) / 2
+    low = np.stack([low[used], middle], axis=1).ravel()
+    high = np.stack([middle, high[used]], axis=1).ravel()
+    a = (2 * first[:, None] + np.array([0, 0, 1, 1])).ravel()
+    b = (2 * second[:, None] + np.array([0, 1, 0, 1])).ravel()
+    return halves, low, high, a[a <= b], b[a <= b]
+
+
+def _polished(
+    pairs: FloatArray,
+    motion: Callable[[FloatArray], Sequence[FloatArray]],
+    edges: FloatArray,
+    small: float,
+) -> FloatArray:
+    """Common points by Newton steps on gamma(t1) = gamma(t2); pairs that only come near are dropped."""
+    start = pairs
+    for _ in range(12):
+        if not pairs.size:
+            return pairs
+        p, v = motion(pairs.T.ravel())
+        n = len(pairs)
+        gap, v1, v2 = p[n:] - p[:n], v[:n], v[n:]
+        # least squares with a small damping, so that tangent branches do not divide by zero
+        a11, a12, a22 = (v1**2).sum(axis=1), -(v1 * v2).sum(axis=1), (v2**2).sum(axis=1)
+        r1, r2 = (v1 * gap).sum(axis=1), -(v2 * gap).sum(axis=1)
+        determinant = a11 * a22 - a12**2 + 1e-14 * a11 * a22
+        step = np.column_stack([a22 * r1 - a12 * r2, a11 * r2 - a12 * r1]) / determinant[:, None]
+        pairs = np.clip(pairs + step, edges[0], edges[-1])
+    p, v = motion(pairs.T.ravel())
+    n = len(pairs)
+    met = np.linalg.norm(p[n:] - p[:n], axis=1) <= 1e-5 * small
+    speed = np.linalg.norm(v, axis=1)
+    moved = (np.abs(pairs - start) * np.column_stack([speed[:n], speed[n:]])).max(axis=1)
+    apart = (pairs[:, 1] - pairs[:, 0]) * np.minimum(speed[:n], speed[n:])
+    return np.asarray(pairs[met & (moved <= 10 * small) & (apart > 1e-3 * small)])
+
+
+def _distinct(pairs: FloatArray, edges: FloatArray) -> FloatArray:
+    """Each place once, in order; the two ends of a closed curve are no place where it meets itself."""
+    close = 1e-7 * (edges[-1] - edges[0])
+    kept: list[FloatArray] = []
+    for pair in pairs[np.lexsort(pairs.T[::-1])]:
+        ends = pair[0] - edges[0] < close and edges[-1] - pair[1] < close
+        if not ends and all(np.abs(pair - other).max() > close for other in kept):
+            kept.append(pair)
+    return np.array(kept).reshape(-1, 2)
+
+
+_AT_KNOT_SHARE = 1e-9  # of a span
+
+
+@dataclass(frozen=True)
+class ViewAngles:
+    """Smallest and largest angle (rad), continued along the curve, of the directions towards it.
+
+    Attributes
+    ----------
+    point : (float, float)
+        Where it is seen from, mm.
+    low, high : float
+        rad; high - low may exceed a full turn.
+    low_t, high_t : float
+        The parameters where the curve is seen under these angles.
+    """
+
+    point: tuple[float, float]
+    low: float
+    high: float
+    low_t: float
+    high_t: float
+
+
+def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
+    """The directions gamma - p in which the point p at t sees the curve, those to what lies before p reversed.
+
+    The direction at p itself is the tangent, so that the angle is continuous along the curve. None when the
+    curve passes p again.
+    """
+    views, edges, point = _views(curve, t)
+    cones = cut_into_tangent_cones(views, edges)
+    if cones.standstill is not None:
+        return None
+    across = views.transpose(2, 0, 1)
+    first, second = product(across, (across[..., 1:] - across[..., :-1])[::-1])
+    turn = first - second
+    roots = interior_roots(turn)
+    piece = np.array([*range(len(views)), len(views) - 1, *(root.piece for root in roots)])
+    u = np.array([0.0] * len(views) + [1.0] + [root.u for root in roots])
+    places = edges[piece] + u * (edges[piece + 1] - edges[piece])
+    direction = sums_in_pieces(views * binomials(views.shape[1] - 1)[:, None], piece, u)
+    angle = tabulate_tangent_angle(cones).at(places, direction)
+    low, high = int(angle.argmin()), int(angle.argmax())
+    return ViewAngles(point, float(angle[low]), float(angle[high]), float(places[low]), float(places[high]))
+
+
+def _views(curve: NurbsCurve, t: float) -> tuple[FloatArray, FloatArray, tuple[float, float]]:
+    """Pieces (k, n, 2) along gamma - p (reversed before p), no longer zero at p, their edges (k + 1,), and p."""
+    edges, bezier = curve.bezier_table
+    at = int(np.searchsorted(edges[1:-1], t, side="right"))
+    u = (t - edges[at]) / (edges[at + 1] - edges[at])
+    if u > 1 - _AT_KNOT_SHARE:
+        at += 1
+    elif u > _AT_KNOT_SHARE:
+        left, right = subdivide(bezier[at].T, u)
+        bezier = np.concatenate([bezier[:at], [left.T, right.T], bezier[at + 1 :]])
+        at += 1
+        edges = np.concatenate([edges[:at], [t], edges[at:]])
+    x, y, w = (bezier[at, 0] if at < len(bezier) else bezier[-1, -1]).tolist()
+    views = bezier[..., :2] - bezier[..., 2:] * np.array([x, y]) / w
+    views[:at] *= -1
+    if at:
+        views[at - 1] = divide_out_end_root(views[at - 1].T, at_end=True).T
+    if at < len(views):
+        views[at] = divide_out_end_root(views[at].T, at_end=False).T
+    return views, edges, (x / w, y / w)

@@ -1,0 +1,789 @@
+"""B-splines by knots and coefficients: Bezier pieces, basis functions, interpolation, fits to a tolerance."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from math import ceil, cos, pi
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._compiled_scipy import lapack
+from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
+from elastica_cad._values import as_floats, is_number, is_whole, numbers, require_positive
+from elastica_cad.errors import InputError, NotConvergedError, quoted
+from elastica_cad.geometry.plane_points import lengths_along, numbers_in_groups
+from elastica_cad.geometry.polynomials import bernstein_values, gauss_rule
+from elastica_cad.refusals import Length, Point, note
+
+SHORTEST_DOMAIN, FARTHEST_KNOT = 1e-9, 1e12
+"""Shortest domain and largest knot with which splines are computed."""
+
+
+def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
+    """The distinct knots (k,) of a vector that never falls, and how often each stands there (k,).
+
+    Examples
+    --------
+    >>> places, counts = knot_runs(np.array([0.0, 0.0, 1.0, 2.0, 2.0]))
+    >>> places.tolist(), counts.tolist()
+    ([0.0, 1.0, 2.0], [2, 1, 2])
+    """
+    rises = np.ones(knots.size + 1, dtype=bool)
+    np.not_equal(knots[1:], knots[:-1], out=rises[1:-1])
+    first = rises.nonzero()[0]  # of every run, and the end of the last one
+    counts = first[1:] - first[:-1]
+    return knots[first[:-1]], counts
+
+
+def clamped_knots(edges: FloatArray, continuity: Mapping[float, int], degree: int) -> FloatArray:
+    """Knots (m,) of a spline over the spans between edges (k,), as smooth at some of these as `continuity` says.
+
+    Examples
+    --------
+    >>> clamped_knots(np.array([0.0, 1.0, 2.0]), {1.0: 0}, 2).tolist()
+    [0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0]
+    """
+    counts = np.ones(edges.size, dtype=int)
+    repeats = [min(max(degree - order, 1), degree + 1) for order in continuity.values()]
+    counts[edges.searchsorted(list(continuity))] = repeats
+    counts[[0, -1]] = degree + 1
+    return edges.repeat(counts)
+
+
+def greville(knots: FloatArray, degree: int) -> FloatArray:
+    """Greville abscissae (..., m) of knot vectors (..., m + degree + 1): with these as x a spline draws itself.
+
+    Examples
+    --------
+    >>> greville(np.array([0.0, 0.0, 0.0, 1.0, 2.0, 2.0, 2.0]), 2).tolist()
+    [0.0, 0.5, 1.5, 2.0]
+    """
+    count = knots.shape[-1] - degree - 1
+    total = sum((knots[..., i : i + count] for i in range(2, degree + 1)), start=knots[..., 1 : count + 1])
+    return np.asarray(total / degree, dtype=float)
+
+
+def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray:
+    """A read-only float array of `values`; refuses what is no number, NaN and infinity."""
+    given = as_floats(values)
+    if given is None:
+        raise InputError("{name} must be numbers", name=name)
+    array = given.copy()
+    if not np.isfinite(array).all():
+        first = np.argwhere(~np.isfinite(array))[0].tolist()
+        raise InputError(
+            "{name} holds NaN or infinite values, the first at index {first}", name=name, first=first
+        )
+    array.setflags(write=False)
+    return array
+
+
+def whole_degree(degree: int) -> int:
+    """The degree as a plain int; refuses what is no whole number of 2 or more."""
+    if isinstance(degree, bool) or not isinstance(degree, int | float | np.integer | np.floating):
+        raise InputError("a curve needs degree 2 or more, not {degree!r}", degree=degree)
+    if not (degree == np.floor(degree) and 2 <= degree < 100):
+        raise InputError("a curve needs a whole degree of 2 or more, not {degree!r}", degree=degree)
+    return int(degree)
+
+
+def check_knots(knots: FloatArray, count: int, degree: int) -> None:
+    """Refuse a knot vector that does not fit the control points or breaks the curve apart."""
+    _check_knots(knots.tobytes(), count, degree)
+
+
+@lru_cache(maxsize=64)
+def _check_knots(written: bytes, count: int, degree: int) -> None:
+    """The same of knots as bytes: curves side by side have the same."""
+    knots = np.frombuffer(written)
+    if count < degree + 1:
+        raise InputError(
+            "{count} control points are too few for degree {degree}: give {degree_2} or more",
+            count=count,
+            degree=degree,
+            degree_2=degree + 1,
+        )
+    if knots.shape != (count + degree + 1,):
+        raise InputError(
+            "{count} control points of degree {degree} need {given} knots (the full vector, end "
+            "knots repeated), not {size}",
+            count=count,
+            degree=degree,
+            given=count + degree + 1,
+            size=knots.size,
+        )
+    down = np.flatnonzero(np.diff(knots) < 0)
+    if down.size:
+        raise InputError(
+            "knots must not decrease: knot {given} is less than knot {down}", given=down[0] + 1, down=down[0]
+        )
+    start, end = knots[degree], knots[-degree - 1]
+    if not end > start:
+        raise InputError("the knots leave no domain: the first and last inner knot coincide")
+    if not (end - start >= SHORTEST_DOMAIN and np.abs(knots).max() <= FARTHEST_KNOT):
+        raise InputError(
+            "the knots run from {start:.3g} to {end:.3g}, where cubes of differences overflow or "
+            "vanish: scale them to 0..1",
+            start=start,
+            end=end,
+        )
+    values, counts = knot_runs(knots)
+    inside = (values > start) & (values < end)
+    if inside.any() and counts[inside].max() > degree:
+        where = values[inside][counts[inside].argmax()]
+        raise InputError(
+            "knot {place:g} is repeated {most} times: more than the degree {degree} breaks the curve apart",
+            place=where,
+            most=counts[inside].max(),
+            degree=degree,
+        )
+    if counts.max() > degree + 1:
+        raise InputError(
+            "an end knot is repeated {most} times: degree {degree} allows {degree_2}",
+            most=counts.max(),
+            degree=degree,
+            degree_2=degree + 1,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Spans:
+    """The non-empty knot spans of a B-spline basis inside its domain.
+
+    Attributes
+    ----------
+    count : int
+        Number m of control points.
+    edges : (p + 1,) array
+        Ends of the spans in the parameter t, increasing.
+    first : (p,) int array
+        Index of the first of the degree + 1 control points that act on each span.
+    matrix : (p, degree + 1, degree + 1) array
+        Bezier control points of a span = matrix @ its B-spline control points.
+    """
+
+    count: int
+    edges: FloatArray
+    first: IntArray
+    matrix: FloatArray
+
+    @property
+    def degree(self) -> int:
+        """Polynomial degree of the basis."""
+        return int(self.matrix.shape[-1]) - 1
+
+    @cached_property
+    def widths(self) -> FloatArray:
+        """Lengths (p,) of the spans in the parameter."""
+        return np.asarray(self.edges[1:] - self.edges[:-1])
+
+    def bezier(self, control_points: FloatArray) -> FloatArray:
+        """Bezier control points (p, degree + 1, ...) of the spline with `control_points` (m, ...)."""
+        local = control_points[self.first[:, None] + np.arange(self.degree + 1)]
+        pieces = self.matrix @ local.reshape(*local.shape[:2], -1)
+        return np.asarray(pieces.reshape(local.shape), dtype=float)
+
+    def locate(self, t: FloatArray, *, left: bool = False) -> tuple[IntArray, FloatArray]:
+        """Span index and local coordinate u in [0, 1] of parameters (n,); at an edge the right span."""
+        index = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
+        u = (t - self.edges[index]) / self.widths[index]
+        return index, np.minimum(np.maximum(u, 0.0), 1.0)
+
+    def basis(self, t: FloatArray, derivative: int = 0) -> FloatArray:
+        """Values (n, m) of the d-th derivative of all m basis functions at parameters (n,)."""
+        local, index = self.local_basis(t, derivative)
+        out = np.zeros((t.size, self.count))
+        columns = self.first[index][:, None] + np.arange(self.degree + 1)
+        out[np.arange(t.size)[:, None], columns] = local
+        return out
+
+    def local_basis(self, t: FloatArray, derivative: int = 0) -> tuple[FloatArray, IntArray]:
+        """The degree + 1 basis functions that do not vanish (n, degree + 1), and the span index (n,)."""
+        index, u = self.locate(t)
+        width = self.widths[index]
+        bernstein = bernstein_values(self.degree, u, derivative) / width[:, None] ** derivative
+        return np.asarray(np.einsum("ni,nij->nj", bernstein, self.matrix[index])), index
+
+
+def bezier_spans(knots: FloatArray, degree: int) -> Spans:
+    """Bezier extraction of a B-spline basis with a full knot vector (m + degree + 1,), clamped or not.
+
+    Bezier point j of the span [a, b] is the blossom at a (degree - j times) and b (j times).
+    """
+    return _spans(np.asarray(knots, dtype=float).tobytes(), degree)
+
+
+@lru_cache(maxsize=64)
+def _spans(written: bytes, degree: int) -> Spans:
+    """The spans of knots as bytes: curves side by side and their moved copies have the same."""
+    knots = np.frombuffer(written)
+    span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
+    near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
+    ends, size = near[degree - 1 : degree + 1], degree + 1
+    # the spans run along the last axis
+    points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))
+    for level in range(1, size):
+        low, high = near[level - 1 : degree], near[degree : degree + size - level]
+        # argument `level` of the blossom is a of the first Bezier points, b of the others
+        shares = ((ends[:, None] - low) / (high - low))[(np.arange(size) >= level).astype(int)]
+        shares = shares.swapaxes(0, 1)[:, :, None]
+        points = points[:-1] * (1 - shares) + points[1:] * shares
+    matrix = np.broadcast_to(points[0], (size, size, span.size)).transpose(2, 0, 1)
+    edges = np.concatenate([ends[0], ends[1, -1:]])
+    first, matrix = span - degree, np.ascontiguousarray(matrix)
+    for shared in (edges, first, matrix):
+        shared.setflags(write=False)
+    return Spans(knots.size - size, edges, first, matrix)
+
+
+def spline_through(x: FloatArray, values: FloatArray, degree: int) -> Any:
+    """The `scipy.interpolate.BSpline` of odd degree through values (n, ...) at increasing x (n,).
+
+    A cubic one has no knots at the places next to its ends, so that it is one polynomial there, a quintic one none
+    at the two next to them. Of even degree it is the one polynomial through degree + 1 places.
+
+    Examples
+    --------
+    >>> cubic = spline_through(np.arange(4.0), np.arange(4.0) ** 3 + 1, 3)
+    >>> cubic.t.tolist(), cubic.c.round(9).tolist()
+    ([0.0, 0.0, 0.0, 0.0, 3.0, 3.0, 3.0, 3.0], [1.0, 1.0, 1.0, 28.0])
+    """
+    from scipy.interpolate import make_interp_spline
+
+    beside = (degree + 1) // 2
+    inner = x[beside:-beside] if degree % 2 else x[:0]
+    knots = np.concatenate([np.repeat(x[:1], degree + 1), inner, np.repeat(x[-1:], degree + 1)])
+    return make_interp_spline(x, values, k=degree, t=knots)
+
+
+def interpolation_sites(knots: FloatArray, degree: int) -> FloatArray:
+    """Places (m,) for interpolation with clamped knots: the Greville abscissae, with both ends exact."""
+    sites = greville(knots, degree)
+    sites[[0, -1]] = knots[[0, -1]]
+    return sites
+
+
+def interpolated(sites: FloatArray, values: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
+    """Coefficients (m, ...) of the spline over given knots that has `values` (m, ...) at `sites` (m,)."""
+    from scipy.interpolate import make_interp_spline
+
+    return np.asarray(make_interp_spline(sites, values, k=degree, t=knots).c, dtype=float)
+
+
+def unit_circle_arc(start: float, end: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Knots, control points (m, 2) and weights (m,) of degree 2 for the unit circle from angle start to end.
+
+    Segments of at most a quarter turn, joined by double knots at the angles where they meet; the middle
+    control point of a segment of angle 2 h has weight cos h (Piegl and Tiller, The NURBS Book, section 7.3).
+    """
+    count = max(1, ceil(abs(end - start) / (pi / 2) * (1 - 1e-12)))
+    half = (end - start) / count / 2
+    angle = start + half * np.arange(2 * count + 1)
+    weights = np.ones(angle.size)
+    weights[1::2] = cos(half)
+    points = np.stack([np.cos(angle), np.sin(angle)], axis=1) / weights[:, None]
+    joints = np.linspace(min(start, end), max(start, end), count + 1) - min(start, end)
+    knots = np.concatenate([[0.0], np.repeat(joints, 2), [joints[-1]]])
+    return knots, points, weights
+
+
+def elevate_degree(
+    knots: FloatArray, control_points: FloatArray, degree: int, weights: FloatArray | None = None
+) -> tuple[FloatArray, FloatArray, FloatArray | None]:
+    """Knots, control points and weights of the same clamped spline with one degree more.
+
+    Every piece is raised as a Bezier piece, and control points are joined where pieces meet: knots that had
+    multiplicity degree have degree + 1; knots of lower multiplicity become full ones, which leaves the curve as it
+    is.
+
+    Examples
+    --------
+    >>> knots, points, _ = elevate_degree(np.repeat([0.0, 1.0], 3), np.array([(0, 0), (3, 6), (6, 0)]), 2)
+    >>> points.tolist()
+    [[0.0, 0.0], [2.0, 4.0], [4.0, 4.0], [6.0, 0.0]]
+    """
+    spans = bezier_spans(knots, degree)
+    w = np.ones(len(control_points)) if weights is None else weights
+    pieces = spans.bezier(np.column_stack([control_points * w[:, None], w]))
+    share = np.arange(1, degree + 1)[:, None] / (degree + 1)
+    inner = share * pieces[:, :-1] + (1 - share) * pieces[:, 1:]
+    raised = np.concatenate([pieces[:, :1], inner, pieces[:, -1:]], axis=1)
+    rows = np.concatenate([raised[0], *(piece[1:] for piece in raised[1:])])
+    edges = spans.edges
+    new_knots = np.concatenate([edges[:1], np.repeat(edges, degree + 1), edges[-1:]])
+    points = rows[:, :2] / rows[:, 2:]
+    return new_knots, points, None if weights is None else rows[:, 2]
+
+
+_PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
+"""Places of a span at which the error is measured, in shares of the span: none is a site of the fit."""
+
+_MOST_DEGREE = 12
+"""Largest degree of the splines that approximate functions."""
+
+_MOST_SPANS = 3000
+"""Largest number of spans; a function that needs more is refused."""
+
+_NARROWEST_SHARE = 1e-9
+"""Narrowest span, as a share of the domain."""
+
+_SAME_BREAK_SHARE = 1e-10  # of the domain: breaks no farther apart are one
+_ALIKE = 1e-7  # the same where the slope goes on in one of them: no span between them can be solved for
+_WIDER_TIMES = 8.0  # than its neighbour: cut with it
+
+_REFINED_SHARE = 0.05
+"""Spans whose error is above this share of the largest are refined in one round."""
+
+_CORRECTIONS = 2
+"""Number of times that the parameters are moved to the nearest points of the curve, for each knot vector."""
+
+_POINTS_EACH = 4  # points a control point must have before a fit goes below its tolerance
+_ENOUGH_FOR_NOISE = 100  # points of which noise can be told from shape; fewer are met one by one if need be
+_MOST_INTERPOLATED = 1000
+"""The interpolation solves a dense system of this size."""
+
+_STRIDE_SHARE = 0.4  # of the way to its neighbour that a point may go where points would overtake each other
+_LEAST_PENALTY = 1e-11  # penalty beside the data that only decides what the data leave open
+_ALLOWED_INCREASE = 1.1  # of the root mean square distance, in exchange for a smoother curve
+
+
+def adaptive_spline(
+    function: Callable[[FloatArray], FloatArray],
+    domain: tuple[float, float],
+    *,
+    degree: int,
+    tolerance: float,
+    breaks: Sequence[tuple[float, int]] = (),
+    knots: FloatArray | Sequence[float] = (),
+    rounding: float = 1e-13,
+) -> tuple[FloatArray, FloatArray]:
+    """Knots and coefficients (m, ...) of a clamped spline within `tolerance` of a function on `domain`.
+
+    Parameters
+    ----------
+    function : callable
+        Maps places (k,) to values (k,) or (k, q); it is asked strictly inside the spans only, so that the
+        value at a break does not matter.
+    tolerance : float
+        Largest error of a value, checked between the sites of the fit.
+    breaks : sequence of (place, continuity)
+        Places where the function is only `continuity` times differentiable, -1 where it jumps: they become
+        knots of the matching multiplicity.
+    knots : (k,) array_like
+        Where to begin with knots besides the breaks; more come where they are needed.
+    rounding : float
+        Relative error of the function's values; nothing closer is asked for.
+
+    Raises
+    ------
+    InputError
+        When the function is not finite.
+    NotConvergedError
+        When it cannot be followed: an undeclared jump or kink, or noise above the tolerance.
+    """
+    require_positive(tolerance, "the tolerance of a fit", "the unit of the values")
+    if not callable(function):
+        raise InputError(
+            "what is followed is {function}: give a function of the places along the curve",
+            function=quoted(function),
+        )
+    if not (is_whole(degree) and 1 <= degree <= _MOST_DEGREE):
+        raise InputError(
+            "a function is followed by a spline of degree 1 to {most_degree}, not {degree!r}",
+            most_degree=_MOST_DEGREE,
+            degree=degree,
+        )
+    edges, order = _first_edges(domain, _checked_breaks(breaks), np.asarray(knots, dtype=float))
+    sites, weight = gauss_rule(degree + 3)
+    while True:
+        low, widths = edges[:-1], np.diff(edges)
+        full = clamped_knots(edges, order, degree)
+        x = low[:, None] + widths[:, None] * np.concatenate([(1 + sites) / 2, _PROBES])
+        values = _sampled(function, x)
+        weights = np.sqrt(widths[:, None] * weight)
+        spans = bezier_spans(full, degree)
+        coefficients = _nearest(spans, x[:, : sites.size], values[:, : sites.size], weights)
+        probed = _evaluated(spans, coefficients, x[:, sites.size :])
+        error = np.abs(probed - values[:, sites.size :]).reshape(low.size, -1).max(axis=1)
+        accepted = max(tolerance, rounding * float(np.abs(values).max()))
+        # a steep place spoils its neighbourhood too: only the worst is refined before the rest is judged
+        bad = error > max(accepted, _REFINED_SHARE * float(error.max()))
+        if not bad.any():
+            return full, coefficients
+        _refuse_endless(edges, bad, error, tolerance)
+        parts = np.ones(low.size, dtype=int)
+        worst = _with_wide_neighbours(widths, bad)
+        parts[worst] = _parts(error[worst] / accepted, degree)
+        start = low.repeat(parts) + numbers_in_groups(parts) * (widths / parts).repeat(parts)
+        edges = np.append(start, edges[-1])
+
+
+def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, int]]:
+    """Breaks as pairs of a place and a whole number."""
+    rows = numbers(breaks, "breaks")
+    if rows.size and rows.shape[1:] != (2,):
+        raise InputError("breaks are pairs of a place and how often the function can be differentiated there")
+    return [(place, int(continuity)) for place, continuity in rows.tolist()]
+
+
+def _first_edges(
+    domain: tuple[float, float], breaks: Sequence[tuple[float, int]], knots: FloatArray
+) -> tuple[FloatArray, dict[float, int]]:
+    """The ends of the domain, breaks and given knots between them, and the continuity at each break.
+
+    Breaks too close to be told apart count as one; knots next to a break are left out.
+    """
+    first, last = domain
+    length, order, latest = last - first, dict[float, int](), first
+    for place, continuity in sorted(breaks):
+        if not first + _SAME_BREAK_SHARE * length < place < last - _SAME_BREAK_SHARE * length:
+            continue
+        before = order.get(latest)
+        apart = _ALIKE if before is not None and max(before, continuity) > 0 else _SAME_BREAK_SHARE
+        if before is None or place - latest > apart * length:
+            order[place] = continuity
+            latest = place
+        elif continuity < before:  # the rougher of the two is where it is
+            del order[latest]
+            order[place] = continuity
+            latest = place
+    edges = np.array([first, *sorted(order), last])
+    inside = np.unique(knots[(knots > first) & (knots < last)])
+    apart_from = np.abs(inside[:, None] - edges).min(axis=1, initial=np.inf)
+    return np.sort(np.concatenate([edges, inside[apart_from > _NARROWEST_SHARE * length]])), order
+
+
+def _sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> FloatArray:
+    """Values (p, k, ...) at places (p, k)."""
+    values = numbers(function(x.ravel()), "values of a function")
+    if values.shape[:1] != (x.size,):
+        raise InputError(
+            "a function along the curve must give a value for each of {size} places", size=x.size
+        )
+    if not np.isfinite(values).all():
+        first = np.argwhere(~np.isfinite(values.reshape(x.size, -1)).all(axis=1))[0, 0]
+        raise InputError("the function is not finite at {ravel:.6g}", ravel=x.ravel()[first])
+    return values.reshape(*x.shape, *values.shape[1:])
+
+
+def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArray) -> FloatArray:
+    """Coefficients (m, ...) of the spline nearest in mean square to values (p, k, ...) at places (p, k).
+
+    Importing scipy.interpolate for `make_lsq_spline` takes longer than all fits of a command.
+    """
+    basis, index = spans.local_basis(x.ravel())
+    first, weight = spans.first[index], weights.ravel()[:, None]
+    rows, targets = basis * weight, values.reshape(x.size, -1) * weight
+    order = range(rows.shape[1])
+    band = np.zeros((rows.shape[1], spans.count))
+    right = np.zeros((spans.count, targets.shape[1]))
+    for a in order:
+        for b in order[a:]:
+            band[b - a] += np.bincount(first + a, rows[:, a] * rows[:, b], spans.count)
+        for column in range(targets.shape[1]):
+            right[:, column] += np.bincount(first + a, rows[:, a] * targets[:, column], spans.count)
+    _, solution, info = lapack().dpbsv(band, right, lower=1)
+    if info:
+        raise NotConvergedError("No spline follows the function: its places are too close to each other.")
+    return np.asarray(solution.reshape(spans.count, *values.shape[2:]), dtype=float)
+
+
+def _evaluated(spans: Spans, coefficients: FloatArray, x: FloatArray) -> FloatArray:
+    """Values (p, k, ...) of a spline at places (p, k)."""
+    basis, index = spans.local_basis(x.ravel())
+    local = coefficients[spans.first[index][:, None] + np.arange(spans.degree + 1)]
+    values = np.einsum("nj,nj...->n...", basis, local)
+    return np.asarray(values.reshape(*x.shape, *coefficients.shape[1:]), dtype=float)
+
+
+def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolerance: float) -> None:
+    """A domain of too many spans, or of one too narrow for its length, cannot be followed."""
+    widths = np.diff(edges)
+    narrow = bad & (widths < _NARROWEST_SHARE * (edges[-1] - edges[0]))
+    if narrow.any() or edges.size + np.count_nonzero(bad) > _MOST_SPANS:
+        worst = int(np.where(bad, error, 0.0).argmax())
+        raise NotConvergedError(
+            "no spline follows the function to {tolerance:g}: near {edges:.6g} the error stays "
+            "{error:.3g}; declare the break there or ask for less",
+            tolerance=tolerance,
+            edges=edges[worst],
+            error=error[worst],
+        )
+
+
+def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
+    """Bad spans and those beside them that are far wider: a narrow one can't mend what a wide one imposes."""
+    cut = bad.copy()
+    cut[1:] |= bad[:-1] & (widths[1:] > _WIDER_TIMES * widths[:-1])
+    cut[:-1] |= bad[1:] & (widths[:-1] > _WIDER_TIMES * widths[1:])
+    return cut
+
+
+def _parts(excess: FloatArray, degree: int) -> IntArray:
+    """Number of parts, 2 to 8, that a span needs when the error falls with the power degree + 1 of its width."""
+    return np.asarray(np.clip(np.floor(excess ** (1 / (degree + 1))), 2, 8), dtype=int)
+
+
+def fit_spline(
+    points: ArrayLike, degree: int, tolerance: float, smoothing: float | None = None
+) -> tuple[FloatArray, FloatArray]:
+    """Knots and control points of a clamped spline within `tolerance` of `points` (n, 2).
+
+    Knots are added where points lie too far off; between rounds every point's parameter moves to the foot
+    of its perpendicular. What is left then tells noise from shape by its correlation from point to point:
+    shape is followed to a third of the tolerance, for the sake of the curvature; noise is taken out by the
+    largest penalty on the third derivative that hardly increases the mean distance (parabolas, which have no
+    inflection, cost nothing). Points that no such curve follows are interpolated.
+    """
+    data = distinct_points(points)
+    _check_options(degree, tolerance, smoothing)
+    ends = np.repeat([0.0, 1.0], degree + 1)
+    if data.shape[0] == 2:
+        u = np.linspace(0.0, 1.0, degree + 1)[:, None]
+        return ends, data[0] * (1 - u) + data[1] * u
+    if data.shape[0] <= degree:
+        return _through(data, degree)
+    inner, t = np.empty(0), _chord_parameters(data)
+    before, aim = np.inf, tolerance
+    while True:
+        problem = _Problem(np.sort(np.concatenate([ends, inner])), degree, data)
+        try:
+            control, t = problem.solved(t, problem.weight(smoothing), _CORRECTIONS)
+        except np.linalg.LinAlgError:
+            return _through(data, degree)
+        error = problem.distance(control, t)
+        alike = problem.likeness(control, t)
+        if error.max() <= tolerance:
+            ample = data.shape[0] >= _POINTS_EACH * control.shape[0]
+            aim = tolerance / 3 if alike > 0.5 and ample and not smoothing else tolerance
+        if error.max() <= aim:
+            break
+        if smoothing and error.max() > 0.95 * before:
+            break
+        added = _new_knots(problem.spans.edges, t, error, aim)
+        crowded = control.shape[0] + added.size > data.shape[0] / 2 + degree
+        many = data.shape[0] >= _ENOUGH_FOR_NOISE
+        noisy = many and alike < 0.2 and np.median(error) > tolerance / 3
+        if not added.size or crowded or noisy:
+            if error.max() <= tolerance:
+                break
+            if many and (alike < 0.2 or data.shape[0] > _MOST_INTERPOLATED):
+                raise NotConvergedError(_scatter(data, error, tolerance))
+            return _through(data, degree)
+        before = error.max()
+        inner = np.concatenate([inner, added])
+    if smoothing is None and alike <= 0.5:
+        mean = float(np.sqrt((problem.distance(control, t) ** 2).mean()))
+        control = _smoothed(problem, control, t, tolerance, _ALLOWED_INCREASE * mean)
+    return problem.knots, control
+
+
+def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[FloatArray, FloatArray]:
+    """Knots and control points of the clamped spline within `tolerance` of `points` (n, 2) that bends most evenly.
+
+    It has a knot at every point, and the largest penalty on its third derivative with which no point is farther
+    off: whatever the tolerance, it lies between the spline through all points and a parabola, and never swings
+    between the points, as least squares do with nearly as many control points as points. Of a hundred points and
+    more `fit_spline` tells noise from shape with few control points.
+    """
+    data = distinct_points(points)
+    if not degree < data.shape[0] < _ENOUGH_FOR_NOISE:
+        return fit_spline(data, degree, tolerance)
+    _check_options(degree, tolerance, None)
+    t = _chord_parameters(data)
+    problem = _Problem(_knots_for(t, degree), degree, data)
+    return problem.knots, _smoothed(problem, problem.at(t, _LEAST_PENALTY), t, tolerance, np.inf)
+
+
+class _Problem:
+    """Least squares over the control points for one knot vector."""
+
+    def __init__(self, knots: FloatArray, degree: int, data: FloatArray) -> None:
+        self.knots = knots
+        self.spans = bezier_spans(knots, degree)
+        self.data = data
+        gram = _derivative_gram(self.spans)
+        self.scale = float(np.trace(gram))
+        self.penalty = gram * (data.shape[0] / self.scale)
+        self._latest: tuple[FloatArray, FloatArray] = (np.empty(0), np.empty((0, 0)))
+
+    def weight(self, smoothing: float | None) -> float:
+        """The user's smoothing as a factor of the penalty, which is scaled to the data."""
+        return max(_LEAST_PENALTY, (smoothing or 0.0) * self.scale)
+
+    def solved(self, t: FloatArray, weight: float, corrections: int) -> tuple[FloatArray, FloatArray]:
+        """Control points, after moving the parameters `corrections` times; the parameters they belong to."""
+        control = self.at(t, weight)
+        for _ in range(corrections):
+            t = self.feet(control, t)
+            control = self.at(t, weight)
+        return control, t
+
+    def at(self, t: FloatArray, weight: float) -> FloatArray:
+        """Control points (m, 2) of the best spline when the data belong to parameters t (n,)."""
+        basis = self._basis(t)
+        weighted = basis.T * self._end_emphasis(t)
+        normal = weighted @ basis + weight * self.penalty
+        ends = self.data[[0, -1]]
+        right = weighted @ self.data - normal[:, [0, -1]] @ ends
+        inner: FloatArray = np.linalg.solve(normal[1:-1, 1:-1], right[1:-1])
+        return np.asarray(np.concatenate([ends[:1], inner, ends[1:]]))
+
+    def _basis(self, t: FloatArray) -> FloatArray:
+        """Basis functions at t; those of the latest parameters are kept, as each are used several times."""
+        if self._latest[0] is not t:
+            self._latest = t, self.spans.basis(t)
+        return self._latest[1]
+
+    def _gap(self, control: FloatArray, t: FloatArray) -> FloatArray:
+        return np.asarray(self.data - self._basis(t) @ control)
+
+    def _end_emphasis(self, t: FloatArray) -> FloatArray:
+        """Chebyshev-like weights in the first and last span, where least squares would err most."""
+        edges = self.spans.edges
+        from_ends = np.minimum(t / (edges[1] - edges[0]), (1 - t) / (edges[-1] - edges[-2]))
+        return np.asarray(1 / np.sqrt(np.clip(from_ends, 1e-3, 1.0)))
+
+    def feet(self, control: FloatArray, t: FloatArray) -> FloatArray:
+        """Parameters of the points of the curve nearest to the data, one Gauss-Newton step from t."""
+        gap = self._gap(control, t)
+        velocity = self.spans.basis(t, 1) @ control
+        gap[[0, -1]] = 0.0
+        speed2 = (velocity**2).sum(axis=1)
+        step = (gap * velocity).sum(axis=1) / np.maximum(speed2, 1e-12 * speed2.max())
+        moved = t + step
+        if np.all(np.diff(moved) > 0) and moved[0] >= 0 and moved[-1] <= 1:
+            return np.asarray(moved)
+        reach = _STRIDE_SHARE * np.diff(t, prepend=0.0, append=1.0)
+        return np.asarray(t + np.clip(step, -reach[:-1], reach[1:]))
+
+    def distance(self, control: FloatArray, t: FloatArray) -> FloatArray:
+        """Distances (n,) of the points from the curve, mm, at parameters that are feet."""
+        gap = self._gap(control, t)
+        return np.asarray(np.hypot(gap[:, 0], gap[:, 1]))
+
+    def likeness(self, control: FloatArray, t: FloatArray) -> float:
+        """Correlation of the gaps of neighbouring points: near 1 for shape, near 0 for noise."""
+        gap = self._gap(control, t)
+        total = float((gap**2).sum())
+        return float((gap[1:] * gap[:-1]).sum()) / total if total > 0 else 0.0
+
+
+def _smoothed(
+    problem: _Problem, control: FloatArray, t: FloatArray, tolerance: float, mean: float
+) -> FloatArray:
+    """The control points under the largest penalty with which no point is farther off than `tolerance`, mm, and the
+    root mean square is at most `mean`, mm.
+    """
+    low, high = np.log10(_LEAST_PENALTY), 6.0
+    for _ in range(12):
+        middle = (low + high) / 2
+        try:
+            candidate = problem.at(t, 10.0**middle)
+        except np.linalg.LinAlgError:
+            high = middle
+            continue
+        error = problem.distance(candidate, t)
+        if error.max() <= tolerance and np.sqrt((error**2).mean()) <= mean:
+            low, control = middle, candidate
+        else:
+            high = middle
+    return control
+
+
+def _check_options(degree: int, tolerance: float, smoothing: float | None) -> None:
+    if degree not in (3, 4, 5):
+        raise InputError("curves are fitted with degree 3, 4 or 5, not {degree!r}", degree=degree)
+    if not (is_number(tolerance) and tolerance > 0):
+        raise InputError("the tolerance of a fit must be positive, not {tolerance!r} mm", tolerance=tolerance)
+    if smoothing is not None and not (is_number(smoothing) and smoothing >= 0):
+        raise InputError("the smoothing of a fit must be 0 or more, not {smoothing!r}", smoothing=smoothing)
+
+
+def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
+    """Knots and control points of the spline through all points with the least third derivative."""
+    t = _chord_parameters(data)
+    knots = _knots_for(t, degree)
+    spans = bezier_spans(knots, degree)
+    gram, basis = _derivative_gram(spans), spans.basis(t)
+    n, m = basis.shape
+    gram = gram / np.trace(gram)
+    saddle = np.block([[gram, basis.T], [basis, np.zeros((n, n))]])
+    right = np.concatenate([np.zeros((m, 2)), data - data[0]])
+    try:
+        solution = np.linalg.solve(saddle, right)
+    except np.linalg.LinAlgError:
+        solution = np.linalg.lstsq(saddle, right, rcond=1e-15)[0]
+    control: FloatArray = solution[:m] + data[0]
+    control[[0, -1]] = data[[0, -1]]
+    return knots, control
+
+
+def _knots_for(t: FloatArray, degree: int) -> FloatArray:
+    """Knots with which a spline meets a point at each parameter t (n,).
+
+    Those of an even degree are between the points, because with knots at the points the spline oscillates.
+    """
+    inner = t[1:-1] if degree % 2 else (t[:-1] + t[1:]) / 2
+    return np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])
+
+
+def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:
+    worst, typical = int(error.argmax()), float(np.sqrt((error**2).mean()))
+    return note(
+        "the points scatter by {typical:.2g} about a smooth curve, by {worst:.2g} at {place}: that is more "
+        "than the tolerance of {tolerance:g}; allow {enough:.1g}, give a smoothing, or remove stray points",
+        typical=Length(typical), worst=Length(error[worst]), place=Point(data[worst]),
+        tolerance=Length(tolerance), enough=Length(1.5 * error[worst]),
+    )  # fmt: skip
+
+
+def distinct_points(points: ArrayLike) -> FloatArray:
+    """Points (n, 2) to fit, each once in a row.
+
+    Raises
+    ------
+    InputError
+        No such rows, or fewer than two different points.
+    """
+    data = finite("points", points)
+    if data.ndim != 2 or data.shape[1] != 2:
+        raise InputError("points to fit must be rows of x, y: shape (n, 2), not {shape}", shape=data.shape)
+    moved = np.hypot(*np.diff(data, axis=0).T) > 1e-12 * np.abs(data).max(initial=0.0)
+    data = data[np.concatenate([[True], moved])] if data.shape[0] > 1 else data
+    if data.shape[0] < 2:
+        raise InputError(
+            "the points to fit are fewer than two, or all the same: give at least two different points"
+        )
+    return data
+
+
+def _chord_parameters(data: FloatArray) -> FloatArray:
+    chord = lengths_along(data)
+    return np.asarray(chord / chord[-1])
+
+
+def _derivative_gram(spans: Spans) -> FloatArray:
+    """Integrals (m, m) of products of the basis functions' third derivatives."""
+    x, w = np.polynomial.legendre.leggauss(spans.degree - 2)
+    width = np.diff(spans.edges)
+    t = (spans.edges[:-1, None] + width[:, None] * (1 + x) / 2).ravel()
+    rows = spans.basis(t, 3) * np.sqrt((width[:, None] / 2 * w).ravel())[:, None]
+    return np.asarray(rows.T @ rows)
+
+
+def _new_knots(edges: FloatArray, t: FloatArray, error: FloatArray, tolerance: float) -> FloatArray:
+    """A knot for every span that misses the tolerance, worst first: in its middle, or amid its few points."""
+    span = np.clip(np.searchsorted(edges, t, side="right") - 1, 0, edges.size - 2)
+    worst = np.zeros(edges.size - 1)
+    np.maximum.at(worst, span, error)
+    added = []
+    for i in np.argsort(-worst, kind="stable"):
+        inside = np.sort(t[span == i])
+        if worst[i] <= tolerance or inside.size < 2:
+            continue
+        half = inside.size // 2
+        many = inside.size >= 8
+        added.append((edges[i] + edges[i + 1]) / 2 if many else (inside[half - 1] + inside[half]) / 2)
+    return np.array(added)

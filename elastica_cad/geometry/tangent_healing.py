@@ -1,0 +1,216 @@
+"""Corners that the rounding of coordinates made, taken out by turning the handles beside them.
+
+A file that writes its coordinates to the nearest multiple of 2 h moves each by h at most, a point by h sqrt(2), and
+a handle of length l turns by asin(2 sqrt(2) h / l) at most. A node whose turn both its handles explain that way was
+smooth when it was drawn.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.geometry.splines import elevate_degree
+
+ANYWAY = 1e-9
+"""Corners below this angle, rad, are left as they are."""
+
+SURE = np.radians(5.0)
+"""A corner above this angle, rad, is not removed unless requested, even where rounding explains it."""
+
+_STRAIGHT = 1e-12  # of the squared chord: control points no farther off a line lie on it
+_CLOSED = 1e-9  # of the size: ends nearer than this are one place
+_SHORT = 1e-12  # of the longest handle: control points nearer than this lie in one place
+
+
+@dataclass(frozen=True)
+class Turn:
+    """A node where the tangent turns.
+
+    Attributes
+    ----------
+    t : float
+        Parameter of the curve.
+    point : (2,) array
+        The node, mm.
+    angle : float
+        Exterior angle, rad, not negative.
+    bound : float
+        The largest angle that rounding explains there, rad.
+    handle : float
+        Length of the shorter handle, mm.
+    """
+
+    t: float
+    point: FloatArray
+    angle: float
+    bound: float
+    handle: float
+
+    @property
+    def is_explained(self) -> bool:
+        """Can rounding alone have made this turn?"""
+        return self.angle <= self.bound
+
+
+@dataclass(frozen=True, eq=False)
+class Healing:
+    """A spline after healing.
+
+    Attributes
+    ----------
+    knots, control_points, degree, weights
+        As in `PlaneCurve`; those given where nothing was moved.
+    moved : float
+        A bound of the distance between both curves, mm.
+    healed : tuple of Turn
+        Nodes made smooth.
+    undecided : tuple of Turn
+        Nodes that rounding explains, but that turn by more than `SURE`: they may be corners.
+    """
+
+    knots: FloatArray
+    control_points: FloatArray
+    degree: int
+    weights: FloatArray | None
+    moved: float
+    healed: tuple[Turn, ...]
+    undecided: tuple[Turn, ...]
+
+
+def heal_tangents(
+    knots: FloatArray,
+    control_points: FloatArray,
+    degree: int,
+    weights: FloatArray | None = None,
+    *,
+    rounding: float,
+) -> Healing:
+    """The spline with the corners taken out that `rounding` (mm, per coordinate) explains.
+
+    At each knot of full multiplicity, and where a clamped spline closes, the control points before and after it are
+    turned about the node, the one with the longer handle less, so that both move equally far. A straight piece is
+    kept where its neighbour can turn alone. Splines of degree 2, whose control points belong to two nodes, are
+    raised to degree 3 first.
+
+    Parameters
+    ----------
+    knots : (m + degree + 1,) array
+        Clamped.
+    control_points : (m, 2) array
+        mm.
+    weights : (m,) array, optional
+    rounding : float
+        Half a unit of the last written digit, mm.
+    """
+    unchanged = Healing(knots, control_points, degree, weights, 0.0, (), ())
+    if not rounding > 0:
+        return unchanged
+    turns = [_turn(knots, control_points, degree, node, rounding) for node in _nodes(knots, degree)]
+    if _closes(knots, control_points, degree, weights):
+        turns.append(_turn_of_seam(knots, control_points, degree, rounding))
+    explained = [turn for turn in turns if turn.angle > ANYWAY and turn.is_explained]
+    if not explained:
+        return unchanged
+    undecided = tuple(turn for turn in explained if turn.angle > SURE)
+    wanted = {turn.t for turn in explained if turn.angle <= SURE}
+    if not wanted:
+        return Healing(knots, control_points, degree, weights, 0.0, (), undecided)
+    if degree == 2:
+        knots, control_points, weights = elevate_degree(knots, control_points, degree, weights)
+        degree = 3
+    points = control_points.copy()
+    for node in _nodes(knots, degree):
+        if knots[node + 1] in wanted:
+            _smooth_node(points, node, degree)
+    if knots[degree] in wanted:
+        _smooth_seam(points, degree)
+    moved = float(np.hypot(*(points - control_points).T).max())
+    return Healing(
+        knots, points, degree, weights, moved, tuple(t for t in explained if t.t in wanted), undecided
+    )
+
+
+def _nodes(knots: FloatArray, degree: int) -> IntArray:
+    """Indices of the control points that lie on the curve at inner knots of full multiplicity."""
+    values, first, counts = np.unique(knots, return_index=True, return_counts=True)
+    inner = (counts >= degree) & (values > knots[degree]) & (values < knots[-degree - 1])
+    return np.asarray(first[inner] - 1, dtype=int)
+
+
+def _handles(points: FloatArray, node: int, degree: int) -> tuple[FloatArray, FloatArray, int, int]:
+    """Incoming and outgoing handle at a node, and which control points they end in."""
+    size = float(np.hypot(*np.ptp(points[max(0, node - degree) : node + degree + 1], axis=0)))
+    before, after = node - 1, node + 1
+    while before > node - degree and np.hypot(*(points[node] - points[before])) <= _SHORT * size:
+        before -= 1
+    while after < node + degree and np.hypot(*(points[after] - points[node])) <= _SHORT * size:
+        after += 1
+    return points[node] - points[before], points[after] - points[node], before, after
+
+
+def _turn(knots: FloatArray, points: FloatArray, degree: int, node: int, rounding: float) -> Turn:
+    into, out, _, _ = _handles(points, node, degree)
+    lengths = np.array([np.hypot(*into), np.hypot(*out)])
+    angle = abs(float(np.arctan2(into[0] * out[1] - into[1] * out[0], into @ out)))
+    if lengths.min() == 0:
+        return Turn(float(knots[node + 1]), points[node], angle, 0.0, 0.0)
+    reach = np.minimum(2 * np.sqrt(2.0) * rounding / lengths, 1.0)
+    bound = float(np.arcsin(reach).sum())
+    return Turn(float(knots[node + 1]), points[node].copy(), angle, bound, float(lengths.min()))
+
+
+def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatArray | None) -> bool:
+    """Whether a clamped spline of more than one piece ends at its start, so that it may be rotated there."""
+    clamped = knots[0] == knots[degree] and knots[-1] == knots[-degree - 1]
+    even = weights is None or weights[0] == weights[-1]
+    size = float(np.hypot(*np.ptp(points, axis=0)))
+    return bool(
+        clamped
+        and even
+        and len(points) > degree + 1
+        and np.hypot(*(points[-1] - points[0])) <= _CLOSED * size
+    )
+
+
+def _around_seam(points: FloatArray, degree: int) -> FloatArray:
+    """The control points of the last piece and of the first, whose middle one is where the spline closes."""
+    return np.concatenate([points[-degree - 1 :], points[1 : degree + 1]])
+
+
+def _turn_of_seam(knots: FloatArray, points: FloatArray, degree: int, rounding: float) -> Turn:
+    around = _around_seam(points, degree)
+    return _turn(np.repeat(knots[degree], 2 * degree + 2), around, degree, degree, rounding)
+
+
+def _smooth_seam(points: FloatArray, degree: int) -> None:
+    """Turn the handles beside the place where a spline closes onto one line, in place."""
+    around = _around_seam(points, degree)
+    _smooth_node(around, degree, degree)
+    points[-degree:-1] = around[1:degree]
+    points[1:degree] = around[degree + 1 : -1]
+
+
+def _smooth_node(points: FloatArray, node: int, degree: int) -> None:
+    """Turn the handles beside a node onto one line, in place."""
+    into, out, before, after = _handles(points, node, degree)
+    inward, onward = float(np.hypot(*into)), float(np.hypot(*out))
+    angles = np.arctan2(into[1], into[0]), np.arctan2(out[1], out[0])
+    turn = float((angles[1] - angles[0] + np.pi) % (2 * np.pi) - np.pi)
+    share = onward / (inward + onward)
+    straight = (
+        _is_straight(points[node - degree : node + 1]),
+        _is_straight(points[node : node + degree + 1]),
+    )
+    if straight[0] != straight[1]:
+        share = 0.0 if straight[0] else 1.0
+    at = float(angles[0] + share * turn)
+    along = np.array([np.cos(at), np.sin(at)])
+    points[before] = points[node] - inward * along
+    points[after] = points[node] + onward * along
+
+
+def _is_straight(piece: FloatArray) -> bool:
+    chord = piece[-1] - piece[0]
+    across = (piece - piece[0]) @ np.array([-chord[1], chord[0]])
+    return bool(np.abs(across).max() <= _STRAIGHT * max(float(chord @ chord), 1e-300))

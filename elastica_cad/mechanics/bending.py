@@ -1,0 +1,454 @@
+"""Bending forward: from a rod and what is done to its ends to its rest shape."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any, Literal
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import as_floats, is_one_of, pair, require_flag
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.loads import Gravity, Supports, require_supports, whole_number
+from elastica_cad.mechanics.newton_continuation import (
+    Reached,
+    follow,
+    is_balanced,
+    is_straight,
+    leave_straight,
+    relax,
+    stretch,
+)
+from elastica_cad.mechanics.rod import Rod, resample
+from elastica_cad.mechanics.rod_system import RodState, RodSystem
+from elastica_cad.refusals import Length, Refusal, note
+
+Keep = Literal["keep"]
+
+ROUNDED_SHARE = 1e-12  # of a force: what the cosine of a right angle leaves of it
+STILL_SHARE = 1e-9  # of the length: less travel of the ends is rounding
+TURNED_RAD = 1e-9  # less turn of an end is rounding
+COARSE_DEG = 60.0  # between neighbouring edges, above which a shape is rough to the eye
+
+
+def bend(
+    rod: Rod,
+    start: ArrayLike | None = None,
+    end: ArrayLike | None = None,
+    angles: tuple[float | None, float | None] | ArrayLike | None = None,
+    *,
+    gravity: Gravity | Keep | None = "keep",
+    supports: Supports | None = None,
+    force: ArrayLike | None = None,
+    moment: float | tuple[float, float] | None = None,
+    guess: "Rod | ArrayLike | None" = None,
+    side: int | None = None,
+    mode: int = 1,
+    samples: int | None = None,
+    settle: bool = False,
+) -> Rod:
+    """The rest shape of a rod whose ends are moved, turned, loaded or supported anew.
+
+    Newton's method with line search on the discrete rod of paper section 7.1 (with weight), O(n) a step.
+    When the shape asked for is far from the rod's present one, ends, angles and loads are changed in
+    adaptive steps, starting from the present shape (or `guess`), so the answer lies on the same branch of
+    equilibria, stable or not; ask `stability`. Where that branch ends the rod snaps: the answer is then a
+    stable shape found by descending the energy, and `warnings` of the answer says so.
+
+    A strip that bends as a plate (`section`) is as stiff at every step as its bend makes it: the answer has the
+    `law` that says so, and K stays that of the design, which settles the units of force and moment.
+
+    Parameters
+    ----------
+    rod : Rod
+        From `optimal_rod`, `Rod.straight` or `bend`.
+    start, end : (2,) array_like, optional
+        Positions of the ends, mm; the rod's own unless given. A coordinate that its end leaves free is not
+        used.
+    angles : pair of float, optional
+        Angles of the tangent at the start and the end, rad, counted continuously along the rod (a full
+        loop differs by 2 pi); None, or None in the pair, keeps the rod's own.
+    gravity : Gravity, None or "keep"
+    supports : Supports, optional
+        New supports; the rod's own unless given.
+    force : (2,) array_like, optional
+        Dead force over the least bending stiffness, 1/mm2 (F / B with F in N, B in N mm2), in the
+        direction of x and y; each component acts at the end that leaves this coordinate free. None keeps
+        what the rod carries.
+    moment : float or pair of float, optional
+        Moment over the least bending stiffness, 1/mm, counterclockwise positive, applied at the end whose
+        angle is free (a pair for start and end). None keeps what the rod carries.
+    guess : Rod or array_like, optional
+        Another shape to start from: a rod, or angles at the n nodes or n-1 edges.
+    side : {+1, -1}, optional
+        Where a straight state branches: the side, left (+1) or right of the direction of travel, to which
+        the first bulge goes. A straight rod whose ends are pushed together goes left unless told; one that
+        can stay straight under its dead load stays straight unless told.
+    mode : int
+        Buckling mode to leave the straight state in; modes above 1 are unstable as a rule.
+    samples : int, optional
+        Number of nodes; the rod's own unless given.
+    settle : bool
+        Let an unstable shape go: it snaps to the stable one that descending the energy leads to.
+
+    Returns
+    -------
+    Rod
+        In balance to 1e-10 of its moments, ends in place to 1e-10 of its length. Reactions at the ends:
+        `force[0]`, `force[-1]` (lambda, minus the internal force) and `moment`.
+
+    Raises
+    ------
+    InputError
+        Ends farther apart than the length, loads where nothing can move, wrong shapes.
+    NotConvergedError
+        No equilibrium found; says how far the way led.
+
+    Examples
+    --------
+    >>> arch = bend(Rod.straight(100.0, samples=101), end=(70.0, 0.0))
+    >>> round(float(arch.position[:, 1].max()), 1)
+    31.4
+    """
+    if not isinstance(rod, Rod):
+        raise InputError(
+            "bend needs a Rod, as optimal_rod or Rod.straight makes one, not {name}", name=type(rod).__name__
+        )
+    rod = rod.following()
+    ends = rod.position[0], rod.position[-1]
+    start, end = (own if given is None else given for given, own in zip((start, end), ends, strict=True))
+    if samples is not None and not is_one_of(samples, [rod.s.size]):
+        rod = resample(rod, samples)
+    if not (gravity is None or isinstance(gravity, Gravity) or is_one_of(gravity, ["keep"])):
+        raise InputError('gravity must be a Gravity record, None or "keep", not {gravity!r}', gravity=gravity)
+    if not is_one_of(side, (None, 1, -1)):
+        raise InputError("side must be +1 or -1, got {side!r}", side=side)
+    whole_number(mode, "mode", 1)
+    wanted = replace(
+        rod,
+        gravity=rod.gravity if isinstance(gravity, str) else gravity,
+        supports=rod.supports if supports is None else require_supports(supports),
+    )
+    system = system_of(wanted, rod, start, end, angles, force=force, moment=moment)
+    require_flag(settle, "settle")
+    state = state_of(rod, system) if guess is None else _guess_state(guess, system)
+    reached = reach(state, side, mode)
+    balanced = reached.arrived and is_balanced(reached.state)
+    if balanced and not (settle and reached.state.discrete.unstable_modes):
+        return replace(reached.state.rod(wanted), warnings=_too_coarse(reached.state))
+    snapped = relax(reached.state)
+    if snapped is None:
+        raise NotConvergedError(
+            "no rest shape found: {fraction:.1%} of the way from the present shape was possible; "
+            "move the ends in smaller steps, or give a guess nearer to the answer",
+            fraction=reached.fraction,
+        )
+    warnings = (_tell_snap(100 * reached.fraction), *_too_coarse(snapped))
+    return replace(snapped.rod(wanted), warnings=warnings)
+
+
+def _tell_snap(percent: float) -> Refusal:
+    return note(
+        "the rod snaps {percent:.3g} % of the way from its present shape; here it comes to rest",
+        percent=percent,
+        severity="warning",
+    )
+
+
+def has_snapped(rod: Rod) -> bool:
+    """Did `bend` find this shape beyond the end of its branch, where it came to rest after a jump?"""
+    return any(warning.startswith("the rod snaps ") for warning in rod.warnings)
+
+
+def _too_coarse(state: RodState) -> tuple[str, ...]:
+    turn = float(np.degrees(np.abs(np.diff(state.angles)).max()))
+    if turn < COARSE_DEG:
+        return ()
+    return (
+        note(
+            "the rod turns by {turn:.0f} degrees between two nodes: its shape is rough, use more samples",
+            turn=turn,
+            severity="warning",
+        ),
+    )
+
+
+def bend_path(
+    rod: Rod, path: "ArrayLike | Sequence[Mapping[str, Any]]", *, side: int | None = None, mode: int = 1
+) -> tuple[Rod, ...]:
+    """The family of shapes of a rod whose ends are led along a path (kinetic use, paper section 9.5).
+
+    Parameters
+    ----------
+    rod : Rod
+    path : (k, 2) array_like or sequence of mappings
+        Positions of the end one after the other, mm, or for each step the keywords of `bend` (start, end,
+        angles, gravity, force, moment, supports).
+    side, mode
+        As in `bend`, for the first step.
+
+    Returns
+    -------
+    tuple of Rod
+        One a step; reactions are `force` and `moment` at the first and the last node.
+
+    Raises
+    ------
+    InputError, NotConvergedError
+        As `bend`, naming the step.
+
+    Examples
+    --------
+    >>> rods = bend_path(Rod.straight(100.0, samples=101), [(90.0, 0.0), (80.0, 0.0), (80.0, 10.0)])
+    >>> len(rods)
+    3
+    """
+    rods = [rod]
+    steps = as_steps(path)
+    for k, step in enumerate(steps):
+        try:
+            bent = bend(rods[-1], **step, side=side if k == 0 else None, mode=mode if k == 0 else 1)
+        except NotConvergedError as error:
+            raise NotConvergedError(
+                "step {k} of {count} of the path: {error}", k=k + 1, count=len(steps), error=error
+            ) from error
+        rods.append(bent)
+    progress = Movement.of(rods).progress
+    return tuple(
+        _snapped_at(bent, *shares) for bent, shares in zip(rods[1:], pairwise(progress), strict=True)
+    )
+
+
+def _snapped_at(rod: Rod, start: float, end: float) -> Rod:
+    """The rod of a step of a movement; if it snapped, its warning says after which share of the whole movement."""
+    if not has_snapped(rod):
+        return rod
+    warning = next(one for one in rod.warnings if isinstance(one, Refusal) and "percent" in one.values)
+    percent = 100 * start + (end - start) * warning.values["percent"]
+    others = [one for one in rod.warnings if one is not warning]
+    return replace(rod, warnings=(_tell_snap(percent), *others))
+
+
+@dataclass(frozen=True, eq=False)
+class Movement:
+    """Movement of the ends of a rod, step by step.
+
+    Attributes
+    ----------
+    travel : (k,) array
+        Path of the end seen from the start up to each rod, mm; 0 at the first.
+    turn : (k,) array
+        Angle by which the held end that turns most has turned up to each rod, rad.
+    """
+
+    travel: FloatArray
+    turn: FloatArray
+
+    @classmethod
+    def of(cls, rods: Sequence[Rod]) -> "Movement":
+        """Return the movement of the ends from rod to rod."""
+        steps = np.diff([rod.position[-1] - rod.position[0] for rod in rods], axis=0)
+        held = [end.angle for end in rods[-1].supports.ends]
+        turns = np.abs(np.diff([rod.angle[[0, -1]] for rod in rods], axis=0)) * held
+        travel = np.append(0.0, np.cumsum(np.hypot(steps[:, 0], steps[:, 1])))
+        turn = np.append(0.0, np.cumsum(turns[:, int(turns.sum(axis=0).argmax())]))
+        still = travel[-1] <= STILL_SHARE * rods[0].length
+        return cls(np.zeros_like(travel) if still else travel.round(9), turn)
+
+    @property
+    def is_turn(self) -> bool:
+        """Return True if the ends turn without travel."""
+        return bool(self.travel[-1] == 0 and self.turn[-1] > TURNED_RAD)
+
+    @property
+    def progress(self) -> FloatArray:
+        """Share of the whole movement (k,): of the travel, or else of the turn, or else of the steps."""
+        way = self.turn if self.is_turn else self.travel
+        return way / way[-1] if way[-1] > 0 else np.linspace(0.0, 1.0, way.size)
+
+
+def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, Any]]:
+    """A path as keywords of `bend`: mappings as they are, rows of two numbers as positions of the end."""
+    if isinstance(path, Sequence) and path and all(isinstance(step, Mapping) for step in path):
+        steps = [dict(step) for step in path if isinstance(step, Mapping)]
+        known = {"start", "end", "angles", "gravity", "force", "moment", "supports"}
+        for step in steps:
+            if set(step) - known:
+                raise InputError(
+                    "unknown entry {sorted!r} in a path: use {names}",
+                    sorted=sorted(set(step) - known)[0],
+                    names=", ".join(sorted(known)),
+                )
+        return steps
+    points = as_floats(path)
+    if points is None:
+        raise InputError("a path is a row of (x, y) of the end, or of mappings with keywords of bend")
+    if points.ndim != 2 or points.shape[1] != 2 or not np.all(np.isfinite(points)):
+        raise InputError(
+            "a path of end positions must be finite with shape (k, 2), got {shape}", shape=points.shape
+        )
+    return [{"end": point} for point in points]
+
+
+def system_of(
+    rod: Rod,
+    present: Rod,
+    start: ArrayLike | None = None,
+    end: ArrayLike | None = None,
+    angles: "tuple[float | None, float | None] | ArrayLike | None" = None,
+    *,
+    force: ArrayLike | None = None,
+    moment: float | tuple[float, float] | None = None,
+) -> RodSystem:
+    """The equations of `rod` (stiffness, weight, supports); what is not given is kept from `present`."""
+    if rod.s.size < 4:
+        raise InputError("a rod of {size} nodes cannot be bent: use samples=4 or more", size=rod.s.size)
+    system = RodSystem(
+        stiffness=np.asarray(rod.stiffness), edge_length=rod.length / (rod.s.size - 1), load=rod.nodal_load,
+        natural_curvature=rod.natural_curvature, supports=rod.supports,
+        start=present.position[0].copy() if start is None else pair(start, "start"),
+        end=present.position[-1].copy() if end is None else pair(end, "end"),
+        end_angles=_end_angles(angles, rod.supports, present), force=_end_force(force, rod.supports,
+        present), moments=_end_moments(moment, rod.supports, present), law=rod.bending_law,
+    )  # fmt: skip
+    apart = float(np.linalg.norm(system.chord))
+    if apart > system.length * (1 + 1e-12):
+        raise InputError(
+            "the ends are {apart:.6g} apart, but the rod is only {length:.6g} long: bring them "
+            "closer or use a longer rod",
+            apart=Length(apart),
+            length=Length(system.length),
+        )
+    return system
+
+
+def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, float]]:
+    """The force and both moments on a rod's free ends, as `bend` takes them, times a factor."""
+    loads = system_of(rod, rod)
+    first, last = (times * loads.moments).tolist()
+    return times * loads.force, (first, last)
+
+
+def state_of(rod: Rod, system: RodSystem) -> RodState:
+    """Edge angles and reactions of a rod's present shape as a first state of `system`."""
+    extra = (rod.discrete.force - system.given_force).mean(axis=0)
+    return system.state(rod.discrete.angles, extra[list(system.held)])
+
+
+def reach(state: RodState, side: int | None, mode: int) -> Reached:
+    """Follow from `state` to an equilibrium of its system; leave a straight state where it must or is told to."""
+    system = state.system
+    if system.held and float(np.linalg.norm(system.chord)) > system.length * (1 - 1e-12):
+        taut = stretch(state)
+        if not is_balanced(taut):
+            raise InputError(
+                "the ends are as far apart as the rod is long ({length:.6g}), so it must be "
+                "straight, which its end angles or its weight do not allow: bring the ends closer "
+                "together",
+                length=Length(system.length),
+            )
+        return Reached(taut, 1.0, 0)
+    return leave_straight(state, side, mode) if is_straight(state) else follow(state)
+
+
+def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
+    """Edge angles from a guess, with the reactions that balance it best."""
+    n = system.edges
+    if isinstance(guess, Rod):
+        edges = guess.discrete.angles
+        at = (np.arange(edges.size) + 0.5) / edges.size
+        edges = np.interp((np.arange(n) + 0.5) / n, at, edges)
+    else:
+        given = as_floats(guess)
+        edges = np.array([]) if given is None else given
+        if edges.shape == (n + 1,):
+            edges = (edges[:-1] + edges[1:]) / 2
+        if edges.shape != (n,) or not np.all(np.isfinite(edges)):
+            raise InputError(
+                "guess must be a Rod or {n} angles at the nodes (or {n_2} at the edges), got {shape}",
+                n=n + 1,
+                n_2=n,
+                shape=edges.shape,
+            )
+    state = system.state(edges)
+    if not system.held:
+        return state
+    rows = state.discrete.constraint_rows
+    reactions = np.linalg.lstsq(rows @ rows.T, -rows @ state.residual.imbalance, rcond=1e-9)[0]
+    return system.state(edges, np.asarray(reactions, dtype=float))
+
+
+def _end_angles(
+    angles: "tuple[float | None, float | None] | ArrayLike | None", supports: Supports, present: Rod
+) -> FloatArray:
+    found = np.array([present.angle[0], present.angle[-1]])
+    if angles is None:
+        return found
+    given = np.atleast_1d(np.asarray(angles, dtype=object))
+    if given.shape != (2,) or not all(isinstance(v, float | int | np.number | None) for v in given):
+        raise InputError("angles must be two numbers, rad, for start and end, got {angles!r}", angles=angles)
+    for i, (value, support, name) in enumerate(zip(given, supports.ends, ("start", "end"), strict=True)):
+        if value is None:
+            continue
+        if not support.angle:
+            raise InputError(
+                "an angle is given at the {name}, but its support leaves the angle free: give None", name=name
+            )
+        found[i] = float(value)
+    if not np.all(np.isfinite(found)):
+        raise InputError("angles must be finite, rad, got {angles!r}", angles=angles)
+    return found
+
+
+def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> FloatArray:
+    """Dead force at the ends that are free along x and along y."""
+    both = np.array(supports.transmits_force)
+    if force is not None:
+        given = pair(force, "force")
+        given = np.where(np.abs(given) <= ROUNDED_SHARE * np.hypot(*given), 0.0, given)
+        if np.any(both & (given != 0)):
+            axis = "xy"[int(np.argmax(both & (given != 0)))]
+            raise InputError(
+                "a force along {axis} does nothing: both ends hold {axis}; free one end along {axis}",
+                axis=axis,
+            )
+        return given
+    own = np.zeros(2)
+    before, now = present.supports.ends, supports.ends
+    for i, axis in enumerate("xy"):
+        # lambda at an end is minus what is applied at the last node, and what is applied at the first
+        for node, sign, k in ((0, 1.0, 0), (-1, -1.0, 1)):
+            if not getattr(now[k], axis) and not getattr(before[k], axis):
+                own[i] = sign * present.force[node, i]
+    return own
+
+
+def _end_moments(moment: float | tuple[float, float] | None, supports: Supports, present: Rod) -> FloatArray:
+    """Counterclockwise moments at the ends whose angle is free."""
+    before, now = present.supports.ends, supports.ends
+    free = [not end.angle for end in now]
+    own = np.zeros(2)
+    if moment is None:
+        for k, (node, sign) in enumerate(((0, -1.0), (-1, 1.0))):
+            if free[k] and not before[k].angle:
+                own[k] = sign * present.moment[node]
+        return own
+    given = as_floats(moment)
+    if given is not None and given.shape == ():
+        if free == [True, True]:
+            raise InputError("both ends turn freely: give the moments of both, (start, end)")
+        own[free.index(True) if True in free else 0] = float(given)
+    elif given is not None and given.shape == (2,):
+        own[:] = given
+    else:
+        raise InputError("moment must be one number or two (start, end), 1/mm, got {moment!r}", moment=moment)
+    for k, name in enumerate(("start", "end")):
+        if own[k] != 0 and not free[k]:
+            raise InputError(
+                "a moment at the {name} does nothing: its support holds the angle; free the angle there",
+                name=name,
+            )
+    if not np.all(np.isfinite(own)):
+        raise InputError("moment must be finite, 1/mm, got {moment!r}", moment=moment)
+    return own

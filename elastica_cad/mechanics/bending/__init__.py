@@ -1,1 +1,0 @@
-"""Bending forward: from a rod and what is done to its ends to its rest shape."""

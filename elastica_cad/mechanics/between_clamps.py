@@ -1,0 +1,293 @@
+"""The elastica between two clamps, or from one to where weight and a force lead its free end."""
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import partial
+from math import radians
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number, is_one_of, is_series, require_positive
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.loads import End, Gravity, Supports
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.refusals import Length, note
+
+OFF_PLANE = 1e-6  # mm: how far points may lie off the plane of the curve
+FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
+    0.25,
+    8.0,
+    1.3,
+)  # of force * length^2 / stiffness: a free strip buckles at 2.5
+SAMPLES = 901  # nodes: their places are wrong by the square of their distance, 1e-6 of the length
+
+
+@dataclass(frozen=True, eq=False)
+class ElasticaBetween:
+    """A bent strip between two clamps, or with a free end, and which of the many it is.
+
+    Attributes
+    ----------
+    rod : Rod
+        In balance; `force` and `moment` at its ends are what the clamps bear.
+    side : int
+        +1 where its first bulge lies left of the way from start to end, -1 where right, 0 where it is straight; of
+        a free end where it lies, seen along the clamp.
+    mode : int
+        The buckling mode in which a straight strip was left; 1 is the stable one.
+    """
+
+    rod: Rod
+    side: int
+    mode: int
+
+    @property
+    def curve(self) -> PlaneCurve:
+        """The shape as a smooth spline of degree 5, with as much curvature as the rod has moment."""
+        return self.rod.curve
+
+    @property
+    def inflections(self) -> int:
+        """Number of sign changes of the curvature."""
+        kappa = self.rod.curvature
+        signs = np.sign(kappa[np.abs(kappa) > 1e-6 * np.abs(kappa).max(initial=0.0)])
+        return int(np.count_nonzero(np.diff(signs)))
+
+    def __str__(self) -> str:
+        if self.side == 0:
+            return note("the strip is straight")
+        if _is_free(self.rod):
+            said = (
+                "the strip's free end goes to the left, with {count} inflections (mode {mode})"
+                if self.side > 0
+                else "the strip's free end goes to the right, with {count} inflections (mode {mode})"
+            )
+        else:
+            said = (
+                "the strip bulges to the left of its chord, with {count} inflections (mode {mode})"
+                if self.side > 0
+                else "the strip bulges to the right of its chord, with {count} inflections (mode {mode})"
+            )
+        return note(said, count=self.inflections, mode=self.mode)
+
+
+def elastica_between(
+    start: ArrayLike,
+    end: ArrayLike | None,
+    length: float,
+    *,
+    angles: tuple[float | None, float | None] = (None, None),
+    stiffness: "ArrayLike | Profile" = 1.0,
+    gravity: Gravity | None = None,
+    force: ArrayLike | None = None,
+    side: int = 1,
+    mode: int = 1,
+    samples: int = SAMPLES,
+) -> ElasticaBetween:
+    """The shape of a strip of given length between two points, or from a clamp to its free end.
+
+    The strip starts straight from the start towards the end; its end is then moved to its place and both ends are
+    turned to their angles. The result is the equilibrium that one would reach by hand in this way. A strip with a
+    free end starts straight along its clamp and is then loaded in steps.
+
+    Parameters
+    ----------
+    start, end : (2,) array_like
+        mm; None for an end that is free, where the start is clamped.
+    length : float
+        Of the strip, mm: more than the distance of its ends.
+    angles : pair of float or None
+        Of the tangent at both ends, rad, whole turns not counted; None leaves the strip free to turn there.
+    stiffness : float, (n,) array_like or Profile
+        Of a tapered strip: stiffness at even stations, or over [0, length].
+    gravity : Gravity, optional
+        The strip's own weight.
+    force : (2,) array_like, optional
+        At a free end, over the strip's least bending stiffness, 1/mm2 (F / B with F in N, B in N mm2).
+    side : {+1, -1}
+        To which side of the way from start to end the strip bulges first, left or right; where a free end goes
+        that is pushed straight at its clamp.
+    mode : int
+        Buckling mode; above 1 the shape is unstable as a rule.
+    samples : int
+        Nodes.
+
+    Raises
+    ------
+    InputError
+        A length that does not reach, ends at one place without angles, a force at an end that is held, a free
+        end without a clamp at the start.
+    NotConvergedError
+        As `bend`.
+
+    Examples
+    --------
+    >>> found = elastica_between((0, 0), (70, 0), 100.0, angles=(0.0, 0.0))
+    >>> round(float(found.rod.position[:, 1].max()), 1), found.side, found.inflections
+    (31.4, 1, 2)
+    >>> drooping = elastica_between((0, 0), None, 100.0, angles=(0.0, None), force=(0, -1 / 100.0**2))
+    >>> drooping.rod.position[-1].round(2).tolist()
+    [94.36, -30.17]
+    """
+    first, (near, far) = _point(start, "start"), _pair_of_angles(angles)
+    if not (is_number(length) or isinstance(length, float)):
+        raise InputError(
+            "length must be a number, mm, more than the distance of the ends, got {length!r}", length=length
+        )
+    if not is_one_of(side, (1, -1)):
+        raise InputError(
+            "side is {side!r}: give 1 for left of the way from start to end, -1 for right", side=side
+        )
+    if end is None:
+        require_positive(length, "length")
+        if near is None:
+            raise InputError(
+                "a strip whose end is free turns about its start: give the angle of a clamp there"
+            )
+        bent = _led_by_loads(
+            Rod.straight(
+                length, stiffness, samples=samples, start=first, angle=near, gravity=None,
+                supports=Supports("clamped", End(x=False, y=False, angle=far is not None)),
+            ),
+            far, gravity, force, side=side, mode=mode,
+        )  # fmt: skip
+        return ElasticaBetween(bent, _side(bent), mode)
+    if force is not None:
+        raise InputError("a force moves a free end, and this one is held: give None for the end, or no force")
+    last = _point(end, "end")
+    chord = last - first
+    distance = float(np.hypot(*chord))
+    if not (is_number(length) and length > distance > 0):
+        raise InputError(
+            "a strip of {length:.6g} does not bend between ends {distance:.6g} apart: make it "
+            "longer, and the ends two places",
+            length=Length(length),
+            distance=Length(distance),
+        )
+    along = float(np.arctan2(chord[1], chord[0]))
+    supports = Supports(*("pinned" if angle is None else "clamped" for angle in (near, far)))
+    rod = Rod.straight(
+        length, stiffness, samples=samples, start=first, angle=along, gravity=None, supports=supports
+    )
+    bent = bend(rod, end=last, side=side, mode=mode)
+    near, far = (None if angle is None else _nearest_turn(angle, along) for angle in (near, far))
+    if near is not None or far is not None or gravity is not None:
+        bent = bend(bent, end=last, angles=(near, far), gravity=gravity, settle=mode == 1)
+    return ElasticaBetween(bent, _side(bent), mode)
+
+
+def _led_by_loads(
+    rod: Rod,
+    far: float | None,
+    gravity: Gravity | None,
+    force: ArrayLike | None,
+    *,
+    side: int,
+    mode: int,
+) -> Rod:
+    """A straight rod with a free end under its loads: a great force is raised step by step."""
+    load = np.zeros(2) if force is None else _pair(force)
+    if load is None:
+        raise InputError("force must be two numbers, 1/mm2, got {force!r}", force=force)
+    angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
+    bent = rod
+    for share in _load_shares(float(np.hypot(*load)) * rod.length**2):
+        # a push along the strip leaves it straight, which would settle on either side
+        settle = is_one_of(mode, [1]) and bool(np.ptp(bent.angle) > 0)
+        step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)
+        found = step()
+        if _side(found) * _side(bent) < 0:
+            # where a straight strip would buckle the shape jumps: the one it grows into lies as far on this side
+            found = step(guess=2 * found.angle[0] - found.angle)
+        bent = found
+    if np.ptp(bent.angle) > 0:
+        return bent
+    with suppress(InputError):  # a push that buckles no straight rod
+        return bend(bent, angles=angles, gravity=gravity, force=load, side=side, mode=mode)
+    return bent
+
+
+def _load_shares(load: float) -> list[float]:
+    """Shares of a load (force times length^2 / stiffness) from small to 1, close together where slender strips
+    buckle."""
+    steps = list(np.arange(FIRST_LOAD, min(load, LAST_EVEN_LOAD), FIRST_LOAD))
+    grown = LAST_EVEN_LOAD
+    while grown < load:
+        steps.append(grown)
+        grown *= LOAD_GROWTH
+    return [float(step) / load for step in steps] + [1.0]
+
+
+def _point(point: object, name: str) -> FloatArray:
+    place = _pair(point)
+    if place is None:
+        raise InputError(
+            "{name} must be a point of the plane without z, two numbers, mm, got {point!r}",
+            name=name,
+            point=point,
+        )
+    return place
+
+
+def _pair(point: object) -> FloatArray | None:
+    """Two numbers, or a point of a CAD library that has no z."""
+    given = point.toTuple() if hasattr(point, "toTuple") else point
+    try:
+        place = np.array(list(given) if is_series(given) else (), dtype=float)
+    except (TypeError, ValueError):
+        return None
+    if place.shape == (3,) and abs(place[2]) <= OFF_PLANE:
+        place = place[:2]
+    return place if place.shape == (2,) and np.all(np.isfinite(place)) else None
+
+
+def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
+    """Angles in degrees at start and end, None where the strip turns freely, as `elastica_between` takes them.
+
+    Raises
+    ------
+    InputError
+        Not two angles, or one of more than a whole turn.
+    """
+    near, far = _pair_of_angles(angles)
+    if any(angle is not None and abs(angle) > 360 for angle in (near, far)):
+        raise InputError("angles are in degrees, a whole turn (360) at most: got {angles!r}", angles=angles)
+    return None if near is None else radians(near), None if far is None else radians(far)
+
+
+def _pair_of_angles(angles: object) -> tuple[float | None, float | None]:
+    pair = tuple(angles) if isinstance(angles, Sequence | np.ndarray) and is_series(angles) else ()
+    if len(pair) != 2 or not all(angle is None or is_number(angle) for angle in pair):
+        raise InputError(
+            "angles must be two, at start and end, None where the strip turns freely, got {angles!r}",
+            angles=angles,
+        )
+    near, far = pair
+    return near, far
+
+
+def _nearest_turn(angle: float, near: float) -> float:
+    """The angle, or one that differs by whole turns, within half a turn of another."""
+    return near + float(np.remainder(angle - near + np.pi, 2 * np.pi) - np.pi)
+
+
+def _is_free(rod: Rod) -> bool:
+    """May its end go anywhere?"""
+    return not (rod.supports.ends[1].x or rod.supports.ends[1].y)
+
+
+def _side(rod: Rod) -> int:
+    """Which side of its chord the rod leaves first; where a free end lies beside its clamp's direction."""
+    off = rod.position - rod.position[0]
+    if _is_free(rod):
+        along, off = np.array([np.cos(rod.angle[0]), np.sin(rod.angle[0])]), off[-1:]
+    else:
+        along = off[-1] / np.hypot(*off[-1])
+    heights = off @ np.array([-along[1], along[0]])
+    far = np.flatnonzero(np.abs(heights) > 1e-6 * rod.length)
+    return int(np.sign(heights[far[0]])) if far.size else 0

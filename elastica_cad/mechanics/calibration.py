@@ -1,0 +1,293 @@
+"""Calibration: from a strip that hangs over a table's edge to the sheet's elasto-gravity length."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import counted, is_number, numbers, require_positive
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, Gravity, Supports
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import USUAL_RATIO, Grain, Range, Sheet
+from elastica_cad.refusals import Length, Listed, note, sentences
+
+_NODES = 201
+"""Number of nodes of the bent cantilever."""
+
+_STEEPEST_DROOP = (
+    0.95  # droop/overhang beyond which the strip hangs like a rope and its stiffness can't be read
+)
+_FLATTEST_DROOP = 1e-4
+"""Droop divided by overhang below which it cannot be measured."""
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """What a hanging strip tells about its sheet.
+
+    Attributes
+    ----------
+    elasto_gravity_length : float
+        l_eg = (E h^2 / (12 rho g))^(1/3), mm.
+    uncertainty : float
+        One standard deviation of it, mm: from the reading errors, or from the scatter of the readings if that
+        is more.
+    readings : tuple of float
+        l_eg of each reading, mm.
+    reading_uncertainties : tuple of float
+        Of each, mm, from the reading errors alone.
+    thickness, density : float or None
+        As given, mm and kg/m3.
+    youngs_modulus, youngs_modulus_uncertainty : float or None
+        E = 12 rho g l_eg^3 / h^2, MPa, when thickness and density are known.
+    """
+
+    elasto_gravity_length: float
+    uncertainty: float
+    readings: tuple[float, ...]
+    reading_uncertainties: tuple[float, ...]
+    thickness: float | None = None
+    density: float | None = None
+    youngs_modulus: float | None = None
+    youngs_modulus_uncertainty: float | None = None
+
+    def gravity(self, direction: ArrayLike = (0.0, -1.0)) -> Gravity:
+        """The weight of a plain strip of this sheet."""
+        x, y = np.asarray(direction, dtype=float)
+        return Gravity(self.elasto_gravity_length, (float(x), float(y)))
+
+    def sheet(
+        self,
+        name: str,
+        *,
+        max_strain: float | None = None,
+        least_radius: float | None = None,
+        kerf: float = 0.0,
+        poisson_ratio: float = USUAL_RATIO,
+        shear_modulus: float | None = None,
+        grain: Grain = "none",
+        kind: str = "",
+    ) -> Sheet:
+        """The calibrated sheet, E with a range of two standard deviations; its `toml` is the entry to keep.
+
+        Parameters
+        ----------
+        name : str
+            What to call it.
+        max_strain, least_radius : float
+            The largest strain it bears, or the least radius (mm) that left no lasting bend; one of them.
+        kerf, poisson_ratio, shear_modulus, grain, kind
+            As in `Sheet`.
+
+        Raises
+        ------
+        InputError
+            Thickness or density were not given to the calibration, or not exactly one limit.
+        """
+        if self.youngs_modulus is None or self.thickness is None or self.density is None:
+            raise InputError(
+                "a sheet needs its thickness (mm) and density (kg/m3): give both to the calibration"
+            )
+        if (max_strain is None) == (least_radius is None):
+            raise InputError("give either max_strain or least_radius: how far the sheet can be bent")
+        if least_radius is not None:
+            require_positive(least_radius, "least radius", "mm")
+            max_strain = self.thickness / (2 * least_radius)
+        spread = 2 * (self.youngs_modulus_uncertainty or 0.0)
+        limits: Range = (max(0.0, self.youngs_modulus - spread), self.youngs_modulus + spread)
+        return Sheet(
+            name,
+            self.thickness,
+            self.youngs_modulus,
+            self.density,
+            max_strain or 0.0,
+            kerf=kerf,
+            poisson_ratio=poisson_ratio,
+            shear_modulus=shear_modulus,
+            grain=grain,
+            kind=kind,
+            source=f"cantilever test, {counted(len(self.readings), 'reading')}, elasto-gravity length "
+            f"{self.elasto_gravity_length:.2f} +- {self.uncertainty:.2f} mm",
+            youngs_modulus_range=limits,
+        )
+
+    def __str__(self) -> str:
+        """The numbers, with their uncertainty."""
+        length, off = self.elasto_gravity_length, Length(self.uncertainty)
+        lines = [note("elasto-gravity length {length:.2f} +- {off:.2f}", length=length, off=off)]
+        if len(self.readings) > 1:
+            lines.append(note("readings {readings:.2f}", readings=Listed(map(Length, self.readings))))
+        if self.youngs_modulus is not None and self.youngs_modulus_uncertainty is not None:
+            modulus, apart = self.youngs_modulus, self.youngs_modulus_uncertainty
+            lines.append(note("E {modulus:.0f} +- {off:.0f} MPa", modulus=modulus, off=apart))
+        return sentences(lines, "\n")
+
+
+def cantilever_droop(overhang: float, elasto_gravity_length: float) -> float:
+    """Drop of the free end of a uniform strip clamped level at one end, mm.
+
+    Parameters
+    ----------
+    overhang, elasto_gravity_length : float
+        mm.
+
+    Examples
+    --------
+    >>> round(cantilever_droop(100.0, 100.0), 3)  # w L^3 / E I = 1
+    12.347
+    """
+    require_positive(overhang, "overhang", "mm")
+    require_positive(elasto_gravity_length, "elasto-gravity length", "mm")
+    strip = Rod.straight(
+        overhang, samples=_NODES, gravity=Gravity(elasto_gravity_length), supports=Supports("clamped", "free")
+    )
+    return float(-bend(strip).position[-1, 1])
+
+
+def calibrate_cantilever(
+    overhang: float | Sequence[float],
+    droop: float | Sequence[float],
+    *,
+    reading_error: float = 0.5,
+    thickness: float | None = None,
+    density: float | None = None,
+    thickness_error: float = 0.0,
+    density_error: float = 0.0,
+) -> Calibration:
+    """Elasto-gravity length from the droop of a rectangular strip that hangs, clamped level, over an edge.
+
+    Readings with either face up belong together: their mean cancels a strip's own curl to first order.
+
+    Parameters
+    ----------
+    overhang, droop : float or sequence
+        Free length and drop of the free end below the clamp, mm; any number of readings.
+    reading_error : float
+        Standard deviation of both, mm.
+    thickness, density : float, optional
+        mm and kg/m3; with both, E follows.
+    thickness_error, density_error : float
+        Their standard deviations, in the same units; they enter the uncertainty of E only.
+
+    Returns
+    -------
+    Calibration
+
+    Raises
+    ------
+    InputError
+        Droop not between 0 and the overhang, or so near to either that nothing can be read from it; errors
+        that are negative.
+
+    Notes
+    -----
+    w L^3/EI = (L/l_eg)^3 is found from droop/L by `bend` (paper, section 5.1); the derivatives for the
+    propagation of the reading errors are finite differences of the same fit.
+
+    Examples
+    --------
+    >>> result = calibrate_cantilever(150.0, 61.57, thickness=0.22, density=900.0)
+    >>> round(result.elasto_gravity_length, 0), 0.3 < result.uncertainty < 0.8
+    (96.0, True)
+    """
+    lengths, drops = _readings(overhang, droop)
+    errors = {"reading": reading_error, "thickness": thickness_error, "density": density_error}
+    for name, value in errors.items():
+        if not (is_number(value) and value >= 0):
+            raise InputError("{name} error is {given!r}: it can't be negative", name=name, given=value)
+    for number, name, unit in ((thickness, "thickness", "mm"), (density, "density", "kg/m3")):
+        if number is not None:
+            require_positive(number, name, unit)
+    fitted = [_fit(L, d) for L, d in zip(lengths, drops, strict=True)]
+    values = np.array([value for value, _ in fitted])
+    sigmas = reading_error * np.array([slope for _, slope in fitted])
+    mean, sigma = _weighted_mean(values, sigmas)
+    E = spread = None
+    if thickness is not None and density is not None:
+        E = 12 * density * 1e-9 * STANDARD_GRAVITY_M_S2 * mean**3 / thickness**2
+        parts = (3 * sigma / mean, 2 * thickness_error / thickness, density_error / density)
+        spread = E * float(np.hypot.reduce(parts))
+    return Calibration(
+        elasto_gravity_length=mean,
+        uncertainty=sigma,
+        readings=tuple(values.tolist()),
+        reading_uncertainties=tuple(sigmas.tolist()),
+        thickness=thickness,
+        density=density,
+        youngs_modulus=E,
+        youngs_modulus_uncertainty=spread,
+    )
+
+
+def _readings(overhang: ArrayLike, droop: ArrayLike) -> tuple[FloatArray, FloatArray]:
+    lengths, drops = np.atleast_1d(numbers(overhang, "overhangs"), numbers(droop, "droops"))
+    if lengths.shape != drops.shape or lengths.ndim != 1 or lengths.size == 0:
+        raise InputError(
+            "{size} overhangs and {size_2} droops: give one droop for each overhang",
+            size=lengths.size,
+            size_2=drops.size,
+        )
+    for L, d in zip(lengths, drops, strict=True):
+        require_positive(L, "overhang", "mm")
+        require_positive(d, "droop", "mm")
+        if d >= L:
+            raise InputError(
+                "a droop of {d:g} is more than an overhang of {l:g} allows: measure the drop of the "
+                "free end below the clamp, and the free length along the strip",
+                d=Length(d),
+                l=Length(L),
+            )
+        if d > _STEEPEST_DROOP * L:
+            raise InputError(
+                "a droop of {d:g} on an overhang of {l:g}: the strip hangs like a rope, which tells "
+                "nothing about its stiffness; use a shorter overhang (a droop near half of it is "
+                "best)",
+                d=Length(d),
+                l=Length(L),
+            )
+        if d < _FLATTEST_DROOP * L:
+            raise InputError(
+                "a droop of {d:g} on an overhang of {l:g} is too small to be read; use a longer overhang",
+                d=Length(d),
+                l=Length(L),
+            )
+    return lengths, drops
+
+
+def _fit(overhang: float, droop: float) -> tuple[float, float]:
+    """l_eg, mm, and the length of its gradient with respect to overhang and droop."""
+    part = droop / overhang
+    value = overhang * _length_for(part)
+    step = 1e-3 * min(part, 1 - part)
+    # l_eg = L G(d / L)
+    G1 = (_length_for(part + step) - _length_for(part - step)) / (2 * step)
+    return value, float(np.hypot(G1, value / overhang - part * G1))
+
+
+def _length_for(part: float) -> float:
+    """l_eg of a strip of overhang 1 that drops by `part`."""
+    from scipy.optimize import brentq
+
+    def excess(log_load: float) -> float:
+        return cantilever_droop(1.0, float(np.exp(-log_load / 3))) - part
+
+    # small droop is w L^4 / 8 EI, larger ones need more load for the same droop
+    low = float(np.log(8 * part)) - 0.05
+    high = low + 1.0
+    while excess(high) < 0:
+        low, high = high, high + 1.0
+    return float(np.exp(-brentq(excess, low, high, xtol=1e-10) / 3))
+
+
+def _weighted_mean(values: FloatArray, errors: FloatArray) -> tuple[float, float]:
+    """Mean with weights 1/error^2; its deviation, widened when values scatter more than their errors say."""
+    weights = np.ones(values.shape) if np.any(errors == 0) else errors**-2
+    mean = float(np.average(values, weights=weights))
+    inner = 0.0 if np.any(errors == 0) else float(weights.sum() ** -0.5)
+    if values.size == 1:
+        return mean, inner
+    scatter = float(np.sqrt(np.average((values - mean) ** 2, weights=weights) / (values.size - 1)))
+    return mean, max(inner, scatter)

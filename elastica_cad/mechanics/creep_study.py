@@ -1,0 +1,187 @@
+"""What a strip does in the long run: it sags, its clamps feel less, and let go it keeps a bend."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.bending import bend, dead_loads, has_snapped
+from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.rod import CurlingLaw, Rod
+from elastica_cad.mechanics.stability import SAFE_MARGIN, Stability, stability
+from elastica_cad.mechanics.tolerances import feels_modulus
+from elastica_cad.refusals import Length, note, sentences
+
+
+@dataclass(frozen=True, eq=False)
+class Creep:
+    """What `creep` found.
+
+    Attributes
+    ----------
+    factor : float
+        phi: the strain that creep adds, over the elastic one.
+    rod, later : Rod
+        At once, and in the long run, held alike.
+    exact : bool
+        Is this exact for a homogeneous, linear, standard solid? Otherwise it is that of the effective modulus.
+    """
+
+    factor: float
+    rod: Rod
+    later: Rod
+    exact: bool
+
+    @property
+    def force_share(self) -> float:
+        """Share of the modulus that remains, and of the clamps' forces where the shape stays: 1 / (1 + phi)."""
+        return 1 / (1 + self.factor)
+
+    @property
+    def kept_share(self) -> float:
+        """Share of its bend that the strip has just after it is let go, phi / (1 + phi); it goes on opening."""
+        return self.factor / (1 + self.factor)
+
+    @property
+    def sag(self) -> float:
+        """Largest move of the shape, mm; 0 without weight, dead force and dead moment."""
+        return float(np.hypot(*(self.later.position - self.rod.position).T).max())
+
+    @property
+    def end_forces(self) -> FloatArray:
+        """Forces on start and end (2, 2) that remain in the long run, in units of the first B, 1/mm2."""
+        return np.asarray(self.later.force[[0, -1]] * self.force_share)
+
+    @property
+    def stays(self) -> bool:
+        """Whether it creeps to a stable shape without snapping."""
+        return not has_snapped(self.later) and self.stability.stable
+
+    @property
+    def stability(self) -> Stability:
+        """Stability of the shape in the long run."""
+        return stability(self.later)
+
+    def released(self) -> Rod:
+        """The strip just after its ends are let go in the long run, weight left out, its start where it was."""
+        rod = self.later  # what has crept is a share of the bend that it has come to
+        start = rod.position[0]
+        free = Rod.straight(
+            rod.length, rod.profile, samples=rod.s.size, start=(float(start[0]), float(start[1])),
+            angle=float(rod.angle[0]), supports=Supports(end="free"),
+        )  # fmt: skip
+        kept = rod.natural_curvature + self.kept_share * (np.asarray(rod.curvature) - rod.natural_curvature)
+        turned = rod.angle[0] + self.kept_share * (np.asarray(rod.angle) - rod.angle[0])
+        return bend(replace(free, natural_curvature=kept), guess=turned)
+
+    def __str__(self) -> str:
+        """One or two sentences."""
+        said = note(
+            "In the long run (exactly, for a linear homogeneous sheet), with a creep factor of {factor:g}: "
+            "it sags by {sag}, keeps {force:.0f} % of its stiffness, and let go it keeps {bend:.0f} % of "
+            "its bend at first."
+            if self.exact else
+            "In the long run (about, by the effective modulus), with a creep factor of {factor:g}: it sags "
+            "by {sag}, keeps {force:.0f} % of its stiffness, and let go it keeps {bend:.0f} % of its bend "
+            "at first.",
+            factor=self.factor, sag=Length(self.sag), force=100 * self.force_share, bend=100 * self.kept_share,
+        )  # fmt: skip
+        after = self.stability
+        if not self.stays:
+            snaps = note(
+                "Then it no longer stays: it snaps over under its load. Take a stiffer sheet or support it."
+            )
+            return sentences([said, snaps], " ")
+        if after.margin < SAFE_MARGIN <= stability(self.rod).margin:
+            return sentences(
+                [said, note("Its margin falls to {margin:.3g} (low).", margin=after.margin)], " "
+            )
+        return said
+
+
+def creep(rod: Rod, factor: float) -> Creep:
+    """A rod at once and after creep has run out, held the same all the time.
+
+    The elastic modulus becomes E / (1 + phi) while weights, and the forces and moments on free ends, stay (the
+    effective modulus of a permanent load). That is the limit at long times of a standard linear solid, whatever
+    happened before; so the shape in the long run is exact for one. Without loads nothing moves at any time, and
+    forces fall with the relaxation modulus. How long it takes is not told: that needs a creep law of the sheet.
+
+    Parameters
+    ----------
+    rod : Rod
+        In balance.
+    factor : float
+        phi, 0 or more: the k_def of Eurocode 5, table 3.2, for wood-based panels under permanent load; plywood
+        (EN 636) 0.80 in heated rooms, 1.00 under a roof, 2.50 outdoors.
+
+    Raises
+    ------
+    InputError
+        A factor that is negative or not finite.
+    NotConvergedError
+        No shape is left near the first: the strip collapses as it creeps.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.bending import bend
+    >>> from elastica_cad.mechanics.loads import Gravity
+    >>> arch = bend(Rod.straight(300.0, gravity=Gravity(100.0)), end=(200.0, 0.0))
+    >>> found = creep(arch, 0.8)
+    >>> found.sag > 1, round(found.force_share, 3)
+    (True, 0.556)
+    """
+    if not isinstance(rod, Rod):
+        raise InputError(
+            "creep needs a Rod, as optimal_rod or bend makes one, not {name}", name=type(rod).__name__
+        )
+    phi = require_creep(factor)
+    first = later = rod
+    if phi > 0 and feels_modulus(rod):
+        first = bend(rod, guess=rod.angle)  # on the nodes of the other one, so that their difference is creep
+        force, moment = dead_loads(rod, 1 + phi)
+        try:
+            later = bend(_softened(first, 1 + phi), force=force, moment=moment, guess=rod.angle)
+        except NotConvergedError as problem:
+            raise NotConvergedError(
+                "with a creep factor of {phi:g} no shape is left near the first: it collapses under "
+                "its load; take a stiffer sheet or support it",
+                phi=phi,
+            ) from problem
+    return Creep(phi, first, later, exact=_is_linear(rod.law))
+
+
+def require_creep(factor: object) -> float:
+    """A creep factor, checked.
+
+    Raises
+    ------
+    InputError
+        Negative, not finite, or no number.
+    """
+    if not is_number(factor):
+        raise InputError(
+            "creep is {factor!r}: give the creep factor, a number of 0 or more, such as 0.8", factor=factor
+        )
+    if factor < 0:
+        raise InputError(
+            "creep is {factor:g}: it must be 0 or more; plywood indoors has 0.8 (Eurocode 5)", factor=factor
+        )
+    return float(factor)
+
+
+def _is_linear(law: MaterialLaw | None) -> bool:
+    """Whether the material follows Hooke's law. Wide sections that curl count as linear: the effect is one of
+    shape, not of the modulus."""
+    return law is None or (isinstance(law, CurlingLaw) and law.below is None)
+
+
+def _softened(rod: Rod, times: float) -> Rod:
+    """The rod with its modulus divided, its weight kept."""
+    softer = rod if rod.gravity is None else replace(rod, gravity=rod.gravity.scaled(times))
+    if rod.bending_stiffness is None:
+        return softer
+    return replace(softer, bending_stiffness=rod.bending_stiffness / times)

@@ -1,0 +1,636 @@
+"""Verdict on a curve that was fitted to points, compared with those on other curves through the same points."""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import ElasticaError, NotConvergedError
+from elastica_cad.geometry.control_point_constraints import (
+    Constraint,
+    CurvatureAt,
+    EndPositions,
+    EndTangents,
+    InflectionsOnLine,
+    PointsOnLine,
+    SmoothJoints,
+    least_norm_newton,
+)
+from elastica_cad.geometry.measured_points import MeasuredPoints
+from elastica_cad.geometry.nurbs_curve import curvature_slope
+from elastica_cad.geometry.path import distances
+from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve, line_crossings
+from elastica_cad.geometry.segments import Spline
+from elastica_cad.geometry.self_intersections import find_view_angles
+from elastica_cad.geometry.splines import fit_spline, smoothest_spline
+from elastica_cad.mechanics.loads import (
+    ExcessCurvature,
+    NaturalCurvature,
+    RestCurvature,
+    Supports,
+    require_supports,
+    require_tolerance,
+)
+from elastica_cad.mechanics.theorem1 import (
+    AT_END_SHARE,
+    EquilibriumCheck,
+    FittedVerdict,
+    InflectionLine,
+    Undecided,
+    examine_curvature,
+    lengths,
+)
+from elastica_cad.refusals import Length, Listed, note
+
+MOST_POINTS = 400
+"""Number of points that the other curves are fitted to; of more points some are left out."""
+
+
+def _compare_fits(
+    check: EquilibriumCheck, drawn: PlaneCurve, judge: Callable[[PlaneCurve], EquilibriumCheck]
+) -> Undecided | None:
+    """Return both verdicts if another curve through the points has another one; None of a curve without points.
+
+    Parameters
+    ----------
+    check : EquilibriumCheck
+        Verdict on the `drawn` curve.
+    judge : callable
+        Verdict on another curve.
+    """
+    points = None if drawn.provenance is None else drawn.provenance.measured
+    if (
+        points is None or check.any_stiffness or (points.wavers and points.stray)
+    ):  # which is to be mended first
+        return None
+    distance = _distance(points, drawn)
+    for curve in _other_curves(points, distance):
+        with suppress(ElasticaError):
+            other = judge(curve)
+            if other.realizable != check.realizable:
+                fits = ((check, distance), (other, _distance(points, curve)))
+                return Undecided(points.resolution, *(
+                    FittedVerdict(one.realizable, far, len(one.inflections)) for one, far in fits
+                ))  # fmt: skip
+    return None
+
+
+def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurve]:
+    """Yield fits within the resolution of the points, a fit to every other point, and a smoother one.
+
+    The smoother one may leave the points by half as much as the fit to every other point does.
+    """
+    step = -(-len(points.points) // MOST_POINTS)
+    some, half = _thinned(points.points, step), _thinned(points.points, 2 * step)
+    loose = max(distance, points.resolution)
+    for degree in (4, 5, 3):
+        with suppress(ElasticaError):
+            yield PlaneCurve(*fit_spline(some, degree, points.resolution), degree)
+    smoother = max(points.reach, loose)
+    with suppress(ElasticaError):
+        coarse = PlaneCurve(*fit_spline(half, 4, loose), 4)
+        smoother = max(smoother, _distance(points, coarse) / 2)
+        yield coarse
+    with suppress(ElasticaError):
+        yield PlaneCurve(*smoothest_spline(some, 4, smoother), 4)
+
+
+def _thinned(points: FloatArray, step: int) -> FloatArray:
+    """Every `step`-th point and the last."""
+    return np.concatenate([points[:-1:step], points[-1:]])
+
+
+def _distance(points: MeasuredPoints, curve: PlaneCurve) -> float:
+    """Largest distance of the points from a curve, mm."""
+    return float(distances(Spline(curve), points.points).max())
+
+
+def check_equilibrium(
+    curve: PlaneCurve,
+    supports: Supports | None = None,
+    natural_curvature: NaturalCurvature = 0.0,
+    *,
+    tolerance: float = 1e-4,
+) -> EquilibriumCheck:
+    """Decide whether a flat strip of some admissible width can rest in this curve, without weight.
+
+    Condition (1): a line meets the curve in the zeros of its curvature, in nothing else, and is tangent in
+    none. Condition (2): the curvature changes sign in each of them with a finite slope. A pinned end must
+    have no curvature, which puts it on the line too; an end free to slide along x (y) makes the line vertical
+    (horizontal); ends that carry no force at all allow no line. A natural curvature is taken off the
+    curvature. A closed curve is held by its own other end; where it was drawn to begin in an inflection, it is
+    begun elsewhere (`curve`), and a warning says so.
+
+    Parameters
+    ----------
+    supports : Supports
+        Clamped at both ends unless given.
+    natural_curvature : float or RestCurvature
+        kappa_0, 1/mm, or that of a blank bent beforehand.
+    tolerance : float
+        Inflections that lie this near to one line, in lengths of the curve, are moved onto it (`moved`,
+        `curve`); and so is the curve where an end that is free to turn is bent by next to nothing.
+
+    Raises
+    ------
+    InputError
+        A curve with corners, also where it closes.
+
+    References
+    ----------
+    Paper, Theorem 1 and section 4.3.
+
+    Examples
+    --------
+    >>> wave = PlaneCurve.spline([(0, 0), (40, 60), (80, -60), (120, 0)], degree=3)
+    >>> check = check_equilibrium(wave)
+    >>> check.realizable, len(check.inflections)
+    (True, 1)
+    """
+    require_tolerance(tolerance)
+    supports = require_supports(supports)
+    return examine(curve, supports, natural_curvature, tolerance)
+
+
+def examine(
+    curve: PlaneCurve,
+    supports: Supports,
+    natural_curvature: NaturalCurvature,
+    tolerance: float = 1e-4,
+    *,
+    heavy: bool = False,
+) -> EquilibriumCheck:
+    """The conditions of Theorem 1 one after the other: curvature, ends that are not bent, line.
+
+    With weight (`heavy`) there is no line (paper, section 5), but the other conditions stay. The verdict on a curve
+    that was fitted to points is compared with those on other fits (`undecided`).
+    """
+    judge = partial(
+        _examine_curve,
+        supports=supports,
+        natural_curvature=natural_curvature,
+        tolerance=tolerance,
+        heavy=heavy,
+    )
+    check = judge(curve)
+    undecided = _compare_fits(check, curve, judge)
+    return check if undecided is None else replace(check, undecided=undecided)
+
+
+def _examine_curve(
+    curve: PlaneCurve,
+    supports: Supports,
+    natural_curvature: NaturalCurvature,
+    tolerance: float,
+    *,
+    heavy: bool,
+) -> EquilibriumCheck:
+    """The conditions of Theorem 1 on one curve."""
+    check = examine_curvature(curve, supports, natural_curvature)
+    check = _with_unbent_ends(check, supports, natural_curvature, tolerance)
+    if heavy or check.any_stiffness or not check.zeros:
+        return check
+    return _check_line(check, supports, natural_curvature, tolerance)
+
+
+UNBENT_SHARE = 1e-12  # of the largest curvature: an end with less is not bent
+
+MEANT_SHARE = 0.01
+"""An end that is free to turn counts as unbent where the curvature vanishes within this share of the length
+from it, also beyond it: a drawing is not more exact."""
+
+
+def _with_unbent_ends(
+    check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature, tolerance: float
+) -> EquilibriumCheck:
+    """The check of the curve with control points moved so that its unbent ends are not bent at all.
+
+    These are ends in which the curvature vanishes to rounding, and those that are free to turn and all but
+    unbent. Places and tangents of both ends stay. A curve that would move farther than `tolerance`, in its
+    lengths, stays as it is.
+    """
+    if check.curve.is_closed or check.any_stiffness:
+        return check
+    excess = ExcessCurvature(check.curve, natural_curvature)
+    ends = np.array([*_traces(excess, check), *_meant(excess, check, supports)])
+    if not ends.size:
+        return check
+    try:
+        unbent = _unbent(excess, ends)
+    except NotConvergedError:
+        return check
+    again = examine_curvature(unbent, supports, natural_curvature)
+    moved = _largest_move(check.curve, unbent)
+    drawn = _ends_near_zeros(check) - set(ends.tolist())
+    strays = _ends_near_zeros(again) - drawn
+    return check if moved > tolerance * check.length or strays else replace(again, moved=moved)
+
+
+def _ends_keep_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> bool:
+    """Whether an inflection that belongs to an end is away from it by more than rounding."""
+    return bool(list(_traces(ExcessCurvature(check.curve, natural_curvature), check)))
+
+
+def _largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
+    """Largest distance of points of the same parameter, mm."""
+    t = np.linspace(*before.domain, 1001)
+    return float(np.hypot(*np.moveaxis(np.asarray(after.evaluate(t)) - before.evaluate(t), -1, 0)).max())
+
+
+def _traces(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:
+    """Parameters of the ends that count as zeros, and are none to rounding."""
+    ends = np.array([z.t for z in check.zeros if z.kind == "end"])
+    if ends.size:
+        size = float(np.abs(excess.survey).max())
+        yield from ends[np.abs(excess.at(ends)) > UNBENT_SHARE * size].tolist()
+
+
+def _meant(excess: ExcessCurvature, check: EquilibriumCheck, supports: Supports) -> Iterable[float]:
+    """Parameters of the ends that are free to turn and all but unbent."""
+    unbent = {z.t for z in check.zeros if z.kind == "end"}
+    for t, support in zip(check.curve.domain, supports.ends, strict=True):
+        if support.angle or t in unbent:
+            continue
+        at, reach = np.array(t), MEANT_SHARE * check.length
+        if np.abs(excess.at(at)) <= reach * np.abs(excess.slope_at(at)):
+            yield t
+
+
+def _ends_near_zeros(check: EquilibriumCheck) -> set[float]:
+    """Parameters of the ends beside which the curvature vanishes inside the curve."""
+    (start, end), near = check.curve.domain, MEANT_SHARE * check.length
+    inner = [z.s for z in check.zeros if z.kind != "end"]
+    return {start for s in inner if s < near} | {end for s in inner if s > check.length - near}
+
+
+def _unbent(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
+
+    curve = excess.curve
+    constraints: list[Constraint] = [CurvatureAt(ends, excess.rest_at(ends), curve.length)]
+    constraints += [EndPositions.of(curve), EndTangents.of(curve), SmoothJoints.of(curve)]
+    return least_norm_newton(curve, constraints, tolerance=1e-12)[0].drawn_as(curve.provenance)
+
+
+_SAME_PLACE_SHARE = 1e-6
+"""Places nearer to each other than this share of the length are the same inflection."""
+
+_WIDEST_RATIO = 1e4
+"""Stiffness ratio above which a curve counts as on the border of what can be bent: no strip of that ratio can
+be made, and rounding decides the verdict."""
+
+_TANGENT_RAD = 1e-6
+"""Sine of the angle between line and curve below which they count as tangent."""
+
+_AT_ZERO_SHARE = 1e-4  # nearer to a zero of the curvature, in lengths, K is a quotient of two small numbers
+_LINES = {
+    "": ("one line", "The line through its inflections"),
+    "vertical": ("one vertical line", "The vertical line that the supports ask for"),
+    "horizontal": ("one horizontal line", "The horizontal line that the supports ask for"),
+}
+_TURNS = 67  # of a line about the only inflection, tried
+
+
+@dataclass(frozen=True)
+class LineMeeting:
+    """A place (mm) where a line meets the curve and must not; kind "crossing", "touch" or "tangent"."""
+
+    s: float
+    kind: str
+
+
+@dataclass(frozen=True)
+class SeparatingLine:
+    """The lines through one inflection that meet the curve nowhere else.
+
+    Attributes
+    ----------
+    line : InflectionLine or None
+        The middle one; None when there is none.
+    spread : float
+        Angle, rad, under which the curve is seen from its inflection once the part that bends the other way
+        is mirrored there; below pi there are such lines.
+    places : (float, float)
+        Arc lengths of the two places that bound the lines, mm.
+    """
+
+    line: InflectionLine | None
+    spread: float
+    places: tuple[float, float]
+
+
+def _check_line(
+    check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature, tolerance: float
+) -> EquilibriumCheck:
+    """The verdict on a curve whose curvature was examined and has zeros: is there a line for its moment?"""
+    force_x, force_y = supports.transmits_force
+    if not (force_x or force_y):
+        reason = note(
+            "No force can act between its ends, so the moment is constant and the curve must bend one way "
+            "only; its bending changes at {places}: hold both ends in x or in y.",
+            places=lengths(z.s for z in check.zeros),
+        )
+        return _refused(check, reason)
+    normal = None if force_x and force_y else np.array([1.0, 0.0] if force_y else [0.0, 1.0])
+    if len(check.zeros) == 1 and normal is None:
+        return _with_one_zero(check, natural_curvature)
+    return _with_line(check, normal, supports, natural_curvature, tolerance)
+
+
+def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> EquilibriumCheck:
+    """One zero, any direction: is there a line through it that meets the curve nowhere else?"""
+    zero = check.zeros[0]
+    found = find_separating_line(check.curve, zero, zero.after or -zero.before)
+    checked = replace(check, line=found.line, off_line=((zero.s, 0.0),))
+    if found.line is not None:
+        return _off_the_border(checked, natural_curvature, (np.pi - found.spread) / 2)
+    near = tuple(s for s in found.places if abs(s - zero.s) > AT_END_SHARE * check.length)
+    reason = note(
+        "Every line through the inflection at {s} meets the curve again or touches it there (the curve is "
+        "in the way near {places}): wind the curve less, or support the strip between.",
+        s=Length(zero.s), places=lengths(near),
+    )  # fmt: skip
+    return _refused(replace(checked, crossings=near), reason)
+
+
+def _with_line(
+    check: EquilibriumCheck,
+    normal: FloatArray | None,
+    supports: Supports,
+    natural_curvature: NaturalCurvature,
+    tolerance: float,
+) -> EquilibriumCheck:
+    """Two or more zeros, or a line of given direction: there is one line to look at."""
+    line = fit_inflection_line(_positions(check), normal)
+    distance = line.distance(_positions(check))
+    off_line = tuple((z.s, float(d)) for z, d in zip(check.zeros, distance, strict=True))
+    check = replace(check, line=line, off_line=off_line)
+    largest, allowed = float(np.abs(distance).max()), tolerance * check.length
+    if largest > allowed:
+        return _refused(check, _off_line_reason(check, normal, allowed))
+    meant = largest > 1e-10 * check.length or _ends_keep_bend(check, natural_curvature)
+    if meant and check.realizable:
+        moved = _moved_onto(line, check, supports, natural_curvature)
+        if moved is None:
+            return _refused(check, _off_line_reason(check, normal, 0.0))
+        check = moved
+    meetings = _line_meetings(check.curve, line, check.zeros)
+    if not meetings:
+        return _off_the_border(check, natural_curvature)
+    crossings = tuple(m.s for m in meetings if m.kind == "crossing")
+    tangents = tuple(m.s for m in meetings if m.kind == "tangent")
+    touches = tuple(m.s for m in meetings if m.kind == "touch")
+    meetings_of = (
+        ("crosses the curve at {places}", crossings),
+        ("touches the curve at {places}", touches),
+        ("is tangent to the curve in the inflection at {places}", tangents),
+    )
+    reason = note(
+        "{line} {meets}, where the moment would vanish or change sign and the curvature does not: move the "
+        "curve off the line there, or support the strip between there and the inflections beside it.",
+        line=note(_LINES[_kind_of(normal)][1]),
+        meets=Listed(note(text, places=lengths(s)) for text, s in meetings_of if s),
+    )  # fmt: skip
+    return _refused(replace(check, crossings=crossings, touches=(*touches, *tangents)), reason)
+
+
+def _moved_onto(
+    line: InflectionLine, check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature
+) -> EquilibriumCheck | None:
+    """Check the curve again with its inflections moved onto the line; None where they cannot be moved."""
+    if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:  # which moving would open
+        return None
+
+    found = check
+    for _ in range(2):  # once more where an inflection came to lie at an end
+        try:
+            moved = project_inflections(found.curve, found.zeros, line, natural_curvature)
+        except NotConvergedError:
+            return None
+        found = examine_curvature(moved, supports, natural_curvature)
+        if not _ends_keep_bend(found, natural_curvature):
+            break
+    move = check.moved + _largest_move(check.curve, found.curve)
+    return replace(found, line=line, off_line=check.off_line, moved=move)
+
+
+def _off_the_border(
+    check: EquilibriumCheck, natural_curvature: NaturalCurvature, spare: float = 0.0
+) -> EquilibriumCheck:
+    """The verdict, refused where the curve asks for a ratio of stiffness that no strip can have."""
+    if check.line is None or not check.realizable:
+        return check
+    at = _widest_place(ExcessCurvature(check.curve, natural_curvature), check.line, check.zeros, spare)
+    if at is None:
+        return check
+    reason = note(
+        "The curve is on the border of what a strip can take: near {s} the stiffness would have to be more "
+        "than {ratio:.0f} times that of other places. Move the curve farther from the line through its "
+        "inflections, or bend it more clearly there.",
+        s=Length(round(at, 6)), ratio=_WIDEST_RATIO,
+    )  # fmt: skip
+    return _refused(check, reason)
+
+
+def _off_line_reason(check: EquilibriumCheck, normal: FloatArray | None, allowed: float) -> str:
+    small = (
+        note(" (at most {allowed:.2g} is put right without asking)", allowed=Length(allowed))
+        if allowed
+        else ""
+    )
+    return note(
+        "Its inflections do not lie on {one_line}: those at {places} are {off} off the nearest one{small}. "
+        "Move them onto one line, or support the strip between them.",
+        one_line=note(_LINES[_kind_of(normal)][0]), places=lengths(s for s, _ in check.off_line),
+        off=Listed(Length(abs(d)) for _, d in check.off_line), small=small,
+    )  # fmt: skip
+
+
+def _refused(check: EquilibriumCheck, reason: str) -> EquilibriumCheck:
+    return replace(check, realizable=False, reasons=(*check.reasons, reason))
+
+
+def fit_inflection_line(points: FloatArray, normal: FloatArray | None = None) -> InflectionLine:
+    """The line nearest to points (k, 2) in least squares; with a given normal only its place is free."""
+    centre = points.mean(axis=0)
+    if normal is None:
+        _, _, vt = np.linalg.svd(points - centre)
+        normal = vt[1]
+    normal = normal / np.hypot(*normal)
+    if normal[1] < 0 or (normal[1] == 0 and normal[0] > 0):
+        normal = -normal
+    return InflectionLine((float(centre[0]), float(centre[1])), (float(normal[1]), -float(normal[0])))
+
+
+def _line_meetings(
+    curve: PlaneCurve, line: InflectionLine, zeros: Sequence[CurvatureZero]
+) -> tuple[LineMeeting, ...]:
+    """Places where the line violates condition (1) of Theorem 1.
+
+    These are meetings elsewhere than in a zero of the curvature, tangency in a zero, and zeros in which the
+    curve goes to the wrong side: the moment a + <b, gamma> must have one and the same sign relation to the
+    curvature everywhere.
+    """
+    near = _SAME_PLACE_SHARE * curve.length
+    bad: list[LineMeeting] = []
+    t = np.array([z.t for z in zeros])
+    tangent = np.asarray(curve.evaluate(t, 1)).reshape(-1, 2)
+    sine = tangent @ line.b / np.hypot(tangent[:, 0], tangent[:, 1])
+    turned = np.array([(z.after or -z.before) for z in zeros]) * sine
+    majority = 1.0 if (turned > 0).sum() * 2 >= turned.size else -1.0
+    for zero, rate, turn in zip(zeros, sine, turned, strict=True):
+        if abs(rate) < _TANGENT_RAD:
+            bad.append(LineMeeting(zero.s, "tangent"))
+        elif turn * majority < 0:
+            bad.append(LineMeeting(zero.s, "crossing"))
+    places = np.array([z.s for z in zeros])
+    for meeting in line_crossings(curve, line.a, line.b):
+        if meeting.kind == "flat":
+            bad.append(LineMeeting(meeting.s, "touch"))
+        elif not places.size or np.abs(places - meeting.s).min() > near:
+            bad.append(LineMeeting(meeting.s, "touch" if meeting.kind == "touch" else "crossing"))
+    return tuple(sorted(set(bad), key=lambda m: m.s))
+
+
+def _widest_place(
+    excess: ExcessCurvature, line: InflectionLine, zeros: Sequence[CurvatureZero], spare: float
+) -> float | None:
+    """Where (mm) the stiffness would exceed the least by `_WIDEST_RATIO`; None where it need not.
+
+    K = distance from the line / (kappa - kappa_0); in a zero its limit, the sine of the angle between curve and
+    line over the slope of the curvature. With one zero the line may turn by `spare` rad either way about it.
+    """
+    curve, kappa = excess.curve, excess.survey
+    nodes = curve.survey
+    s_zero, t_zero = np.array([z.s for z in zeros]), np.array([z.t for z in zeros])
+    clear = (np.abs(nodes.s - s_zero[:, None]) > _AT_ZERO_SHARE * curve.length).all(axis=0)
+    clear &= kappa != 0
+    tangent, slope = _at_zeros(excess, t_zero)
+    point, across = np.asarray(line.point), line.b
+    bent = np.abs(((nodes.position - point) @ across)[clear] / kappa[clear])
+    unbent = np.abs(tangent @ across / slope)
+    if max(bent.max(), unbent.max()) <= _WIDEST_RATIO * min(bent.min(), unbent.min()):
+        return None
+    s = np.concatenate([nodes.s[clear], s_zero])
+    arm = np.concatenate([(nodes.position[clear] - point) / kappa[clear, None], tangent / slope[:, None]])
+    along = np.asarray(line.direction)
+    turns = np.linspace(-spare, spare, _TURNS)[1:-1] if spare > 0 else np.zeros(1)
+    normals = np.cos(turns)[:, None] * across + np.sin(turns)[:, None] * along
+    K = np.abs(arm @ normals.T)
+    ratios = K.max(axis=0) / np.maximum(K.min(axis=0), 1e-300)
+    best = int(np.argmin(ratios))
+    return float(s[int(np.argmax(K[:, best]))]) if ratios[best] > _WIDEST_RATIO else None
+
+
+def _at_zeros(excess: ExcessCurvature, t: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Unit tangents (k, 2) and slopes (k,) of kappa - kappa_0 at its zeros, from inside where one is the end."""
+    _, d1, d2, d3 = excess.curve.derivatives(t, 3)
+    slope = curvature_slope(d1, d2, d3) - excess.rest_at(t, 1, left=bool(t[-1] >= excess.curve.domain[1]))
+    return d1 / np.hypot(d1[:, :1], d1[:, 1:]), slope
+
+
+def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign: int) -> SeparatingLine:
+    """Lines through the only zero of kappa - kappa_0 that have each side of the curve where its bending asks.
+
+    With p the inflection, M = <b, gamma - p> must have the sign of kappa - kappa_0, so all directions
+    sign(kappa - kappa_0) (gamma - p) must lie in the open half plane <b, .> > 0. They form one continuous
+    angle along the curve (its limit at p is the tangent), and there is such a b if and only if it spreads
+    less than pi.
+
+    Parameters
+    ----------
+    curvature_sign : int
+        Sign of kappa - kappa_0 after the zero; at the end of the curve minus the sign before it.
+    """
+    views = find_view_angles(curve, zero.t)
+    if views is None:
+        return SeparatingLine(None, np.pi, (zero.s, zero.s))
+    low, high = (float(s) for s in np.sort(curve.arc_length(np.array([views.low_t, views.high_t]))))
+    spread = views.high - views.low
+    if spread >= np.pi - _TANGENT_RAD:
+        return SeparatingLine(None, spread, (low, high))
+    middle = (views.low + views.high) / 2
+    x, y = views.point
+    # along the middle direction turned right by a quarter, so that its normal b is that direction
+    direction = curvature_sign * np.array([np.sin(middle), -np.cos(middle)])
+    line = InflectionLine((x, y), (float(direction[0]), float(direction[1])))
+    return SeparatingLine(line, spread, (low, high))
+
+
+def _positions(check: EquilibriumCheck) -> FloatArray:
+    return np.asarray(check.curve.evaluate(np.array([z.t for z in check.zeros])))
+
+
+def _kind_of(normal: FloatArray | None) -> str:
+    if normal is None:
+        return ""
+    return "vertical" if normal[0] else "horizontal"
+
+
+MOST_STEPS = 12
+"""Largest number of Newton steps for such a move."""
+
+ON_LINE_SHARE = 1e-12
+"""Distance from the line, in sizes of the curve, below which an inflection lies on it."""
+
+LARGEST_MOVE_SHARE = 0.05
+"""Largest move of a control point, in lengths of the curve."""
+
+
+def project_inflections(
+    curve: PlaneCurve,
+    zeros: Sequence[CurvatureZero],
+    line: InflectionLine,
+    natural_curvature: float = 0.0,
+) -> PlaneCurve:
+    """The curve with control points moved so that all `zeros` of kappa - kappa_0 lie on a line.
+
+    End points and end tangents are held as long as the curve has the freedom for it; a zero at an end stays
+    there, and where pieces of a pen's path meet the tangent stays continuous.
+
+    Raises
+    ------
+    NotConvergedError
+        The control points cannot bring the inflections onto the line.
+
+    References
+    ----------
+    Paper, Appendix C.
+    """
+    needed = [*_on_line(curve, zeros, line, natural_curvature), SmoothJoints.of(curve)]
+    for kept in _kept_ends(curve, zeros):
+        try:
+            moved, _ = least_norm_newton(
+                curve, [*needed, *kept], tolerance=ON_LINE_SHARE, max_steps=MOST_STEPS
+            )
+        except NotConvergedError:
+            continue
+        if np.abs(moved.control_points - curve.control_points).max() <= LARGEST_MOVE_SHARE * curve.length:
+            return moved.drawn_as(curve.provenance)
+    raise NotConvergedError("no small move of the control points brings the inflections onto one line")
+
+
+def _on_line(
+    curve: PlaneCurve, zeros: Sequence[CurvatureZero], line: InflectionLine, kappa_0: float
+) -> list[Constraint]:
+    """All zeros on the line; those at ends without moment too."""
+    inner = np.array([z.t for z in zeros if z.kind != "end"])
+    ends = np.array([z.t for z in zeros if z.kind == "end"])
+    wanted: list[Constraint] = []
+    if inner.size:
+        wanted.append(InflectionsOnLine(line.a, line.b, inner, kappa_0))
+    if ends.size:
+        wanted += [PointsOnLine(line.a, line.b, ends), CurvatureAt(ends, kappa_0, curve.length)]
+    return wanted
+
+
+def _kept_ends(curve: PlaneCurve, zeros: Sequence[CurvatureZero]) -> list[list[Constraint]]:
+    """Constraints to try, the strictest first: positions and tangents of the ends that are not on the line."""
+    pinned = {z.t for z in zeros if z.kind == "end"}
+    place, turn = EndPositions.of(curve), EndTangents.of(curve)
+    start, end = (t not in pinned for t in curve.domain)
+    places = EndPositions(place.start if start else None, place.end if end else None)
+    turns = EndTangents(turn.start_normal if start else None, turn.end_normal if end else None)
+    return [[places, turns], [places], []]

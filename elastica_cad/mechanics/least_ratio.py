@@ -1,0 +1,738 @@
+"""From a drawn curve to the rod of least stiffness ratio that rests in it, and its stiffness as a spline."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import pairwise
+from math import ceil
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number, require_number, require_record, several
+from elastica_cad.errors import InputError, NotConvergedError, rounded_up
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.polynomials import NODES, SLOPES, PanelFunction, legendre_basis, locate_in_panels
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.segments import point
+from elastica_cad.mechanics.equilibrium_check import examine
+from elastica_cad.mechanics.laminated_section import BoundedBacking, LaminatedSection
+from elastica_cad.mechanics.loads import (
+    ExcessCurvature,
+    Gravity,
+    NaturalCurvature,
+    PointMass,
+    Supports,
+    Weight,
+    nodal_curvature,
+    require_curve,
+    require_gravity,
+    require_supports,
+    require_tolerance,
+    whole_number,
+)
+from elastica_cad.mechanics.moment_conditions import BalancedStiffness, RodRequest
+from elastica_cad.mechanics.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.optimal_balance import balance_of, carried_weight, extrapolated
+from elastica_cad.mechanics.quadrature_panels import NARROWEST_SHARE, ROUGH_AT_ZERO, STEP_LENGTH
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.section_limits import ScaleRange
+from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw
+from elastica_cad.mechanics.theorem1 import AT_END_SHARE, EquilibriumCheck, InflectionLine, NotRealizable
+from elastica_cad.refusals import Length, note
+
+TOLERANCE = 1e-6
+"""Error of the stiffness profile, relative to its largest value; its extremes are exact."""
+
+WORST_TOLERANCE = 0.01
+"""Error that is accepted where rounding has spoilt the stiffness, as much weight and an inflection near an end
+do."""
+
+NOISE_TIMES = 4
+"""Error of the fit, in multiples of the rounding errors of the stiffness under much weight."""
+
+SAME_PLACE_SHARE = 1e-9
+"""A knot nearer to a zero of the curvature than this share of the length is moved there."""
+
+CELLS = 8
+"""Parts of a panel in which the density of knots is taken as constant."""
+
+_CELL_ENDS = legendre_basis(np.linspace(-1, 1, CELLS + 1))
+
+_FOURTH_IN_CELLS = legendre_basis((2 * np.arange(CELLS) + 1) / CELLS - 1) @ np.linalg.matrix_power(SLOPES, 4)
+"""Matrix of the fourth derivatives by x in the middles of the cells."""
+
+BEST_CUBIC = 1 / 720
+"""Error of the best cubic spline over h^4 times the fourth derivative: the largest of B_4 / 4!, a Bernoulli
+polynomial."""
+
+SPARE = 0.07
+"""Share of the tolerance for which the first knots are chosen, so that a second fit is rarely needed."""
+
+
+def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:
+    """K times `scale` as a cubic spline of arc length.
+
+    K has two derivatives less than the curve, and one less again in an inflection at a knot; a kink stays a
+    kink. A step is spread over a ramp.
+    """
+    curve = check.curve
+    length = curve.length
+    zeros = np.array([z.s for z in check.zeros])
+    breaks: list[tuple[float, int]] = []
+    steps: list[float] = []
+    for s, order in (*balance.kinks, *((knot.s, knot.continuity - 2) for knot in curve.breaks)):
+        near = NARROWEST_SHARE if order > ROUGH_AT_ZERO - 2 else SAME_PLACE_SHARE
+        at_zero = zeros.size > 0 and np.abs(zeros - s).min() < near * length
+        if order - int(at_zero) >= 0:
+            breaks.append((s, order - int(at_zero)))
+        elif not steps or np.abs(np.array(steps) - s).min() > STEP_LENGTH * length:
+            steps.append(s)
+    K = _AlongArc.of(curve, balance, scale)
+    half = STEP_LENGTH * length / 2
+    feet = [s + side * half for s in steps for side in (-1, 1)]
+    # fitted apart, or the ramp, which weighs nothing, would have to take over its neighbours' errors
+    breaks += [(s, -1) for s in feet]
+
+    def stiffness(s: FloatArray) -> FloatArray:
+        values = K(s)
+        for step in steps:
+            inside = np.abs(s - step) < half
+            if inside.any():
+                foot = np.array([step - half, step + half])
+                values[inside] = np.interp(s[inside], foot, K(foot))
+        return values
+
+    noise = NOISE_TIMES * K.noise([*steps, *(s for s, _ in balance.kinks)])
+    tolerance = min(max(TOLERANCE * K.largest, noise), WORST_TOLERANCE * K.largest)
+    knots = K.knots([s for s, _ in breaks], SPARE * tolerance)
+    fitted = Profile.fit(stiffness, length, breaks=breaks, knots=knots, tolerance=tolerance)
+    for i, foot in enumerate(feet):
+        fitted = _joined(fitted, foot, keep_left=i % 2 == 0)
+    return _with_extremes(fitted, stiffness(np.array(fitted.extreme_places)), tolerance)
+
+
+@dataclass(frozen=True, eq=False)
+class _AlongArc:
+    """K on the panels of a balance, as Legendre series in arc length; `edges` (N + 1,) are in mm."""
+
+    edges: FloatArray
+    series: PanelFunction
+
+    @classmethod
+    def of(cls, curve: PlaneCurve, balance: BalancedStiffness, scale: float) -> "_AlongArc":
+        panels = balance.panels
+        width = panels.edge_s[1:] - panels.edge_s[:-1]
+        s = panels.edge_s[:-1, None] + width[:, None] * (1 + NODES) / 2
+        t = curve.parameter(s)
+        values = balance.stiffness.at(*panels.locate(t.ravel())) * scale
+        return cls(panels.edge_s, PanelFunction.through(values.reshape(t.shape)))
+
+    def __call__(self, s: FloatArray) -> FloatArray:
+        return self.series.at(*locate_in_panels(self.edges, s))
+
+    @property
+    def largest(self) -> float:
+        """The largest of K, nearly."""
+        return float(self.series.in_every_panel(_CELL_ENDS).max())
+
+    def noise(self, steps: Sequence[float]) -> float:
+        """Largest jump of K between panels, but for its steps: rounding that grows along under much weight."""
+        before, after = self.series.where_panels_meet
+        # over as much of the length as a step is spread over: of steps nearer to each other one is kept
+        jumps = np.abs(after - before)
+        if len(steps):
+            apart = np.abs(self.edges[1:-1, None] - np.array(steps)) > STEP_LENGTH * self.edges[-1]
+            jumps = jumps[apart.all(axis=1)]
+        return float(jumps.max(initial=0.0))
+
+    def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
+        """Knots between the breaks with which a cubic spline errs by `tolerance` everywhere.
+
+        Their distance h is that where `BEST_CUBIC` h^4 K'''' is the tolerance.
+        """
+        width = self.edges[1:] - self.edges[:-1]
+        fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
+        # both by the panel's own x, from -1 to 1
+        count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
+        reached, s = np.zeros(count.size + 1), np.empty(count.size + 1)
+        np.cumsum(count, out=reached[1:])
+        s[:-1] = (self.edges[:-1, None] + width[:, None] * np.arange(CELLS) / CELLS).ravel()
+        s[-1] = self.edges[-1]
+        stops = sorted({float(self.edges[0]), *breaks, float(self.edges[-1])})
+        at = np.interp(stops, s, reached).tolist()
+        parts = [max(1, ceil(b - a)) for a, b in pairwise(at)]  # even stiffness asks for none
+        wanted = [a + (b - a) / n * np.arange(1, n) for (a, b), n in zip(pairwise(at), parts, strict=True)]
+        return np.asarray(np.interp(np.concatenate(wanted), reached, s))
+
+
+def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
+    """The profile stretched a little so that its extremes are `exact`, the stiffness where it has them.
+
+    The stiffness is stationary there, so the places need not be exact.
+    """
+    low, high = profile.extremes
+    if high - low <= tolerance:
+        return profile
+    return profile.stretched(float(exact[0]), float(exact[1]))
+
+
+def _joined(profile: Profile, place: float, *, keep_left: bool) -> Profile:
+    """The profile with the gap at `place` closed: both sides get the value of the one kept."""
+    first = int(np.searchsorted(profile.knots, place - 1e-9 * profile.length))
+    coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
+    return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
+
+
+TOLD_MOVE_MM = 1e-3
+"""Smallest move of the curve, mm, that is reported."""
+
+_LAW_SAMPLES = 2001  # along the curve, where a law is asked for its moments
+
+
+def optimal_rod(
+    curve: PlaneCurve,
+    gravity: Gravity | None = None,
+    supports: Supports | None = None,
+    natural_curvature: NaturalCurvature = 0.0,
+    samples: int | None = None,
+    *,
+    weight: Weight | None = None,
+    bending_stiffness: float | None = None,
+    largest_stiffness: float | None = None,
+    least_stiffness: float | None = None,
+    law: MaterialLaw | None = None,
+    section: BoundedLaw | None = None,
+    tolerance: float = 1e-4,
+    check: EquilibriumCheck | None = None,
+) -> Rod:
+    """The rod whose rest shape is the curve, with the least possible ratio of largest to least stiffness.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+        mm.
+    gravity : Gravity, optional
+        Weight proportional to the stiffness, as of a plain strip; its direction serves for `weight` too.
+    supports : Supports
+        Clamped at both ends unless given.
+    natural_curvature : float or RestCurvature
+        kappa_0, 1/mm, or that of a blank bent beforehand; the rod then has kappa_0 at its nodes.
+    samples : int, optional
+        Nodes of the rod, and without `largest_stiffness` the only places where its ratio is judged. Unless
+        given, the ratio is that of the continuous curve and the rod has 601 nodes.
+    weight : Weight, optional
+        Weight in newtons instead of a proportional one; with `own=True` the strip's own weight, which is
+        B / gravity.length^3 per length and stiffness, is added to it.
+    bending_stiffness : float, optional
+        Lower bound B of the bending stiffness E I, N mm2, that the weight in newtons is set against. Unless
+        given it is solved for: that of least ratio, or where the ratio only falls with growing B, the least B
+        whose ratio is within 1 % of the weightless one.
+    largest_stiffness : float, optional
+        Largest E I of the rod, N mm2, under a weight in newtons, such as that of the widest strip that there is
+        room for. The ratio is the least one of such rods. Where a rod so stiff cannot rest in the curve under
+        this weight, the largest E I stays below.
+    least_stiffness : float, optional
+        Lower bound of E I anywhere, N mm2, beside `largest_stiffness`.
+    law : MaterialLaw, optional
+        Nonlinear material: its effective curvature takes the place of kappa - kappa_0 (Appendix D).
+    section : BoundedLaw, optional
+        What stiffness is made of: a thickness, a diameter, a width that bends as a plate. It is made as large as
+        its limits allow, which settles the bending stiffness; under gravity (of which only the direction counts)
+        the rod carries the section's own weight and the masses of `weight`. Then the program is not linear and
+        the ratio is a local optimum: see `balance_of`.
+    tolerance : float
+        Inflections this near to one line, in lengths of the curve, are moved onto it, and ends that are free to
+        turn and bent by next to nothing are unbent; `Rod.moved` tells how far the curve moved, and `Rod.shape` is
+        the moved curve.
+    check : EquilibriumCheck, optional
+        Of the same curve and request, where Theorem 1 was examined already.
+
+    Returns
+    -------
+    Rod
+        Least nodal stiffness 1. Under weight, where inflections leave a choice, the smoothest stiffness
+        within 1 % of the least ratio is taken (section 5.3).
+
+    Raises
+    ------
+    NotRealizable
+        No admissible stiffness exists; `check` of the error says why and where.
+    InputError
+        Options that do not fit together, a kinked curve, a weight that no rod within its stiffness carries.
+
+    References
+    ----------
+    Paper, Eqs. 4 to 6 and section 5.3.
+
+    Examples
+    --------
+    >>> import math
+    >>> arch = PlaneCurve.ellipse((0, 0), (200, 100), start=0, end=math.pi)
+    >>> round(optimal_rod(arch).ratio, 4)
+    1.5699
+    """
+    require_gravity(gravity)
+    supports = require_supports(supports)
+    _check_options(gravity, samples, weight)
+    _check_stiffness("bending_stiffness", bending_stiffness, weight)
+    _check_stiffness("largest_stiffness", largest_stiffness, weight)
+    _check_stiffness("least_stiffness", least_stiffness, weight)
+    if section is not None:
+        _check_section(section, weight, bending_stiffness, largest_stiffness, law)
+    elif bending_stiffness is not None and largest_stiffness is not None:
+        raise InputError(
+            "bending_stiffness settles how stiff the rod is, and leaves largest_stiffness nothing to bound: "
+            "leave one of them out"
+        )
+    elif least_stiffness is not None and largest_stiffness is None:
+        raise InputError(
+            "least_stiffness is a limit beside largest_stiffness. Pass largest_stiffness, or pass "
+            "bending_stiffness instead."
+        )
+    require_tolerance(tolerance)
+    if check is None:
+        check = examine(curve, supports, natural_curvature, tolerance, heavy=gravity is not None)
+    require_record(check, EquilibriumCheck, "check", "what check_equilibrium answers")
+    if gravity is not None and not check.any_stiffness:
+        _require_load_at_free_end(check, supports, weight)
+    if not check.realizable:
+        raise NotRealizable(check)
+    if law is not None:
+        require_record(law, MaterialLaw, "law", "a MaterialLaw record, or None")
+        t = check.curve.parameter(np.linspace(0.0, check.length, _LAW_SAMPLES))
+        law.require_design(float(np.abs(ExcessCurvature(check.curve, natural_curvature).at(t)).max()))
+    asked = RodRequest(
+        check, supports, natural_curvature, gravity, weight, bending_stiffness, largest_stiffness,
+        least_stiffness, law, section, samples,
+    )  # fmt: skip
+    return _unbent_rod(asked) if check.any_stiffness else _bent_rod(asked, balance_of(asked))
+
+
+def _check_section(
+    section: BoundedLaw,
+    weight: Weight | None,
+    bending_stiffness: float | None,
+    largest_stiffness: float | None,
+    law: MaterialLaw | None,
+) -> None:
+    if isinstance(section, LeavesLaw):
+        raise InputError(
+            "glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such "
+            "as keep=Keep(), or call nearest_rod, and the nearest stack is found"
+        )
+    missing = [name for name in ("limits", "bent", "bending_stiffness") if not hasattr(section, name)]
+    if missing:
+        raise InputError(
+            "section is {section!r}: give a law with limits, such as ThicknessLaw(sheet, 3, 8, width=20)",
+            section=section,
+        )
+    alone = weight is None or (weight.own and not isinstance(weight.alpha, Profile) and weight.alpha == 0)
+    settled = any(one is not None for one in (bending_stiffness, largest_stiffness, law))
+    if settled or not alone:
+        raise InputError(
+            "a section settles its own stiffness and weight: leave out bending_stiffness, largest_stiffness "
+            "and law, and give masses only, as Weight(masses=..., own=True)"
+        )
+
+
+def _check_options(gravity: Gravity | None, samples: int | None, weight: Weight | None) -> None:
+    if samples is not None:
+        whole_number(samples, "samples", 3)
+    if weight is not None:
+        require_record(weight, Weight, "weight", "a Weight record, or None")
+    if weight is not None and gravity is None:
+        raise InputError("a weight in newtons needs gravity too: pass gravity=Gravity(...) for its direction")
+
+
+def _check_stiffness(name: str, value: float | None, weight: Weight | None) -> None:
+    if value is None:
+        return
+    if weight is None:
+        raise InputError(
+            "{name} is for rods with a weight in newtons: pass weight=Weight(...) as well", name=name
+        )
+    if not (is_number(value) and value > 0):
+        raise InputError(
+            "{replace} is {given!r}: it must be positive, in N mm2",
+            replace=name.replace("_", " "),
+            given=value,
+        )
+
+
+def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weight: Weight | None) -> None:
+    """Refuse an end that neither a support nor a mass holds: its shape follows from the weight and cannot be drawn.
+
+    With u the distance from it and W the weight beyond, K kappa = integral of W cos(alpha) du. Both vanish at
+    u = 0, and where the weight is the strip's own, K stays finite and positive only for kappa = cos(alpha)
+    u^2 / (2 l_eg^3) + ...
+    """
+    masses = () if weight is None else weight.masses
+    for name, support, s in zip(("start", "end"), supports.ends, (0.0, check.length), strict=True):
+        hung = any(mass.mass > 0 and abs(mass.at - s) <= AT_END_SHARE * check.length for mass in masses)
+        if support.x or support.y or support.angle or hung:
+            continue
+        reason = note(
+            "The {end} (at {s}) is free and carries the weight of the strip only, so moment and force run "
+            "out together: the curvature would have to vanish there with its slope, and grow just as this "
+            "sheet's weight asks (kappa = cos(angle) u^2 / (2 l^3) at the distance u, l being the gravity's "
+            "length), which no drawn curve does. nearest_rod finds the nearest curve that hangs so; "
+            "bend(Rod.straight(...)) shows how a given strip hangs; or hang a mass on this end.",
+            end=note(name), s=Length(s),
+        )  # fmt: skip
+        raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
+
+
+def _rod_of(
+    asked: RodRequest, check: EquilibriumCheck, moment: FloatArray, force: FloatArray, **fields: Any
+) -> Rod:
+    """The rod that lies in the curve; moments (n,) and forces (n, 2) are those of its nodes."""
+    nodes = asked.nodes
+    return Rod(
+        s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, moment=moment,
+        force=force, gravity=asked.gravity, supports=asked.supports,
+        natural_curvature=nodal_curvature(asked.natural_curvature, nodes.s), law=asked.law,
+        section=asked.section, shape=check.curve, check=check, **fields,
+    )  # fmt: skip
+
+
+def _unbent_rod(asked: RodRequest) -> Rod:
+    """A curve of the natural curvature throughout: no moment; under weight it must hang or stand upright."""
+    check, nodes = asked.check, asked.nodes
+    n = nodes.s.size
+    B, weight = asked.bending_stiffness or asked.largest_stiffness, asked.weight
+    if B is not None and weight is not None and asked.gravity is not None:
+        weight = carried_weight(weight, asked.gravity, B)
+    rod = _rod_of(
+        asked, check, np.zeros(n), np.zeros((n, 2)), stiffness=np.ones(n), weight=weight,
+        profile=Profile.interpolate(nodes.s[[0, -1]], np.ones(2)),
+        bending_stiffness=B, warnings=check.cautions,
+    )  # fmt: skip
+    if asked.section is not None:
+        rod = _even_rod(rod, asked.section)
+    if asked.gravity is None:
+        return rod
+    down = np.asarray(asked.gravity.direction)
+    chord = nodes.position[-1] - nodes.position[0]
+    sideways = abs(chord[0] * down[1] - chord[1] * down[0]) / np.hypot(*chord)
+    if asked.natural_curvature or sideways > 1e-9:
+        reason = "Under its weight an unbent strip sags, unless it is upright: draw the shape it may hang in."
+        refused = replace(check, realizable=False, any_stiffness=False, reasons=(reason,))
+        raise NotRealizable(refused)
+    if rod.weight is not None and rod.bending_stiffness is None:
+        raise InputError(
+            "an upright straight strip takes any stiffness: give bending_stiffness for its weight"
+        )
+    # lambda grows by the load; the end that holds the strip upright carries all
+    load = rod.nodal_load
+    force = np.cumsum(load, axis=0) - load / 2
+    force[0], force[-1] = 0.0, load.sum(axis=0)
+    lower = asked.supports.ends[1]
+    return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))
+
+
+def _even_rod(rod: Rod, section: BoundedLaw) -> Rod:
+    """A straight rod with the largest allowed section everywhere."""
+    law = section.bent(0.0)
+    size = next(one for one in reversed(section.limits) if np.isfinite(one))
+    scale, newtons = float(law.bending_stiffness(size)), float(law.weight_per_length(size))
+    masses = () if rod.weight is None else rod.weight.masses
+    weight = None if rod.gravity is None else Weight(alpha=newtons, masses=masses)
+    return replace(rod, bending_stiffness=scale, weight=weight)
+
+
+def _bent_rod(asked: RodRequest, balance: BalancedStiffness) -> Rod:
+    check, nodes = asked.check, asked.nodes
+    panel, x = balance.panels.locate(nodes.t)
+    K, moment, b = (one.at(panel, x) for one in (balance.stiffness, balance.moment, balance.force))
+    least = float(K.min())
+    if least <= 0:
+        raise NotRealizable(check)
+    K, moment, b = K / least, moment / least, b / least
+    size = np.abs(moment).max()
+    change = nodes.curvature - nodal_curvature(asked.natural_curvature, nodes.s)
+    effective = change if asked.law is None else asked.law.effective_curvature(change)
+    residual = float(np.abs(K * effective - moment).max() / size)
+    warnings = check.cautions
+    if check.moved > TOLD_MOVE_MM:
+        told = note(
+            "The curve was moved by at most {moved} to bring its inflections onto one line."
+            if asked.gravity is None
+            else "The curve was moved by at most {moved} to take the last bend out of its ends.",
+            moved=Length(check.moved),
+            severity="warning",
+        )
+        warnings = (*warnings, told)
+    if asked.gravity is None and check.zeros and np.hypot(*b[0]) > 0:
+        check = replace(check, line=_moment_line(moment[0], b[0], nodes.position[0]))
+    weight = balance.weight
+    if weight is not None:  # beta K stays what it is when K is divided by its least value
+        weight = weight.scaled(beta=least)
+    return _rod_of(
+        asked, check, moment, np.column_stack([-b[:, 1], b[:, 0]]), stiffness=K,
+        profile=stiffness_profile(check, balance, 1 / least), residual=residual, weight=weight,
+        bending_stiffness=None if balance.bending_stiffness is None else balance.bending_stiffness * least,
+        warnings=warnings, moved=check.moved,
+    )  # fmt: skip
+
+
+def _moment_line(moment: float, b: FloatArray, position: FloatArray) -> InflectionLine:
+    """The line on which M = moment + <b, x - position> vanishes."""
+    size = np.hypot(*b)
+    foot = position - b * moment / size**2
+    return InflectionLine((float(foot[0]), float(foot[1])), (float(b[1] / size), float(-b[0] / size)))
+
+
+_SETTLED_SHARE = 1e-5
+"""Relative change between rounds that ends the search."""
+
+_MOST_ROUNDS = 30
+"""Largest number of optimal rods in the search for a laminate."""
+
+_STATIONS = 81  # of the weight law, a cubic spline in between
+_DENSE = 2001  # at which the backing must fit
+
+
+@dataclass(frozen=True, eq=False)
+class Laminate:
+    """A rod and the layers that make it.
+
+    Attributes
+    ----------
+    rod : Rod
+        Its `bending_stiffness` is the scale c, N mm2: E I = c K.
+    section : LaminatedSection
+    base_width, backing_width : (n,) array
+        w1 and w2 at the nodes of the rod, mm.
+    range : ScaleRange
+        Scales that could be built with this K; c is its upper end.
+    rounds : int
+        Optimal rods that were needed; 1 without weight.
+    """
+
+    rod: Rod
+    section: LaminatedSection
+    base_width: FloatArray
+    backing_width: FloatArray
+    range: ScaleRange
+    rounds: int
+
+
+def optimal_laminate(
+    curve: PlaneCurve,
+    section: LaminatedSection,
+    base_width: "float | Profile",
+    *,
+    direction: ArrayLike | None = None,
+    supports: Supports | None = None,
+    samples: int | None = None,
+    least_backing: float = 0.0,
+    masses: tuple[PointMass, ...] = (),
+) -> Laminate:
+    """The rod of least ratio on a curve, and the backing that gives a base of given width its stiffness.
+
+    The weight is that of both layers, linear in w2 and so not in K (paper, section 8.1, footnote 4): the
+    weight law is set tangent to the true one at the last K and scale, until both stay. Where they go to and fro
+    instead, `optimal_rod` goes on in short steps.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+    section : LaminatedSection
+    base_width : float or Profile
+        w1 along the curve, mm.
+    direction : (2,) array_like, optional
+        Where things fall in the plane of the curve; without it the strip is weightless.
+    supports, samples
+        As in `optimal_rod`.
+    least_backing : float
+        Narrowest backing that can be cut and glued, mm.
+    masses : tuple of PointMass
+        Hung on the strip.
+
+    Returns
+    -------
+    Laminate
+
+    Raises
+    ------
+    NotRealizable
+        As `optimal_rod`.
+    InputError
+        The stiffness does not fit into the width; says which thickness ratio would do.
+    NotConvergedError
+        Weight and stiffness do not settle.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.sheets import Sheet
+    >>> card = Sheet.named("card-200gsm")
+    >>> arch = PlaneCurve.ellipse((0, 0), (75, 60), start=0, end=3.1416)
+    >>> laminate = optimal_laminate(arch, LaminatedSection(card, card), 20.0, direction=(0, -1))
+    >>> round(float(laminate.backing_width.max()), 6)
+    20.0
+    """
+    require_curve(curve)
+    require_record(section, LaminatedSection, "the section", "a LaminatedSection(base, backing)")
+    masses = several("masses", masses, PointMass, "PointMass")
+    s_end = curve.length
+    if isinstance(base_width, Profile) and not np.isclose(base_width.length, s_end, rtol=1e-6):
+        raise InputError(
+            "the base width is given over {length:.6g}, the curve is {s_end:.6g} long",
+            length=Length(base_width.length),
+            s_end=Length(s_end),
+        )
+    gravity = None if direction is None else _filled(section, direction)
+    solve = partial(optimal_rod, curve, gravity, supports, samples=samples)
+    rod = solve()
+    base = _Base.under(rod, section, base_width, least_backing)
+    if gravity is None:
+        return base.laminate(rod, base.scale(rod), 1)
+    laminate, change = _by_tangent_laws(solve, base, rod, masses)
+    if laminate is not None:
+        return laminate
+    if isinstance(base_width, Profile):
+        raise NotConvergedError(
+            "weight and stiffness of the laminate do not settle (the stiffness still moves by "
+            "{change:.2g}): give the base one width all along, which is searched for more "
+            "closely, or use stiffer or lighter sheets",
+            change=change,
+        )
+    rod = _by_short_steps(solve, section, float(base_width), masses)
+    return base.laminate(rod, base.scale(rod), _MOST_ROUNDS)
+
+
+@dataclass(frozen=True, eq=False)
+class _Base:
+    """The base of a laminate, and the places along it where a backing must fit.
+
+    Attributes
+    ----------
+    section : LaminatedSection
+    width : float or Profile
+        w1, mm.
+    least_backing : float
+        Narrowest backing, mm.
+    at_nodes : (n,) array
+        w1 at the nodes of the rod, mm.
+    places, at_places : (m,) arrays
+        Arc lengths where it must fit, and w1 there, mm.
+    """
+
+    section: LaminatedSection
+    width: "float | Profile"
+    least_backing: float
+    at_nodes: FloatArray
+    places: FloatArray
+    at_places: FloatArray
+
+    @classmethod
+    def under(
+        cls, rod: Rod, section: LaminatedSection, width: "float | Profile", least_backing: float
+    ) -> "_Base":
+        """That of a rod of the curve's length."""
+        at_nodes = _along(width, rod.s)
+        places = np.union1d(np.linspace(0.0, rod.length, _DENSE), rod.s)
+        if isinstance(width, Profile):
+            places = np.union1d(places, np.clip(width.knots, 0.0, rod.length))
+        return cls(section, width, least_backing, at_nodes, places, _along(width, places))
+
+    def scale(self, rod: Rod) -> float:
+        """The largest c, N mm2, with E I = c K within the base."""
+        return _scale(self.section, self.at_places, _stiffness(rod, self.places), self.least_backing)
+
+    def laminate(self, rod: Rod, scale: float, rounds: int) -> Laminate:
+        """The record of a rod that is made with this scale."""
+        K = np.asarray(rod.stiffness)
+        return Laminate(
+            rod=replace(rod, bending_stiffness=scale),
+            section=self.section,
+            base_width=self.at_nodes,
+            backing_width=self.section.backing_width(self.at_nodes, scale * K),
+            range=self.section.scale_range(self.at_nodes, K, least_backing=self.least_backing),
+            rounds=rounds,
+        )
+
+
+def _by_tangent_laws(
+    solve: Callable[..., Rod], base: _Base, rod: Rod, masses: tuple[PointMass, ...]
+) -> tuple[Laminate | None, float]:
+    """Each rod under a weight law tangent to the true one at the rod before; None and the last change of K where
+    they do not settle.
+    """
+    section = base.section
+    stations = np.linspace(0.0, rod.length, _STATIONS)
+    w1 = _along(base.width, stations)
+    bounds = section.bending_stiffness(w1, 0.0 * w1), section.bending_stiffness(w1, w1)
+    scale = base.scale(rod)
+    history: list[float] = []
+    change, least = np.inf, 1.0  # a smoothed stiffness may have a least value above the 1 that was asked for
+    for rounds in range(2, _MOST_ROUNDS):
+        asked = scale / least
+        # an extrapolated scale may ask for more than two full layers somewhere, or for less than the base
+        EI = np.clip(scale * _stiffness(rod, stations), *bounds)
+        weight = section.weight(stations, w1, EI / asked, asked)
+        found = solve(weight=Weight(weight.alpha, weight.beta, masses), bending_stiffness=asked)
+        change = float(np.abs(found.stiffness / rod.stiffness - 1).max())
+        rod, got = found, found.bending_stiffness or asked
+        least = got / asked
+        scale = base.scale(rod)
+        if change < _SETTLED_SHARE and abs(scale / got - 1) < _SETTLED_SHARE:
+            return base.laminate(rod, scale, rounds), change
+        history.append(np.log(scale))
+        if len(history) == 3:
+            scale = float(np.exp(extrapolated(*history)))
+            history.clear()
+    return None, change
+
+
+def _by_short_steps(
+    solve: Callable[..., Rod], section: LaminatedSection, base_width: float, masses: tuple[PointMass, ...]
+) -> Rod:
+    """The rod that `optimal_rod` finds for a base of one width."""
+    law = BoundedBacking(section, np.asarray(base_width), (0.0, base_width))
+    try:
+        rod = solve(section=law, weight=Weight(masses=masses, own=True))
+    except InputError as error:
+        raise InputError(
+            "the laminate cannot be as soft in one place and as stiff in another as the curve needs under "
+            "this weight: use a thicker backing, or lighter sheets"
+        ) from error
+    return replace(rod, section=None)
+
+
+def _along(width: float | Profile, s: FloatArray) -> FloatArray:
+    return (
+        width(s)
+        if isinstance(width, Profile)
+        else np.full(s.shape, require_number(width, "base width", "mm"))
+    )
+
+
+def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
+    """K from the profile, whose own small error must not fall below the least value."""
+    return np.maximum(rod.profile(s), 1.0)
+
+
+def _filled(section: LaminatedSection, direction: ArrayLike) -> Gravity:
+    """Gravity of the laminate with two full layers, to begin with."""
+    length = section.bending_stiffness(1.0, 1.0) / section.weight_per_length(1.0, 1.0)
+    x, y = point(direction, "direction")
+    return Gravity(float(length ** (1 / 3)), (float(x), float(y)))
+
+
+def _scale(
+    section: LaminatedSection, base_width: FloatArray, stiffness: FloatArray, least_backing: float
+) -> float:
+    found = section.scale_range(base_width, stiffness, least_backing=least_backing)
+    if not found.feasible:
+        ratio = section.thickness_ratio(base_width, stiffness, least_backing=least_backing)
+        raise InputError(
+            "the laminate cannot be as soft in one place and as stiff in another as the curve "
+            "needs: with the backing {least:g} times as thick as the base (now "
+            "{thickness:.3g} times) or more it could",
+            least=rounded_up(1 / ratio, 3),
+            thickness=section.backing.thickness / section.base.thickness,
+        )
+    return found.scale

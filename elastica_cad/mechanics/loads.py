@@ -1,0 +1,600 @@
+"""Loads and supports of a rod: gravity, hung weights, what holds its ends, and its natural curvature."""
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Annotated, Literal, TypeAlias, cast
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import (
+    EqualByValue,
+    as_floats,
+    is_number,
+    is_whole,
+    numbers,
+    require_number,
+    require_positive,
+    several,
+)
+from elastica_cad.declared import Asked
+from elastica_cad.errors import InputError, quoted
+from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.splines import finite
+from elastica_cad.refusals import Length
+
+
+@dataclass(frozen=True)
+class Gravity:
+    """Weight of a strip whose weight per length is proportional to its stiffness.
+
+    Parameters
+    ----------
+    length : float
+        Elasto-gravity length (E h^2 / (12 rho g))^(1/3), mm (paper, section 5.1: (beta l^3)^(1/3)).
+    direction : (2,) array_like
+        The direction in which things fall; any length, in the plane of the curve.
+
+    Raises
+    ------
+    InputError
+        Length not positive and finite, or direction zero.
+
+    Examples
+    --------
+    >>> Gravity(96.0, (3, -4)).e.round(9).tolist()
+    [-6.78e-07, 9.04e-07]
+    """
+
+    length: Annotated[
+        float, Asked("Elasto-gravity length, in place of that of the sheet.", "mm", least=0, group="weight")
+    ]
+    direction: Annotated[
+        tuple[float, float],
+        Asked("The direction in which things fall, in the plane of the curve.", group="weight"),
+    ] = (0.0, -1.0)
+
+    def __post_init__(self) -> None:
+        if not (is_number(self.length) and self.length > 0):
+            raise InputError(
+                "gravity length is {length!r}; it must be positive, in mm (200 gsm card: 96)",
+                length=self.length,
+            )
+        d = as_floats(self.direction)
+        if d is None or d.shape != (2,) or not np.all(np.isfinite(d)) or not np.any(d):
+            raise InputError(
+                "gravity direction {direction!r} must be two numbers, not both zero, e.g. (0, -1)",
+                direction=self.direction,
+            )
+        d = d / np.hypot(*d)
+        object.__setattr__(self, "direction", (float(d[0]), float(d[1])))
+
+    @classmethod
+    def in_plane(
+        cls, length: float, direction: ArrayLike, x_axis: ArrayLike, y_axis: ArrayLike
+    ) -> "Gravity | None":
+        """Gravity of a plane in space: the part of `direction` (3,) within the plane; None when it has none."""
+        d, *axes = (
+            numbers(given, name)
+            for given, name in ((direction, "gravity direction"), (x_axis, "x axis"), (y_axis, "y axis"))
+        )
+        if any(row.shape != (3,) for row in (d, *axes)) or not 0 < np.abs(d).max() < np.inf:
+            raise InputError(
+                "gravity in a plane takes a direction and two axes of three numbers, none of them all 0"
+            )
+        require_positive(length, "gravity length")
+        d = d / np.linalg.norm(d)
+        part = np.array([d @ axis for axis in axes])
+        size = float(np.hypot(*part))
+        if size < 1e-9:
+            return None
+        return cls(length / size ** (1 / 3), (float(part[0]), float(part[1])))
+
+    @property
+    def e(self) -> FloatArray:
+        """The vector e of Eq. 5, 1/mm3; it points up, as the paper's derivation needs and its text misprints."""
+        return -np.asarray(self.direction) / self.length**3
+
+    def scaled(self, factor: float) -> "Gravity":
+        """`factor` times the weight."""
+        require_positive(factor, "the factor of a gravity", "times the weight")
+        return Gravity(self.length / factor ** (1 / 3), self.direction)
+
+
+STANDARD_GRAVITY_M_S2 = 9.80665  # m/s2
+
+
+@dataclass(frozen=True)
+class PointMass:
+    """A mass hung on the rod: `mass` in g at arc length `at` in mm."""
+
+    at: Annotated[float, Asked("Place along the strip.", "mm")]
+    mass: Annotated[float, Asked("Mass that hangs there.", "g", least=0)]
+
+    def __post_init__(self) -> None:
+        if not is_number(self.at):
+            raise InputError(
+                "a point mass hangs at {at!r}: give a finite number of mm along the strip", at=self.at
+            )
+        if not (is_number(self.mass) and self.mass >= 0):
+            raise InputError("a point mass is {mass!r}: it can't be negative, in g", mass=self.mass)
+
+
+@dataclass(frozen=True, eq=False)
+class Weight:
+    """Weight per length alpha(s) + beta(s) K(s), and point masses.
+
+    Parameters
+    ----------
+    alpha, beta : float or Profile
+        N/mm; `beta` multiplies the dimensionless stiffness K (least value 1).
+    masses : tuple of PointMass
+        For example a lamp holder.
+    own : bool
+        Ask `optimal_rod` to add a plain strip's own weight, B / gravity.length^3, to `beta` once the least
+        bending stiffness B is known; the rod it returns has it there, and `own` is False again.
+    """
+
+    alpha: Annotated[float | Profile, Asked("Weight per length.", "N/mm", least=0, written=float)] = 0.0
+    beta: Annotated[
+        float | Profile,
+        Asked("Weight per length that goes with the stiffness K.", "N/mm", least=0, written=float),
+    ] = 0.0
+    masses: Annotated[tuple[PointMass, ...], Asked("Masses hung on the strip.")] = ()
+    own: Annotated[bool, Asked("Add the own weight of the strip.")] = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "masses", several("masses", self.masses, PointMass, "PointMass"))
+        for name in ("alpha", "beta"):
+            value = getattr(self, name)
+            # a profile may dip below 0: alpha + beta K as the tangent of a laminate's law
+            if not isinstance(value, Profile) and not (is_number(value) and value >= 0):
+                raise InputError(
+                    "weight {name} is {given!r}: it can't be negative, in N/mm", name=name, given=value
+                )
+
+    def scaled(self, alpha: float = 1.0, beta: float = 1.0) -> "Weight":
+        """Return the weight with alpha and beta multiplied by these factors; the masses stay."""
+        return replace(self, alpha=_times(self.alpha, alpha), beta=_times(self.beta, beta))
+
+    def along(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """alpha and beta (n,) at arc lengths (n,), N/mm."""
+        alpha, beta = (
+            value(s) if isinstance(value, Profile) else np.full(s.shape, float(value))
+            for value in (self.alpha, self.beta)
+        )
+        return alpha, beta
+
+    def lumped(self, s: FloatArray, stiffness: FloatArray, node_lengths: FloatArray) -> FloatArray:
+        """Weight of each node (n,), N; a point mass is shared by its two neighbours."""
+        if self.own:
+            raise InputError(
+                "a strip's own weight has no value before optimal_rod has found it: give beta in N/mm"
+            )
+        alpha, beta = self.along(s)
+        weight = node_lengths * (alpha + beta * stiffness)
+        for point in self.masses:
+            if not 0 <= point.at <= s[-1]:
+                raise InputError(
+                    "point mass at {at:.6g} lies off the rod of {s:.6g}", at=Length(point.at), s=Length(s[-1])
+                )
+            i = min(int(np.searchsorted(s, point.at, side="right")) - 1, s.size - 2)
+            share = (point.at - s[i]) / (s[i + 1] - s[i])
+            newtons = point.mass * 1e-3 * STANDARD_GRAVITY_M_S2
+            weight[i] += (1 - share) * newtons
+            weight[i + 1] += share * newtons
+        return weight
+
+
+def _times(value: float | Profile, factor: float) -> float | Profile:
+    return value.scaled(factor) if isinstance(value, Profile) else value * factor
+
+
+EndName: TypeAlias = Literal["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
+
+
+@dataclass(frozen=True)
+class End:
+    """The quantities that one end of the rod fixes.
+
+    Attributes
+    ----------
+    x, y : bool
+        Is this coordinate of the end held? An end free in x slides horizontally.
+    angle : bool
+        Is the tangent held? If not, the moment and with it kappa - kappa_0 vanish at the end.
+    """
+
+    x: bool = True
+    y: bool = True
+    angle: bool = True
+
+    def __post_init__(self) -> None:
+        for name in ("x", "y", "angle"):
+            if not isinstance(getattr(self, name), bool | np.bool_):
+                raise InputError(
+                    "{name} of an End is {given!r}: give True where it is held, False where it is free",
+                    name=name,
+                    given=getattr(self, name),
+                )
+
+    @classmethod
+    def named(cls, name: EndName) -> "End":
+        """The end called `name`: clamped, pinned, slide-x, slide-y (clamped sliders), guided (angle only), free."""
+        ends = {
+            "clamped": cls(),
+            "pinned": cls(angle=False),
+            "slide-x": cls(x=False),
+            "slide-y": cls(y=False),
+            "guided": cls(x=False, y=False),
+            "free": cls(x=False, y=False, angle=False),
+        }
+        if not isinstance(name, str) or name not in ends:
+            raise InputError(
+                "unknown end support {name!r}: use one of {ends}, or an End record",
+                name=name,
+                ends=", ".join(ends),
+            )
+        return ends[name]
+
+
+@dataclass(frozen=True)
+class Supports:
+    """Supports of both ends; the default is clamped at both (paper, section 4.1).
+
+    Parameters
+    ----------
+    start, end : End or str
+        An `End`, or a name that `End.named` knows.
+
+    Raises
+    ------
+    InputError
+        When the rod could move rigidly: a coordinate held at no end, or nothing that stops its rotation.
+
+    Examples
+    --------
+    >>> Supports("clamped", "pinned").end
+    End(x=True, y=True, angle=False)
+    """
+
+    start: End | EndName = field(default_factory=End)
+    end: End | EndName = field(default_factory=End)
+
+    def __post_init__(self) -> None:
+        for side in ("start", "end"):
+            value: End | EndName = getattr(self, side)
+            if isinstance(value, str):
+                object.__setattr__(self, side, End.named(value))
+            elif not isinstance(value, End):
+                raise InputError(
+                    "the support of the {side} is {given!r}: give a name or an End record",
+                    side=side,
+                    given=value,
+                )
+        a, b = self.ends
+        for axis in ("x", "y"):
+            if not (getattr(a, axis) or getattr(b, axis)):
+                raise InputError(
+                    "the rod is free to fly: no end holds {axis}; hold {axis} at one end at least", axis=axis
+                )
+        if not (a.angle or b.angle or (a.x and b.x) or (a.y and b.y)):
+            raise InputError("the rod is free to spin: hold the angle of one end, or the position of both")
+
+    @property
+    def ends(self) -> tuple[End, End]:
+        """Both ends as `End` records."""
+        return cast(End, self.start), cast(End, self.end)  # `__post_init__` leaves no names
+
+    @property
+    def clamped(self) -> bool:
+        """True when both ends hold position and angle."""
+        return self.ends == (End(), End())
+
+    @property
+    def transmits_force(self) -> tuple[bool, bool]:
+        """Can a constant force along x, along y be carried? Only where both ends hold that coordinate."""
+        a, b = self.ends
+        return a.x and b.x, a.y and b.y
+
+    def reversed(self) -> "Supports":
+        """The supports of the rod run from its other end."""
+        return Supports(self.end, self.start)
+
+
+def require_curve(curve: object) -> None:
+    """Refuse what is no `PlaneCurve`."""
+    if not isinstance(curve, PlaneCurve):
+        raise InputError(
+            "the curve is a {name}: give a PlaneCurve, as PlaneCurve.fit(points) makes one",
+            name=type(curve).__name__,
+        )
+
+
+def require_gravity(gravity: object) -> None:
+    """Refuse what is neither a `Gravity` nor None."""
+    if not (gravity is None or isinstance(gravity, Gravity)):
+        raise InputError(
+            "gravity is {gravity!r}: give a Gravity record, such as sheet.gravity() or "
+            "Gravity(96.0), or None",
+            gravity=gravity,
+        )
+
+
+def require_supports(supports: object) -> Supports:
+    """The supports, clamped at both ends for None."""
+    if supports is None:
+        return Supports()
+    if not isinstance(supports, Supports):
+        raise InputError(
+            'supports is {supports!r}: give a Supports record, such as Supports("clamped", "pinned")',
+            supports=supports,
+        )
+    return supports
+
+
+def require_tolerance(tolerance: object) -> None:
+    """Refuse a tolerance that is negative or no number."""
+    if not (is_number(tolerance) and tolerance >= 0):
+        raise InputError(
+            "tolerance is {tolerance!r}: it must be a number, 0 or more, in lengths of the curve",
+            tolerance=tolerance,
+        )
+
+
+def require_ratio(ratio: object, name: str) -> None:
+    """Refuse a bound of max K / min K below 1, or one that is no number."""
+    if not (is_number(ratio) and ratio >= 1):
+        raise InputError(
+            "{name} is {ratio}: the largest stiffness over the least cannot be below 1; plain strips allow 2 to 4",
+            name=name,
+            ratio=ratio,
+        )
+
+
+MOST_COUNTED = 1_000_000
+"""Largest number of nodes or samples; more would not fit into memory."""
+
+
+def whole_number(value: object, name: str, least: int) -> int:
+    """A count of at least `least`; fractions, texts and truth values are none."""
+    if not is_whole(value) or value < least:
+        raise InputError(
+            "{name} is {given!r}: it must be a whole number, {least} or more",
+            name=name,
+            given=value,
+            least=least,
+        )
+    if value > MOST_COUNTED:
+        raise InputError(
+            "{name} is {given}: it must be a whole number, {most_counted} at most",
+            name=name,
+            given=quoted(value),
+            most_counted=MOST_COUNTED,
+        )
+    return int(value)
+
+
+LENGTHS_APART = 0.01
+"""A natural curvature may be given for a strip that is longer or shorter than the curve by this share; it is
+then scaled."""
+
+BLANK_TOLERANCE = 1e-9
+"""Error of the natural curvature, relative to its largest value."""
+
+_SAMPLES = 401  # of a curve, where its largest curvature is looked for
+_AT_BREAK_SHARE = 1e-9  # of the length: nearer places are on the break
+
+
+@dataclass(frozen=True, eq=False)
+class RestCurvature(EqualByValue):
+    """The curvature kappa_0 of a strip before it is bent, along its length.
+
+    Attributes
+    ----------
+    profile : Profile
+        kappa_0, 1/mm, over the length of the blank, mm.
+
+    Examples
+    --------
+    >>> blank = RestCurvature.linear([0, 150, 300], [0, 0.002, 0])
+    >>> blank.length, float(blank.profile(75.0))
+    (300.0, 0.001)
+    """
+
+    profile: Profile
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.profile, Profile) or self.profile.knots[0] != 0.0:
+            raise InputError(
+                "a rest curvature needs a Profile that begins at 0 mm: use RestCurvature.linear(stations, "
+                "curvatures), or RestCurvature.of(curve) for a blank that is drawn"
+            )
+
+    @classmethod
+    def linear(cls, stations: ArrayLike, curvatures: ArrayLike) -> "RestCurvature":
+        """Straight between `curvatures` (n,), 1/mm, at `stations` (n,), mm from 0; a station twice is a step."""
+        s, kappa_0 = finite("stations", stations), finite("curvatures", curvatures)
+        rising = s.ndim == 1 and s.size >= 2 and s[0] == 0 and np.all(np.diff(s) >= 0)
+        if s.shape != kappa_0.shape or not rising or np.any(s[2:] == s[:-2]) or s[1] == 0 or s[-1] == s[-2]:
+            raise InputError(
+                "a rest curvature is given at two or more stations, one curvature each: begin at 0 mm, go on to "
+                "the length of the strip, and name a station twice at most, for a step between the ends"
+            )
+        return cls(Profile(np.concatenate([s[:1], s, s[-1:]]), kappa_0, 1))
+
+    @classmethod
+    def of(cls, blank: PlaneCurve) -> "RestCurvature":
+        """The curvature of a blank as it lies unbent, drawn on the side from which the bent strip is drawn."""
+        if not isinstance(blank, PlaneCurve):
+            raise InputError(
+                "the blank is {blank!r}: give the PlaneCurve in which it lies before it is bent", blank=blank
+            )
+        if blank.tangent_breaks:
+            raise InputError(
+                "the blank has a corner at {s:.4g}: round it, a strip has none",
+                s=Length(blank.tangent_breaks[0].s),
+            )
+        size = max(float(np.abs(blank.sample(_SAMPLES).curvature).max()), 1 / blank.length)
+        return cls(
+            Profile.fit(
+                lambda s: blank.at(s).curvature,
+                blank.length,
+                breaks=[(one.s, one.continuity - 2) for one in blank.breaks],
+                tolerance=BLANK_TOLERANCE * size,
+                degree=5,
+            )
+        )
+
+    @property
+    def length(self) -> float:
+        """Length of the strip, mm."""
+        return self.profile.length
+
+    def at(self, s: FloatArray, derivative: int = 0, *, left: bool = False) -> FloatArray:
+        """kappa_0, 1/mm, or its derivatives at places of the blank, mm; at a break from the right, or `left`."""
+        s = np.clip(s, 0.0, self.length)
+        for place, _ in self.profile.breaks:
+            beside = np.nextafter(place, -1.0) if left else place
+            s = np.where(np.abs(s - place) < _AT_BREAK_SHARE * self.length, beside, s)
+        return self.profile(s, derivative)
+
+    def stretch_to(self, length: float) -> float:
+        """What lengths along a curve of `length` mm are multiplied by to be lengths along the blank.
+
+        Raises
+        ------
+        InputError
+            They differ by more than `LENGTHS_APART`.
+        """
+        length = require_number(length, "the length of the curve", "mm")
+        if abs(length / self.length - 1) > LENGTHS_APART:
+            raise InputError(
+                "the blank is {length:.5g} long before it is bent, the curve {length_2:.5g}: give "
+                "its curvature along the length of the curve",
+                length=Length(self.length),
+                length_2=Length(length),
+            )
+        return self.length / length
+
+
+@dataclass(frozen=True, eq=False)
+class CurveOfRest(RestCurvature):
+    """The curvature of a drawn blank, evaluated on its curve without a fit; `profile` tells where it is not smooth.
+
+    Attributes
+    ----------
+    blank : PlaneCurve
+    """
+
+    blank: PlaneCurve
+
+    @classmethod
+    def of(cls, blank: PlaneCurve) -> "CurveOfRest":
+        """The curvature of a blank: see `RestCurvature.of`."""
+        return cls(RestCurvature.of(blank).profile, blank)
+
+    def at(self, s: FloatArray, derivative: int = 0, *, left: bool = False) -> FloatArray:
+        """Natural curvature at arc lengths s, or its first derivative, as `RestCurvature.at` gives it."""
+        t = self.blank.parameter(np.clip(s, 0.0, self.blank.length))
+        for one in self.blank.breaks:
+            t = np.where(np.abs(s - one.s) < _AT_BREAK_SHARE * self.length, one.t, t)
+        along = self.blank.curvature_slope_at if derivative else self.blank.curvature_at
+        return along(t, left=left)
+
+
+NaturalCurvature: TypeAlias = float | RestCurvature
+"""Natural curvature: one value for the whole strip, 1/mm, or one that varies along it."""
+
+
+def nodal_curvature(rest: NaturalCurvature, s: FloatArray) -> float | FloatArray:
+    """kappa_0, 1/mm: the number, or that of a blank (n,) at nodes (n,) from 0 to the length, mm.
+
+    Raises
+    ------
+    InputError
+        The rod is not as long as the blank.
+    """
+    return rest.at(s * rest.stretch_to(float(s[-1]))) if isinstance(rest, RestCurvature) else rest
+
+
+def require_natural_curvature(value: object) -> None:
+    """Refuse what is neither a finite number nor a `RestCurvature`."""
+    if not (isinstance(value, RestCurvature) or is_number(value)):
+        raise InputError(
+            "natural_curvature is {given!r}: give a finite number, in 1/mm, or a RestCurvature "
+            "for a blank that is bent beforehand",
+            given=value,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class ExcessCurvature:
+    """kappa - kappa_0 along a curve: what a strip feels of it.
+
+    Attributes
+    ----------
+    curve : PlaneCurve
+    rest : float or RestCurvature
+    """
+
+    curve: PlaneCurve
+    rest: NaturalCurvature
+
+    @property
+    def is_bent_beforehand(self) -> bool:
+        """Whether the strip has a natural curvature."""
+        return isinstance(self.rest, RestCurvature) or self.rest != 0
+
+    def at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
+        """kappa - kappa_0, 1/mm, at parameters t."""
+        return np.asarray(self.curve.curvature_at(t, left=left) - self.rest_at(t, left=left))
+
+    def slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
+        """Return the derivative with respect to arc length, 1/mm2."""
+        return np.asarray(self.curve.curvature_slope_at(t, left=left) - self.rest_at(t, 1, left=left))
+
+    def rest_at(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray | float:
+        """kappa_0, 1/mm, or its first derivative by arc length, at parameters t."""
+        if not isinstance(self.rest, RestCurvature):
+            return 0.0 if derivative else self.rest
+        s = self.curve.arc_length(t) * self._stretch
+        return self.rest.at(s, derivative, left=left) * self._stretch**derivative
+
+    @cached_property
+    def survey(self) -> FloatArray:
+        """Values (n,), 1/mm, at the places of the curve's own survey."""
+        nodes = self.curve.survey
+        return np.asarray(nodes.curvature - self.rest_at(nodes.t))
+
+    @cached_property
+    def kinks(self) -> tuple[tuple[float, float, int], ...]:
+        """Places (t, s, continuity) where kappa_0 is no more than `continuity` times differentiable."""
+        if not isinstance(self.rest, RestCurvature):
+            return ()
+        s = np.array([s for s, _ in self.rest.profile.breaks]) / self._stretch
+        orders = [continuity for _, continuity in self.rest.profile.breaks]
+        return tuple(zip(self.curve.parameter(s).tolist(), s.tolist(), orders, strict=True))
+
+    @cached_property
+    def zeros(self) -> tuple[CurvatureZero, ...]:
+        """All zeros and sign changes, in order."""
+        return self.equals(0.0)
+
+    def equals(self, level: float) -> tuple[CurvatureZero, ...]:
+        """All places where it is `level`, 1/mm; before, after: signs of it less the level."""
+        if not isinstance(self.rest, RestCurvature):
+            return self.curve.curvature_equals(self.rest + level)
+        breaks = [(t, order >= 0) for t, _, order in self.kinks]
+        return self.curve.zeros_along(lambda t: self.at(t) - level, self._size, breaks)
+
+    @cached_property
+    def _stretch(self) -> float:
+        return self.rest.stretch_to(self.curve.length) if isinstance(self.rest, RestCurvature) else 1.0
+
+    @cached_property
+    def _size(self) -> float:
+        """Size of the curvatures that are subtracted from each other, 1/mm."""
+        t = np.linspace(*self.curve.domain, _SAMPLES)
+        return float((np.abs(self.curve.curvature_at(t)) + np.abs(self.rest_at(t))).max())

@@ -1,1 +1,0 @@
-"""What a strip is made of: sheets, cross-sections, strain limits, moment-curvature laws."""

@@ -1,0 +1,397 @@
+"""Laws between moment and curvature that are not straight lines: M = P(kappa) w kappa (paper, Appendix D)."""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Self
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number, numbers, require_positive
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.refusals import Length
+
+_ROUNDING_SHARE = 1e-12  # of the moment
+
+
+class MaterialLaw(ABC):
+    """A moment-curvature law of the unit width, divided by its stiffness at rest.
+
+    The effective curvature m(kappa) = P(kappa) kappa, P even and P(0) = 1, takes the place of kappa - kappa_0
+    wherever Hooke's law has M = K (kappa - kappa_0): M = K m(kappa - kappa_0). Theorem 1 and the linear
+    program hold unchanged as long as m is injective in the range of curvatures that occurs.
+    """
+
+    @property
+    @abstractmethod
+    def injective_limit(self) -> float:
+        """Curvature up to which each moment belongs to one curvature, 1/mm; inf where that is all of them."""
+
+    @property
+    def kinks(self) -> tuple[tuple[float, int], ...]:
+        """Curvatures (positive, 1/mm) where m is not smooth, each with the continuity of m there."""
+        return ()
+
+    @abstractmethod
+    def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """The odd function m (n,), 1/mm, of the change of curvature (n,), 1/mm."""
+
+    @abstractmethod
+    def slope(self, curvature: ArrayLike) -> FloatArray:
+        """dm/dkappa (n,); 1 at rest."""
+
+    def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """m and dm/dkappa (n,) together, which some laws find in one."""
+        return self.effective_curvature(curvature), self.slope(curvature)
+
+    @abstractmethod
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """Integral of m from rest (n,), 1/mm2: the elastic energy per length over K."""
+
+    def resampled(self, _s: FloatArray, _at: FloatArray, /) -> "MaterialLaw":
+        """The law of a rod that has it at arc lengths (n,), at others (m,), mm: itself where places are alike."""
+        return self
+
+    def require_injective(self, largest_curvature: float) -> None:
+        """Make sure that each moment up to `largest_curvature` (1/mm) belongs to one curvature.
+
+        Raises
+        ------
+        InputError
+            When it does not; the message says from which curvature on.
+        """
+        limit = self.injective_limit
+        if largest_curvature > limit * (1 + _ROUNDING_SHARE):
+            raise InputError(
+                "the material law is not injective: its moment stops growing at a curvature of "
+                "{limit:.4g} 1/mm (radius {limit_2:.4g}), but {largest_curvature:.4g} 1/mm occurs; "
+                "draw a gentler curve or use a thinner sheet",
+                limit=limit,
+                limit_2=Length(1 / limit),
+                largest_curvature=largest_curvature,
+            )
+
+    def require_design(self, largest_curvature: float) -> None:
+        """Make sure that a strip can be designed for curvatures up to `largest_curvature` (1/mm).
+
+        Raises
+        ------
+        InputError
+            Where the law is not injective.
+        """
+        self.require_injective(largest_curvature)
+
+    def curvature(self, effective: ArrayLike) -> FloatArray:
+        """Inverse of `effective_curvature` (n,) in the range where it is monotonic, by bisection.
+
+        Raises
+        ------
+        InputError
+            A moment beyond what the law reaches.
+        """
+        m = np.asarray(effective, dtype=float)
+        largest = float(np.abs(m).max(initial=0.0))
+        top = min(largest, self.injective_limit)
+        for _ in range(60):
+            if self.effective_curvature(top) >= largest or top >= self.injective_limit:
+                break
+            top = min(2 * top, self.injective_limit)
+        reached = float(self.effective_curvature(top))
+        if largest > reached * (1 + _ROUNDING_SHARE):
+            raise InputError(
+                "an effective curvature of {largest:.4g} 1/mm is beyond the {reached:.4g} 1/mm that "
+                "the material law reaches",
+                largest=largest,
+                reached=reached,
+            )
+        low, high = np.zeros(m.shape), np.full(m.shape, top)
+        for _ in range(100):
+            middle = (low + high) / 2
+            small = self.effective_curvature(middle) < np.abs(m)
+            low, high = np.where(small, middle, low), np.where(small, high, middle)
+        return np.asarray(np.sign(m) * (low + high) / 2)
+
+
+@dataclass(frozen=True)
+class PolynomialLaw(MaterialLaw):
+    """Nonlinear elastic: P = 1 + c2 (kappa/kappa_1)^2 + c4 (kappa/kappa_1)^4; c2 > 0 hardens, c2 < 0 softens.
+
+    Parameters
+    ----------
+    quadratic, quartic : float
+        c2 and c4.
+    curvature_scale : float
+        kappa_1, 1/mm, where the coefficients are the relative change of P.
+
+    Examples
+    --------
+    >>> softening = PolynomialLaw(-0.2, curvature_scale=0.02)
+    >>> softening.effective_curvature([0.01, -0.02]).round(6).tolist()
+    [0.0095, -0.016]
+    """
+
+    quadratic: float
+    quartic: float = 0.0
+    curvature_scale: float = 1.0
+
+    def __post_init__(self) -> None:
+        for name in ("quadratic", "quartic"):
+            if not is_number(getattr(self, name)):
+                raise InputError(
+                    "{name} coefficient of the law is {given}: it must be finite",
+                    name=name,
+                    given=getattr(self, name),
+                )
+        require_positive(self.curvature_scale, "the law's curvature scale", "1/mm")
+
+    def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        kappa = numbers(curvature, "curvature")
+        t = (kappa / self.curvature_scale) ** 2
+        return np.asarray(kappa * (1 + self.quadratic * t + self.quartic * t**2))
+
+    def slope(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        t = (numbers(curvature, "curvature") / self.curvature_scale) ** 2
+        return np.asarray(1 + 3 * self.quadratic * t + 5 * self.quartic * t**2)
+
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        kappa = numbers(curvature, "curvature")
+        t = (kappa / self.curvature_scale) ** 2
+        return np.asarray(kappa**2 * (1 / 2 + self.quadratic / 4 * t + self.quartic / 6 * t**2))
+
+    @property
+    def injective_limit(self) -> float:
+        """See `MaterialLaw`; exact: the roots of the slope are those of a quadratic."""
+        roots = np.roots([5 * self.quartic, 3 * self.quadratic, 1.0])
+        real = [float(z.real) for z in roots if z.real > 0 and abs(z.imag) <= _ROUNDING_SHARE * abs(z)]
+        return self.curvature_scale * float(np.sqrt(min(real))) if real else float("inf")
+
+
+@dataclass(frozen=True)
+class _YieldingLaw(MaterialLaw):
+    """Base of plastic laws: the curvature at which they begin to yield, and the curvature that remains."""
+
+    curvature_limit: float
+
+    def __post_init__(self) -> None:
+        require_positive(self.curvature_limit, "the law's curvature limit", "1/mm")
+
+    @classmethod
+    def of(cls, sheet: Sheet) -> Self:
+        """The law whose skin yields at the sheet's largest strain, so at its least cold-bend radius."""
+        return cls(1 / sheet.least_radius)
+
+    def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """Curvature (n,), 1/mm, that remains when the moment is removed: unloading follows Hooke's law."""
+        return np.asarray(numbers(curvature, "curvature") - self.effective_curvature(curvature))
+
+
+@dataclass(frozen=True)
+class PlasticLaw(_YieldingLaw):
+    """The paper's ideal plasticity: effective curvature min(|kappa|, kappa_lim) with the sign of kappa.
+
+    It is not injective beyond the limit, where the moment says nothing about the curvature any more: the
+    width comes out as for any law, but how far the strip bends there is up to the history of bending (paper,
+    Appendix D).
+
+    Parameters
+    ----------
+    curvature_limit : float
+        kappa_lim, 1/mm.
+
+    Examples
+    --------
+    >>> PlasticLaw(0.05).effective_curvature([0.02, -0.08]).tolist()
+    [0.02, -0.05]
+    """
+
+    def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        limit = self.curvature_limit
+        return np.asarray(np.clip(numbers(curvature, "curvature"), -limit, limit))
+
+    def slope(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`; 0 beyond the limit."""
+        return np.asarray(np.abs(numbers(curvature, "curvature")) < self.curvature_limit, dtype=float)
+
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        kappa = np.abs(numbers(curvature, "curvature"))
+        elastic = np.minimum(kappa, self.curvature_limit)
+        return np.asarray(elastic * (kappa - elastic / 2))
+
+    @property
+    def injective_limit(self) -> float:
+        """See `MaterialLaw`."""
+        return self.curvature_limit
+
+    @property
+    def kinks(self) -> tuple[tuple[float, int], ...]:
+        """See `MaterialLaw`."""
+        return ((self.curvature_limit, 0),)
+
+    def require_design(self, largest_curvature: float) -> None:
+        """See `MaterialLaw`; every curvature will do, as in the paper."""
+
+
+@dataclass(frozen=True)
+class ElasticPlasticLaw(_YieldingLaw):
+    """A rectangular section whose fibres yield one after the other from the skin inwards.
+
+    m = kappa up to kappa_lim, then kappa_lim (3 - (kappa_lim/kappa)^2) / 2, towards 1.5 kappa_lim: injective,
+    unlike the paper's `PlasticLaw`, as every section keeps an elastic core (Prager and Hodge 1951, section
+    9).
+
+    Parameters
+    ----------
+    curvature_limit : float
+        kappa_lim where the skin begins to yield, 1/mm.
+
+    Examples
+    --------
+    >>> ElasticPlasticLaw(0.05).effective_curvature([0.02, 0.1]).round(6).tolist()
+    [0.02, 0.06875]
+    """
+
+    def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        kappa = numbers(curvature, "curvature")
+        core = self._core(kappa)
+        yielded = np.sign(kappa) * self.curvature_limit * (3 - core**2) / 2
+        return np.where(core < 1, yielded, kappa)
+
+    def slope(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        return self._core(numbers(curvature, "curvature")) ** 3
+
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        kappa = np.abs(numbers(curvature, "curvature"))
+        limit, beyond = self.curvature_limit, np.maximum(kappa, self.curvature_limit)
+        yielded = 1.5 * limit * (beyond - limit) + limit**3 / 2 * (1 / beyond - 1 / limit)
+        return np.asarray(np.minimum(kappa, limit) ** 2 / 2 + yielded)
+
+    @property
+    def injective_limit(self) -> float:
+        """See `MaterialLaw`; infinite."""
+        return float("inf")
+
+    @property
+    def kinks(self) -> tuple[tuple[float, int], ...]:
+        """See `MaterialLaw`."""
+        return ((self.curvature_limit, 1),)
+
+    def _core(self, kappa: FloatArray) -> FloatArray:
+        """Part of the thickness that is still elastic."""
+        return self.curvature_limit / np.maximum(np.abs(kappa), self.curvature_limit)
+
+
+@dataclass(frozen=True, eq=False)
+class TabulatedLaw(MaterialLaw):
+    """A measured moment-curvature table, continued oddly and joined by a shape-preserving cubic.
+
+    Parameters
+    ----------
+    curvatures : (m,) array_like
+        Increasing, positive, 1/mm; the point (0, 0) is added.
+    moments : (m,) array_like
+        In any unit; only their ratio to the first slope counts.
+
+    Raises
+    ------
+    InputError
+        Fewer than two points, curvatures that do not increase, values that are not positive.
+
+    Examples
+    --------
+    >>> law = TabulatedLaw([0.01, 0.02, 0.03], [1.0, 1.9, 2.6])
+    >>> bool(law.effective_curvature(0.02) < 0.02)
+    True
+    """
+
+    curvatures: FloatArray
+    moments: FloatArray
+
+    def __post_init__(self) -> None:
+        for name in ("curvatures", "moments"):
+            array = numbers(getattr(self, name), f"the law's {name}").copy()
+            if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)) or np.any(array <= 0):
+                raise InputError("the law's {name} must be at least two positive, finite numbers", name=name)
+            array.setflags(write=False)
+            object.__setattr__(self, name, array)
+        if self.curvatures.shape != self.moments.shape:
+            raise InputError(
+                "the law has {size} curvatures and {size_2} moments: give one for each",
+                size=self.curvatures.size,
+                size_2=self.moments.size,
+            )
+        if np.any(np.diff(self.curvatures) <= 0):
+            i = int(np.argmin(np.diff(self.curvatures)))
+            raise InputError(
+                "the law's curvatures must increase: {curvatures:g} follows {curvatures_2:g} 1/mm",
+                curvatures=self.curvatures[i + 1],
+                curvatures_2=self.curvatures[i],
+            )
+
+    def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`; beyond the table its last slope goes on."""
+        kappa = numbers(curvature, "curvature")
+        inside, over = self._split(kappa)
+        return np.asarray(np.sign(kappa) * (self._curve(inside) + self._end_slope * over))
+
+    def slope(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        return np.asarray(self._curve(self._split(curvature)[0], 1))
+
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`."""
+        inside, over = self._split(curvature)
+        top = self._curve(self.curvatures[-1])
+        return np.asarray(self._curve.antiderivative()(inside) + over * (top + self._end_slope * over / 2))
+
+    @property
+    def injective_limit(self) -> float:
+        """See `MaterialLaw`; the end of the table, or where its moments fall."""
+        falling = np.flatnonzero(np.diff(self.moments) <= 0)
+        return float(self.curvatures[falling[0]] if falling.size else self.curvatures[-1])
+
+    @property
+    def kinks(self) -> tuple[tuple[float, int], ...]:
+        """See `MaterialLaw`; the points of the table."""
+        return tuple((kappa, 1) for kappa in self.curvatures.tolist())
+
+    def require_injective(self, largest_curvature: float) -> None:
+        """See `MaterialLaw`; a curvature beyond the table is refused as well."""
+        if largest_curvature > self.curvatures[-1] * (1 + _ROUNDING_SHARE):
+            raise InputError(
+                "the law's table ends at a curvature of {curvatures:.4g} 1/mm, but "
+                "{largest_curvature:.4g} 1/mm occurs: measure further or draw a gentler curve",
+                curvatures=self.curvatures[-1],
+                largest_curvature=largest_curvature,
+            )
+        super().require_injective(largest_curvature)
+
+    def _split(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """The part of |kappa| within the table, and the part beyond it."""
+        kappa = np.abs(numbers(curvature, "curvature"))
+        inside = np.minimum(kappa, self.curvatures[-1])
+        return inside, kappa - inside
+
+    @cached_property
+    def _curve(self) -> Any:
+        """m over kappa >= 0, exactly 0 and of slope 1 at rest."""
+        from scipy.interpolate import PchipInterpolator, PPoly
+
+        x = np.concatenate([-self.curvatures[::-1], [0.0], self.curvatures])
+        y = np.concatenate([-self.moments[::-1], [0.0], self.moments])
+        odd = PchipInterpolator(x, y)
+        half = self.curvatures.size
+        return PPoly(odd.c[:, half:] / float(odd(0.0, 1)), odd.x[half:])
+
+    @property
+    def _end_slope(self) -> float:
+        return float(self._curve(self.curvatures[-1], 1))

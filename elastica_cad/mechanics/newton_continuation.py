@@ -1,0 +1,448 @@
+"""Rest shapes by Newton's method along a path of supports, and the branches that begin on it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.discrete_rod import lowest_constrained, solve_bordered
+from elastica_cad.mechanics.rod_system import Residual, RodState, RodSystem, Step
+from elastica_cad.refusals import Length
+
+TOLERANCE = 1e-10  # of the moments' size, and of the length: what `bend` promises
+LARGEST_TURN_RAD = 0.5  # of an edge in one step: cos and sin are then off their tangents by an eighth
+SMALL_TURN_RAD = 0.02  # steps that turn no edge further may pass a crossing of branches
+SADDLE_PUSH_RAD = (
+    0.05  # along an unstable mode in each step of descent: well beyond rounding, well below a turn
+)
+ASTRAY_RAD = float(np.pi)  # of an edge: no way down is as long as that in one step
+NEAR_REST_RAD = 1e-2  # a descent that turns no edge further has come to where Newton's method converges
+CONVERGED_RAD = 1e-9  # a Newton step whose square, the next one, is below rounding
+MOST_DESCENTS = 300  # steps down the energy
+LEAST_STEP = 1e-7  # of the way: a fold is then met to a share no drawing shows
+
+
+@dataclass(frozen=True, eq=False)
+class Reached:
+    """The last state that a continuation reached; `fraction` is 1 where it reached its end."""
+
+    state: RodState
+    fraction: float
+    steps: int
+
+    @property
+    def arrived(self) -> bool:
+        """Was the whole way possible?"""
+        return self.fraction >= 1.0
+
+
+def is_balanced(state: RodState) -> bool:
+    """True when forces, moments and ends are right to the tolerance."""
+    return state.imbalance <= TOLERANCE and state.gap <= TOLERANCE
+
+
+def _newton_step(state: RodState, residual: Residual) -> Step:
+    """The step that cancels `residual` to first order."""
+    rod = state.discrete
+    return Step(
+        *solve_bordered(*rod.hessian, rod.constraint_rows, right=-residual.imbalance, below=-residual.miss)
+    )
+
+
+def correct(
+    state: RodState,
+    kept: Residual | None = None,
+    *,
+    turn: float = LARGEST_TURN_RAD,
+    damping: float = 0.5,
+    most: int = 12,
+) -> tuple[RodState, int] | None:
+    """Newton's method with line search; None when it does not converge nearby.
+
+    A step is taken when the Newton step that would follow it is smaller (natural monotonicity: independent of
+    units and of the number of edges), else halved.
+
+    Parameters
+    ----------
+    kept : Residual, optional
+        Imbalance and miss of the ends that are to remain (artificial loads of a continuation).
+    turn : float
+        Largest turn of an edge on the way, rad.
+    damping : float
+        Smallest part of a step that is tried. A state that needs a smaller one is a long way off, and what is
+        found then may lie on another branch of equilibria.
+
+    Returns
+    -------
+    state, iterations
+    """
+    current = state
+    step = _newton_step(current, _remaining(current, kept))
+    turned = _turned(step)
+    for iteration in range(most):
+        if not turned <= turn:
+            return None
+        factor = 1.0
+        while True:
+            trial = current.moved(step, factor)
+            next_step = _newton_step(trial, _remaining(trial, kept))
+            next_turned = _turned(next_step)
+            settled = next_turned < max(CONVERGED_RAD, min(SMALL_TURN_RAD / 4, 2 * turned))
+            if settled or next_turned <= (1 - factor / 2) * turned:
+                break
+            factor /= 2
+            if factor < damping:
+                return None
+        current, step, turned = trial, next_step, next_turned
+        if float(np.abs(current.angles - state.angles).max()) > turn:
+            return None
+        if turned < CONVERGED_RAD:
+            current = current.moved(step)
+            size = _size(current, _remaining(current, kept))
+            return (current, iteration + 1) if size < TOLERANCE else None
+    return None
+
+
+def follow(state: RodState) -> Reached:
+    """Carry a state over to an equilibrium of its system, keeping its imbalance as a load that fades away.
+
+    Ends and angles then move in a straight line from where they are to where they shall be; weight, forces,
+    stiffness and supports change in proportion. Steps adapt; a fold of the branch ends it.
+    """
+    if is_balanced(state):
+        return Reached(_polish(state), 1.0, 0)
+    start = state.residual
+
+    def kept(t: float) -> tuple[RodSystem, Residual]:
+        return state.system, Residual((1 - t) * start.imbalance, (1 - t) * start.miss)
+
+    reached = trace(kept, state)
+    if reached.arrived:
+        return Reached(_polish(reached.state), 1.0, reached.steps)
+    return reached
+
+
+def trace(
+    problem: Callable[[float], tuple[RodSystem, Residual | None]],
+    state: RodState,
+    *,
+    start: float = 0.0,
+) -> Reached:
+    """Follow the equilibria of `problem(t)` from `state` at t = `start` towards t = 1, with adaptive steps.
+
+    The number of unstable modes changes only where branches cross, and those are passed in small steps: so
+    a long step that changes it has landed on another branch and is taken back.
+    """
+    t, step, count = start, 1.0 - start, 0
+    modes: int | None = None
+    while t < 1.0:
+        t_next = min(t + step, 1.0)
+        system, kept = problem(t_next)
+        found = correct(state.under(system), kept)
+        count += 1
+        long = found is not None and float(np.abs(found[0].angles - state.angles).max()) > SMALL_TURN_RAD
+        if long and modes is None:
+            modes = state.under(problem(t)[0]).discrete.unstable_modes
+        if found is None or (long and found[0].discrete.unstable_modes != modes):
+            step = (t_next - t) / (4 if t == start and count == 1 else 2)
+            if step < LEAST_STEP:
+                return Reached(state, t, count)
+            continue
+        state, iterations = found
+        modes = modes if long else None
+        t = t_next
+        step *= 2 if iterations <= 4 else 1
+    return Reached(state, 1.0, count)
+
+
+def _polish(state: RodState) -> RodState:
+    """Take Newton steps as long as they help, down to rounding errors."""
+    size = _size(state, state.residual)
+    for _ in range(6):
+        if size == 0:
+            break
+        trial = state.moved(_newton_step(state, state.residual))
+        trial_size = _size(trial, trial.residual)
+        if not trial_size < 0.5 * size:
+            break
+        state, size = trial, trial_size
+    return state
+
+
+def relax(state: RodState) -> RodState | None:
+    """Descend the energy to a stable equilibrium, the ends kept in place; None when that fails."""
+    start = _place_ends(state)
+    if start is None:
+        return None
+    found = _come_to_rest(start, np.inf)
+    # beside a kink, which a material that hardens makes a thousand times as stiff, Newton's steps go astray
+    return _come_to_rest(start, ASTRAY_RAD) if found is None else found
+
+
+def _come_to_rest(state: RodState, astray: float) -> RodState | None:
+    """The descent, with steps that turn no edge by more than `astray`, before they are shortened."""
+    system = state.system
+    softest = 1e-3 * system.edge_length / system.length**2
+    for _ in range(MOST_DESCENTS):
+        rod, residual = state.discrete, state.residual
+        (diagonal, off), rows, inertia = rod.hessian, rod.constraint_rows, rod.unstable_modes
+        convex, push = diagonal, np.zeros_like(state.angles)
+        if inertia:
+            values, vectors = lowest_constrained(diagonal, off, rows)
+            convex = diagonal + 2 * abs(values[0]) + softest
+            push = vectors[0] / np.abs(vectors[0]).max()
+        step, lift = _downhill(convex, off, rows, residual), softest
+        while _turned(step) > astray:
+            step, lift = _downhill(convex + lift, off, rows, residual), 10 * lift
+        turned = _turned(step)
+        if not np.isfinite(turned):
+            return None
+        if not inertia and turned < NEAR_REST_RAD:
+            found = correct(state)
+            if found is not None and is_balanced(found[0]) and not found[0].discrete.unstable_modes:
+                return _polish(found[0])
+        if inertia:  # along the unstable mode too, downhill: a descent does not end at a saddle
+            side = -1.0 if push @ residual.imbalance > 0 else 1.0
+            step = Step(step.angles + side * SADDLE_PUSH_RAD * push, step.reactions)
+            turned = _turned(step)
+        descended = _descend(state, step, min(1.0, LARGEST_TURN_RAD / turned) if turned else 1.0)
+        if descended is None:
+            return None
+        state = descended
+    return None
+
+
+def _downhill(diagonal: FloatArray, off: FloatArray, rows: FloatArray, residual: Residual) -> Step:
+    return Step(*solve_bordered(diagonal, off, rows, right=-residual.imbalance, below=-residual.miss))
+
+
+def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
+    """Backtracking on the energy; the reactions are taken from the step."""
+    least = 1e-12 * (abs(state.energy) + 1 / state.system.length)
+    for _ in range(30):
+        trial = _place_ends(state.moved(step, factor))
+        if trial is not None and trial.energy < state.energy + least:
+            return trial
+        factor /= 2
+    return None
+
+
+def _place_ends(state: RodState) -> RodState | None:
+    """The nearest angles (least squares) that bring the ends to their places."""
+    for _ in range(60):
+        miss = state.residual.miss
+        if np.abs(miss).max(initial=0.0) <= 1e-12 * state.system.length:
+            return state
+        rows = state.discrete.constraint_rows
+        share = np.linalg.lstsq(rows @ rows.T, miss, rcond=1e-12)[0]
+        step = rows.T @ share
+        turned = float(np.abs(step).max())
+        if not (np.isfinite(turned) and turned > 0):
+            return None
+        state = state.system.state(state.angles - min(1.0, LARGEST_TURN_RAD / turned) * step, state.reactions)
+    return None
+
+
+def _turned(step: Step) -> float:
+    return float(np.abs(step.angles).max())
+
+
+def _remaining(state: RodState, kept: Residual | None) -> Residual:
+    """The residual without what is kept."""
+    imbalance, miss = state.residual
+    return state.residual if kept is None else Residual(imbalance - kept.imbalance, miss - kept.miss)
+
+
+def _size(state: RodState, residual: Residual) -> float:
+    """Imbalance beyond rounding over the moments' size (a bend of 1e-3 rad at least), miss over the length."""
+    length = state.system.length
+    unit = max(state.scale, 1e-3 / length)
+    imbalance = max(float(np.abs(residual.imbalance).max()) - state.noise, 0.0)
+    return max(imbalance / unit, float(np.abs(residual.miss).max(initial=0.0)) / length)
+
+
+STRAIGHT_RAD = 1e-7  # between the edges: what a drawing to a micrometre shows of a strip of ten metres
+DECIDING_TURN_RAD = 0.5  # between the held end angles, above which they decide the side
+FIRST_CHORD = 0.9  # of the length: the first shortening away from the straight state
+LOAD_RESOLUTION = 1e-7  # of the full load, to which the buckling load is bisected
+AMPLITUDES_RAD = (0.2, 0.05, 0.01, 0.002)  # of the buckled shape, tried in turn: the largest that converges
+
+
+def is_straight(state: RodState) -> bool:
+    """Whether all edges have the same direction."""
+    return float(np.ptp(state.angles)) < STRAIGHT_RAD
+
+
+def stretch(state: RodState) -> RodState:
+    """The straight, unloaded state along the line between the ends, or along the one coordinate they hold."""
+    system, chord = state.system, np.zeros(2)
+    chord[list(system.held)] = system.chord
+    angle = _on_turn_of(_direction(state), chord)
+    return system.state(np.full(system.edges, angle))
+
+
+def leave_straight(state: RodState, side: int | None, mode: int) -> Reached:
+    """The way from a straight state to an equilibrium, to the chosen side where it bends."""
+    system = state.system
+    straight = system.state(np.full(system.edges, _direction(state)), state.reactions)
+    if _must_shorten(straight):
+        a, b = system.held_angles
+        turn = 0.0 if a is None or b is None else b - a
+        if side is None and mode == 1 and abs(turn) > DECIDING_TURN_RAD:
+            middles = (np.arange(system.edges) + 0.5) / system.edges - 0.5
+            arc = follow(system.state(straight.angles + turn * middles, state.reactions))
+            if arc.arrived and not arc.state.discrete.unstable_modes:
+                return arc
+            rest = relax(arc.state)
+            if rest is not None:
+                return Reached(rest, 1.0, arc.steps)
+        return follow(_buckle_by_shortening(straight, side or 1, mode).under(system))
+    found = follow(straight)
+    if side is not None and found.arrived and is_straight(found.state):
+        return Reached(_buckle_by_load(found.state, side, mode), 1.0, found.steps)
+    return found
+
+
+def _direction(state: RodState) -> float:
+    """Angle of the straight rod that the ends ask for: mean of the held angles, or the line between them."""
+    system = state.system
+    held = [angle for angle in system.held_angles if angle is not None]
+    if held:
+        return float(np.mean(held))
+    chord, own = system.end - system.start, float(state.angles.mean())
+    if len(system.held) < 2 or float(np.hypot(*chord)) < 1e-9 * system.length:
+        return own
+    angle = _on_turn_of(own, chord)
+    return angle if abs(angle - own) < np.pi / 2 else own  # an end that goes past the start is pushed there
+
+
+def _on_turn_of(own: float, chord: FloatArray) -> float:
+    """The angle of `chord` that lies within half a turn of `own`."""
+    angle = float(np.arctan2(chord[1], chord[0]))
+    return angle + 2 * np.pi * float(np.round((own - angle) / (2 * np.pi)))
+
+
+def _must_shorten(state: RodState) -> bool:
+    """True when a straight state has to bend before its ends can come to their places."""
+    system, miss = state.system, state.residual.miss
+    if np.abs(miss).max(initial=0.0) <= 1e-9 * system.length:
+        return False
+    rows = state.discrete.constraint_rows
+    normal = rows @ rows.T
+    size = system.edge_length**2 * system.edges
+    across = np.zeros_like(miss)
+    if np.abs(normal).max() > 1e-12 * size:
+        across += np.linalg.lstsq(normal, miss, rcond=1e-9)[0]
+    return bool(np.abs(normal @ across - miss).max() > 1e-9 * system.length)
+
+
+def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
+    """The unloaded straight rod, its ends pushed a little towards each other, in buckling mode `mode`."""
+    system, angle = state.system, float(state.angles[0])
+    length, edge = system.length, system.edge_length
+    tangent = np.array([np.cos(angle), np.sin(angle)])
+    # the distance asked for along the held coordinates decides how far the first push goes
+    wanted = float(np.linalg.norm(system.chord))
+    chord = length * min(max(wanted / length, FIRST_CHORD), 1 - 1e-12)
+    first = replace(
+        system, load=np.zeros_like(system.load), natural_curvature=0.0, force=np.zeros(2),
+        moments=np.zeros(2), start=np.zeros(2), end=chord * tangent, end_angles=np.full(2, angle),
+    )  # fmt: skip
+    pressure, shape = _mode(first.state(state.angles), side, mode)
+    amplitude = np.sqrt(2 * (length - chord) / (edge * float(shape @ shape)))
+    for _ in range(8):
+        short = length - edge * float(np.cos(amplitude * shape).sum())
+        slope = edge * float(shape @ np.sin(amplitude * shape))
+        amplitude -= (short - (length - chord)) / slope
+    guess = first.state(state.angles + amplitude * shape, pressure * tangent[list(system.held)])
+    found = correct(guess, turn=2.0, damping=1 / 64, most=40)
+    if found is None:
+        raise _not_buckled(length, mode)
+    return found[0]
+
+
+def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
+    """The equilibrium under the full dead load that branches off the straight state in mode `mode`.
+
+    Raises
+    ------
+    InputError
+        When the load is too small to buckle the rod in this mode.
+    """
+    system = state.system
+
+    def scaled(factor: float) -> RodState:
+        return system.loaded(factor).state(state.angles, factor * state.reactions)
+
+    def modes(factor: float) -> int:
+        return scaled(factor).discrete.unstable_modes
+
+    if modes(1.0) < mode:
+        raise InputError(
+            "the load is too small to buckle the straight rod in mode {mode}: leave out side, or "
+            "raise the load or the length",
+            mode=mode,
+        )
+    low, high = 0.0, 1.0
+    while high - low > LOAD_RESOLUTION:
+        middle = (low + high) / 2
+        low, high = (low, middle) if modes(middle) >= mode else (middle, high)
+    shape = _mode(scaled(high), side, mode)[1]
+    shape = shape / np.abs(shape).max()
+    for amplitude in AMPLITUDES_RAD:
+        found = _reach_amplitude(system, scaled(high), shape, amplitude, high)
+        if found is None or found[1] >= 1.0:
+            continue
+        reached = trace(lambda f: (system.loaded(f), None), found[0], start=found[1])
+        if reached.arrived and is_balanced(reached.state.under(system)):
+            return reached.state.under(system)
+    raise _not_buckled(system.length, mode)
+
+
+def _reach_amplitude(
+    system: RodSystem, straight: RodState, shape: FloatArray, amplitude: float, factor: float
+) -> tuple[RodState, float] | None:
+    """Equilibrium whose part along `shape` is given, and the load factor that it needs (Newton)."""
+    state = straight.moved(Step(shape, np.zeros_like(straight.reactions)), amplitude)
+    for _ in range(25):
+        now = state.under(system.loaded(factor))
+        rows = now.discrete.constraint_rows
+        per_factor = (
+            state.under(system).residual.imbalance - state.under(system.loaded(0.0)).residual.imbalance
+        )
+        off_shape = float(shape @ (state.angles - straight.angles)) - amplitude * float(shape @ shape)
+        angles, border = solve_bordered(
+            *now.discrete.hessian, np.vstack([rows, shape]), columns=np.column_stack([rows.T, per_factor]),
+            right=-now.residual.imbalance, below=-np.append(now.residual.miss, off_shape),
+        )  # fmt: skip
+        state = now.moved(Step(angles, border[:-1]))
+        factor += float(border[-1])
+        if np.abs(angles).max() < 1e-10:
+            return state, factor
+        if not np.isfinite(factor) or np.abs(state.angles - straight.angles).max() > 4 * amplitude:
+            return None
+    return None
+
+
+def _mode(state: RodState, side: int, mode: int) -> tuple[float, FloatArray]:
+    """The `mode`-th eigenvalue (1/mm2) of the second variation per length, and its mode.
+
+    Its first lobe lies to the left (side +1) or right (-1) of the direction of travel.
+    """
+    (diagonal, off), edge = state.discrete.hessian, state.system.edge_length
+    values, vectors = lowest_constrained(diagonal / edge, off / edge, state.discrete.constraint_rows, mode)
+    shape = vectors[mode - 1]
+    bulge = np.cumsum(shape)
+    first = int(np.argmax(np.abs(bulge) > 0.3 * np.abs(bulge).max()))
+    return float(values[mode - 1]), shape if side * bulge[first] > 0 else -shape
+
+
+def _not_buckled(length: float, mode: int) -> NotConvergedError:
+    return NotConvergedError(
+        "the straight rod of {length:.6g} could not be buckled in mode {mode}: use more "
+        "samples, or a lower mode",
+        length=Length(length),
+        mode=mode,
+    )

@@ -1,0 +1,547 @@
+"""The stiffness of least ratio on a curve: without weight, with its own, with weights in newtons, of a section."""
+
+from dataclasses import dataclass, replace
+from typing import NoReturn
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.errors import InputError, NotConvergedError, rounded_up
+from elastica_cad.geometry.polynomials import PanelFunction
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, ExcessCurvature, Gravity, Weight
+from elastica_cad.mechanics.moment_conditions import (
+    BOUNDED,
+    NO_GAIN_SHARE,
+    SMOOTHING_SHARE,
+    BalancedStiffness,
+    ConditionedRows,
+    LineLoad,
+    RodRequest,
+    StateFamily,
+    StiffnessFamily,
+    largest_within,
+    least_ratio,
+    moment_rows,
+)
+from elastica_cad.mechanics.quadrature_panels import REFINEMENTS, Panels
+from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
+from elastica_cad.mechanics.stiffness_law import BoundedLaw, StiffnessLaw
+from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad.refusals import Length, note
+
+LEAST_SHARE = 1e-6
+"""Least stiffness over the largest one, where only the largest is limited: an even thinner place cannot be made."""
+
+
+class OverloadError(InputError):
+    """No stiffness within its limits carries the weight.
+
+    Attributes
+    ----------
+    needed : float
+        Least possible largest bending stiffness, N mm2.
+    thickening : float or None
+        Factor on the thickness of a sheet whose limits of width stay; None if no thickness carries the weight.
+    """
+
+    def __init__(self, needed: float, most: float, thickening: float | None) -> None:
+        super().__init__(
+            "The weight requires a bending stiffness of {needed:.4g} N mm2 at the stiffest place, but "
+            "largest_stiffness is {most:.4g} N mm2. Increase largest_stiffness.",
+            needed=rounded_up(needed, 4),
+            most=most,
+        )
+        self.needed, self.thickening = needed, thickening
+
+
+def balance_of(asked: RodRequest) -> BalancedStiffness:
+    """The stiffness of least ratio: of a section, without weight, or with it."""
+    if asked.section is not None:
+        return _with_section(asked, asked.section)
+    return balance_without_weight(asked) if asked.gravity is None else _with_weight(asked, asked.gravity)
+
+
+def balance_without_weight(asked: RodRequest) -> BalancedStiffness:
+    """Eq. 4 on the continuous curve, or with its ratio judged at the nodes only."""
+    cut = asked.cut
+    problem = ConditionedRows(asked, cut.panels, moment_rows(cut.panels))
+    state = problem.least(problem.homogeneous(3), smooth=False)
+    return replace(problem.balance(problem.steadied(state)), kinks=cut.kinks)
+
+
+def _with_weight(asked: RodRequest, gravity: Gravity) -> BalancedStiffness:
+    """Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
+    cut, weight = asked.cut, asked.weight
+    if weight is None or weight.own:
+        cut = cut.for_weight(gravity)
+    tau = None if asked.bending_stiffness is None else 1 / asked.bending_stiffness
+    for _ in range(REFINEMENTS):
+        load = WeightedPanels(asked, cut.panels, gravity)
+        if asked.largest_stiffness is not None and weight is not None:
+            balance, tau = _within_stiffness(load, weight, asked.largest_stiffness)
+        else:
+            if tau is None and weight is not None:
+                tau = _least_compliance(load, weight)
+            problem = load.against(tau or 0.0)
+            numbers = problem.homogeneous(3) if tau is None else problem.at_compliance(tau)
+            balance = problem.balance(problem.least(numbers))
+        finer = cut.for_stiffness(balance.stiffness)
+        if finer is None:
+            break
+        cut = finer
+    if weight is None or tau is None:
+        return replace(balance, kinks=cut.kinks)
+    carried = carried_weight(weight, gravity, 1 / tau)
+    return replace(balance, bending_stiffness=1 / tau, weight=carried, kinks=cut.kinks)
+
+
+def carried_weight(weight: Weight, gravity: Gravity, bending_stiffness: float) -> Weight:
+    """The weight with the own weight of a strip of least bending stiffness B, N mm2, if it is requested."""
+    step = bending_stiffness / gravity.length**3
+    return replace(weight, beta=_raised(weight.beta, step), own=False) if weight.own else weight
+
+
+@dataclass(frozen=True, eq=False)
+class WeightedPanels:
+    """A curve cut into panels, with the weight it is to carry."""
+
+    asked: RodRequest
+    panels: Panels
+    gravity: Gravity
+
+    def against(self, tau: float) -> "ConditionedRows":
+        """The problem with weights in newtons set against B = 1 / tau."""
+        panels, weight = self.panels, self.asked.weight
+        proportional = self.gravity.length**-3
+        own = np.full(panels.t.shape, proportional if weight is None or weight.own else 0.0)
+        dead = np.zeros(panels.t.shape)
+        if weight is not None:
+            dead, per_stiffness = weight.along(panels.s)
+            own += per_stiffness * tau
+        return self.carrying(own, dead, self.points)
+
+    @property
+    def points(self) -> FloatArray:
+        """Newtons (N + 1,) hung on the ends of the panels; those at an end that is held in place bend nothing."""
+        points = np.zeros(self.panels.count + 1)
+        for mass in self.asked.masses:
+            at = int(np.abs(self.panels.edge_s - mass.at).argmin())
+            points[at] += mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
+        points[[0, -1]] *= [not (end.x and end.y) for end in self.asked.supports.ends]
+        return points
+
+    def carrying(self, own: FloatArray, dead: FloatArray, points: FloatArray) -> "ConditionedRows":
+        """The problem with weights at the nodes and ends of the panels: see `LineLoad`."""
+        panels = self.panels
+        rows = moment_rows(panels, LineLoad(-np.asarray(self.gravity.direction), own, dead, points))
+        if not np.all(np.isfinite(rows.stiffness)):
+            self.refuse()
+        return ConditionedRows(self.asked, panels, rows)
+
+    def refuse(self) -> NoReturn:
+        """Raise `NotRealizable`: the moment grows along the curve beyond what numbers can tell."""
+        check = self.asked.check
+        reason = far_too_heavy(self.gravity, check.length)
+        raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
+
+
+def far_too_heavy(gravity: Gravity, length: float) -> str:
+    """Message for a curve of `length` mm whose weight is far too large for its stiffness."""
+    return note(
+        "The weight is far too much for the stiffness (a gravity length of {gravity_length} on a curve of "
+        "{length}): use a lighter or stiffer sheet, or look at the units (200 gsm card: 96 mm).",
+        gravity_length=Length(gravity.length), length=Length(length),
+    )  # fmt: skip
+
+
+def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
+    """tau = 1 / B of least ratio; where lighter is always better, the largest within 1 % of the best."""
+    if isinstance(weight.beta, Profile) or weight.beta:
+        return _searched_compliance(load, weight)
+    problem = load.against(1.0)
+    _require_fixed_weight(problem, weight)
+    light, numbers = problem.ratio(problem.homogeneous(3)), problem.homogeneous(4)
+    heavy = problem.ratio(numbers)
+    if heavy is None:
+        problem.refuse(numbers.family)
+    if light is None or heavy[1] < light[1] * (1 - NO_GAIN_SHARE):
+        tau = float((numbers.basis @ heavy[0])[3])
+    else:
+        y = largest_within(numbers.family, numbers.basis[3], light[1] * (1 + SMOOTHING_SHARE))
+        tau = float(numbers.basis[3] @ y)
+    if tau <= 0:  # rounding, of rows that grow beyond their digits
+        load.refuse()
+    return tau
+
+
+def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
+    """Refuse a weight that is proportional to the stiffness, or that bends the rod nowhere."""
+    if problem.scale.size == 3:
+        if weight.masses:
+            raise InputError(
+                "what is hung on the rod bends it nowhere (a held end carries it, or its mass is 0): hang it "
+                "between the ends, or leave it out"
+            )
+        raise InputError(
+            "the weight is proportional to the stiffness, so every bending stiffness will do: leave "
+            "`weight` out, or give bending_stiffness"
+        )
+
+
+def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
+    """The compliance where the own weight in newtons depends on tau too, found by a search along tau."""
+    from scipy.optimize import brentq, minimize_scalar
+
+    def ratio(logarithm: float) -> float:
+        return _ratio_at(load, float(np.exp(logarithm)))
+
+    s = np.linspace(0.0, load.asked.check.length, 101)
+    newtons = float(replace(weight, own=False).lumped(s, np.ones(101), np.full(101, s[1])).sum())
+    weightless = load.against(0.0)
+    light = weightless.ratio(weightless.homogeneous(3))
+    bent = float(np.abs(weightless.panels.curvature).max())
+    trial = np.log(bent / (newtons * load.asked.check.length)) + np.linspace(-8.0, 4.0, 25)
+    ratios = np.array([ratio(x) for x in trial])
+    best = int(ratios.argmin())
+    if not np.isfinite(ratios[best]):
+        weightless.refuse(None)
+    if light is None or ratios[best] < light[1] * (1 - NO_GAIN_SHARE):
+        bounds = (trial[max(best - 1, 0)], trial[min(best + 1, 24)])
+        found = minimize_scalar(ratio, bounds=bounds, method="bounded", options={"xatol": 1e-6})
+        return float(np.exp(found.x if found.fun <= ratios[best] else trial[best]))
+    limit = light[1] * (1 + SMOOTHING_SHARE)
+    within = int(np.flatnonzero(ratios <= limit)[-1])
+    if within == 24:
+        return float(np.exp(trial[-1]))
+    low, high = trial[within], trial[within + 1]
+    return float(np.exp(brentq(lambda x: min(ratio(x), 2 * limit) - limit, low, high, xtol=1e-6)))
+
+
+def _ratio_at(load: WeightedPanels, tau: float) -> float:
+    """The least ratio of a rod of B = 1 / tau; infinite where none carries the weight."""
+    try:
+        problem = load.against(tau)
+        found = problem.ratio(problem.at_compliance(tau))
+    except NotRealizable:
+        return np.inf
+    return np.inf if found is None else found[1]
+
+
+def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
+    """The balance whose largest bending stiffness is `most`, N mm2, and its compliance tau.
+
+    Of these balances it has the largest least stiffness. A weight that goes with K needs rounds, because its
+    share follows from tau.
+    """
+    least = max(load.asked.least_stiffness or 0.0, LEAST_SHARE * most) * (1 + BOUNDED)
+    most /= 1 + BOUNDED
+    tau = 1 / most
+    for _ in range(MOST_ROUNDS):
+        problem = load.against(tau)
+        _require_fixed_weight(problem, weight)
+        found = problem.stiffest(most, least)
+        if found is None:
+            raise _overload(load, problem, least, most)
+        before, (state, tau) = tau, found
+        if not weight.beta or abs(tau / before - 1) < SETTLED_SHARE:
+            return problem.balance(state), tau
+    raise NotConvergedError("weight and stiffness do not settle: give bending_stiffness")
+
+
+def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most: float) -> OverloadError:
+    """The refusal of a weight that no stiffness from `least` to `most`, N mm2, carries."""
+    bound = max(least, LEAST_SHARE * problem.load_stiffness)
+    numbers = problem.at_compliance(1 / bound)
+    needed = problem.ratio(numbers)
+    if needed is None:
+        problem.refuse(numbers.family)
+    try:
+        thickening = _thickening(load, least, most)
+    except NotConvergedError:  # the width alone is named
+        thickening = None
+    return OverloadError(bound * needed[1], most, thickening)
+
+
+def _thickening(load: WeightedPanels, least: float, most: float) -> float | None:
+    """The least factor on the thickness with which a sheet carries the weight within its limits of width.
+
+    Stiffness grows with its cube, the weight of the sheet over the stiffness falls with its square.
+    """
+    factor = 1.0
+    for _ in range(MOST_ROUNDS):
+        thick = replace(load, gravity=load.gravity.scaled(factor**-2))
+        problem = thick.against(1 / (factor**3 * least))
+        light, numbers = problem.ratio(problem.homogeneous(3)), problem.homogeneous(4)
+        if light is None or light[1] * (1 + FIT_SHARE) >= most / least:
+            return None
+        tau = numbers.basis[3] @ largest_within(numbers.family, numbers.basis[3], most / least)
+        before, factor = factor, float(1 / (tau * least)) ** (1 / 3)
+        if abs(factor / before - 1) < FIT_SHARE:
+            break
+    return factor
+
+
+def _raised(value: float | Profile, step: float) -> float | Profile:
+    if isinstance(value, Profile):
+        return Profile(value.knots, value.coefficients + step, value.degree)
+    return value + step
+
+
+MOST_ROUNDS = 40
+"""Largest number of linear programs in the search for a section."""
+
+SETTLED_SHARE = 1e-7
+"""Relative change of E I that ends the search. Weights are linearised, so their error is its square."""
+
+TANGENT_STEP = 1e-4
+"""Relative step of E I for the slope of the weight, whose error only slows the rounds down."""
+
+FIT_SHARE = 1e-5
+"""Relative amount by which E I may exceed its limits."""
+
+HOPELESS_SHARE = 1e-4
+"""Share of the E I of the least section below which a search that asks for less and less is given up."""
+
+WIDEST_REACH = 0.1
+"""Largest mean change of E I in one step of a descent, as a share of its limits."""
+
+MOST_STEPS = 150
+"""Largest number of steps of a descent."""
+
+SHORTER, LONGER = 0.5, 1.2
+"""Factors on the largest step of a descent after a step that turned back and after one that went on."""
+
+LONGEST_JUMP = float(np.log(4.0))
+"""Largest extrapolation to the limit of a sequence, in the logarithm of the scale."""
+
+SLOWEST_RATE = 0.99
+"""Largest ratio of successive steps of a sequence with which its limit is extrapolated."""
+
+
+def _with_section(asked: RodRequest, section: BoundedLaw) -> BalancedStiffness:
+    """The least ratio of a section at the largest scale that its limits take, under its own weight and masses.
+
+    The scale B and the weight follow from the stiffness that is sought. Each round sets the weight tangent to the
+    law at the last E I, which leaves a linear program in K (Eq. 6), and takes the scale from its answer. At the
+    fixed point the rod is in balance under the law's own weight, and no other K has a lesser ratio with the weight
+    that is tangent there: a local optimum, as the program is not linear.
+
+    Raises
+    ------
+    InputError
+        The stiffness does not fit within the section's limits.
+    NotConvergedError
+        Weight and stiffness do not settle.
+    """
+    excess, gravity = ExcessCurvature(asked.check.curve, asked.natural_curvature), asked.gravity
+    if gravity is None:
+        balance = balance_without_weight(asked)
+        law = _bent(section, balance.panels, excess)
+        return _within_limits(replace(balance, bending_stiffness=_scale(law, balance.stiffness)), law)
+    asked = replace(asked, weight=Weight(masses=asked.masses))
+    law = section.bent(0.0)
+    full = float(law.bending_stiffness(_deciding(law)) / law.weight_per_length(_deciding(law)))
+    heavy = replace(gravity, length=full ** (1 / 3))
+    cut = asked.cut.for_weight(heavy)
+    for _ in range(REFINEMENTS):
+        load = WeightedPanels(asked, cut.panels, heavy)
+        law = _bent(section, cut.panels, excess)
+        balance = _settled(load, law)
+        finer = cut.for_stiffness(balance.stiffness)
+        if finer is None:
+            break
+        cut = finer
+    return replace(_within_limits(balance, law), kinks=cut.kinks)
+
+
+def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> BoundedLaw:
+    """The law at the nodes of panels."""
+    return section.bent(panels.curvature, excess.rest_at(panels.t))
+
+
+@dataclass(frozen=True, eq=False)
+class TangentWeight:
+    """Weight per length w0 + slope E I, N/mm, equal to a law's at one E I (n,) and tangent to it."""
+
+    fixed: FloatArray
+    slope: FloatArray
+
+    @classmethod
+    def of(cls, law: StiffnessLaw, bending_stiffness: FloatArray) -> "TangentWeight":
+        """The tangent at E I (n,), N mm2."""
+        below, at, above = (
+            law.weight_per_length(law.parameter(bending_stiffness * (1 + step)))
+            for step in (-TANGENT_STEP, 0.0, TANGENT_STEP)
+        )
+        slope = (above - below) / (2 * TANGENT_STEP * bending_stiffness)
+        return cls(at - slope * bending_stiffness, slope)
+
+
+def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
+    """The fixed point on given panels."""
+    points = load.points
+    own = np.full(load.panels.t.shape, load.gravity.length**-3)
+    light = load.carrying(own, np.zeros(own.shape), 0.0 * points)
+    balance = light.balance(light.least(light.homogeneous(3)))
+    scale = _scale(law, balance.stiffness)
+    EI = scale * balance.stiffness.nodal
+    change = np.inf
+    history: list[float] = []
+    for _ in range(MOST_ROUNDS):
+        tangent = TangentWeight.of(law, EI)
+        problem = load.carrying(tangent.slope, tangent.fixed, points)
+        try:
+            state = problem.least(problem.at_compliance(1 / scale))
+        except NotConvergedError as error:  # without weight there was an answer
+            raise _unsettled(law, change) from error
+        balance = problem.balance(state)
+        found = scale * balance.stiffness.nodal
+        asked, scale = scale, _scale(law, balance.stiffness)
+        change, EI = max(float(np.abs(found / EI - 1).max()), abs(scale / asked - 1)), found
+        if change < SETTLED_SHARE:
+            weight = _weight(load, tangent, asked)
+            return replace(balance, bending_stiffness=asked, weight=weight)
+        if _spare(law, EI) < HOPELESS_SHARE:
+            raise _unsettled(law, change)
+        history.append(np.log(scale))
+        if len(history) == 3:
+            scale = float(np.exp(extrapolated(*history)))
+            history.clear()
+    return _descended(load, law, asked * state[:3], EI)
+
+
+def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: FloatArray) -> BalancedStiffness:
+    """The largest E I at the softest place within the limits, by short steps, where the programs go to and fro.
+
+    Such an optimum is no vertex of the program that is tangent there: each answer lies far from the last. So the
+    moments may change by little from one program to the next, and by less where they turn back.
+
+    `state` is moment and force (3,) at the curve's end, N mm and N.
+    """
+    deciding, points = _deciding(law), load.points
+    limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
+    sense = -1.0 if np.isfinite(law.limits[1]) else 1.0  # below the largest section, else above the least
+    reach, before = WIDEST_REACH, np.zeros(EI.shape)
+    for _ in range(MOST_STEPS):
+        tangent = TangentWeight.of(law, EI)
+        problem = load.carrying(tangent.slope, tangent.fixed, points)
+        numbers = problem.at_compliance(1 / scale)
+        here = _numbers_of(numbers, np.append(state / scale, 1 / scale)[: numbers.fixed.size])
+        share = sense * scale / limit
+        rows, offset = (problem.rows.stiffness @ part for part in (numbers.basis, numbers.fixed))
+        family = StiffnessFamily(
+            load.panels,
+            PanelFunction.through(rows * share[..., None]),
+            PanelFunction.through(offset * share + (1.0 - sense)),
+        )
+        found = _beside(family, here, reach, problem.places)
+        if found is None:
+            break
+        moved = scale * problem.rows.stiffness @ (numbers.fixed + numbers.basis @ found)
+        step, EI = moved / EI - 1, np.maximum(moved, HOPELESS_SHARE * limit)  # on its way it may ask for less
+        state = (scale * (numbers.fixed + numbers.basis @ found))[:3]
+        if float(np.abs(step).max()) < SETTLED_SHARE:
+            balance = problem.balance(numbers.fixed + numbers.basis @ found)
+            weight = _weight(load, tangent, scale)
+            return replace(balance, bending_stiffness=scale, weight=weight)
+        reach = SHORTER * reach if np.sum(step * before) < 0 else min(LONGER * reach, WIDEST_REACH)
+        before = step
+    raise _unsettled(law, np.inf)
+
+
+def _beside(
+    family: StiffnessFamily, here: FloatArray, reach: float, places: tuple[IntArray, FloatArray] | None
+) -> FloatArray | None:
+    """Free numbers of the least largest value that lie near given ones, or as near as there are any."""
+    rows, _ = family.dense
+    _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
+    moves = sizes[:, None] * ways / np.sqrt(len(rows))  # of values, in the mean
+    for room in reach * np.array([1.0, 4.0, 16.0, 64.0]):
+        side = np.concatenate([moves, -moves]), np.concatenate([room - moves @ here, room + moves @ here])
+        found = least_ratio(replace(family, side_rows=side[0], side_offset=side[1]), places)
+        if found is not None:
+            return found[0]
+    return None
+
+
+def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
+    """The free numbers (d,) of a state, or of the one nearest to it."""
+    size = np.abs(numbers.basis).max(axis=1, initial=0.0) + np.abs(numbers.fixed)
+    return np.asarray(
+        np.linalg.lstsq(numbers.basis / size[:, None], (state - numbers.fixed) / size, rcond=None)[0]
+    )
+
+
+def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
+    moves = note(" (the stiffness still moves by {change:.2g})", change=change) if np.isfinite(change) else ""
+    return NotConvergedError(
+        "weight and {quantity} do not settle{moves}: the rod is too heavy for this curve; "
+        "use a stiffer or lighter material, or support it",
+        quantity=law.quantity,
+        moves=moves,
+    )
+
+
+def extrapolated(first: float, second: float, third: float) -> float:
+    """Aitken's limit of a sequence of logarithms that closes in by the same factor each time; else the last one.
+
+    A far limit is gone towards only.
+
+    Examples
+    --------
+    >>> extrapolated(0.0, 1.0, 1.5), extrapolated(0.0, 1.0, 3.0)
+    (2.0, 3.0)
+    """
+    step, before = third - second, second - first
+    if before == 0 or not -0.9 < step / before < SLOWEST_RATE:
+        return third
+    jump = step**2 / (before - step)
+    return third + float(np.clip(jump, -LONGEST_JUMP, LONGEST_JUMP))
+
+
+def _deciding(law: BoundedLaw) -> float:
+    """The limit that decides the scale: the largest size, or where there is none the least."""
+    least, largest = law.limits
+    return largest if np.isfinite(largest) else least
+
+
+def _scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
+    """The B, N mm2, with which B K comes up to the largest section, or down to the least."""
+    share = PanelFunction.through(stiffness.nodal / law.bending_stiffness(_deciding(law)))
+    extremes = share.extremes
+    return 1 / float(extremes.max() if np.isfinite(law.limits[1]) else extremes.min())
+
+
+def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weight:
+    """The tangent law along the rod, exact at its usual nodes; `beta` is for the stiffness with scale `scale`."""
+    s = np.linspace(0.0, load.asked.check.length, DEFAULT_SAMPLES)
+    place = load.panels.locate(load.asked.check.curve.parameter(s))
+    fixed, slope = (PanelFunction.through(values).at(*place) for values in (tangent.fixed, tangent.slope))
+    return Weight(Profile.interpolate(s, fixed), Profile.interpolate(s, scale * slope), load.asked.masses)
+
+
+def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiffness:
+    """The balance itself; refused where it asks for less than the least section."""
+    EI = (balance.bending_stiffness or 1.0) * balance.stiffness.nodal
+    least, largest = law.limits
+    if _spare(law, EI) < 1 - FIT_SHARE:
+        asked = law.parameter(EI)
+        s = float(balance.panels.s.flat[int(asked.argmin())])
+        raise InputError(
+            "the curve asks for a {quantity} of {given:.4g} at {s:.4g} where its largest is "
+            "{largest:g}: the limits allow {least:g} at least; widen them, or give limits or "
+            "keep and the curve may change",
+            quantity=law.quantity,
+            given=Length(float(asked.min())),
+            s=Length(s),
+            largest=Length(largest),
+            least=Length(least),
+        )
+    return balance
+
+
+def _spare(law: BoundedLaw, bending_stiffness: FloatArray) -> float:
+    """The least E I (N, p), N mm2, over that of the least section there."""
+    least, _ = law.limits
+    return float((bending_stiffness / law.bending_stiffness(least)).min()) if least > 0 else np.inf

@@ -1,0 +1,455 @@
+"""A curve cut into panels with Gauss nodes: quotients and integrals along it to near rounding error."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray, IntArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.nurbs_curve import curvature, curvature_slope
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import numbers_in_groups
+from elastica_cad.geometry.polynomials import (
+    DENSE_PARTS,
+    LEFT,
+    NODES,
+    ORDER,
+    RIGHT,
+    TO_COEFFICIENTS,
+    WEIGHTS,
+    PanelFunction,
+    in_panels,
+    lobatto_places,
+    locate_in_panels,
+)
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.splines import knot_runs
+from elastica_cad.mechanics.loads import ExcessCurvature, Gravity, NaturalCurvature, Weight
+from elastica_cad.mechanics.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck
+from elastica_cad.refusals import Length
+
+MAX_PANELS = 4000  # of one curve: more mean a function that cannot be resolved
+RESOLVED = 1e-11  # of the function: last coefficients below it are rounding
+NOISE = 1e-6  # of the function: last coefficients below it that a split hardly lowers are rounding too
+
+APART_SHARE = 0.25  # of a panel: cuts that lie nearer to each other are one
+
+NARROWEST_SHARE = 1e-7  # of the domain: no panel is cut further
+
+ROUGH_AT_ZERO = 2
+"""Continuity up to which a knot divides panels, however near it is to a zero of the curvature."""
+
+STEP_LENGTH = 1e-5
+"""A step of the stiffness is spread over this part of the length, so that the outline stays one edge."""
+
+NEAR_ZERO_SHARE = 0.05
+"""Distance from a mass to a zero of the curvature, in lengths of the curve, below which panels grow from it."""
+
+FROM_LEFT = 1 + NODES
+_FROM_ENDS = np.concatenate([LEFT, -RIGHT])
+_LAST = np.ascontiguousarray(TO_COEFFICIENTS[-2:])
+
+
+@dataclass(frozen=True, eq=False)
+class Panels:
+    """N panels with p Gauss nodes each; no node lies on a knot or a zero of the curvature.
+
+    Attributes
+    ----------
+    edges, edge_s : (N + 1,) arrays
+        Parameters and arc lengths (mm) of the panel ends.
+    edge_position : (N + 1, 2) array
+        mm.
+    zero_left, zero_right : (N,) bool arrays
+        Does the curvature vanish at this end of the panel? Never at both.
+    t, s, curvature : (N, p) arrays
+        Parameters, arc lengths and kappa - kappa_0 at the nodes; beside a zero integrated from it, so that
+        the relative accuracy is kept.
+    stretch : (N, p) array
+        ds/dx, where x in [-1, 1] runs over the panel.
+    from_left, from_right : (N, p, 2) arrays
+        Position less that of the panel's left, right end, mm.
+    """
+
+    edges: FloatArray
+    edge_s: FloatArray
+    edge_position: FloatArray
+    zero_left: BoolArray
+    zero_right: BoolArray
+    t: FloatArray
+    s: FloatArray
+    curvature: FloatArray
+    stretch: FloatArray
+    from_left: FloatArray
+    from_right: FloatArray
+
+    @property
+    def count(self) -> int:
+        """Number of panels."""
+        return len(self.t)
+
+    def locate(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
+        """Panel numbers and places x in [-1, 1] of parameters `t` (n,)."""
+        return locate_in_panels(self.edges, t)
+
+    def dense_places(self, parts: int = DENSE_PARTS) -> tuple[IntArray, FloatArray]:
+        """Panel numbers and places x of a dense sampling, panel ends included, in so many parts a panel."""
+        x = lobatto_places(parts)
+        return np.repeat(np.arange(self.count), x.size), np.tile(x, self.count)
+
+    def arc_length(self, panel: IntArray, x: FloatArray) -> FloatArray:
+        """Arc lengths of places x in panels, mm."""
+        return np.asarray(PanelFunction.through(self.s).at(panel, x))
+
+
+def cut_into_panels(
+    curve: PlaneCurve,
+    zeros: Sequence[float],
+    *,
+    cuts: Sequence[float] = (),
+    natural_curvature: NaturalCurvature = 0.0,
+    law: MaterialLaw | None = None,
+    orders: Sequence[int] | None = None,
+) -> Panels:
+    """Panels that resolve the curve, and any moment over its curvature.
+
+    A panel is cut into 2, 4 or 8 until the Legendre coefficients of the speed and of (t - zero)/(kappa -
+    kappa_0) have died away, with the zero that is nearest: there the moment vanishes too, so panels beside those
+    that end in it need not grow narrow towards it.
+
+    Parameters
+    ----------
+    zeros : sequence of float
+        Parameters where kappa - kappa_0 vanishes: they become panel ends.
+    cuts : sequence of float
+        Further parameters that must be panel ends, such as places of point masses.
+    law : MaterialLaw, optional
+        Its effective curvature stands for kappa - kappa_0; where it is not smooth there should be cuts.
+    orders : sequence of int, optional
+        Of the zeros: 2 where kappa - kappa_0 only touches zero; 1 unless given.
+    """
+    excess = ExcessCurvature(curve, natural_curvature)
+    low, high = curve.domain
+    close = 1e-10 * (high - low)
+    vanishing = sorted(map(float, zeros))
+    order = np.array([o for _, o in sorted(zip(zeros, orders or [1] * len(zeros), strict=True))])
+    fixed = [low, *(z for z in vanishing if low + close < z < high - close), high]
+    # beside a zero a narrow panel would hold nothing but rounding
+    narrow = NARROWEST_SHARE * (high - low)
+    others = [(b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks]
+    others += [(float(t), close) for t in (*(t for t, _, _ in excess.kinks), *cuts)]
+    away = _distances(np.array([t for t, _ in others]), fixed).tolist()
+    places = sorted(fixed + [t for (t, apart), far in zip(others, away, strict=True) if far > apart])
+    # where the speed is resolved already
+    smooth = curve.smooth_panels
+    between, widths = smooth[1:-1], smooth[1:] - smooth[:-1]
+    finer = between[_distances(between, places) > APART_SHARE * np.minimum(widths[:-1], widths[1:])]
+    edges = np.array(_distinct(sorted(places + finer.tolist()), close))
+    flags = _distances(edges, vanishing) <= close
+    cut = _Cut(edges[:-1], edges[1:], flags[:-1], flags[1:], np.full(edges.size - 1, np.inf))
+    both = cut.zero_left & cut.zero_right
+    if both.any():
+        cut = cut.into(np.where(both, 2, 1))
+    poles = np.array(vanishing)
+    done: list[_Nodes] = []
+    count = 0
+    while True:
+        found, tail = _evaluated(excess, cut, poles, order, law)
+        # where cutting no longer helps, the rest is rounding noise
+        settled = (tail <= RESOLVED) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
+        settled |= cut.right - cut.left < narrow
+        rough = (~settled).nonzero()[0]
+        if rough.size:
+            parts = _parts(tail[rough])
+        if not rough.size or count + cut.left.size + parts.sum() > MAX_PANELS:
+            done.append(found)
+            return _panels(curve, done)
+        done.append(found.chosen(settled))
+        count += cut.left.size - rough.size
+        cut = cut.chosen(rough, tail[rough]).into(parts)
+
+
+def _distances(t: FloatArray, places: list[float]) -> FloatArray:
+    """Distance (n,) of each of t (n,) from the nearest of the places."""
+    return np.asarray(np.abs(t - np.array(places)[:, None]).min(axis=0, initial=np.inf))
+
+
+def _distinct(places: list[float], close: float) -> list[float]:
+    """Rising places, those left out that are as close to the one before."""
+    kept = places[:1]
+    for place in places[1:]:
+        if place - kept[-1] > close:
+            kept.append(place)
+    return kept
+
+
+@dataclass(frozen=True, eq=False)
+class _Cut:
+    """Panels before they are evaluated; `tail` is how badly the panel they come from was resolved."""
+
+    left: FloatArray
+    right: FloatArray
+    zero_left: BoolArray
+    zero_right: BoolArray
+    tail: FloatArray
+
+    def chosen(self, which: IntArray, tail: FloatArray) -> "_Cut":
+        """Some of the panels, with what is unresolved of them."""
+        return _Cut(self.left[which], self.right[which], self.zero_left[which], self.zero_right[which], tail)
+
+    def into(self, parts: IntArray) -> "_Cut":
+        """Every panel cut into its number of equal parts."""
+        whole, count, part = (
+            np.arange(parts.size).repeat(parts),
+            parts.repeat(parts),
+            numbers_in_groups(parts),
+        )
+        left, right = self.left[whole], self.right[whole]
+        width, last = right - left, part == count - 1
+        return _Cut(
+            left + width * (part / count),
+            np.where(last, right, left + width * ((part + 1) / count)),
+            self.zero_left[whole] & (part == 0),
+            self.zero_right[whole] & last,
+            self.tail[whole],
+        )
+
+
+def _parts(tail: FloatArray) -> IntArray:
+    """Number of parts (2, 4 or 8) that a panel needs: each halving divides the last coefficient by about 2^p."""
+    halvings = np.ceil(np.log2(np.where(np.isfinite(tail), tail, 1.0) / RESOLVED) / ORDER)
+    return np.asarray(2 ** np.minimum(np.maximum(halvings, 1), 3), dtype=int)
+
+
+@dataclass(frozen=True, eq=False)
+class _Nodes:
+    """Panels evaluated at their Gauss nodes: fields as of `Panels`, `velocity` (N, p, 2) by x."""
+
+    left: FloatArray
+    zero_left: BoolArray
+    zero_right: BoolArray
+    t: FloatArray
+    velocity: FloatArray
+    stretch: FloatArray
+    curvature: FloatArray
+
+    def chosen(self, which: BoolArray | IntArray) -> "_Nodes":
+        """Some of the panels."""
+        return _Nodes(
+            self.left[which], self.zero_left[which], self.zero_right[which], self.t[which],
+            self.velocity[which], self.stretch[which], self.curvature[which],
+        )  # fmt: skip
+
+    @classmethod
+    def joined(cls, parts: Sequence["_Nodes"]) -> "_Nodes":
+        """Loose panels in their order along the curve."""
+        if len(parts) == 1:
+            return parts[0]
+        nodes = cls(*map(np.concatenate, zip(*(vars(part).values() for part in parts), strict=True)))
+        return nodes.chosen(nodes.left.argsort())
+
+
+def _evaluated(
+    excess: ExcessCurvature, cut: _Cut, zeros: FloatArray, orders: IntArray, law: MaterialLaw | None
+) -> tuple[_Nodes, FloatArray]:
+    """The panels at their nodes, and how much of each is unresolved.
+
+    `zeros` and `orders` (k,) are the parameters of all zeros and their orders.
+    """
+    half = (cut.right - cut.left)[:, None] / 2
+    from_left = half * FROM_LEFT
+    t = cut.left[:, None] + from_left
+    beside = (cut.zero_left | cut.zero_right).nonzero()[0]
+    _, d1, d2, *d3 = excess.curve.derivatives(t.ravel(), 3 if beside.size else 2)
+    velocity = d1.reshape(*t.shape, 2) * half[..., None]
+    stretch = np.hypot(velocity[..., 0], velocity[..., 1])
+    kappa = curvature(d1, d2).reshape(t.shape) - excess.rest_at(t)
+    if beside.size:
+        at = (beside[:, None] * ORDER + np.arange(ORDER)).ravel()
+        slope = curvature_slope(d1[at], d2[at], d3[0][at]).reshape(-1, ORDER) - excess.rest_at(t[beside], 1)
+        ends = np.where(cut.zero_left[beside], cut.left[beside], cut.right[beside])
+        own = np.abs(zeros[:, None] - ends).argmin(axis=0)
+        double = orders[own] == 2
+        if double.any():  # what rounding leaves of the slope would be large beside that of the nodes
+            slope[double] -= excess.slope_at(zeros[own[double]])[:, None]
+        growth = slope * stretch[beside]
+        kappa[beside] = np.where(cut.zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
+    if law is not None:
+        kappa = law.effective_curvature(kappa)
+    functions = np.empty((2, *t.shape))
+    functions[0], functions[1] = stretch, 1.0
+    if zeros.size:
+        middle = cut.left + half[:, 0]
+        pole = np.abs(zeros[:, None] - middle).argmin(axis=0)
+        functions[1] = (from_left + (cut.left - zeros[pole])[:, None]) ** orders[pole, None]
+    if beside.size:
+        functions[1, beside] = (
+            np.where(cut.zero_left[beside, None], FROM_LEFT, NODES - 1) ** orders[own, None]
+        )
+    with np.errstate(divide="ignore", invalid="ignore"):
+        functions[1] /= kappa
+        tails = np.abs(functions @ _LAST.T).max(axis=-1) / np.abs(functions).max(axis=-1)
+    nodes = _Nodes(cut.left, cut.zero_left, cut.zero_right, t, velocity, stretch, kappa)
+    return nodes, np.asarray(tails.max(axis=0))
+
+
+def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
+    """One chain of panels from loose ones."""
+    nodes = _Nodes.joined(parts)
+    edges = np.concatenate([nodes.left, curve.domain[1:]])
+    edge_s = np.zeros(edges.size)
+    (nodes.stretch @ WEIGHTS).cumsum(out=edge_s[1:])
+    from_ends = in_panels(_FROM_ENDS, nodes.velocity)
+    return Panels(
+        edges=edges, edge_s=edge_s, edge_position=curve.evaluate(edges),
+        zero_left=nodes.zero_left, zero_right=nodes.zero_right, t=nodes.t,
+        s=edge_s[:-1, None] + nodes.stretch @ LEFT.T, curvature=nodes.curvature, stretch=nodes.stretch,
+        from_left=from_ends[:, :ORDER], from_right=from_ends[:, ORDER:],
+    )  # fmt: skip
+
+
+REFINEMENTS = 6
+"""Largest number of times that a program is solved again on finer panels."""
+
+_ROUGH = 1e-9  # last Legendre coefficients of K in a panel, relative to K, that call for smaller panels
+_SMOOTH = 4  # continuous derivatives of K from which on a knot of the load needs no edge of a panel
+_MOST_PARTS = 50  # of one panel under a heavy K
+
+
+@dataclass(frozen=True, eq=False)
+class CutCurve:
+    """A curve with the places at which it is cut into panels, on each of which the stiffness is smooth.
+
+    Panels end at the zeros of kappa - kappa_0, which `check` holds, and at the `cuts`.
+
+    Attributes
+    ----------
+    check : EquilibriumCheck
+        The curve and its zeros.
+    natural_curvature : float or RestCurvature
+        kappa_0, 1/mm.
+    law : MaterialLaw or None
+        The moment over curvature of a nonlinear material; None for a linear one.
+    cuts : tuple of float
+        Parameters of the curve.
+    kinks : tuple of (float, int)
+        Arc lengths, mm, at which the stiffness is not smooth, each with the number of its continuous derivatives.
+    """
+
+    check: EquilibriumCheck
+    natural_curvature: NaturalCurvature
+    law: MaterialLaw | None
+    cuts: tuple[float, ...]
+    kinks: tuple[tuple[float, int], ...]
+
+    @classmethod
+    def where_kinked(
+        cls,
+        check: EquilibriumCheck,
+        natural_curvature: NaturalCurvature,
+        law: MaterialLaw | None = None,
+        weight: Weight | None = None,
+    ) -> "CutCurve":
+        """Cut where the blank, the material law or the load is not smooth."""
+        bend = _bend_kinks(check, natural_curvature, law)
+        zeros = np.array([zero.s for zero in check.zeros])
+        hung = [(_at_zero(s, zeros, check.length), c) for s, c in _load_kinks(check.length, weight)]
+        places = [place for s, _ in hung for place in (s, *_away_from_zero(s, zeros, check.length))]
+        cuts = (*(t for t, _, _ in bend), *check.curve.parameter(np.array(places)).tolist())
+        return cls(check, natural_curvature, law, cuts, (*((s, c) for _, s, c in bend), *hung))
+
+    @cached_property
+    def panels(self) -> Panels:
+        """The panels."""
+        check = self.check
+        return cut_into_panels(
+            check.curve, [z.t for z in check.zeros], cuts=list(self.cuts),
+            natural_curvature=self.natural_curvature, law=self.law,
+        )  # fmt: skip
+
+    def for_weight(self, gravity: Gravity) -> "CutCurve":
+        """Return the curve with panels longer than sqrt(kappa l_eg^3) divided, since K varies on them under
+        weight."""
+        panels = self.panels
+        steep = np.sqrt(gravity.length**-3 / np.abs(panels.curvature).max(axis=1))
+        parts = np.clip(np.ceil(np.diff(panels.edge_s) * steep / 2), 1, _MOST_PARTS).astype(int)
+        edges = panels.edges
+        inner = [np.linspace(a, b, n + 1)[1:-1] for a, b, n in zip(edges[:-1], edges[1:], parts, strict=True)]
+        return self._also_at(np.concatenate(inner))
+
+    def for_stiffness(self, stiffness: PanelFunction) -> "CutCurve | None":
+        """Return the curve with panels halved where a stiffness is not resolved; None where it is resolved
+        everywhere."""
+        rough = stiffness.unresolved(_ROUGH)
+        edges = self.panels.edges
+        return self._also_at(((edges[1:] + edges[:-1]) / 2)[rough]) if rough.any() else None
+
+    def _also_at(self, cuts: FloatArray) -> "CutCurve":
+        return replace(self, cuts=(*self.cuts, *cuts))
+
+
+def _bend_kinks(
+    check: EquilibriumCheck, natural_curvature: NaturalCurvature, law: MaterialLaw | None
+) -> list[tuple[float, float, int]]:
+    """(t, s, continuity of K) where the blank or the material law is not smooth."""
+    excess = ExcessCurvature(check.curve, natural_curvature)
+    return [*excess.kinks] + [
+        (place.t, place.s, continuity)
+        for curvature, continuity in (() if law is None else law.kinks)
+        for side in (-curvature, curvature)
+        for place in excess.equals(side)
+    ]
+
+
+def _at_zero(s: float, zeros: FloatArray, length: float) -> float:
+    """The zero of the curvature next to a place, mm, if they are closer than a step of the stiffness is long."""
+    near = zeros[np.abs(zeros - s) < STEP_LENGTH * length]
+    return float(near[0]) if near.size else s
+
+
+def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
+    """Places, mm, beyond a mass at s that is next to a zero, each twice as far from the zero as the one before.
+
+    There the stiffness has a part that falls with the inverse of the distance from the zero.
+    """
+    if not zeros.size:
+        return []
+    zero = float(zeros[np.abs(zeros - s).argmin()])
+    places, reach = [], 2 * (s - zero)
+    while 0 < abs(reach) < NEAR_ZERO_SHARE * length and 0 < zero + reach < length:
+        places.append(zero + reach)
+        reach *= 2
+    return places
+
+
+def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]:
+    """(s, continuity of K) where the load is not smooth, or a mass hangs."""
+    if weight is None:
+        return []
+    kinks: list[tuple[float, int]] = []
+    for mass in weight.masses:
+        if not (np.isfinite(mass.mass) and 0 <= mass.at <= length):
+            raise InputError(
+                "the point mass of {mass:.6g} g at {at:g} does not lie on the curve: give a place from 0 to "
+                "{length}",
+                mass=mass.mass,
+                at=Length(mass.at),
+                length=Length(length),
+            )
+        kinks.append((mass.at, 0))
+    for part in (weight.alpha, weight.beta):
+        if isinstance(part, Profile):
+            if not np.isclose(part.length, length, rtol=1e-6):
+                raise InputError(
+                    "a weight profile is {length:.6g} long, the curve {length_2:.6g}",
+                    length=Length(part.length),
+                    length_2=Length(length),
+                )
+            # the moment is twice an integral of the load
+            knots, times = knot_runs(part.knots)
+            smooth = part.degree - times + 2
+            kinks += [(float(s), int(c)) for s, c in zip(knots, smooth, strict=True) if c < _SMOOTH]
+    return [(s, c) for s, c in kinks if 0 < s < length]

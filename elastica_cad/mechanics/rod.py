@@ -1,0 +1,751 @@
+"""The rod in balance as a record, its stiffness at the nodes, and the same rod on other nodes or as it is bent."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import pairwise
+from math import isclose
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from elastica_cad._notebook import BLUE, GREY, svg_of_lines
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import as_floats, numbers, pair, require_number, require_positive
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.plane_curve import DEGREE, SURVEY_POINTS, PlaneCurve, integrate_tangents
+from elastica_cad.geometry.polynomials import gauss_rule
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.splines import fit_spline, spline_through
+from elastica_cad.mechanics.discrete_rod import DiscreteRod, edge_forces, edge_positions, tangents
+from elastica_cad.mechanics.loads import (
+    Gravity,
+    NaturalCurvature,
+    Supports,
+    Weight,
+    nodal_curvature,
+    require_gravity,
+    require_supports,
+    whole_number,
+)
+from elastica_cad.mechanics.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.stiffness_law import BendFactor, BoundedLaw, at_stations, scale_within
+from elastica_cad.refusals import Length as Mm
+
+if TYPE_CHECKING:
+    from elastica_cad.mechanics.theorem1 import EquilibriumCheck
+
+
+# A rod that is shown, cut and tested: a strip of 300 mm has a node every half millimetre, and the discrete shape is
+# off the continuous one by less than a laser's kerf (paper, section 7.1, has some hundreds).
+DEFAULT_SAMPLES = SURVEY_POINTS
+
+# A rod that is searched for: hundreds are solved on the way, whose error, nine times as large, is still far below
+# what limits allow; `editable_curve` extrapolates it away.
+SEARCH_SAMPLES = 201
+
+
+DUST_SHARE = 1e-12
+"""Values below this share of the largest one of the same unit are rounding errors."""
+
+
+def csv_text(table: Mapping[str, Any]) -> str:
+    """Columns (n,) by name as comma-separated text with a header; names end in their unit.
+
+    Examples
+    --------
+    >>> print(csv_text({"x_mm": [0, 1], "y_mm": [1e-17, 2]}), end="")
+    x_mm,y_mm
+    0,0
+    1,2
+    """
+    columns = {name: np.asarray(column, dtype=float) for name, column in table.items()}
+    largest: dict[str, float] = {}
+    for name, column in columns.items():
+        finite = np.abs(column[np.isfinite(column)])
+        largest[_unit(name)] = max(largest.get(_unit(name), 0.0), float(finite.max(initial=0.0)))
+    cleaned: dict[str, FloatArray] = {
+        name: np.where(np.abs(column) <= DUST_SHARE * largest[_unit(name)], 0.0, column)
+        for name, column in columns.items()
+    }
+    rows = [",".join(cleaned)]
+    rows += [",".join(f"{value:.9g}" for value in row) for row in zip(*cleaned.values(), strict=True)]
+    return "\n".join(rows) + "\n"
+
+
+def _unit(name: str) -> str:
+    return name.rsplit("_", 1)[-1]
+
+
+MEAN_POINTS, MEAN_WEIGHTS = np.polynomial.legendre.leggauss(3)
+
+
+def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
+    """K (n,) at uniform arc lengths (n,), mm; a cell that a step divides counts by the mean of its compliance.
+
+    Its angle is what it turns by, and that is the integral of M / K. So the shape depends on the place of a step
+    continuously.
+
+    Examples
+    --------
+    >>> stepped = Profile([0, 0, 5, 5, 10, 10], [1, 1, 2, 2], 1)
+    >>> _nodal_stiffness(stepped, np.linspace(0, 10, 3)).round(3).tolist()
+    [1.0, 1.333, 2.0]
+    """
+    K = profile(s)
+    steps = np.array([place for place, continuity in profile.breaks if continuity < 0])
+    if not steps.size:
+        return K
+    middles = (s[1:] + s[:-1]) / 2
+    edges = np.concatenate([s[:1], middles, s[-1:]])
+    for i in np.unique(np.clip(np.searchsorted(edges, steps) - 1, 0, s.size - 1)):
+        cuts = np.unique(
+            np.concatenate([edges[i : i + 2], steps[(steps > edges[i]) & (steps < edges[i + 1])]])
+        )
+        turned = 0.0
+        for a, b in pairwise(cuts):
+            inside = (a + b) / 2 + (b - a) / 2 * MEAN_POINTS
+            turned += (b - a) / 2 * float(MEAN_WEIGHTS @ (1 / profile(inside)))
+        K[i] = (edges[i + 1] - edges[i]) / turned
+    return K
+
+
+def scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArray]:
+    """A stiffness and its values at nodes s (n,), mm, over the least of these.
+
+    Raises
+    ------
+    InputError
+        It is not positive.
+    """
+    if not profile.is_positive:
+        raise InputError("rod stiffness must be positive everywhere along the rod")
+    K = profile(s)
+    return profile.scaled(1 / K.min()), K / K.min()
+
+
+def _stiffness_profile_of(
+    stiffness: "ArrayLike | Profile", length: float, samples: int | None
+) -> tuple[Profile, int]:
+    """A profile over [0, length] and the number of nodes it asks for.
+
+    Parameters
+    ----------
+    stiffness : float, (n,) array_like or Profile
+        One value, values at n uniform stations, or a profile over [0, length].
+    length : float
+        mm.
+    samples : int or None
+        Number of nodes; None for one a value, or the usual number.
+
+    Raises
+    ------
+    InputError
+        A profile of another length, or values that are not positive and finite.
+    """
+    if isinstance(stiffness, Profile):
+        if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
+            raise InputError(
+                "the stiffness profile is {length:.6g} long, the rod {length_2:.6g}",
+                length=Mm(stiffness.length),
+                length_2=Mm(length),
+            )
+        return stiffness, samples or DEFAULT_SAMPLES
+    given = as_floats(stiffness)
+    values = np.array([]) if given is None else np.atleast_1d(given)
+    if not values.size or values.ndim != 1 or not np.all(np.isfinite(values)) or np.any(values <= 0):
+        raise InputError("stiffness must be positive, finite numbers: one, or one a node")
+    n = samples or (values.size if values.size > 1 else DEFAULT_SAMPLES)
+    if values.size == 1:
+        values = np.full(2, values[0])
+    return Profile.interpolate(np.linspace(0.0, length, values.size), values), n
+
+
+DIFFERENCE_SHARE = 1e-7
+"""Step of the differences by which the slope of the stiffness is found, as a share of the largest bend."""
+
+CURL_POINTS = 24
+"""Points between rest and bend at which the energy is summed; exact to 1e-9 for flat strips, 1e-3 for others."""
+
+CURL_STEPS = 8
+"""Iterations from a moment to its curvature; they converge fast, as the stiffness changes slowly."""
+
+
+@dataclass(frozen=True, eq=False)
+class CurlingLaw(MaterialLaw):
+    """M = K m(kappa - kappa_0) at the nodes of one rod, whose K is right where each node is bent as designed.
+
+    Parameters
+    ----------
+    factor : BendFactor
+        On the stiffness of the nodes, by their curvatures.
+    designed : (n,) array
+        The factor that K has already.
+    natural_curvature : float or (n,) array
+        kappa_0 of the rod, 1/mm.
+    below : MaterialLaw, optional
+        That of the material, which the factor comes on top of.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.sections import SheetCurl
+    >>> wide = SheetCurl(np.full(2, 40.0), 0.5, 0.3)
+    >>> law = CurlingLaw(wide, wide(np.array([0.0, 0.01])))
+    >>> law.effective_curvature([0.01, 0.01]).round(5).tolist()
+    [0.01078, 0.01]
+    """
+
+    factor: BendFactor
+    designed: FloatArray
+    natural_curvature: float | FloatArray = 0.0
+    below: MaterialLaw | None = None
+
+    def share(self, curvature: ArrayLike) -> FloatArray:
+        """Stiffness divided by that of the design (..., n), for changes of curvature (..., n), 1/mm."""
+        kappa = np.asarray(curvature, dtype=float) + self.natural_curvature
+        return np.asarray(self.factor(kappa) / self.designed)
+
+    def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
+        """Effective curvature of all nodes (..., n), as in `MaterialLaw`."""
+        return np.asarray(self._material(curvature) * self.share(curvature))
+
+    def slope(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`; of all nodes (n,)."""
+        return self.with_slope(curvature)[1]
+
+    def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """See `MaterialLaw`; of all nodes (n,) each."""
+        change = np.asarray(curvature, dtype=float)
+        step = DIFFERENCE_SHARE * (float(np.abs(change).max()) or 1.0)
+        here, beyond = self.share(np.stack([change, change + step]))
+        m, slope = (change, 1.0) if self.below is None else self.below.with_slope(change)
+        return m * here, np.asarray(slope * here + m * (beyond - here) / step)
+
+    def energy(self, curvature: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`; of all nodes (n,)."""
+        change = np.asarray(curvature, dtype=float)
+        x, weight = gauss_rule(CURL_POINTS)
+        root = (x + 1) / 2  # closer together near rest, where the stiffness follows soonest
+        return np.asarray(change * ((weight * root) @ self.effective_curvature(root[:, None] ** 2 * change)))
+
+    def curvature(self, effective: ArrayLike) -> FloatArray:
+        """See `MaterialLaw`; of all nodes (n,)."""
+        m = np.asarray(effective, dtype=float)
+        change = m if self.below is None else self.below.curvature(m)
+        for _ in range(CURL_STEPS):
+            found, slope = self.with_slope(change)
+            change = change - (found - m) / slope
+        return change
+
+    def resampled(self, s: FloatArray, at: FloatArray) -> "CurlingLaw":
+        """See `MaterialLaw`."""
+        return CurlingLaw(
+            self.factor.resampled(s, at), np.interp(at, s, self.designed),
+            at_stations(self.natural_curvature, s, at),
+            None if self.below is None else self.below.resampled(s, at),
+        )  # fmt: skip
+
+    @property
+    def injective_limit(self) -> float:
+        """See `MaterialLaw`."""
+        return float("inf") if self.below is None else self.below.injective_limit
+
+    def _material(self, curvature: ArrayLike) -> FloatArray:
+        change = np.asarray(curvature, dtype=float)
+        return change if self.below is None else self.below.effective_curvature(change)
+
+
+EVEN_EDGES = 1e-7  # of an edge: nodes that are samples of a curve are closer than that by (kappa h)^2 / 24
+TURN_POWER = 8  # of the turns beside the ends, which then reach over an eighth of the length
+NEWTON_STEPS = 5  # to rounding: the angles are nearly right
+TANGENT_RAD = 1e-8  # how closely the spline follows the tangent: over the length, far below a micrometre
+
+
+def has_even_edges(s: FloatArray, position: FloatArray) -> bool:
+    """Whether all edges of the polygon of nodes are as long as the arc length between the nodes."""
+    h = np.diff(s)
+    return bool(np.all(np.abs(np.hypot(*np.diff(position, axis=0).T) - h) <= EVEN_EDGES * h))
+
+
+def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> PlaneCurve:
+    """The spline of unit speed that follows the edges of a discrete rod.
+
+    The edges of a discrete rod (paper, section 7.1) are tangents of a smooth curve in their middles. A curve of
+    the polygon's own length passes the nodes at h^2 |kappa| / 24 on their inner side: this one integrates a quintic
+    spline through the edge angles. That is h^2 |kappa'| / 8 off the held angles: the least smooth turns are added
+    that meet them and the end position.
+
+    Parameters
+    ----------
+    s : (n,) array
+        Arc lengths of the nodes, mm, uniform.
+    position : (n, 2) array
+        Nodes, mm, with edges as long as their arc lengths.
+    angle : (n,) array
+        rad; the ends are held.
+
+    Returns
+    -------
+    PlaneCurve
+        Degree 5, its parameter is arc length (to 1e-8).
+
+    Examples
+    --------
+    >>> s = np.linspace(0.0, 30.0, 61)
+    >>> middles = (s[:-1] + s[1:]) / 20
+    >>> steps = 0.5 * np.column_stack([np.cos(middles), np.sin(middles)])
+    >>> nodes = np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
+    >>> curve = integrate_edges(s, nodes, s / 10)
+    >>> off = np.hypot(*(curve.at(s).position - nodes).T).max()
+    >>> round(curve.length, 7), bool(off < 3 * 0.5**2 / 10 / 24)
+    (30.0, True)
+    """
+    edge = _edge_angles(position, angle)
+    if edge.size == 1:
+        knots = np.repeat(s, DEGREE + 1)
+        return PlaneCurve(knots, np.linspace(position[0], position[1], DEGREE + 1), DEGREE)
+    degree = min(DEGREE, edge.size - 1)
+    through = spline_through((s[:-1] + s[1:]) / 2, edge, degree)
+    length, ends = float(s[-1]), s[[0, -1]]
+    x, weight = gauss_rule(6)
+    places = (s[:-1, None] + s[1] * (1 + x) / 2).ravel()
+    weight, turns, end_turns = (
+        np.tile(s[1] / 2 * weight, s.size - 1),
+        _turns(places / length),
+        _turns(ends / length),
+    )
+    c = np.zeros(turns.shape[1])
+    for _ in range(NEWTON_STEPS):
+        T = tangents(through(places) + turns @ c)
+        gap = position[-1] - position[0] - weight @ T
+        rows = np.concatenate(
+            [end_turns, (weight[:, None] * np.column_stack([-T[:, 1], T[:, 0]])).T @ turns / length]
+        )
+        missed = np.concatenate([angle[[0, -1]] - through(ends) - end_turns @ c, gap / length])
+        c += np.linalg.lstsq(rows, missed, rcond=1e-13)[0]
+    return integrate_tangents(
+        lambda at: tangents(through(at) + _turns(at / length) @ c), length, position[0], tolerance=TANGENT_RAD
+    )
+
+
+def _turns(x: FloatArray) -> FloatArray:
+    """Smooth changes (n, 18) of an angle at x (n,) in 0..1: beside start and end, of mean 0, and waves between."""
+    y, m = 1 - x, TURN_POWER
+    beside = np.column_stack([y**m * (1 - (m + 2) * x), x**m * (1 - (m + 2) * y)])
+    k = np.arange(1, 17)
+    return np.concatenate([beside, np.sqrt(k) * np.sin(np.pi * x[:, None] * k)], axis=1)
+
+
+def _edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:
+    """Angles (n,) of the edges between nodes (n + 1, 2), on the turn of the nodes' angles (n + 1,)."""
+    edge = np.arctan2(*np.diff(position, axis=0).T[::-1])
+    middle = (angle[:-1] + angle[1:]) / 2
+    return np.asarray(edge + 2 * np.pi * np.round((middle - edge) / (2 * np.pi)))
+
+
+BAND_SHARE = 0.02  # of the length: half the band that shows the stiffness in a notebook
+
+
+@dataclass(frozen=True, eq=False)
+class Rod:
+    """A rod in the plane; all arrays are nodal, with the same n.
+
+    Attributes
+    ----------
+    s : (n,) array
+        Arc length, mm, uniform, from 0 to the length.
+    position : (n, 2) array
+        mm.
+    angle : (n,) array
+        Turning angle, rad, continuous. Where a rod was computed on edges (paper, section 7.1), the end values
+        are the angles that the supports hold, the others the mean of the two edges that meet at the node.
+    curvature : (n,) array
+        Signed, 1/mm; a discrete rod has moment / stiffness + kappa_0 here.
+    stiffness : (n,) array
+        K, dimensionless, least value 1.
+    moment : (n,) array
+        M = K (kappa - kappa_0), 1/mm; times the least bending stiffness (N mm2) it is N mm.
+    force : (n, 2) array
+        lambda = R b, 1/mm2; times the least bending stiffness newtons, minus the usual internal force. Edge
+        values of a discrete rod are averaged to the nodes in between; the end nodes take half a cell of weight
+        off the end edge.
+    profile : Profile
+        K as a spline of arc length, from which strips take their width.
+    natural_curvature : float or (n,) array
+        kappa_0, 1/mm: one for the whole rod, or one a node (a strip that was bent beyond its limit).
+    gravity, weight, bending_stiffness
+        What the rod carries: see `Gravity` and `Weight`; `bending_stiffness` is B, the least E I in N mm2, or
+        None.
+    law : MaterialLaw or None
+        Where the material does not follow Hooke's law: M = K m(kappa - kappa_0) (paper, Appendix D). `bend` adds
+        how a section follows the bend, and K stays what it is in the design: see `bending_law`.
+    section : BoundedLaw or None
+        What its stiffness is made of, where that is not the width of a strip that bends with E.
+    residual : float
+        Largest relative moment imbalance.
+    shape : PlaneCurve or None
+        The curve that the rod was made for; None where `curve` is drawn through the nodes.
+    check : EquilibriumCheck or None
+        What Theorem 1 said about that curve.
+    moved : float
+        How far the drawn curve was moved to bring its inflections onto one line, mm.
+    warnings : tuple of str
+        What a user should know about the answer.
+    """
+
+    s: FloatArray
+    position: FloatArray
+    angle: FloatArray
+    curvature: FloatArray
+    stiffness: FloatArray
+    moment: FloatArray
+    force: FloatArray
+    profile: Profile
+    gravity: Gravity | None = None
+    supports: Supports = field(default_factory=Supports)
+    natural_curvature: float | FloatArray = 0.0
+    residual: float = 0.0
+    weight: Weight | None = None
+    bending_stiffness: float | None = None
+    law: MaterialLaw | None = None
+    section: BoundedLaw | None = None
+    shape: PlaneCurve | None = None
+    check: "EquilibriumCheck | None" = None
+    warnings: tuple[str, ...] = ()
+    moved: float = 0.0
+
+    def __post_init__(self) -> None:
+        n = numbers(self.s, "rod s").size
+        for name, shape in {
+            "s": (n,), "position": (n, 2), "angle": (n,), "curvature": (n,), "stiffness": (n,),
+            "moment": (n,), "force": (n, 2),
+        }.items():  # fmt: skip
+            array = numbers(getattr(self, name), f"rod {name}").copy()
+            if array.shape != shape or np.count_nonzero(np.isfinite(array)) < array.size:
+                raise InputError(
+                    "rod {name} must be finite with shape {shape}, got {shape_2}",
+                    name=name,
+                    shape=shape,
+                    shape_2=array.shape,
+                )
+            array.setflags(write=False)
+            object.__setattr__(self, name, array)
+        rest = numbers(self.natural_curvature, "natural curvature")
+        if rest.size not in (1, n) or not np.isfinite(rest).all():
+            raise InputError(
+                "natural curvature must be one finite number, or one for each of the {n} nodes, 1/mm", n=n
+            )
+        if (self.stiffness <= 0).any():
+            at = float(self.s[int(np.argmin(self.stiffness))])
+            raise InputError(
+                "rod stiffness is not positive at {at:.6g}: every cross-section needs some width", at=Mm(at)
+            )
+
+    @classmethod
+    def straight(
+        cls,
+        length: float,
+        stiffness: "ArrayLike | Profile" = 1.0,
+        *,
+        samples: int | None = None,
+        start: ArrayLike = (0.0, 0.0),
+        angle: float = 0.0,
+        gravity: Gravity | None = None,
+        supports: Supports | None = None,
+        natural_curvature: NaturalCurvature = 0.0,
+        weight: Weight | None = None,
+        bending_stiffness: float | None = None,
+        law: MaterialLaw | None = None,
+        section: BoundedLaw | None = None,
+    ) -> "Rod":
+        """A straight rod without a curve, to be bent by `bend`.
+
+        Parameters
+        ----------
+        length : float
+            mm.
+        stiffness : float, (n,) array_like or Profile
+            One value, nodal values at n uniform stations, or a profile over [0, length]; scaled to a least
+            value 1.
+        samples : int, optional
+            Number of nodes (601 unless nodal values say otherwise).
+        start, angle
+            Position of the first end, mm, and direction, rad.
+        gravity, supports, natural_curvature, weight, bending_stiffness, law, section
+            As in `optimal_rod`; the stiffness is that of the rod while it is straight.
+
+        Returns
+        -------
+        Rod
+            Unloaded: moment and force are zero; with gravity `residual` tells how far from balance it is.
+
+        Raises
+        ------
+        InputError
+            Length or stiffness not positive.
+
+        Examples
+        --------
+        >>> Rod.straight(100.0, [1, 2, 3]).ratio
+        3.0
+        """
+        require_gravity(gravity)
+        supports = require_supports(supports)
+        if samples is not None:
+            whole_number(samples, "samples", 3)
+        if bending_stiffness is not None:
+            require_positive(bending_stiffness, "bending stiffness", "N mm2")
+        place = pair(start, "start")
+        require_positive(length, "rod length")
+        require_number(angle, "the angle of a rod", "rad")
+        profile, n = _stiffness_profile_of(stiffness, length, samples)
+        s = np.linspace(0.0, length, n)
+        profile, K = scaled_to_least(profile, s)
+        tangent = np.array([np.cos(angle), np.sin(angle)])
+        rest = nodal_curvature(natural_curvature, s)
+        bent = bool(np.any(numbers(rest, "natural curvature")))
+        loaded = gravity is not None or weight is not None or bent
+        return cls(
+            s=s, position=place + s[:, None] * tangent,
+            angle=np.full(n, float(angle)), curvature=np.zeros(n), stiffness=K,
+            moment=np.zeros(n), force=np.zeros((n, 2)), profile=profile, gravity=gravity,
+            supports=supports, natural_curvature=rest, residual=float(loaded), weight=weight,
+            bending_stiffness=bending_stiffness, law=law, section=section,
+        )  # fmt: skip
+
+    @property
+    def length(self) -> float:
+        """Arc length, mm."""
+        return float(self.s[-1])
+
+    def __repr__(self) -> str:
+        carries = "" if self.gravity is None else ", with weight"
+        return f"<Rod of {self.length:.4g} mm, ratio {self.ratio:.4g}, {self.s.size} nodes{carries}>"
+
+    def _repr_svg_(self) -> str:
+        """The shape between two lines as far apart as it is stiff."""
+        across = np.column_stack([-np.sin(self.angle), np.cos(self.angle)])
+        half = BAND_SHARE * self.length * (self.stiffness / self.stiffness.max())[:, None] * across
+        band = np.concatenate([self.position + half, (self.position - half)[::-1]])
+        return svg_of_lines([(band, GREY, True), (self.position, BLUE, False)], repr(self))
+
+    def table(self) -> dict[str, FloatArray]:
+        """Columns (n,) by name with their unit, for a data frame or a file; force is lambda, moment M.
+
+        Times the bending stiffness of a strip (N mm2) they are newtons and N mm: `Strip.table` has those.
+        """
+        return {
+            "s_mm": self.s, "x_mm": self.position[:, 0], "y_mm": self.position[:, 1], "angle_rad": self.angle,
+            "curvature_1_per_mm": self.curvature, "stiffness": self.stiffness, "moment_1_per_mm": self.moment,
+            "force_x_1_per_mm2": self.force[:, 0], "force_y_1_per_mm2": self.force[:, 1],
+        }  # fmt: skip
+
+    def csv(self) -> str:
+        """The table as comma-separated text with a header."""
+        return csv_text(self.table())
+
+    @property
+    def ratio(self) -> float:
+        """R = sup K / inf K, over the nodes and the profile between them."""
+        low, high = self.profile.extremes
+        return float(max(high, self.stiffness.max()) / min(low, self.stiffness.min()))
+
+    @property
+    def effective_curvature(self) -> FloatArray:
+        """Curvature (n,), 1/mm, that gives the moment when multiplied by K: kappa - kappa_0, or the law's value
+        of it."""
+        change = self.curvature - self.natural_curvature
+        return np.asarray(change if self.law is None else self.law.effective_curvature(change))
+
+    @property
+    def follows_bend(self) -> bool:
+        """Whether the stiffness of its section depends on how sharply it is bent."""
+        return self.section is not None and self.section.follows_bend
+
+    @cached_property
+    def bending_law(self) -> MaterialLaw | None:
+        """The law of M = K m(kappa - kappa_0) however the rod is bent: what every solver asks.
+
+        Where the section follows the bend, it is that of its sizes, which are as stiff as K in the rod's own shape.
+        """
+        law, section, rest = self.law, self.section, self.natural_curvature
+        if section is None or not section.follows_bend or isinstance(law, CurlingLaw):
+            return law
+        here = section.bent(self.curvature - rest, rest)
+        heavy = self.gravity is not None
+        B = scale_within(here, self.stiffness, solved=self.bending_stiffness, heavy=heavy)
+        factor = here.curl(here.parameter(B * self.stiffness))
+        return law if factor is None else CurlingLaw(factor, factor(self.curvature), rest, law)
+
+    def following(self) -> "Rod":
+        """Return the same rod with the law of its section, to be bent to another shape."""
+        law = self.bending_law
+        return self if law is self.law else replace(self, law=law)
+
+    @property
+    def tangent_stiffness(self) -> FloatArray:
+        """dM/dkappa (n,): what small disturbances feel; K unless `bending_law` says otherwise."""
+        law = self.bending_law
+        if law is None:
+            return self.stiffness
+        return self.stiffness * law.slope(self.curvature - self.natural_curvature)
+
+    @property
+    def flat_stiffness(self) -> FloatArray:
+        """K (n,) that the sections would have if bending did not stiffen them: E I of their widths."""
+        law = self.bending_law
+        return self.stiffness / law.designed if isinstance(law, CurlingLaw) else self.stiffness
+
+    @property
+    def bending_energy(self) -> float:
+        """Integral of M over kappa from rest and along the rod, 1/mm; times the least bending stiffness N mm."""
+        change, law = self.curvature - self.natural_curvature, self.bending_law
+        density = self.stiffness * (change**2 / 2 if law is None else law.energy(change))
+        return float(np.sum((density[1:] + density[:-1]) * np.diff(self.s)) / 2)
+
+    def bend_at(self, s: FloatArray) -> FloatArray:
+        """kappa - kappa_0 (n,), 1/mm, at arc lengths (n,), mm; of a drawn curve its own."""
+        s = numbers(s, "arc lengths")
+        if self.shape is None:
+            return Profile.interpolate(self.s, self.curvature - self.natural_curvature)(s)
+        curvature = self.shape.curvature_at(self.shape.parameter(np.minimum(s, self.shape.length)))
+        return np.asarray(curvature - self.rest_at(s))
+
+    def rest_at(self, s: FloatArray) -> FloatArray:
+        """kappa_0 (n,), 1/mm, at arc lengths (n,), mm."""
+        rest = np.broadcast_to(np.asarray(self.natural_curvature, dtype=float), self.s.shape)
+        return np.asarray(np.interp(numbers(s, "arc lengths"), self.s, rest))
+
+    @property
+    def node_lengths(self) -> FloatArray:
+        """Voronoi lengths w (n,) of the nodes, mm (paper, section 7.1)."""
+        h = self.length / (self.s.size - 1)
+        w = np.full(self.s.size, h)
+        w[[0, -1]] = h / 2
+        return w
+
+    @property
+    def nodal_load(self) -> FloatArray:
+        """Weight lumped at the nodes (n, 2) over the least bending stiffness, 1/mm2; zero without gravity."""
+        if self.gravity is None:
+            return np.zeros_like(self.position)
+        down = np.asarray(self.gravity.direction)
+        if self.weight is None:
+            amount = self.node_lengths * self.flat_stiffness / self.gravity.length**3
+        else:
+            if self.bending_stiffness is None:
+                raise InputError("a rod with weights in newtons needs its least bending stiffness (N mm2)")
+            amount = self.weight.lumped(self.s, self.stiffness, self.node_lengths) / self.bending_stiffness
+        return np.asarray(amount[:, None] * down)
+
+    @cached_property
+    def discrete(self) -> DiscreteRod:
+        """Angles and forces on the edges, the tangent stiffness at the nodes: what stability depends on.
+
+        Raises
+        ------
+        InputError
+            When two neighbouring nodes coincide.
+        """
+        steps = np.diff(self.position, axis=0)
+        apart = (steps[:, 0] != 0) | (steps[:, 1] != 0)
+        if not apart.all():
+            at = float(self.s[int(np.argmin(apart))])
+            raise InputError("two neighbouring nodes of the rod coincide at {at:.6g}", at=Mm(at))
+        angles = _edge_angles(self.position, self.angle)
+        force = np.zeros((angles.size, 2))
+        nodal = np.zeros_like(self.force)
+        if self.gravity is not None:
+            load = self.nodal_load
+            force = edge_forces(np.zeros(2), load)
+            nodal[1:-1] = (force[:-1] + force[1:]) / 2
+            nodal[0], nodal[-1] = force[0] - load[0], force[-1] + load[-1]
+        force += (self.force - nodal).mean(axis=0)
+        return DiscreteRod(
+            self.tangent_stiffness, angles, force, self.length / angles.size, self.supports, self.position[0]
+        )
+
+    @cached_property
+    def curve(self) -> PlaneCurve:
+        """The shape as a spline: the drawn curve where there is one, else of degree 5.
+
+        Of a discrete rod it has the rod's length, end positions and end angles, and passes the nodes at about
+        h^2 kappa / 24, the edge length being h (see `integrate_edges`); through nodes that are samples of a curve
+        it is a fit.
+        """
+        if self.shape is not None:
+            return self.shape
+        if has_even_edges(self.s, self.position):
+            return integrate_edges(self.s, self.position, self.angle)
+        return PlaneCurve(*fit_spline(self.position, 5, 1e-6 * self.length), 5)
+
+    def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":
+        """Return the same ends, shape and gravity with another stiffness profile: no longer in balance until bent.
+
+        `stiffness` is (n,) nodal values or a `Profile`; it is scaled to a least value of 1. A wide strip that
+        `bend` answered keeps the curl of the widths that it had: change the stiffness before it is bent.
+        """
+        if not isinstance(stiffness, Profile) and numbers(stiffness, "stiffness").size not in (
+            1,
+            self.s.size,
+        ):
+            raise InputError(
+                "stiffness has {size} values, the rod {size_2} nodes: give one a node, or a Profile",
+                size=np.size(stiffness),
+                size_2=self.s.size,
+            )
+        profile, _ = _stiffness_profile_of(stiffness, self.length, self.s.size)
+        K = profile(self.s)
+        if np.any(K <= 0):
+            raise InputError("stiffness is not positive at {s:.6g}", s=Mm(self.s[int(np.argmin(K))]))
+        K, profile = K / K.min(), profile.scaled(1 / K.min())
+        size = np.abs(self.moment).max()
+        imbalance = np.abs(K * self.effective_curvature - self.moment).max()
+        residual = float(imbalance / size) if size > 0 else float(imbalance > 0)
+        return replace(self, stiffness=K, profile=profile, residual=residual)
+
+
+def resample(rod: Rod, samples: int) -> Rod:
+    """Return the rod with another number of nodes: stiffness from its profile, all else interpolated."""
+    whole_number(samples, "samples", 4)
+    s = np.linspace(0.0, rod.length, samples)
+    K = _nodal_stiffness(rod.profile, s)
+
+    def at(values: FloatArray) -> FloatArray:
+        return np.asarray(np.interp(s, rod.s, values))
+
+    middles = (s[:-1] + s[1:]) / 2
+    angles = np.interp(middles, (rod.s[:-1] + rod.s[1:]) / 2, rod.discrete.angles)
+    return replace(
+        rod, s=s, position=edge_positions(rod.position[0], tangents(angles), s[1]), angle=at(rod.angle),
+        curvature=at(rod.curvature), stiffness=K / K.min(), profile=rod.profile.scaled(1 / float(K.min())),
+        moment=at(rod.moment), force=np.column_stack([at(rod.force[:, 0]), at(rod.force[:, 1])]),
+        natural_curvature=at_stations(rod.natural_curvature, rod.s, s),
+        law=None if rod.law is None else rod.law.resampled(rod.s, s),
+    )  # fmt: skip
+
+
+PROFILE_SHARE = 1e-6
+"""Error of the stiffness between the nodes, relative to its largest value."""
+
+
+def as_bent(rod: Rod) -> Rod:
+    """A rod in balance with the stiffness that it has in its shape, whose law is the material's alone."""
+    law = rod.law
+    if not isinstance(law, CurlingLaw):
+        return rod
+    share = law.share(rod.curvature - rod.natural_curvature)
+    K, B, drawn = rod.stiffness * share, rod.bending_stiffness, rod.profile
+    least, follow = float(K.min()), Profile.interpolate(rod.s, share)
+    profile = Profile.fit(
+        lambda s: drawn(s) * follow(s) / least, rod.length, breaks=drawn.breaks, knots=drawn.knots,
+        tolerance=PROFILE_SHARE * float(K.max()) / least,
+    )  # fmt: skip
+    weight = rod.weight
+    if weight is not None:  # it stays what it is, whatever the stiffness
+        alpha, beta = weight.along(rod.s)
+        weight = replace(weight, alpha=Profile.interpolate(rod.s, alpha + beta * rod.stiffness), beta=0.0)
+    return replace(
+        rod, law=law.below, stiffness=K / least, profile=profile, weight=weight, moment=rod.moment / least,
+        force=rod.force / least, bending_stiffness=B and B * least,
+    )  # fmt: skip

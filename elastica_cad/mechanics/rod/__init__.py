@@ -1,1 +1,0 @@
-"""The rod as a record and as discrete equations."""

@@ -1,0 +1,285 @@
+"""The discrete rod as a system of equations: what is given, what is sought, and how a `Rod` comes from it."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.mechanics.discrete_rod import DiscreteRod, bending_moments, edge_forces, node_weights
+from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.rod import Rod
+
+ROUNDING = float(np.finfo(float).eps)
+ROUNDED_IMBALANCE = (
+    1e-12  # of the moments' size: the most that an imbalance below its rounding error is called
+)
+
+
+class Step(NamedTuple):
+    """A change of the unknowns: edge angles (n,), rad, and reactions (p,), 1/mm2."""
+
+    angles: FloatArray
+    reactions: FloatArray
+
+
+class Residual(NamedTuple):
+    """Moment imbalance of the edges (n,), 1/mm, and by how much the ends miss their places (p,), mm."""
+
+    imbalance: FloatArray
+    miss: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class RodSystem:
+    """A discrete rod with all that is given; the residual of a `RodState` is zero in equilibrium.
+
+    Attributes
+    ----------
+    stiffness : (n+1,) array
+        K at the nodes.
+    edge_length : float
+        mm.
+    load : (n+1, 2) array
+        Weight of each node over the least bending stiffness, 1/mm2.
+    natural_curvature : float or (n+1,) array
+        1/mm.
+    supports : Supports
+    start, end : (2,) arrays
+        Positions of the ends, mm; a coordinate that the end leaves free is not used.
+    end_angles : (2,) array
+        alpha_0 and alpha_l, rad; one that is free is not used.
+    force : (2,) array
+        Dead force, along each coordinate at the end that leaves it free, 1/mm2.
+    moments : (2,) array
+        Counterclockwise moments applied at the start and at the end where the angle is free, 1/mm.
+    law : MaterialLaw, optional
+        M = K m(kappa - kappa_0) instead of K (kappa - kappa_0).
+    """
+
+    stiffness: FloatArray
+    edge_length: float
+    load: FloatArray
+    natural_curvature: float | FloatArray
+    supports: Supports
+    start: FloatArray
+    end: FloatArray
+    end_angles: FloatArray
+    force: FloatArray
+    moments: FloatArray
+    law: MaterialLaw | None = None
+
+    @property
+    def edges(self) -> int:
+        """Number of edges n."""
+        return self.stiffness.size - 1
+
+    @property
+    def length(self) -> float:
+        """Length of the rod, mm."""
+        return self.edges * self.edge_length
+
+    @cached_property
+    def node_lengths(self) -> FloatArray:
+        """Voronoi lengths of the nodes, mm."""
+        return node_weights(self.edge_length, self.edges)
+
+    @cached_property
+    def held(self) -> tuple[int, ...]:
+        """The coordinates (0: x, 1: y) held at both ends."""
+        return tuple(i for i, both in enumerate(self.supports.transmits_force) if both)
+
+    @cached_property
+    def held_angles(self) -> tuple[float | None, float | None]:
+        """Angles that the supports hold at the start and at the end; None where free."""
+        a, b = (
+            float(v) if end.angle else None
+            for end, v in zip(self.supports.ends, self.end_angles, strict=True)
+        )
+        return a, b
+
+    @cached_property
+    def given_force(self) -> FloatArray:
+        """lambda of the edges (n, 2) without the reactions, 1/mm2."""
+        first = np.zeros(2)
+        start = self.supports.ends[0]
+        for i, held_at_start in enumerate((start.x, start.y)):
+            if i in self.held:
+                continue
+            if held_at_start:  # lambda of the last edge carries the last node's weight and the dead force
+                first[i] = -self.force[i] - self.load[1:, i].sum()
+            else:
+                first[i] = self.force[i] + self.load[0, i]
+        return edge_forces(first, self.load)
+
+    @cached_property
+    def chord(self) -> FloatArray:
+        """Distance from start to end along the coordinates held at both ends (p,), mm."""
+        return np.array([self.end[i] - self.start[i] for i in self.held])
+
+    def state(self, angles: FloatArray, reactions: FloatArray | None = None) -> "RodState":
+        """The state with these edge angles (n,), rad, and support reactions (p,), 1/mm2; none unless given."""
+        return RodState(self, angles, np.zeros(len(self.held)) if reactions is None else reactions)
+
+    def loaded(self, factor: float) -> "RodSystem":
+        """Return the system with weight, dead force and moments multiplied by `factor`."""
+        return replace(
+            self, load=factor * self.load, force=factor * self.force, moments=factor * self.moments
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class RodState:
+    """Unknowns of a discrete rod, and what follows from them, each computed once.
+
+    Attributes
+    ----------
+    system : RodSystem
+    angles : (n,) array
+        Edge angles, rad.
+    reactions : (p,) array
+        What both supports add to lambda along the coordinates that both ends hold, 1/mm2.
+    """
+
+    system: RodSystem
+    angles: FloatArray
+    reactions: FloatArray
+
+    def moved(self, step: Step, factor: float = 1.0) -> "RodState":
+        """The state a `factor` of `step` further."""
+        return RodState(
+            self.system, self.angles + factor * step.angles, self.reactions + factor * step.reactions
+        )
+
+    def under(self, system: RodSystem) -> "RodState":
+        """Return these angles and reactions as a state of another system."""
+        return self if system is self.system else RodState(system, self.angles, self.reactions)
+
+    @cached_property
+    def discrete(self) -> DiscreteRod:
+        """The rod of this shape, with its tangent stiffness and its edge forces."""
+        system, force = self.system, self.system.given_force.copy()
+        for i, value in zip(system.held, self.reactions, strict=True):
+            force[:, i] += value
+        K = system.stiffness
+        if system.law is not None:
+            K = K * self._lawful[1]
+        return DiscreteRod(K, self.angles, force, system.edge_length, system.supports)
+
+    @cached_property
+    def moments(self) -> FloatArray:
+        """M of the nodes (n+1,), 1/mm."""
+        system, hooke = self.system, self._hooke_moments
+        if system.law is None:
+            return hooke
+        moments = system.stiffness * self._lawful[0]
+        for node, held in zip((0, -1), system.held_angles, strict=True):
+            if held is None:
+                moments[node] = hooke[node]
+        return moments
+
+    @cached_property
+    def _hooke_moments(self) -> FloatArray:
+        """K (kappa - kappa_0) of the nodes (n+1,), 1/mm, and the given moments at ends free to turn."""
+        system = self.system
+        return bending_moments(
+            system.stiffness, self.angles, system.node_lengths, ends=system.held_angles,
+            natural_curvature=system.natural_curvature,
+            end_moments=(-system.moments[0], system.moments[1]),
+        )  # fmt: skip
+
+    @cached_property
+    def _lawful(self) -> tuple[FloatArray, FloatArray]:
+        """Effective curvature of the nodes (n+1,), 1/mm, by the law, and its slope (n+1,)."""
+        system = self.system
+        change = self._hooke_moments / system.stiffness
+        return (change, np.ones_like(change)) if system.law is None else system.law.with_slope(change)
+
+    @cached_property
+    def residual(self) -> Residual:
+        """Moments and end positions by which the state misses equilibrium."""
+        system, rod = self.system, self.discrete
+        reach = system.edge_length * rod.tangents.sum(axis=0)
+        miss = np.array([reach[i] for i in system.held]) - system.chord
+        return Residual(rod.moment_imbalance(self.moments), miss)
+
+    @cached_property
+    def energy(self) -> float:
+        """Elastic and potential energy over the least bending stiffness, 1/mm; the reactions are left out."""
+        system = self.system
+        change = self._hooke_moments / system.stiffness
+        stored = change**2 / 2 if system.law is None else system.law.energy(change)
+        spring = system.stiffness * stored * system.node_lengths
+        work = 0.0
+        for node, held, moment in zip((0, -1), system.held_angles, system.moments, strict=True):
+            if held is None:
+                spring[node] = 0.0
+                work += float(moment * self.angles[node])
+        # <lambda, gamma'> is minus the work of the dead loads along each edge
+        work -= system.edge_length * float(np.sum(system.given_force * self.discrete.tangents))
+        return float(spring.sum()) - work
+
+    @cached_property
+    def scale(self) -> float:
+        """Size of the moments against which an imbalance is judged, 1/mm."""
+        force = np.abs(self.discrete.force).max(initial=0.0)
+        return float(max(np.abs(self.moments).max(), force * self.system.length))
+
+    @cached_property
+    def noise(self) -> float:
+        """Imbalance that rounding of the angles makes, 1/mm."""
+        turning = 1.0 + float(np.abs(self.angles).max())
+        return 8 * ROUNDING * turning * float((self.system.stiffness / self.system.node_lengths).max())
+
+    @property
+    def imbalance(self) -> float:
+        """Largest moment imbalance over the moments' size; rounding of the angles is not counted."""
+        largest, size = float(np.abs(self.residual.imbalance).max()), self.scale
+        if largest <= self.noise:
+            return min(largest / size, ROUNDED_IMBALANCE) if size > 0 else 0.0
+        return largest / size
+
+    @property
+    def gap(self) -> float:
+        """Distance by which the ends miss their places, over the length."""
+        return float(np.abs(self.residual.miss).max(initial=0.0)) / self.system.length
+
+    def rod(self, like: Rod) -> Rod:
+        """The `Rod` record of an equilibrium; profile, weight and names as in `like`."""
+        return replace(like, **self.record)
+
+    @property
+    def record(self) -> dict[str, Any]:
+        """Fields of the `Rod` record of this equilibrium, by name, without profile, weight and section."""
+        system, edge, n = self.system, self.discrete.force, self.system.edges
+        force = np.empty((n + 1, 2))
+        force[1:-1] = (edge[:-1] + edge[1:]) / 2
+        force[0] = edge[0] - system.load[0]
+        force[-1] = edge[-1] + system.load[-1]
+        change = self._hooke_moments / system.stiffness
+        if system.law is not None:
+            for node, held in zip((0, -1), system.held_angles, strict=True):
+                if held is None:  # at an end free to turn, what its moment asks for
+                    asked = np.zeros_like(change)
+                    asked[node] = change[node]
+                    change[node] = system.law.curvature(asked)[node]
+        curvature = change + system.natural_curvature
+        bend = system.node_lengths * curvature
+        angle = np.empty(n + 1)
+        angle[1:-1] = (self.angles[:-1] + self.angles[1:]) / 2
+        for node, sign in ((0, -1), (-1, 1)):
+            held = system.held_angles[node]
+            angle[node] = self.angles[node] + sign * bend[node] if held is None else held
+        position = self.discrete.position.copy()
+        start = system.supports.ends[0]
+        for i, held_at_start in enumerate((start.x, start.y)):
+            position[:, i] += system.start[i] if held_at_start else system.end[i] - position[-1, i]
+        return {
+            "s": np.linspace(0.0, system.length, n + 1), "position": position, "angle": angle,
+            "curvature": curvature, "stiffness": system.stiffness, "moment": self.moments, "force": force,
+            "supports": system.supports, "residual": self.imbalance,
+            "natural_curvature": system.natural_curvature, "law": system.law, "shape": None, "check": None,
+            "moved": 0.0, "warnings": (),
+        }  # fmt: skip

@@ -1,0 +1,261 @@
+"""What sections may bear: strain of their layers, and what happens to a material above its limits."""
+
+from dataclasses import dataclass
+from enum import IntEnum
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import numbers
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.sheets import Sheet, built_in_figures
+
+STRAIN_SLACK = 1e-6
+"""Relative slack of the limit: a curve that is drawn at the limit differs from it by less after fitting a
+spline."""
+
+BRITTLE_FACTOR = 1.5
+"""Strain at which wood and brittle plastics are taken to break, as a multiple of what they bear for long, if no
+figure is known."""
+
+BRITTLE = ("plywood", "wood", "veneer", "board", "composite", "brittle plastic")
+"""Kinds of sheets to which `BRITTLE_FACTOR` applies."""
+
+CRACKS = "it may crack there"
+KEEPS_BEND = "it keeps a bend from there"
+CREEPS = "it creeps there and keeps a part of its bend"
+UNKNOWN = "it may crack there, or keep a bend"
+OUTCOMES = {
+    **dict.fromkeys(BRITTLE, CRACKS),
+    **dict.fromkeys(("card", "paper", "metal"), KEEPS_BEND),
+    "plastic": CREEPS,
+}
+"""What happens beyond the limit, by kind of sheet."""
+
+
+class StrainState(IntEnum):
+    """Results of the strain rule, the worst last."""
+
+    ALLOWED = 0
+    WARNED = 1
+    REFUSED = 2
+
+
+@dataclass(frozen=True)
+class StrainVerdict:
+    """What the rule says of a strain in a sheet.
+
+    Attributes
+    ----------
+    state : StrainState
+        Allowed up to the limit, warned beyond it, refused where the sheet breaks, unless limits are ignored.
+    used : float
+        Strain over the limit.
+    at : float or None
+        Place along the strip, mm.
+    outcome : str
+        What happens to this material there; empty within the limit.
+    """
+
+    state: StrainState
+    used: float
+    at: float | None = None
+    outcome: str = ""
+
+    @property
+    def allowed(self) -> bool:
+        """Whether the strain is within what the sheet bears for long."""
+        return self.state is StrainState.ALLOWED
+
+    @property
+    def refused(self) -> bool:
+        """Whether the strip would break."""
+        return self.state is StrainState.REFUSED
+
+    @property
+    def percent(self) -> int:
+        """Strain in percent of the limit, rounded such that it is above 100 exactly when the strain is above
+        the limit."""
+        percent = round(100 * self.used)
+        return min(percent, 100) if self.allowed else max(percent, 101)
+
+
+def judge_strain(sheet: Sheet, strain: float, at: float | None = None) -> StrainVerdict:
+    """What happens to a sheet whose outermost fibre is strained so far.
+
+    Parameters
+    ----------
+    sheet : Sheet
+    strain : float
+        Dimensionless.
+    at : float, optional
+        Its place along the strip, mm.
+
+    Examples
+    --------
+    >>> ply = Sheet.named("birch-plywood-0.8")
+    >>> [judge_strain(ply, share * ply.max_strain).state.name for share in (1.0, 1.2, 3.0)]
+    ['ALLOWED', 'WARNED', 'REFUSED']
+    >>> judge_strain(Sheet.named("card-200gsm"), 0.015).outcome
+    'it keeps a bend from there'
+    """
+    used = strain / sheet.max_strain
+    if used <= 1 + STRAIN_SLACK:
+        return StrainVerdict(StrainState.ALLOWED, used, at)
+    breaks = breaking_strain(sheet)
+    broken = breaks is not None and strain > breaks * (1 + STRAIN_SLACK)
+    state = StrainState.REFUSED if broken else StrainState.WARNED
+    return StrainVerdict(state, used, at, OUTCOMES.get(sheet.kind, UNKNOWN))
+
+
+def breaking_strain(sheet: Sheet) -> float | None:
+    """The strain at which a sheet breaks: its own figure, else that of brittle kinds; None where none is known."""
+    known = sheet.break_strain
+    if known is not None and known > sheet.max_strain:
+        return known
+    return BRITTLE_FACTOR * sheet.max_strain if sheet.kind in BRITTLE else None
+
+
+def thinner_for(sheet: Sheet, strain: float) -> float | None:
+    """The largest thickness below its own, mm, that the sheet is sold in and that bears the same curve.
+
+    Examples
+    --------
+    >>> thinner_for(Sheet.named("birch-plywood-3"), 0.008)
+    2.0
+    """
+    stem = sheet.name.removesuffix(f"-{sheet.thickness:g}")
+    sold = (
+        figures["thickness"] for name, figures in built_in_figures().items() if name.startswith(f"{stem}-")
+    )
+    for thickness in sorted((one for one in sold if one < sheet.thickness), reverse=True):
+        thinner = sheet.with_thickness(thickness)
+        if judge_strain(thinner, strain * thickness / sheet.thickness).allowed:
+            return float(thickness)
+    return None
+
+
+LIMIT_SLACK = 1e-9
+"""Relative slack on limits that a design may touch."""
+
+
+@dataclass(frozen=True, eq=False)
+class LayerStrain:
+    """Strain of the outermost fibre of one layer.
+
+    Attributes
+    ----------
+    sheet : Sheet
+    strain : (n,) array
+        Distance from the neutral axis times |kappa - kappa_0|; 0 where the layer is missing.
+    """
+
+    sheet: Sheet
+    strain: FloatArray
+
+    @property
+    def name(self) -> str:
+        """The sheet's."""
+        return self.sheet.name
+
+    @property
+    def limit(self) -> float:
+        """Largest strain that the sheet bears for long."""
+        return self.sheet.max_strain
+
+    @cached_property
+    def largest(self) -> float:
+        """The largest strain along the strip."""
+        return float(self.strain.max())
+
+    @property
+    def station(self) -> int:
+        """Index of the largest strain."""
+        return int(np.argmax(self.strain))
+
+    def judged(self, at: float | None = None) -> StrainVerdict:
+        """Apply the strain rule to the largest strain, which is at arc length `at`, mm."""
+        return judge_strain(self.sheet, self.largest, at)
+
+
+@dataclass(frozen=True)
+class ScaleRange:
+    """Scales c for which E I = c K can be built inside a given outer width (paper, section 8.1).
+
+    Attributes
+    ----------
+    lowest, highest : float
+        max c_min and min c_max over the stations, N mm2 (with min K = 1, c is the least bending stiffness).
+    lowest_at, highest_at : int
+        Stations that decide them.
+    """
+
+    lowest: float
+    highest: float
+    lowest_at: int
+    highest_at: int
+
+    @classmethod
+    def of(cls, least: ArrayLike, most: ArrayLike, stiffness: ArrayLike) -> "ScaleRange":
+        """The range from the least and most E I (n,), N mm2, that each station can have, and K (n,)."""
+        K = positive(stiffness, "stiffness")
+        low_EI, high_EI, K = matched(
+            numbers(least, "least bending stiffness"), numbers(most, "most bending stiffness"), K
+        )
+        if not K.size:
+            raise InputError("there is no station to find a scale for: give one stiffness or more")
+        c_min, c_max = low_EI / K, high_EI / K
+        low, high = int(np.argmax(c_min)), int(np.argmin(c_max))
+        return cls(float(c_min.flat[low]), float(c_max.flat[high]), low, high)
+
+    @property
+    def feasible(self) -> bool:
+        """Can the stiffness be built at all?"""
+        return self.lowest <= self.highest * (1 + LIMIT_SLACK)
+
+    @property
+    def scale(self) -> float:
+        """The paper's choice c = min c_max: as much added material as the outer width takes.
+
+        Raises
+        ------
+        InputError
+            When nothing fits; the message says which stations disagree.
+        """
+        if not self.feasible:
+            raise InputError(
+                "no scale fits: station {lowest_at} needs E I of at least {lowest:.4g} N mm2 per "
+                "unit of stiffness and station {highest_at} takes at most {highest:.4g}; widen the "
+                "strip at station {highest_at}, narrow it at station {lowest_at} or lower the "
+                "stiffness ratio",
+                lowest_at=self.lowest_at,
+                lowest=self.lowest,
+                highest_at=self.highest_at,
+                highest=self.highest,
+            )
+        return self.highest
+
+
+def matched(*rows: FloatArray) -> tuple[FloatArray, ...]:
+    """Rows of one value for each station, or one for all, as rows of the same length."""
+    try:
+        return tuple(np.broadcast_arrays(*rows))
+    except ValueError:
+        sizes = " and ".join(str(row.size) for row in rows)
+        raise InputError(
+            "there are {sizes} finite values: give one a station, as many in each, or one for all",
+            sizes=sizes,
+        ) from None
+
+
+def positive(values: ArrayLike, name: str) -> FloatArray:
+    """The values (n,) as an array; refused with their station where one is not positive and finite."""
+    array = numbers(values, name)
+    good = np.isfinite(array) & (array > 0)
+    if not good.all():
+        i = int(np.argmin(good))
+        raise InputError(
+            "{name} is {flat:.6g} at station {i}: it must be positive", name=name, flat=array.flat[i], i=i
+        )
+    return array

@@ -1,0 +1,513 @@
+"""Plain sections: stiffness, weight and strain of a width, and anticlastic bending."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import alike, is_number, is_one_of, numbers, require_number, require_positive
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, Weight
+from elastica_cad.mechanics.section_limits import LayerStrain, ScaleRange, matched, positive
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import at_stations
+from elastica_cad.refusals import Length as Mm
+
+SECANTS = 12
+"""Largest number of steps of the search for the width of a given bending stiffness."""
+
+SETTLED = 1e-12
+"""Relative error from which one more step reaches rounding."""
+
+SLOPES = (0.4, 3.0)
+"""Bounds on the slope of log(stiffness) over log(width). It is up to 1.25 for nu = 0.5 and 2.5 for 0.9, and
+smaller for strips whose natural curvature is flattened."""
+
+
+def anticlastic_factor(
+    width: ArrayLike,
+    curvature: ArrayLike,
+    *,
+    thickness: float,
+    poisson_ratio: float,
+    natural_curvature: ArrayLike = 0.0,
+) -> FloatArray:
+    """M / (E I (kappa - kappa_0)) of a rectangular strip bent to a constant curvature: from 1 to 1/(1 - nu^2).
+
+    A narrow strip curls across by -nu (kappa - kappa_0) and bends with E; in a wide one the curl is flattened but
+    for its edges and it bends as a plate, with E/(1 - nu^2). What counts is Searle's number w^2 kappa / h, of the
+    curvature that the strip has in the end: one that is bent straight curls freely.
+
+    Parameters
+    ----------
+    width, curvature : array_like
+        mm and 1/mm (the sign does not matter where the strip is flat before), broadcast.
+    thickness : float
+        mm.
+    poisson_ratio : float
+        nu, across the strip, from 0 to below 1.
+    natural_curvature : array_like
+        kappa_0, before it is bent, 1/mm. A strip that is bent back towards straight and beyond leaves that range;
+        its factor is eased off, to stay between 1 - nu^2 and (1 + nu^2)/(1 - nu^2).
+
+    Returns
+    -------
+    array
+        The factor on E I, of the broadcast shape.
+
+    Raises
+    ------
+    InputError
+        Width or thickness not positive, nu outside [0, 1), values that are not finite.
+
+    Notes
+    -----
+    Least energy of bending and stretching over the deflection v(y) across the strip, D v'''' + E h kappa^2 v
+    = 0 with v'' = -nu b, b = kappa - kappa_0, v''' = 0 at the edges (Lamb 1891; Searle 1908; Ashwell 1950). With
+    x = (3 (1 - nu^2))^(1/4) (w^2 kappa / h)^(1/2) and f = (cosh x - cos x)/(sinh x + sin x) the energy is
+    D w b^2 g / 2, g = 1 - 2 nu^2 f / x, and the moment its derivative by kappa: (g + (b / kappa) x g'/4) /
+    (1 - nu^2). Curvature that varies within a few widths, and clamps that keep the ends flat, are outside the
+    formula.
+
+    Examples
+    --------
+    >>> anticlastic_factor([0.1, 1000.0], 0.01, thickness=1.0, poisson_ratio=0.3).round(3).tolist()
+    [1.0, 1.098]
+    """
+    h, nu = _checked(thickness, poisson_ratio)
+    w, kappa, rest = (
+        numbers(value, name)
+        for value, name in (
+            (width, "strip width"),
+            (curvature, "curvature"),
+            (natural_curvature, "rest curvature"),
+        )
+    )
+    if not (np.all(np.isfinite(w)) and np.all(w > 0)):
+        raise InputError("strip width must be positive, in mm")
+    if not (np.all(np.isfinite(kappa)) and np.all(np.isfinite(rest))):
+        raise InputError("curvature must be finite, in 1/mm")
+    matched(w, kappa, rest)
+    x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(np.abs(kappa) / h)
+    ratio, slope = _curl(x)
+    flat = -x * slope / 2  # of a blank that is flat before
+    kept = _kept_of_bent(flat, ratio, kappa, rest, nu) if rest.ndim or rest else flat
+    return np.asarray((1 + nu**2 * (kept - 2 * ratio)) / (1 - nu**2))
+
+
+def _kept_of_bent(
+    flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
+) -> FloatArray:
+    """The counterpart of `flat` for strips with natural curvature kappa_0 (n,)."""
+    # of a strip that is straight in the end x slope vanishes faster than kappa
+    share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
+    asked = share * flat
+    above, below = np.maximum(asked - flat, 0), np.maximum(-asked, 0)
+    return np.asarray(
+        np.clip(asked, 0, flat) + _eased(above, 1 + 2 * ratio - flat) - _eased(below, 2 - nu**2 - 2 * ratio)
+    )
+
+
+def _eased(excess: FloatArray, room: FloatArray) -> FloatArray:
+    """Soften `excess` beyond a range smoothly, so that widths get no corner: unchanged up to half of the room,
+    then less and less."""
+    half = room / 2
+    late = np.maximum(excess / half - 1, 0)
+    return np.asarray(np.minimum(excess, half) - half * np.expm1(-late))
+
+
+def plate_width(
+    effective: ArrayLike,
+    curvature: ArrayLike,
+    *,
+    thickness: float,
+    poisson_ratio: float,
+    natural_curvature: ArrayLike = 0.0,
+) -> FloatArray:
+    """Widths w with w `anticlastic_factor`(w, curvature) = `effective`, the width of a strip that bends with E.
+
+    Examples
+    --------
+    >>> round(plate_width(1000.0, 0.01, thickness=1.0, poisson_ratio=0.3).item(), 1)
+    911.1
+    """
+    h, nu = _checked(thickness, poisson_ratio)
+    aim, kappa, rest = np.broadcast_arrays(
+        *alike(effective=effective, curvature=curvature, natural_curvature=natural_curvature)
+    )
+    wanted = np.log(aim)
+    found, last, error, slope = wanted, wanted, np.zeros(aim.shape), np.ones(aim.shape)
+    for _ in range(SECANTS):
+        before = error
+        factor = anticlastic_factor(
+            np.exp(found), kappa, thickness=h, poisson_ratio=nu, natural_curvature=rest
+        )
+        error = found + np.log(factor) - wanted
+        moved = found - last
+        steep = (error - before) / np.where(moved == 0, 1.0, moved)
+        slope = np.where(moved == 0, slope, np.clip(steep, *SLOPES))
+        last, found = found, found - error / slope
+        if np.abs(error).max(initial=0.0) < SETTLED:
+            break
+    return np.asarray(np.exp(found))
+
+
+@dataclass(frozen=True, eq=False)
+class SheetCurl:
+    """How much stiffer than E I a strip is at its stations, as a function of the curvature that they have.
+
+    Call it with curvatures (..., n), 1/mm: it gives the `anticlastic_factor` of each station.
+
+    Attributes
+    ----------
+    width : (n,) array
+        Of the strip at its stations, mm.
+    thickness : float
+        Of the sheet, mm.
+    poisson_ratio : float
+        nu of the sheet, dimensionless.
+    natural_curvature : float or (n,) array
+        kappa_0 of the blank, 1/mm.
+
+    Examples
+    --------
+    >>> curl = SheetCurl(np.array([20.0, 40.0]), 0.5, 0.3)
+    >>> curl(np.array([[0.0, 0.0], [0.01, 0.01]])).round(3).tolist()
+    [[1.0, 1.0], [1.058, 1.078]]
+    """
+
+    width: FloatArray
+    thickness: float
+    poisson_ratio: float
+    natural_curvature: float | FloatArray = 0.0
+
+    def __call__(self, curvature: FloatArray) -> FloatArray:
+        """The factor of the stations (..., n) at their curvatures (..., n), 1/mm."""
+        return anticlastic_factor(
+            self.width, curvature, thickness=self.thickness, poisson_ratio=self.poisson_ratio,
+            natural_curvature=self.natural_curvature,
+        )  # fmt: skip
+
+    def stiffened(self, times: FloatArray, curvature: FloatArray) -> "SheetCurl":
+        """Return the curl of widths that are `times` (n,) as stiff, bent to curvatures (n,), 1/mm."""
+        width = plate_width(
+            times * self.width * self(curvature), curvature, thickness=self.thickness,
+            poisson_ratio=self.poisson_ratio, natural_curvature=self.natural_curvature,
+        )  # fmt: skip
+        return replace(self, width=width)
+
+    def resampled(self, s: FloatArray, at: FloatArray) -> "SheetCurl":
+        """Interpolate from stations `s` (n,) to stations `at` (m,), mm."""
+        rest = at_stations(self.natural_curvature, s, at)
+        return replace(self, width=np.interp(at, s, self.width), natural_curvature=rest)
+
+
+def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:
+    require_positive(thickness, "thickness")
+    if not (is_number(poisson_ratio) and 0 <= poisson_ratio < 1):
+        raise InputError(
+            "Poisson's ratio is {poisson_ratio}: it must lie between 0 and 1", poisson_ratio=poisson_ratio
+        )
+    return float(thickness), float(poisson_ratio)
+
+
+def _curl(x: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """f/x and its derivative, f = (cosh x - cos x)/(sinh x + sin x); series below 0.3, no overflow above."""
+    is_small = x < 0.3
+    y = np.where(is_small, 1.0, x)
+    decay = np.exp(-y)
+    squared, swing = decay**2, 2 * decay * np.cos(y)
+    bottom = 1 - squared + 2 * decay * np.sin(y)
+    f = (1 + squared - swing) / bottom
+    # (cosh - cos)' = sinh + sin is the denominator itself, whose derivative is cosh + cos
+    slope = 1 - f * (1 + squared + swing) / bottom
+    share = f / y
+    curl, curl_slope = np.asarray(share), np.asarray((slope - share) / y)
+    small = x[is_small]
+    t = small**4
+    curl[is_small], curl_slope[is_small] = 0.5 - t / 360 + t**2 / 45360, small**3 * (t / 5670 - 1 / 90)
+    return curl, curl_slope
+
+
+def crack_energy(poisson_ratio: float, grain: float = 1.0) -> float:
+    """Return k for the length l = k depth^2 / width of a bent strip that stores the energy released by a cut.
+
+    An even sheet: k = pi (1 + nu) / (3 + nu). A through crack of length 2 a in a thin plate with the skin stress
+    sigma releases the energy pi (1 + nu) / (3 (3 + nu)) sigma^2 a^2 h / E (Sih, Paris and Erdogan, J. Appl. Mech.
+    29, 1962; Hui and Zehnder, Int. J. Fracture 61, 1993). A cut from the edge releases half of it, if the other
+    edge is far. A strip of width w stores sigma^2 w h / (6 E) in each unit of its length.
+
+    A sheet with grain: on the line of a crack across the strip the shear force is 0 by symmetry. Moment and slope
+    of a Kirchhoff half-plane there are M = Z |k| theta for waves exp(i k y), and the energy follows 1 / Z. With
+    E2 / E = r^2, g = G / E and nu the geometric mean of both ratios,
+    k = pi / 2 sqrt(2 (1 + nu) r + 4 (1 - nu^2) g) / (r + 4 g). E2 across the strip is seldom published, and is
+    taken to be smaller than E in the same ratio as G is smaller than that of an even sheet.
+
+    Parameters
+    ----------
+    poisson_ratio : float
+        Dimensionless.
+    grain : float
+        sqrt(E / G) of the sheet over that of an even sheet.
+
+    Raises
+    ------
+    InputError
+        A ratio outside 0 to 0.5.
+
+    Examples
+    --------
+    >>> round(crack_energy(0.3), 3), round(crack_energy(0.1, 2.6), 2)
+    (1.238, 2.53)
+    """
+    nu = require_number(poisson_ratio, "Poisson's ratio")
+    if not 0 <= nu <= 0.5:
+        raise InputError(
+            "Poisson's ratio is {poisson_ratio}: it must lie between 0 and 0.5", poisson_ratio=poisson_ratio
+        )
+    require_positive(grain, "grain")
+    twist = (1 + nu) * grain
+    return float(np.pi / 2 * twist * np.sqrt(2 * (twist + 1 - nu)) / (twist + 2))
+
+
+@dataclass(frozen=True)
+class PlainSection:
+    """A solid rectangle of one sheet: E I = w E h^3 / 12 (paper, section 8.1).
+
+    Examples
+    --------
+    >>> section = PlainSection(Sheet("mm", 1.0, 12.0, density=1000.0, max_strain=0.01))
+    >>> section.bending_stiffness(20.0).item()
+    20.0
+    """
+
+    sheet: Sheet
+
+    @property
+    def rigidity(self) -> float:
+        """E I per mm of width, N mm."""
+        return self.sheet.bending_stiffness(1.0)
+
+    def bending_stiffness(self, width: ArrayLike) -> FloatArray:
+        """E I (n,), N mm2, of widths (n,), mm."""
+        return self.rigidity * positive(width, "width")
+
+    def width(self, bending_stiffness: ArrayLike) -> FloatArray:
+        """Width (n,), mm, that gives the E I (n,), N mm2."""
+        return positive(bending_stiffness, "bending stiffness") / self.rigidity
+
+    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
+        """The width, as a `StiffnessLaw` names it."""
+        return self.width(bending_stiffness)
+
+    def weight_per_length(self, width: ArrayLike) -> FloatArray:
+        """N/mm (n,) of widths (n,), mm."""
+        return areal_weight(self.sheet) * positive(width, "width")
+
+    def weight(self, bending_stiffness: float) -> Weight:
+        """The weight law: beta K with beta = 12 rho g B / (E h^2), whatever the profile.
+
+        Parameters
+        ----------
+        bending_stiffness : float
+            B, N mm2, the E I where K = 1.
+        """
+        return Weight(beta=areal_weight(self.sheet) * float(self.width(bending_stiffness)))
+
+    def strains(
+        self,
+        curvature: ArrayLike,
+        width: ArrayLike | None = None,  # noqa: ARG002 - the strain of a solid sheet does not depend on it
+        *,
+        natural_curvature: float = 0.0,
+    ) -> tuple[LayerStrain, ...]:
+        """Skin strain h/2 |kappa - kappa_0| of curvatures (n,), 1/mm; one layer."""
+        kappa, rest = alike(curvature=curvature, natural_curvature=natural_curvature)
+        bend = np.abs(kappa - rest)
+        return (layer_strain(self.sheet, np.full(bend.shape, self.sheet.thickness / 2), bend),)
+
+    @property
+    def curvature_limit(self) -> float:
+        """Largest |kappa - kappa_0| the sheet bears, 1/mm: the inverse of the least cold-bend radius."""
+        return 2 * self.sheet.max_strain / self.sheet.thickness
+
+
+WIDTH_SHARE = 1e-6
+"""Relative excess of a rod over the least width, so that the width does not fall below it by rounding."""
+
+
+@dataclass(frozen=True)
+class WidthRange:
+    """Limits of the width of a plain strip whose loads determine its width.
+
+    Attributes
+    ----------
+    sheet : Sheet
+    least : float
+        Least width, mm; 0 for none.
+    largest : float or None
+        Width of the widest place, mm. None if the narrowest place has the least width instead.
+    """
+
+    sheet: Sheet
+    least: float
+    largest: float | None
+
+    @property
+    def stiffness(self) -> dict[str, float]:
+        """The arguments of `optimal_rod` for these widths, N mm2."""
+        rigidity = PlainSection(self.sheet).rigidity
+        if self.largest is None:
+            return {"bending_stiffness": rigidity * self.least * (1 + WIDTH_SHARE)}
+        limits = {"least_stiffness": self.least, "largest_stiffness": self.largest}
+        return {name: rigidity * width for name, width in limits.items() if width}
+
+
+@dataclass(frozen=True)
+class PerforatedSection(PlainSection):
+    """A sheet with holes: the ligaments that are left at a station act like one strip of their summed width.
+
+    `width` is then the ligament sum, and it weighs ~ K as a plain strip does, whatever the outer width.
+
+    Parameters
+    ----------
+    sheet : Sheet
+        What it is cut from.
+    ligaments : int
+        How many run side by side.
+    least_ligament : float
+        Width below which a ligament burns or tears away, mm.
+    """
+
+    ligaments: int = 2
+    least_ligament: float = 0.5
+
+    def __post_init__(self) -> None:
+        if not (is_number(self.ligaments) and self.ligaments >= 1 and self.ligaments == int(self.ligaments)):
+            raise InputError(
+                "a perforated strip has {ligaments!r} ligaments: give a whole number from 1",
+                ligaments=self.ligaments,
+            )
+        if not (is_number(self.least_ligament) and self.least_ligament >= 0):
+            raise InputError(
+                "least ligament is {least_ligament!r}: it can't be negative, in mm",
+                least_ligament=self.least_ligament,
+            )
+
+    def scale_range(self, outer_width: ArrayLike, stiffness: ArrayLike) -> ScaleRange:
+        """Scales for which the ligaments fit the outer width (n,), mm, and none is too narrow; K is (n,)."""
+        least = self.rigidity * self.ligaments * self.least_ligament
+        return ScaleRange.of(least, self.bending_stiffness(outer_width), stiffness)
+
+
+@dataclass(frozen=True, eq=False)
+class WidthLaw:
+    """A strip of one sheet, from narrow, which bends with E, to wide, which bends as a plate with E/(1 - nu^2).
+
+    Its weight is that of the sheet, so it is not proportional to the stiffness: see `anticlastic_factor`.
+
+    Parameters
+    ----------
+    sheet : Sheet
+    least, largest : float
+        Limits of the width, mm; 0 for no least one, or infinity for no largest one.
+    curvature, natural_curvature : float or (n,) array
+        kappa and kappa_0 of the stations, 1/mm; set by `bent`.
+
+    Examples
+    --------
+    >>> law = WidthLaw(Sheet("s", 1.0, 12.0, density=1000.0, max_strain=0.01), 0.0, 900.0)
+    >>> law.bending_stiffness(900.0).item(), round(law.bent(0.01).bending_stiffness(900.0).item() / 900, 3)
+    (900.0, 1.098)
+    """
+
+    sheet: Sheet
+    least: float
+    largest: float
+    curvature: float | FloatArray = 0.0
+    natural_curvature: float | FloatArray = 0.0
+
+    def __post_init__(self) -> None:
+        low = require_number(self.least, "width limit")
+        high = np.inf if is_one_of(self.largest, [np.inf]) else require_number(self.largest, "width limit")
+        if not 0 <= low <= high or (low, high) in ((0, 0), (0, np.inf)):
+            raise InputError(
+                "width limits are {low:g} and {high:g}: give the least first, 0 for none, such as 0 and 40",
+                low=low,
+                high=Mm(high),
+            )
+
+    @property
+    def quantity(self) -> str:
+        """Width."""
+        return "width"
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Least and largest width, mm."""
+        return self.least, self.largest
+
+    @property
+    def follows_bend(self) -> bool:
+        """Yes: the sharper the bend, the more of the width bends as a plate."""
+        return True
+
+    @property
+    def stack(self) -> None:
+        """Always None: the section is of one piece."""
+        return None
+
+    def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> "WidthLaw":
+        """The law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0 (n,) or a number, 1/mm."""
+        bend, before = alike(curvature=curvature, rest=rest)
+        return replace(self, curvature=bend + before, natural_curvature=before)
+
+    def curl(self, parameter: FloatArray) -> SheetCurl | None:
+        """Dependence of the stiffness of widths (n,), mm, on the bend; None for a sheet whose Poisson ratio is
+        not known."""
+        return SheetCurl(width=parameter, **self._plate) if self.sheet.poisson_ratio else None
+
+    def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
+        """E I (n,), N mm2, of widths (n,), mm, as far as they bend as plates."""
+        w = positive(parameter, self.quantity)
+        return np.asarray(
+            self.sheet.bending_stiffness(1.0) * w * anticlastic_factor(w, self.curvature, **self._plate)
+        )
+
+    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
+        """Widths (n,), mm, that give the E I (n,), N mm2."""
+        EI = positive(bending_stiffness, "bending stiffness")
+        return plate_width(EI / self.sheet.bending_stiffness(1.0), self.curvature, **self._plate)
+
+    def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
+        """N/mm (n,) of widths (n,), mm."""
+        return areal_weight(self.sheet) * positive(parameter, self.quantity)
+
+    def strains(
+        self,
+        curvature: ArrayLike,
+        parameter: ArrayLike,  # noqa: ARG002 - laws are asked with it, and here the strain does not depend on it
+        *,
+        natural_curvature: float = 0.0,
+    ) -> tuple[LayerStrain, ...]:
+        """Skin strain h/2 |kappa - kappa_0|, whatever the width."""
+        return PlainSection(self.sheet).strains(curvature, natural_curvature=natural_curvature)
+
+    @property
+    def _plate(self) -> dict[str, Any]:
+        return {
+            "thickness": self.sheet.thickness,
+            "poisson_ratio": self.sheet.poisson_ratio,
+            "natural_curvature": self.natural_curvature,
+        }
+
+
+def areal_weight(sheet: Sheet) -> float:
+    """rho g h, N/mm2."""
+    return sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2 * sheet.thickness
+
+
+def layer_strain(sheet: Sheet, distance: FloatArray, bend: FloatArray) -> LayerStrain:
+    """Strain of a fibre that lies `distance` (n,) mm from the neutral axis of what is bent by `bend` (n,), 1/mm."""
+    return LayerStrain(sheet, np.atleast_1d(distance * bend))

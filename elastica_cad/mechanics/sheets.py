@@ -1,0 +1,1034 @@
+"""Sheets of material: the record, the library, and which sheets bend as far as a curve."""
+
+import os
+import sys
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
+from functools import cache, lru_cache
+from math import isfinite
+from os import PathLike
+from pathlib import Path
+from types import MappingProxyType
+from typing import Annotated, Any, Literal, TypeAlias, get_args
+
+import numpy as np
+
+from elastica_cad._notebook import html_table
+from elastica_cad._toml import parse_toml
+from elastica_cad._units import MM_PER_INCH
+from elastica_cad._values import is_number, is_one_of, is_series, require_number, require_path
+from elastica_cad.declared import Asked, Field, declared
+from elastica_cad.errors import InputError, quoted, toml_slip
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, ExcessCurvature, Gravity, NaturalCurvature
+from elastica_cad.refusals import note
+
+SCHEMA = 1
+
+NOMINAL_KEY = "nominal_poisson_ratio"
+"""Key of a Poisson ratio that is not measured for this sheet."""
+
+UNITS = {
+    "thickness": "mm",
+    "youngs_modulus": "MPa",
+    "density": "kg/m3",
+    "max_strain": "parts of the length (0.01 = 1 %)",
+    "kerf": "mm",
+}
+"""Units of the figures that every sheet has."""
+
+OPTIONAL_UNITS = {
+    "shear_modulus": "MPa",
+    "break_strain": UNITS["max_strain"],
+    **dict.fromkeys(("least_width", "least_ligament", "least_bridge"), "mm"),
+}
+"""Units of the figures that a sheet may have."""
+
+# key -> (lowest, highest that any sheet has, what the unit is)
+PLAUSIBLE: dict[str, tuple[float, float, str]] = {
+    "thickness_mm": (1e-3, 1e3, "millimetres: 0.8 for a 0.8 mm sheet"),
+    "youngs_modulus_MPa": (0.1, 1.5e6, "N/mm2: 9000 for 9 GPa"),
+    "density_kg_m3": (5.0, 25000.0, "kg/m3: 680 for 0.68 g/cm3"),
+    "max_strain": (1e-6, 0.4, "a fraction: 0.008 for 0.8 %"),
+    "break_strain": (1e-6, 10.0, "a fraction: 0.02 for 2 %"),
+    "kerf_mm": (0.0, 20.0, "millimetres: 0.15 for a fine laser"),
+    "least_width_mm": (1e-2, 1e3, "millimetres: 3 for plywood"),
+    "least_ligament_mm": (1e-2, 1e3, "millimetres: 0.5 for card"),
+    "least_bridge_mm": (1e-2, 1e3, "millimetres: 3 for a board of 3 mm"),
+    "shear_modulus_MPa": (0.01, 1e6, "N/mm2: 620 for 0.62 GPa"),
+    "stock_mm": (10.0, 1e5, "millimetres: [1250, 2500]"),
+}
+
+
+def plausible_number(value: object, key: str, where: str) -> float:
+    """The number, unless it can only have been meant in another unit."""
+    number = _finite_number(value, f"{where}: {key}")
+    low, high, hint = PLAUSIBLE.get(key.replace("_range", ""), (float("-inf"), float("inf"), ""))
+    if not low <= number <= high and number > 0:
+        raise InputError(
+            "{place}: {key} = {number:g} looks like the wrong unit; {hint}",
+            place=where,
+            key=key,
+            number=number,
+            hint=hint,
+        )
+    return number
+
+
+def _advise_key(key: str, keys: Mapping[str, Field]) -> str:
+    """Suggest the known key that is nearest to an unknown one."""
+    for known, entry in keys.items():
+        stem = entry.name
+        if key.lower() == known.lower() or (
+            key.lower().startswith(stem) and "range" not in key.removeprefix(stem)
+        ):
+            return f"; write {known}{PLAUSIBLE[known][2].join((' (', ')')) if known in PLAUSIBLE else ''}"
+    near = get_close_matches(key, keys, n=1, cutoff=0.5)
+    return (
+        note("; did you mean {near}?", near=near[0])
+        if near
+        else note("; known keys are {keys}", keys=", ".join(keys))
+    )
+
+
+def require_printable(text: str, where: str) -> str:
+    """The text, unless it holds signs that break lines, steer a terminal or have no place in files."""
+    if not isinstance(text, str):
+        raise InputError("{place} is {typed!r}: give a text", place=where, typed=text)
+    if not text.isprintable():
+        odd = ", ".join(sorted({repr(sign) for sign in text if not sign.isprintable()}))
+        raise InputError(
+            "{place} {typed!r} holds {odd}: use signs that can be printed, in one line",
+            place=where,
+            typed=text,
+            odd=odd,
+        )
+    return text
+
+
+def even_shear_ratio(poisson_ratio: float) -> float:
+    """G / E of a sheet without grain: 1 / (2 (1 + nu))."""
+    return 1 / (2 * (1 + poisson_ratio))
+
+
+def _finite_number(value: Any, where: str) -> float:
+    """The number, unless it is none or not finite."""
+    if isinstance(value, bool | str | bytes) or value is None:
+        raise InputError("{place} is {given!r}; it must be a number", place=where, given=value)
+    try:
+        number = float(value)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise InputError(
+            "{place} is {given}; it must be a number", place=where, given=quoted(value)
+        ) from error
+    if not isfinite(number):
+        raise InputError("{place} is {number}; it must be a finite number", place=where, number=number)
+    return number
+
+
+def toml_text(text: str) -> str:
+    """A TOML basic string."""
+    import json
+
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _toml_value(value: str | float | tuple[float, float]) -> str:
+    """Write the value of a key as TOML: a text, a number or a range."""
+    if isinstance(value, tuple):
+        return f"[{value[0]!r}, {value[1]!r}]"
+    return toml_text(value) if isinstance(value, str) else repr(float(value))
+
+
+class NominalRatio(float):
+    """A Poisson's ratio that estimates count with, but that no width is made by: nobody vouches for it.
+
+    It computes as the number that it is, and stays nominal wherever it is passed on: by `dataclasses.replace`,
+    copies, pickles and files of sheets.
+
+    Examples
+    --------
+    >>> NominalRatio(0.3) == 0.3, NominalRatio(0.3)
+    (True, NominalRatio(0.3))
+    """
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return f"NominalRatio({float(self)!r})"
+
+
+USUAL_RATIO = NominalRatio(0.3)
+"""Poisson ratio of a sheet that gives none."""
+
+
+def _checked_poisson_ratio(value: Any, where: str) -> float:
+    """The ratio, as nominal as it is given.
+
+    Raises
+    ------
+    InputError
+        No number from 0 to below 1.
+    """
+    nu = _finite_number(value, f"{where}: poisson_ratio")
+    if not 0 <= nu < 1:
+        raise InputError("{place}: poisson_ratio is {nu:g}; it must lie between 0 and 1", place=where, nu=nu)
+    return NominalRatio(nu) if isinstance(value, NominalRatio) else nu
+
+
+LIBRARY_VARIABLE = "ELASTICA_SHEETS"
+"""Environment variable that names other folders of sheets, or files, as PATH does."""
+
+_WORDS = ("kind", "grain")  # keys that are fields of `Sheet` as they stand
+_LIMITS = ("least_width_mm", "least_ligament_mm", "least_bridge_mm")
+
+# key in the file -> field of `Sheet`, what its source is called
+_FIGURES = {
+    "thickness_mm": ("thickness", "thickness"),
+    "youngs_modulus_MPa": ("youngs_modulus", "E"),
+    "density_kg_m3": ("density", "density"),
+    "max_strain": ("max_strain", "strain"),
+    "kerf_mm": ("kerf", "kerf"),
+    "shear_modulus_MPa": ("shear_modulus", "G"),
+    "break_strain": ("break_strain", "break"),
+}
+_ESTIMATED = ("shear_modulus_MPa", "break_strain")  # from other figures, where they are not published
+
+
+LARGEST_FILE = 2**20
+"""Largest size of a file of sheets, bytes."""
+
+
+@lru_cache(maxsize=1)
+def built_in_figures() -> Mapping[str, Mapping[str, Any]]:
+    """Fields of `Sheet` but for its name, by name, as they stand in the file.
+
+    Examples
+    --------
+    >>> built_in_figures()["pom-0.5"]["youngs_modulus_range"]
+    (2500.0, 3000.0)
+    """
+    return MappingProxyType({name: fields for name, fields, _ in _built_in()})
+
+
+@lru_cache(maxsize=1)
+def built_in_titles() -> Mapping[str, str]:
+    """What people call the built-in sheets, by name.
+
+    Examples
+    --------
+    >>> built_in_titles()["pom-0.5"]
+    'POM (acetal) 0.5 mm'
+    """
+    return MappingProxyType({name: title for name, _, title in _built_in()})
+
+
+@lru_cache(maxsize=1)
+def _built_in() -> tuple[tuple[str, dict[str, Any], str], ...]:
+    """Name, fields and title of each built-in sheet, as they stand in the file."""
+    import tomllib
+
+    text = Path(__file__).with_name("sheets.toml").read_text(encoding="utf-8")
+    return tuple(
+        (name, fields, entry["title"] if "name" in entry else f"{entry['title']} {fields['thickness']:g} mm")
+        for table, entry in tomllib.loads(text).items()
+        for name, fields in _entry_sheets(table, entry)
+    )
+
+
+def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Name and fields of one sheet for each thickness."""
+    thicknesses = entry["thickness_mm"]["value"]
+    for i, thickness in enumerate(thicknesses if isinstance(thicknesses, list) else [thicknesses]):
+        fields: dict[str, Any] = {key: entry[key] for key in _WORDS if key in entry}
+        fields |= {key.removesuffix("_mm"): entry[key] for key in _LIMITS if key in entry}
+        if "stock_mm" in entry:
+            fields["stock"] = tuple(entry["stock_mm"])
+        sources = [entry["note"]] if "note" in entry else []
+        known = entry["poisson_ratio"]  # a number alone, or { value, source }
+        if isinstance(known, dict):
+            fields["poisson_ratio"] = known["value"]
+        else:
+            fields["poisson_ratio"] = NominalRatio(known)
+        for key, (stem, label) in _FIGURES.items():
+            if key not in entry:
+                if key not in _ESTIMATED:
+                    sources.append(f"{label} not published: measure it on a coupon")
+                continue
+            figure = entry[key]
+            value, lowest = (
+                given[i] if isinstance(given, list) else given
+                for given in (figure["value"], figure.get("lowest"))
+            )
+            fields[stem] = value
+            if "range" in figure:
+                fields[f"{stem}_range"] = tuple(figure["range"])
+            elif lowest is not None:
+                fields[f"{stem}_range"] = (lowest, value)
+            if "source" in figure:
+                sources.append(f"{label}: {figure['source']}")
+        if isinstance(known, dict):
+            sources.append(f"nu: {known['source']}")
+        yield entry.get("name", f"{table}-{thickness:g}"), {**fields, "source": "; ".join(sources)}
+
+
+def library_folders() -> tuple[Path, ...]:
+    """Return where a user keeps his own sheets: folders of TOML files, or such files.
+
+    Those of the environment variable `ELASTICA_SHEETS`; without it `elastica/sheets` in the folder for settings:
+    `%APPDATA%` on Windows, `~/Library/Application Support` on macOS, `$XDG_CONFIG_HOME` or `~/.config` elsewhere.
+    """
+    named = [part for part in os.environ.get(LIBRARY_VARIABLE, "").split(os.pathsep) if part.strip()]
+    if named:
+        return tuple(Path(part.strip()).expanduser() for part in named)
+    try:
+        home = Path.home()
+    except RuntimeError:  # a process of a user without a home
+        return ()
+    if sys.platform == "win32":
+        settings = Path(os.environ.get("APPDATA") or home / "AppData" / "Roaming")
+    elif sys.platform == "darwin":
+        settings = home / "Library" / "Application Support"
+    else:
+        settings = Path(os.environ.get("XDG_CONFIG_HOME") or home / ".config")
+    return (settings / "elastica" / "sheets",)
+
+
+def library_files() -> tuple[Path, ...]:
+    """The user's files of sheets, in the order of folders and names."""
+    return tuple(
+        file
+        for place in library_folders()
+        for file in (sorted(place.glob("*.toml")) if place.is_dir() else [place] if place.is_file() else [])
+    )
+
+
+def _read_figures(path: str | Path, keys: Mapping[str, Field]) -> dict[str, dict[str, Any]]:
+    """Fields of `Sheet` but for its name, by name, from a user's file: see `load_sheets`.
+
+    Raises
+    ------
+    InputError
+        No such file, not TOML, an unknown key, a missing value or another unit.
+    """
+    import tomllib
+
+    path = require_path(path)
+    if os.path.isdir(path):  # False, not an error, for a name that no disk takes
+        raise InputError("{path} is a folder, not a file of sheets: name the TOML file inside it", path=path)
+    if os.path.exists(path) and not path.is_file():
+        raise InputError("{path} is no file but a device or a pipe: name a file of sheets", path=path)
+    try:
+        if path.stat().st_size > LARGEST_FILE:
+            raise InputError(
+                "{path} has more than {largest_file} MB, which is no file of sheets: name one",
+                path=path,
+                largest_file=LARGEST_FILE // 2**20,
+            )
+        text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
+        data = parse_toml(text)
+    except RecursionError as error:
+        raise InputError("{path} nests lists or tables too deep for a file of sheets", path=path) from error
+    except OSError as error:
+        raise InputError(
+            "{path} cannot be read: {strerror}; name a file that is there",
+            path=path,
+            strerror=error.strerror or error,
+        ) from error
+    except UnicodeDecodeError as error:
+        raise InputError(
+            "{path} is not a TOML file, which are UTF-8: save it as text in UTF-8", path=path
+        ) from error
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(
+            "{path} is not a TOML file: {error}; {toml_slip}",
+            path=path,
+            error=error,
+            toml_slip=toml_slip(text, error),
+        ) from error
+    for key in data:
+        if key not in ("schema", "sheets"):
+            raise InputError(
+                "{path}: unknown entry {key!r}; sheets are tables [sheets.NAME]", path=path, key=key
+            )
+    if data.get("schema", SCHEMA) != SCHEMA:
+        raise InputError(
+            "{path}: schema {given} is not known; this version reads schema {schema}",
+            path=path,
+            given=quoted(data["schema"]),
+            schema=SCHEMA,
+        )
+    return _figures_from_table(data.get("sheets", {}), str(path), keys)
+
+
+def _figures_from_table(table: object, where: str, keys: Mapping[str, Field]) -> dict[str, dict[str, Any]]:
+    """Return the figures of sheets from the parsed table ``sheets`` of a TOML file; `where` names the file in
+    messages.
+    """
+    if not isinstance(table, Mapping) or not table:
+        raise InputError("{place} holds no sheet: write at least one table [sheets.NAME]", place=where)
+    return {name: _fields(name, entry, where, keys) for name, entry in table.items()}
+
+
+def _fields(name: str, entry: object, file: str, keys: Mapping[str, Field]) -> dict[str, Any]:
+    """Fields of one sheet."""
+    where = f"{file}: sheet {name!r}"
+    if not isinstance(entry, Mapping):
+        raise InputError(
+            "{place} must be a table [sheets.{name}], got {entry}",
+            place=where,
+            name=name,
+            entry=quoted(entry),
+        )
+    values: dict[str, Any] = {}
+    for key, value in entry.items():
+        if key not in keys:
+            raise InputError(
+                "{place}: unknown key {key!r}{advise_key}",
+                place=where,
+                key=key,
+                advise_key=_advise_key(key, keys),
+            )
+        field_name, kind = keys[key].name, keys[key].kind.name
+        if kind == "either" and not isinstance(value, str):
+            values[field_name] = _finite_number(value, f"{where}: {key}")
+        elif kind in ("text", "either"):
+            if not isinstance(value, str):
+                raise InputError(
+                    "{place}: {key} is {given}; it must be text in quotes",
+                    place=where,
+                    key=key,
+                    given=quoted(value),
+                )
+            values[field_name] = value
+        elif kind == "list":
+            if not isinstance(value, list) or len(value) != 2:
+                raise InputError(
+                    "{place}: {key} is {given}; it must be two numbers, [lowest, highest]",
+                    place=where,
+                    key=key,
+                    given=quoted(value),
+                )
+            values[field_name] = tuple(plausible_number(v, key, where) for v in value)
+        else:
+            number = plausible_number(value, key, where)
+            values[field_name] = NominalRatio(number) if key == NOMINAL_KEY else number
+    if NOMINAL_KEY in entry and "poisson_ratio" in entry:
+        raise InputError(
+            "{place}: poisson_ratio is given twice; leave out {nominal_key}, now that it is known",
+            place=where,
+            nominal_key=NOMINAL_KEY,
+        )
+    for key in ("thickness_mm", "youngs_modulus_MPa", "density_kg_m3", "max_strain"):
+        if key not in entry:
+            raise InputError("{place}: {key} is missing; give it a number", place=where, key=key)
+    return values
+
+
+PLYWOOD_SOURCE = "FAA AC 43.13-1B, table 1-2, 10 % moisture, cold mandrels"
+
+# thickness, radius along and across the face grain, inches as published; a strip along the grain bends across the
+# table's mandrel at 90 degrees to it
+ROWS_INCH = {
+    3: (
+        (0.035, 2.0, 1.1), (0.070, 5.2, 3.2), (0.100, 8.6, 5.2), (0.125, 12.0, 7.1), (0.155, 16.0, 10.0),
+        (0.185, 20.0, 13.0),
+    ),
+    5: (
+        (0.160, 17.0, 11.0), (0.190, 21.0, 14.0), (0.225, 27.0, 17.0), (0.250, 31.0, 20.0), (0.315, 43.0, 28.0),
+        (0.375, 54.0, 36.0),
+    ),
+}  # fmt: skip
+"""Rows of the table by number of plies."""
+
+SOLD_AS = 0.02
+"""Share by which a sheet may be thinner than the first row of its number of plies: 4 mm is sold as 0.160 in."""
+
+TOLD_TO = 0.01
+"""Relative accuracy of a radius: the table has two digits, and the largest strain of a sheet is rounded."""
+
+LEAST_MM, LARGEST_MM = 0.7, 9.6
+"""Range of thicknesses for which the rows are used: a sheet of 0.8 mm has the strain of the thinnest row, 0.89
+mm."""
+
+
+def least_plywood_radius(thickness: float, grain: Literal["along", "across"]) -> float | None:
+    """Least radius of a dry, cold bend of aircraft plywood, mm, or None for a thickness that was not published.
+
+    Between rows the strain of the skin is interpolated; where plywood of 3 and of 5 plies is told of, the larger
+    radius counts.
+
+    Parameters
+    ----------
+    thickness : float
+        mm.
+    grain : "along" or "across"
+        How the strip lies to the face grain.
+
+    References
+    ----------
+    FAA Advisory Circular 43.13-1B, Acceptable Methods, Techniques, and Practices, 1998, table 1-2.
+
+    Examples
+    --------
+    >>> round(least_plywood_radius(1.778, "along"), 2), least_plywood_radius(20.0, "along")
+    (132.08, None)
+    """
+    if not LEAST_MM <= thickness <= LARGEST_MM:
+        return None
+    column = 1 if grain == "along" else 2
+    strains = []
+    for rows in ROWS_INCH.values():
+        table = MM_PER_INCH * np.array(rows)
+        inside = table[0, 0] * (1 - SOLD_AS) <= thickness <= table[-1, 0]
+        thinnest, thickest = min(ROWS_INCH), max(ROWS_INCH)
+        below = thickness < table[0, 0] and rows is ROWS_INCH[thinnest]
+        above = thickness > table[-1, 0] and rows is ROWS_INCH[thickest]
+        if inside or below or above:
+            strains.append(float(np.interp(thickness, table[:, 0], table[:, 0] / (2 * table[:, column]))))
+    return thickness / (2 * min(strains))
+
+
+Grain: TypeAlias = Literal["along", "across", "none"]
+Range: TypeAlias = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """A sheet material at one thickness; all numbers hold along the strip.
+
+    Parameters
+    ----------
+    name : str
+        What the sheet is called in reports and file names.
+    thickness : float
+        h, mm.
+    youngs_modulus : float
+        E in bending along the strip, MPa (N/mm2).
+    density : float
+        rho, kg/m3.
+    max_strain : float
+        Largest skin strain to be borne for long, dimensionless (0.01 = 1 %).
+    kerf : float
+        Width of material that the laser takes away, mm; 0 when not known.
+    poisson_ratio : float
+        nu, dimensionless; 0 where the modulus is that of a plate, measured on a wide coupon. A number given here
+        is known, and widths make up for it (`poisson_known`); without one, or as a `NominalRatio`, it is only
+        estimated with.
+    shear_modulus : float, optional
+        G of shear in the sheet's plane, MPa, which twist works against; without it E / (2 (1 + nu)), as of sheets
+        without grain. That of plywood is far less.
+    grain : "along", "across" or "none"
+        How the strip lies to the (face) grain for which the numbers hold; "none" for sheets without grain. 0 and
+        90, degrees, say the first two.
+    kind : str
+        Family of materials, for example "plywood".
+    source : str
+        Where the numbers come from.
+    thickness_range, youngs_modulus_range, density_range, max_strain_range, kerf_range : (low, high), optional
+        What is found in practice, in the number's own unit; without it the number is taken as certain.
+    least_width, least_ligament, least_bridge : float, optional
+        Narrowest strip or tongue, ligament of a perforated strip, and bridge between the cuts of a plate that can
+        be cut and lifted out, mm; without them rules of thumb speak (`FabricationLimits`).
+    stock : (float, float), optional
+        Sides of the largest sheet on sale, mm.
+    break_strain : float, optional
+        Skin strain at which it breaks; without it wood and brittle plastics are taken to break at 1.5 times
+        `max_strain`, other sheets to bend (`mechanics.material.section_limits`).
+
+    Raises
+    ------
+    InputError
+        A number that no sheet can have, or a range that does not hold its number.
+
+    Examples
+    --------
+    >>> ply = Sheet("my-ply", thickness=0.8, youngs_modulus=9250.0, density=680.0, max_strain=0.008)
+    >>> ply.least_radius
+    50.0
+    >>> round(Sheet.named("card-200gsm").elasto_gravity_length, 1)
+    96.0
+    """
+
+    name: str
+    thickness: Annotated[float, Asked("Thickness of the sheet.", "mm", least=0)]
+    youngs_modulus: Annotated[float, Asked("Young's modulus in bending along the strip.", "MPa", least=0)]
+    density: Annotated[float, Asked("Density.", "kg/m3", least=0)]
+    max_strain: Annotated[
+        float, Asked("Largest strain of the skin that is borne for long: 0.01 is 1 %.", least=0)
+    ]
+    kerf: Annotated[float, Asked("Width that the laser burns away.", "mm", least=0)] = 0.0
+    poisson_ratio: Annotated[float, Asked("Poisson's ratio, where it is known.", least=0)] = USUAL_RATIO
+    grain: Annotated[
+        Grain,
+        Asked(
+            "How the strip lies to the face grain: along, across or none; or 0 or 90 degrees.",
+            written=float | str,
+        ),
+    ] = "none"
+    kind: Annotated[str, Asked("Family of materials.")] = ""
+    source: Annotated[str, Asked("Where the numbers come from.")] = ""
+    thickness_range: Annotated[
+        Range | None, Asked("Least and largest thickness found in practice.", "mm", least=0)
+    ] = None
+    youngs_modulus_range: Annotated[
+        Range | None, Asked("Least and largest modulus found in practice.", "MPa", least=0)
+    ] = None
+    density_range: Annotated[
+        Range | None, Asked("Least and largest density found in practice.", "kg/m3", least=0)
+    ] = None
+    max_strain_range: Annotated[
+        Range | None, Asked("Least and largest of the strain that is borne.", least=0)
+    ] = None
+    kerf_range: Annotated[Range | None, Asked("Least and largest kerf found in practice.", "mm", least=0)] = (
+        None
+    )
+    least_width: Annotated[
+        float | None, Asked("Narrowest strip or tongue that can be cut.", "mm", least=0)
+    ] = None
+    least_ligament: Annotated[
+        float | None, Asked("Narrowest ligament of a perforated strip.", "mm", least=0)
+    ] = None
+    least_bridge: Annotated[
+        float | None, Asked("Narrowest bridge between the cuts of a plate.", "mm", least=0)
+    ] = None
+    stock: Annotated[Range | None, Asked("Sides of the largest sheet on sale.", "mm", least=0)] = None
+    shear_modulus: Annotated[
+        float | None, Asked("Shear modulus in the plane of the sheet.", "MPa", least=0)
+    ] = None
+    break_strain: Annotated[float | None, Asked("Strain of the skin at which it breaks.", least=0)] = None
+    poisson_known: bool = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.name, str) or not self.name.strip():
+            raise InputError("a sheet needs a name, got {name!r}", name=self.name)
+        require_printable(self.name, "the sheet's name")
+        sides = tuple(self.stock) if is_series(self.stock) else ()
+        if self.stock is not None and len(sides) != 2:
+            raise InputError(
+                "sheet {name!r}: stock is {stock!r}; it must be two sides, in mm",
+                name=self.name,
+                stock=self.stock,
+            )
+        object.__setattr__(self, "stock", sides or None)
+        for field_name, unit in UNITS.items():
+            value = self._checked(field_name, getattr(self, field_name), unit)
+            object.__setattr__(self, field_name, value)
+            self._check_range(field_name, value)
+        nu = _checked_poisson_ratio(self.poisson_ratio, f"sheet {self.name!r}")
+        object.__setattr__(self, "poisson_ratio", nu)
+        object.__setattr__(self, "poisson_known", not isinstance(nu, NominalRatio))
+        figures = [(name, getattr(self, name), unit) for name, unit in OPTIONAL_UNITS.items()]
+        for name, given, unit in [*figures, *(("stock", side, "mm") for side in sides)]:
+            if given is not None:
+                self._checked(name, given, unit)
+        asked: object = self.grain
+        if is_number(asked):
+            object.__setattr__(self, "grain", self._grain_at(asked))
+        if not is_one_of(self.grain, get_args(Grain)):
+            raise InputError(
+                "sheet {name!r}: grain is {grain!r}; use one of {names}",
+                name=self.name,
+                grain=self.grain,
+                names=", ".join(get_args(Grain)),
+            )
+
+    def _checked(self, field_name: str, given: Any, unit: str) -> float:
+        """The number, unless it is no positive one; a kerf may be 0."""
+        value = _finite_number(given, f"sheet {self.name!r}: {field_name}")
+        if value < 0 or (value == 0 and field_name != "kerf"):
+            raise InputError(
+                "sheet {name!r}: {field_name} is {given:g}; it must be {least}, in {unit}",
+                name=self.name,
+                field_name=field_name,
+                given=value,
+                least="zero or positive" if field_name == "kerf" else "positive",
+                unit=unit,
+            )
+        return value
+
+    def _grain_at(self, degrees: float) -> Grain:
+        """The word for a strip that lies at so many degrees to the grain."""
+        turned: dict[float, Grain] = {0.0: "along", 90.0: "across"}
+        if degrees % 180 not in turned:
+            raise InputError(
+                "sheet {name!r}: grain is {degrees:g} degrees; a strip that lies askew to its grain "
+                "twists when it is bent, and takes no plane curve: lay it along (0) or across (90) "
+                "the grain",
+                name=self.name,
+                degrees=degrees,
+            )
+        return turned[degrees % 180]
+
+    def _check_range(self, field_name: str, value: float) -> None:
+        given = getattr(self, f"{field_name}_range")
+        if given is None:
+            return
+        where = f"sheet {self.name!r}: {field_name}_range"
+        if not isinstance(given, list | tuple) or len(given) != 2:
+            raise InputError(
+                "{place} is {given!r}; it must be two numbers, lowest and highest", place=where, given=given
+            )
+        low, high = (_finite_number(v, where) for v in given)
+        if not 0 <= low <= value <= high:
+            raise InputError(
+                "{place} is {low:g} to {high:g}; it must hold {field_name} = {given:g}, lowest first",
+                place=where,
+                low=low,
+                high=high,
+                field_name=field_name,
+                given=value,
+            )
+        object.__setattr__(self, f"{field_name}_range", (low, high))
+
+    @classmethod
+    def of(cls, given: "Sheet | str") -> "Sheet":
+        """The sheet given, or the one of that name (see `named`).
+
+        Raises
+        ------
+        InputError
+            What is neither.
+
+        Examples
+        --------
+        >>> Sheet.of("mdf-3").thickness
+        3.0
+        """
+        if isinstance(given, str):
+            return cls.named(given)
+        if not isinstance(given, Sheet):
+            raise InputError(
+                "a Sheet or the name of one is needed, such as 'birch-plywood-0.8', not {name}: "
+                "`sheet_names()` lists them",
+                name=type(given).__name__,
+            )
+        return given
+
+    @classmethod
+    def named(cls, name: str, *, folder: Path | None = None) -> "Sheet":
+        """The sheet called `name`, built in or in the user's library, or the one in a file of sheets.
+
+        Parameters
+        ----------
+        name : str
+            A name that `sheet_names` lists; a file, "my.toml"; or one sheet of a file, "my.toml:NAME".
+        folder : Path, optional
+            Where files are looked for; the working folder unless given.
+
+        Raises
+        ------
+        InputError
+            Unknown name, of which the nearest ones are offered; or a file that is not as `load_sheets` reads it.
+        """
+        if not isinstance(name, str | PathLike):
+            raise InputError(
+                "the name of a sheet is needed, such as 'birch-plywood-0.8', not {name}: "
+                "`sheet_names()` lists them",
+                name=type(name).__name__,
+            )
+        figures = built_in_figures()
+        if name in figures:
+            return cls(name, **figures[name])
+        if str(name).endswith(".toml") or ".toml:" in str(name):
+            return _sheet_of_file(str(name), folder)
+        own, problems = library_sheets()
+        if name in own:
+            return own[name]
+        known = [*own, *figures]
+        near = get_close_matches(str(name).lower(), known, n=3, cutoff=0.4)
+        advice = (
+            note("did you mean {names}?", names=" or ".join(near))
+            if near
+            else note("known sheets: {names}", names=", ".join(known))
+        )
+        raise InputError("; ".join((f"unknown sheet {name!r}: {advice}", *problems)))
+
+    def with_thickness(self, thickness: float) -> "Sheet":
+        """Return the same material at another thickness, mm; of plywood the strain limit follows the published
+        radii.
+
+        Examples
+        --------
+        >>> thick = Sheet.named("birch-plywood-3").with_thickness(3.6)
+        >>> thick.name, round(thick.least_radius)
+        ('birch-plywood-3.6', 359)
+        """
+        changed = replace(self, thickness=thickness, thickness_range=None)
+        if changed.thickness == self.thickness:
+            return self
+        stem = self.name.removesuffix(f"-{self.thickness:g}")
+        before, after = self.published_radius, changed.published_radius
+        limit, spread = self.max_strain, self.max_strain_range
+        if before is not None and after is not None:
+            limit *= (changed.thickness / after) / (self.thickness / before)
+            spread = None
+        told = "; ".join(filter(None, (self.source, f"figures of {self.name} at another thickness")))
+        return replace(
+            changed,
+            name=f"{stem}-{changed.thickness:g}",
+            max_strain=limit,
+            max_strain_range=spread,
+            source=told,
+        )
+
+    @property
+    def published_radius(self) -> float | None:
+        """Least radius published for plywood of this thickness and grain, mm; None for other sheets."""
+        if self.kind != "plywood" or self.grain == "none":
+            return None
+        return least_plywood_radius(self.thickness, self.grain)
+
+    @property
+    def shear_ratio(self) -> float:
+        """G / E: as known, else that of a sheet without grain."""
+        G = self.shear_modulus
+        return even_shear_ratio(self.poisson_ratio) if G is None else G / self.youngs_modulus
+
+    @property
+    def elasto_gravity_length(self) -> float:
+        """(E h^2 / (12 rho g))^(1/3), mm (section 5.1): a much shorter strip does not feel its weight."""
+        weight = self.density * 1e-9 * STANDARD_GRAVITY_M_S2  # N/mm3
+        return float((self.youngs_modulus * self.thickness**2 / (12 * weight)) ** (1 / 3))
+
+    def gravity(self, direction: tuple[float, float] = (0.0, -1.0)) -> Gravity:
+        """Weight of a plain strip of this sheet; `direction` (2,): where things fall in the curve's plane."""
+        return Gravity(self.elasto_gravity_length, direction)
+
+    @property
+    def full_name(self) -> str:
+        """The name in words, "Birch plywood 0.8 mm"; of a user's own sheet its name.
+
+        Examples
+        --------
+        >>> Sheet.named("card-200gsm").full_name
+        'Card 200 g/m2'
+        """
+        return built_in_titles().get(self.name, self.name)
+
+    @property
+    def least_radius(self) -> float:
+        """Smallest radius that the sheet bends to, mm: h / (2 max_strain), the skin being h/2 off centre."""
+        return self.thickness / (2 * self.max_strain)
+
+    def bending_stiffness(self, width: float) -> float:
+        """E h^3 w / 12 of a plain strip of `width` mm, N mm2."""
+        return (
+            self.youngs_modulus * self.thickness**3 * require_number(width, "the width of a strip", "mm") / 12
+        )
+
+    def range_of(self, quantity: str) -> Range:
+        """Lowest and highest `quantity` ("youngs_modulus", "thickness", ...); the number twice if certain."""
+        if not isinstance(quantity, str) or quantity not in UNITS:
+            raise InputError(
+                "a sheet has no range of {quantity!r}: use one of {units}",
+                quantity=quantity,
+                units=", ".join(UNITS),
+            )
+        given: Range | None = getattr(self, f"{quantity}_range")
+        value = float(getattr(self, quantity))
+        return (value, value) if given is None else given
+
+    def _repr_html_(self) -> str:
+        rows = []
+        for name, unit in UNITS.items():
+            low, high = self.range_of(name)
+            spread = f"{low:g} to {high:g}" if low < high else ""
+            number = f"{getattr(self, name):g}"
+            rows.append({"": name.replace("_", " "), "value": number, "in practice": spread, "unit": unit})
+        return html_table(f"Sheet {self.name!r}", rows)
+
+    def toml(self) -> str:
+        """The sheet as an entry of a sheets file, as `load_sheets` reads it."""
+        lines = [f"[sheets.{toml_text(self.name)}]"]
+        for key, field_name in ((key, one.name) for key, one in sheet_keys().items()):
+            value = getattr(self, field_name)
+            if value is None or (field_name in ("kind", "source") and not value):
+                continue
+            if field_name == "poisson_ratio" and self.poisson_known == (key == NOMINAL_KEY):
+                continue
+            lines.append(f"{key} = {_toml_value(value)}")
+        return "\n".join(lines) + "\n"
+
+
+def sheet_names() -> list[str]:
+    """Names of the user's sheets and of the built-in ones; `Sheet.named(name).source` says where numbers come from.
+
+    Examples
+    --------
+    >>> "birch-plywood-0.8" in sheet_names()
+    True
+    """
+    return [*library_sheets()[0], *built_in_figures()]
+
+
+KINDS = {
+    "card": "Card and paper", "plywood": "Plywood", "wood": "Solid wood, veneer and bamboo", "plastic": "Plastics",
+    "board": "Fibre boards", "metal": "Metals", "composite": "Composites",
+}  # fmt: skip
+"""What the kinds of sheets are called in a list."""
+
+
+def sheets_by_kind() -> dict[str, list[Sheet]]:
+    """All sheets of `sheet_names`, under what their kinds are called."""
+    found: dict[str, list[Sheet]] = {}
+    for one in map(Sheet.named, sheet_names()):
+        found.setdefault(KINDS.get(one.kind, one.kind.capitalize() or "Other"), []).append(one)
+    return found
+
+
+def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
+    """The sheets of the user's library by name, and a sentence for each file or sheet there that cannot be used.
+
+    The library is `elastica/sheets` in the user's folder for settings, or what the environment variable
+    `ELASTICA_SHEETS` names: folders of TOML files as `load_sheets` reads them. Names of built-in sheets are theirs.
+    """
+    own: dict[str, Sheet] = {}
+    problems: list[str] = []
+    for file in library_files():
+        try:
+            state = file.stat()
+            found = _library_file(file, state.st_mtime_ns, state.st_size)
+        except (InputError, OSError) as problem:
+            problems.append(str(problem))
+            continue
+        for name, sheet in found.items():
+            if name in built_in_figures() or name in own:
+                problems.append(
+                    note(
+                        "{file}: the name {name!r} is taken: call that sheet otherwise", file=file, name=name
+                    )
+                )
+            else:
+                own[name] = sheet
+    return own, tuple(problems)
+
+
+SUFFIXES = {"mm": "_mm", "MPa": "_MPa", "kg/m3": "_kg_m3"}
+"""Of keys in files, which say their unit."""
+
+
+@cache
+def sheet_keys() -> Mapping[str, Field]:
+    """What a table of a sheet may hold: the fields of `Sheet`, by keys that say their unit."""
+    known = {one.name + SUFFIXES.get(one.asked.unit, ""): one for one in declared(Sheet)}
+    return MappingProxyType(known | {NOMINAL_KEY: known["poisson_ratio"]})
+
+
+@lru_cache(maxsize=64)
+def _library_file(path: Path, *_state: int) -> Mapping[str, Sheet]:
+    """The file as it is in this state; it is asked for often."""
+    return load_sheets(path)
+
+
+def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
+    """The only sheet of "my.toml", or the one called NAME of "my.toml:NAME"."""
+    stem, sign, wanted = name.partition(".toml:")
+    path = (folder or Path()) / (f"{stem}.toml" if sign else name)
+    found = load_sheets(path)
+    if not wanted and len(found) == 1:
+        return next(iter(found.values()))
+    if wanted in found:
+        return found[wanted]
+    several = (
+        note("there is no sheet {wanted!r}", wanted=wanted)
+        if wanted
+        else note("there are {count} sheets", count=len(found))
+    )
+    choices = " or ".join(f"{path.name}:{one}" for one in found)
+    raise InputError("{path}: {several}: name one, {choices}", path=path, several=several, choices=choices)
+
+
+def load_sheets(path: str | Path) -> dict[str, Sheet]:
+    """A user's own sheets from a TOML file.
+
+    The file holds tables ``[sheets.NAME]`` with ``thickness_mm``, ``youngs_modulus_MPa``, ``density_kg_m3``
+    and ``max_strain``, and where known ``kerf_mm``, ``poisson_ratio`` (``nominal_poisson_ratio`` for one to be
+    estimated with only), ``grain``, ``kind``, ``source`` and ranges such as ``youngs_modulus_range_MPa = [8200,
+    10300]``; ``grain`` is a word or 0 or 90 degrees.
+
+    Raises
+    ------
+    InputError
+        No such file, not TOML, an unknown key, a missing or impossible value; file, sheet and key are named.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> figures = "thickness_mm = 0.5\\nyoungs_modulus_MPa = 2700\\ndensity_kg_m3 = 1410\\nmax_strain = 0.03"
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder, "mine.toml")
+    ...     _ = file.write_text("[sheets.my-pom]\\n" + figures)
+    ...     round(load_sheets(file)["my-pom"].elasto_gravity_length, 1)
+    159.6
+    """
+    return _sheets(_read_figures(path, sheet_keys()), str(path))
+
+
+def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
+    """Sheets from the parsed table ``sheets`` of a TOML file; `where` names the file in messages.
+
+    Raises
+    ------
+    InputError
+        As `load_sheets`.
+    """
+    return _sheets(_figures_from_table(table, where, sheet_keys()), where)
+
+
+def _sheets(figures: Mapping[str, Mapping[str, Any]], file: str) -> dict[str, Sheet]:
+    """Sheets of these fields; a complaint names the file."""
+    try:
+        return {name: Sheet(name=name, **fields) for name, fields in figures.items()}
+    except InputError as error:
+        raise InputError("{file}: {error}", file=file, error=error) from error
+
+
+@dataclass(frozen=True)
+class SheetForCurve:
+    """A sheet, and the scale from which on a curve is gentle enough for it.
+
+    Attributes
+    ----------
+    sheet : Sheet
+    scale : float
+        Largest strain of a strip in the curve over what the sheet bears for long: at 1 or less it can do the curve
+        as drawn, else from so many times its size on.
+    """
+
+    sheet: Sheet
+    scale: float
+
+    @property
+    def fits(self) -> bool:
+        """Can it do the curve at this size?"""
+        return self.scale <= 1.0
+
+
+def sheets_for_curve(
+    curve: PlaneCurve, natural_curvature: NaturalCurvature = 0.0, sheets: Iterable[Sheet] | None = None
+) -> tuple[SheetForCurve, ...]:
+    """All known sheets by the scale at which they bear a curve, those with the most to spare first.
+
+    The skin of a sheet of thickness t is strained by |kappa - kappa_0| t / 2.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+    natural_curvature : float or RestCurvature
+        Of the strip before it is bent, 1/mm.
+    sheets : iterable of Sheet, optional
+        Those to look at; all that have a name unless given.
+
+    Examples
+    --------
+    >>> arc = PlaneCurve.arc((0, 0), 50, 0, 2)
+    >>> found = {one.sheet.name: one for one in sheets_for_curve(arc)}
+    >>> found["birch-plywood-0.8"].fits, round(found["birch-plywood-3"].scale, 1)
+    (True, 5.6)
+    """
+    sharpest = float(np.abs(ExcessCurvature(curve, natural_curvature).survey).max())
+    known = [Sheet.named(name) for name in sheet_names()] if sheets is None else sheets
+    found = [SheetForCurve(one, sharpest * one.thickness / (2 * one.max_strain)) for one in known]
+    return tuple(sorted(found, key=lambda one: one.scale))

@@ -1,0 +1,472 @@
+"""Stability out of the plane: the second variation of twist and bend across, of any section."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from elastica_cad._compiled_scipy import crossing
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import numbers, require_number
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.discrete_rod import node_weights, tangents
+from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import even_shear_ratio
+from elastica_cad.mechanics.stability import SAFE_MARGIN
+from elastica_cad.refusals import note
+
+EDGE_LOSS = 0.63
+"""Width, in thicknesses, that a rectangle loses in torsion (St Venant): G w h^3/3 (1 - 0.63 h/w)."""
+
+LEAST_TORSION = 0.25
+"""Least share of G w h^3/3 that any rectangle keeps that is bent flat; a square has 0.42."""
+
+
+@dataclass(frozen=True, eq=False)
+class SidewaysSection:
+    """Sections at equal distances along a strip; stiffnesses are over the rod's B, as its own K is.
+
+    Attributes
+    ----------
+    width, thickness : (n,) array
+        mm; the thickness is that of a plate of as much bending and membrane stiffness.
+    edgewise, torsion : (n,) array
+        Stiffness of bending in the sheet's own plane, and of twist.
+    """
+
+    width: FloatArray
+    thickness: FloatArray
+    edgewise: FloatArray
+    torsion: FloatArray
+
+    @classmethod
+    def rectangle(
+        cls, stiffness: FloatArray, width: FloatArray, thickness: FloatArray, shear_ratio: float
+    ) -> "SidewaysSection":
+        """A solid strip whose stiffness (n,) of bending in the plane is given; `shear_ratio` is G / E."""
+        torsion = 4 * shear_ratio * stiffness * _held_back(thickness, width)
+        return cls(width, thickness, stiffness * (width / thickness) ** 2, torsion)
+
+    @classmethod
+    def perforated(
+        cls,
+        stiffness: FloatArray,
+        width: FloatArray,
+        material: FloatArray,
+        slope: FloatArray,
+        *,
+        ligaments: int,
+        thickness: float,
+        shear_ratio: float,
+    ) -> tuple["SidewaysSection", "SidewaysSection"]:
+        """The least and the most that a strip with holes may have: bounds on its energy.
+
+        Parameters
+        ----------
+        stiffness, width, material : (n,) array
+            Of bending in the plane; of the outline, and what holes leave of it at every station, mm.
+        slope : (n,) array
+            Of ligaments against the strip: tan(theta).
+        ligaments : int
+            How many equal ones run side by side.
+        shear_ratio : float
+            G / E.
+
+        Notes
+        -----
+        The least by stresses in balance: every ligament, b wide across the strip, carries its share by itself. A
+        torque T turned into a ligament's own directions is twist T cos(theta) and bending T sin(theta), so that G b
+        h^3/3 keeps cos^2 / (cos^2 + 4 G/E sin^2) of itself; edgewise it bends as b^3 h/12. The most by
+        displacements: the whole twists alike, G t h^3/3 with t in all, and bends edgewise as a plane section, at
+        most as if all material lay at the edges, (W^3 - (W - t)^3) h/12.
+        """
+        h = np.full(width.size, thickness)
+        cos2 = 1 / (1 + slope**2)
+        one = material / ligaments
+        twist = 4 * shear_ratio * stiffness
+        leaning = cos2 / (cos2 + 4 * shear_ratio * (1 - cos2))
+        least = cls(
+            width,
+            h,
+            stiffness * cos2**1.5 * (one / h) ** 2,
+            twist * leaning * _held_back(h, one * np.sqrt(cos2)),
+        )
+        most = cls(width, h, stiffness * (width**3 - (width - material) ** 3) / (material * h**2), twist)
+        return least, most
+
+    @classmethod
+    def laminated(
+        cls,
+        stiffness: FloatArray,
+        rigidity: float,
+        base_width: FloatArray,
+        backing_width: FloatArray,
+        section: LaminatedSection,
+    ) -> "SidewaysSection":
+        """Two sheets glued back to back.
+
+        Parameters
+        ----------
+        stiffness : (n,) array
+            K of bending in the plane.
+        rigidity : float
+            B, N mm2: the E I where K = 1.
+        base_width, backing_width : (n,) array
+            mm.
+        section : LaminatedSection
+
+        Notes
+        -----
+        Free torsion leaves no shear flow anywhere across the strip, so every place twists about its own neutral
+        layer: G1 h1^3/3 beside the backing, 4 (D66 - B66^2/A66) on it. Never less than both sheets unglued.
+        """
+        sheets, widths = (section.base, section.backing), (base_width, backing_width)
+        h1, h2 = (sheet.thickness for sheet in sheets)
+        G1, G2 = (sheet.youngs_modulus * sheet.shear_ratio for sheet in sheets)
+        both = G1 * h1**3 / 3 + G2 * h2**3 / 3 + G1 * h1 * G2 * h2 / (G1 * h1 + G2 * h2) * (h1 + h2) ** 2
+        apart = G1 * h1**3 / 3 * base_width * _held_back(h1, base_width) + np.where(
+            backing_width > 0, G2 * h2**3 / 3 * backing_width * _held_back(h2, backing_width), 0.0
+        )
+        beside = G1 * h1**3 / 3 * (base_width - backing_width)
+        together = beside * _held_back(h1, base_width) + both * backing_width * _held_back(
+            h1 + h2, backing_width
+        )
+        edgewise, axial = (
+            np.asarray(
+                sum(
+                    sheet.youngs_modulus * sheet.thickness * w**power / over
+                    for sheet, w in zip(sheets, widths, strict=True)
+                )
+            )
+            for power, over in ((3, 12.0), (1, 1.0))
+        )
+        return cls(
+            base_width,
+            np.sqrt(12 * rigidity * stiffness / axial),
+            edgewise / rigidity,
+            np.maximum(apart, together) / rigidity,
+        )
+
+    @classmethod
+    def round(cls, stiffness: FloatArray, diameter: float, shear_ratio: float) -> "SidewaysSection":
+        """A rod or tube, at most `diameter` mm thick: E I all round, and G J = 2 G/E times that."""
+        size = np.full(stiffness.size, diameter)
+        return cls(size, size, stiffness, 2 * shear_ratio * stiffness)
+
+
+def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> float:
+    """G / E as given, else that of an isotropic sheet; or an InputError."""
+    nu = require_number(poisson_ratio, "poisson_ratio")
+    if not -1 < nu < 1:
+        raise InputError(
+            "poisson_ratio is {poisson_ratio}: it must lie between -1 and 1", poisson_ratio=poisson_ratio
+        )
+    ratio = even_shear_ratio(nu) if shear_ratio is None else require_number(shear_ratio, "shear_ratio")
+    if not 0 < ratio < np.inf:
+        raise InputError("shear_ratio is {shear_ratio}: G / E is positive", shear_ratio=shear_ratio)
+    return ratio
+
+
+def _held_back(thickness: FloatArray | float, width: FloatArray) -> FloatArray:
+    """Share (n,) of G w h^3/3 that a rectangle has."""
+    return np.asarray(np.maximum(1 - EDGE_LOSS * thickness / np.maximum(width, 1e-12), LEAST_TORSION))
+
+
+EDGES = 200
+"""Edges of the rod that is examined. The error of the margin falls with their square; here it is below 1e-3."""
+
+RIBBON_NUMBER = 16.0
+"""w^2 kappa / h from which on a section does not keep its shape: bending and twist are coupled, as in a ribbon.
+Then only an ample margin is conclusive; by finite elements ribbons are more stable than the rod."""
+
+MOST_RIBBON_NUMBER = 80.0
+"""Largest w^2 kappa / h that was compared with finite elements."""
+
+RIBBON_SLENDERNESS = 6.0
+"""Length over width below which a strip is a plate."""
+
+_POLE_SHARE = 64 * float(np.finfo(float).eps)  # of the stiffest entry: error of an eigenvalue
+_SIGN_SHARE = 1e-9  # of the way between the two lowest: a margin nearer to one of them is that one
+
+
+@dataclass(frozen=True)
+class SidewaysStability:
+    """What `sideways_stability` found.
+
+    Attributes
+    ----------
+    margin : float
+        Lowest eigenvalue of the second variation under turns out of the plane, over the integral of their square,
+        times length^2 (least bending stiffness 1): positive means stable; of the kind of `Stability.margin`.
+    ribbon_number : float
+        Largest w^2 kappa / h along the strip: see `RIBBON_NUMBER`.
+    slenderness : float
+        Length over the largest width.
+    most : float or None
+        The largest that the margin may be, where stiffnesses are known between bounds; `margin` is then the least.
+    """
+
+    margin: float
+    ribbon_number: float
+    slenderness: float
+    most: float | None = None
+
+    @property
+    def decided(self) -> bool:
+        """Whether the margin is conclusive: the strip is slender enough for a rod, and its margin is known well
+        enough."""
+        return self._is_rod and not self._between
+
+    @property
+    def _is_rod(self) -> bool:
+        if self.slenderness < RIBBON_SLENDERNESS or self.ribbon_number > MOST_RIBBON_NUMBER:
+            return False
+        return self.ribbon_number <= RIBBON_NUMBER or self.margin >= SAFE_MARGIN
+
+    @property
+    def _between(self) -> bool:
+        """Whether the sign of the margin is unknown, because the stiffness is known only within bounds."""
+        return self.most is not None and self.margin <= 0 < self.most
+
+    @property
+    def word(self) -> Literal["unstable", "low", "ample", "undecided"]:
+        """The margin in a word."""
+        if not self.decided:
+            return "undecided"
+        if self.margin <= 0:
+            return "unstable"
+        return "low" if self.margin < SAFE_MARGIN else "ample"
+
+    @property
+    def needs_guiding(self) -> bool:
+        """Whether it tips sideways, or may do so when pushed."""
+        return self.word in ("unstable", "low")
+
+    def __str__(self) -> str:
+        """One sentence; the margin where it warns."""
+        return note(
+            "sideways margin {margin:.3g} ({word}): {meaning}" if self.needs_guiding else "sideways {word}: "
+            "{meaning}",
+            margin=self.margin, word=note(self.word), meaning=note(self.meaning),
+        )  # fmt: skip
+
+    @property
+    def meaning(self) -> str:
+        """What the margin means for a maker, in a sentence."""
+        if self._is_rod and self._between:
+            return "its holes leave open whether it tips over sideways: guide it at the sides, or try it out"
+        return {
+            "unstable": "it tips over sideways or twists out of its plane: guide it at the sides, or make "
+            "it wider",
+            "low": "it stays in its plane, but a push from the side may tip it: guide it at the sides",
+            "ample": "it stays in its plane",
+            "undecided": "too wide for its length and bend to be judged as a rod: try it out",
+        }[self.word]
+
+
+def sideways_stability(
+    rod: Rod,
+    width: Profile | ArrayLike,
+    thickness: Profile | ArrayLike,
+    *,
+    poisson_ratio: float = 0.3,
+    shear_ratio: float | None = None,
+) -> SidewaysStability:
+    """Is the rest shape of a rectangular strip stable against leaving its plane? O(n).
+
+    Its ends are held in space where the plane's supports hold anything: clamps, hinges and sliders all keep the
+    tab from twisting and from moving sideways; an end without any support is free. Gravity acts in the plane.
+
+    Parameters
+    ----------
+    rod : Rod
+        In balance; its stiffness is that of bending in the plane, what a plate has more than a beam left out.
+    width : Profile, number or (n,) array
+        Of the strip along the rod, mm; values at equal distances.
+    thickness : Profile, number or (n,) array
+        The same of its thickness.
+    poisson_ratio : float
+        nu; an isotropic sheet's G / E = 1 / (2 (1 + nu)).
+    shear_ratio : float, optional
+        G / E of a sheet with grain, as `Sheet.shear_ratio` has it.
+
+    Raises
+    ------
+    InputError
+        Widths or thickness that are not positive, or no rod.
+
+    Notes
+    -----
+    Kirchhoff's rod: a turn phi (in the plane's two directions) bends the strip edgewise by <phi', N> with
+    E h w^3/12 and twists it by <phi', T> with G w h^3/3 (1 - 0.63 h/w) (St Venant); the moment M works on the area
+    that phi sweeps, and the force lambda on the tangent's second change. The second variation is
+
+        int EI2 <phi', N>^2 + GJ <phi', T>^2 - M (phi x phi') + <lambda, N> phi_T phi_N - <lambda, T> phi_N^2 ds
+
+    under int phi_N = 0 where both ends are held. Prandtl's lateral buckling (M = 2 pi sqrt(EI2 GJ) / L between
+    clamps), Michell's of a cantilever and Euler's are contained. What the model leaves out: sections that curl or
+    flatten, warping held by the clamps (wide, strongly bent strips: "undecided"), slots, gravity across the plane.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.bending import bend
+    >>> arch = bend(Rod.straight(300.0), end=(200.0, 0.0))
+    >>> sideways_stability(arch, 20.0, 0.8).word
+    'ample'
+    """
+    if not isinstance(rod, Rod):
+        raise InputError(
+            "sideways stability needs a Rod, not {name}: bend one first", name=type(rod).__name__
+        )
+    s = stations_of_sideways(rod)
+    section = SidewaysSection.rectangle(
+        np.interp(s, rod.s, rod.flat_stiffness),
+        _sizes(width, s, "strip width"),
+        _sizes(thickness, s, "thickness"),
+        _checked_shear_ratio(shear_ratio, poisson_ratio),
+    )
+    return sideways_stability_of(rod, section)
+
+
+def sideways_stability_of(
+    rod: Rod, section: SidewaysSection, most: SidewaysSection | None = None
+) -> SidewaysStability:
+    """Return the stability of a strip against tipping, for any section given at `stations_of_sideways`.
+
+    Where the section is only known to lie between two, `most` is the other one.
+
+    Examples
+    --------
+    A round rod 4 mm thick.
+
+    >>> from elastica_cad.mechanics.bending import bend
+    >>> arch = bend(Rod.straight(300.0), end=(280.0, 0.0))
+    >>> section = SidewaysSection.round(np.ones(EDGES + 1), 4.0, 0.38)
+    >>> sideways_stability_of(arch, section).decided
+    True
+    """
+    s, w = stations_of_sideways(rod), section.width
+    bend = np.abs(np.interp(s, rod.s, rod.curvature - rod.natural_curvature))
+    return SidewaysStability(
+        margin=sideways_margin(rod, section.edgewise, section.torsion),
+        # a section as thick as wide keeps its shape
+        ribbon_number=float(np.where(w > section.thickness, w**2 * bend / section.thickness, 0.0).max()),
+        slenderness=float(rod.length / w.max()),
+        most=None if most is None else sideways_margin(rod, most.edgewise, most.torsion),
+    )
+
+
+def stations_of_sideways(rod: Rod) -> FloatArray:
+    """Return the arc lengths (n,), mm, at which `sideways_stability_of` needs the section."""
+    return np.linspace(0.0, rod.length, EDGES + 1)
+
+
+def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> float:
+    """The margin for edgewise bending and torsional stiffnesses (n,), over the least bending one, equally spaced.
+
+    Examples
+    --------
+    A straight strip without load: the least of torsion and edgewise bending, pi^2 GJ for clamped ends.
+
+    >>> round(sideways_margin(Rod.straight(100.0), np.full(201, 400.0), np.full(201, 1.5)) / np.pi**2, 3)
+    1.5
+    """
+    n = len(edgewise) - 1
+    edge = rod.length / n
+    s = np.linspace(0.0, rod.length, n + 1)
+    middle = (s[1:] + s[:-1]) / 2
+    angle = np.interp(middle, rod.s, rod.angle)
+    force = np.column_stack([np.interp(middle, rod.s, rod.force[:, k]) for k in (0, 1)])
+    free = [not (end.x or end.y or end.angle) for end in rod.supports.ends]
+    lower = _band(angle, np.interp(s, rod.s, rod.angle), force, np.interp(s, rod.s, rod.moment), edge,
+                  edgewise, torsion, free)  # fmt: skip
+    row = None
+    if not any(free):
+        T = tangents(angle)
+        row = np.column_stack([-T[:, 1], T[:, 0]]).ravel()
+    return _lowest(lower / edge, row) * rod.length**2
+
+
+def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:
+    if isinstance(width, Profile):
+        found = np.asarray(width(s), dtype=float)
+    else:
+        given = np.atleast_1d(numbers(width, name))
+        if given.ndim != 1 or not given.size:
+            raise InputError("{name} is one finite number, a row of them, or a Profile, in mm", name=name)
+        found = (
+            np.interp(s, np.linspace(0, s[-1], given.size), given)
+            if given.size > 1
+            else np.full(s.size, given[0])
+        )
+    if not (np.all(np.isfinite(found)) and np.all(found > 0)):
+        raise InputError("{name} must be positive everywhere, in mm", name=name)
+    return found
+
+
+def _band(
+    angle: FloatArray, nodal_angle: FloatArray, force: FloatArray, moment: FloatArray, edge: float,
+    edgewise: FloatArray, torsion: FloatArray, free: list[bool],
+) -> FloatArray:  # fmt: skip
+    """The second variation in the turns (x, y) of every edge, lower band (4, 2 n), symmetric."""
+    n = angle.size
+    weight = node_weights(edge, n)
+    T = tangents(nodal_angle)
+    N = np.column_stack([-T[:, 1], T[:, 0]])
+    spring = np.einsum("i,ij,ik->ijk", edgewise / weight, N, N) + np.einsum(
+        "i,ij,ik->ijk", torsion / weight, T, T
+    )  # of every node, (n + 1, 2, 2)
+    for node, is_free in zip((0, -1), free, strict=True):
+        if is_free:
+            spring[node] = 0.0
+    t = tangents(angle)
+    m = np.column_stack([-t[:, 1], t[:, 0]])
+    along, across = (force * t).sum(axis=1), (force * m).sum(axis=1)
+    blocks = spring[:-1] + spring[1:] - edge * along[:, None, None] * m[:, :, None] * m[:, None]
+    mixed = t[:, :, None] * m[:, None]
+    blocks += edge / 2 * across[:, None, None] * (mixed + mixed.transpose(0, 2, 1))
+    # between neighbours: -spring, and -M (phi_i x phi_{i+1}), half of it either way
+    turn = np.array([[0.0, 1.0], [-1.0, 0.0]])
+    links = -spring[1:-1] - moment[1:-1, None, None] / 2 * turn
+    lower = np.zeros((4, 2 * n))
+    lower[0, 0::2], lower[0, 1::2], lower[1, 0::2] = blocks[:, 0, 0], blocks[:, 1, 1], blocks[:, 1, 0]
+    # links[i] is (row of edge i, column of edge i + 1): its transpose lies below the diagonal
+    lower[2, 0 : 2 * n - 2 : 2], lower[3, 0 : 2 * n - 2 : 2] = links[:, 0, 0], links[:, 0, 1]
+    lower[1, 1 : 2 * n - 2 : 2], lower[2, 1 : 2 * n - 2 : 2] = links[:, 1, 0], links[:, 1, 1]
+    return lower
+
+
+def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
+    """The lowest eigenvalue of the band matrix A where <row, v> = 0.
+
+    It lies between the two lowest ones of A, where <row, (A - mu)^-1 row> vanishes.
+    """
+    from scipy.linalg import eig_banded, solve_banded
+
+    if not np.all(np.isfinite(lower)):
+        raise NotConvergedError("no lower bound of the rod's second variation: its entries are not finite")
+    found = eig_banded(lower, lower=True, eigvals_only=True, select="i", select_range=(0, 1))
+    first, second = float(found[0]), float(found[1])
+    if row is None:
+        return first
+    full = np.zeros((7, lower.shape[1]))
+    full[3:] = lower
+    for k in (1, 2, 3):
+        full[3 - k, k:] = lower[k, : lower.shape[1] - k]
+
+    def along(mu: float) -> float:
+        shifted = full.copy()
+        shifted[3] -= mu
+        return float(row @ solve_banded((3, 3), shifted, row))
+
+    gap = second - first
+    # clear of both poles, which are known to rounding of the stiffest entry
+    clear = max(_SIGN_SHARE * gap, _POLE_SHARE * float(np.abs(lower).max()))
+    low, high = first + clear, second - clear
+    if low >= high or along(low) >= 0:  # the lowest mode keeps the row already
+        return first
+    if along(high) <= 0:
+        return second
+    return crossing(along, low, high, absolute=1e-13 * abs(first) + 1e-300, relative=1e-12)

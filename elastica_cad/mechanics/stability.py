@@ -1,0 +1,420 @@
+"""Does a rod stay in its shape: its margin, its conjugate points, in words."""
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from elastica_cad._compiled_scipy import lapack
+from elastica_cad._types import FloatArray
+from elastica_cad._values import numbers, require_record
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.discrete_rod import (
+    DiscreteRod,
+    constrained_inertia,
+    lowest_constrained,
+    solve_bordered,
+)
+from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.refusals import note
+
+
+@dataclass(frozen=True, eq=False)
+class Determinant:
+    """The stability determinant along a rod (Fig. 9).
+
+    Attributes
+    ----------
+    s : (n+1,) array
+        Midpoints of the edges and the end of the rod, mm from the start.
+    value : (n+1,) array
+        Z(s); its sign changes are the conjugate points, but for the rounding noise near s = 0, where Z has
+        a zero of high order.
+    fields : (n+2, 1+p) array
+        zeta, eta_1, .. eta_p of the Jacobi equation on the edges and the two fictitious ones.
+    integrals : (n, p, 1+p) array
+        M_i and N_ij up to the end of each edge.
+    """
+
+    s: FloatArray
+    value: FloatArray
+    fields: FloatArray
+    integrals: FloatArray
+
+    @property
+    def sign_changes(self) -> FloatArray:
+        """Places (k,), mm, where Z changes sign; none before the first zero of zeta, where rounding noise rules."""
+        beyond = np.flatnonzero(self.fields[1:, 0] <= 0)
+        # while zeta keeps its sign no interval can be unstable (the unconstrained Jacobi test)
+        first = max(int(beyond[0]) - 1, 0) if beyond.size else self.s.size
+        at, z = self.s[first:], self.value[first:]
+        k = np.flatnonzero(z[:-1] * z[1:] < 0)
+        return np.asarray(at[k] + (at[k + 1] - at[k]) * z[k] / (z[k] - z[k + 1]))
+
+
+def stability_determinant(rod: DiscreteRod) -> Determinant:
+    """The curve Z(s) by the discrete Jacobi recursion of section 7.1, started from the start of the rod.
+
+    Where the start leaves the angle free, zeta starts with slope zero; a coordinate that is not held at both
+    ends drops its rows.
+
+    Raises
+    ------
+    InputError
+        When the rod is pulled so hard that the recursion overflows.
+
+    Examples
+    --------
+    A straight, unloaded cantilever has no conjugate point.
+
+    >>> rod = DiscreteRod(np.ones(51), np.zeros(50), np.zeros(2), 1.0, Supports("free", "clamped"))
+    >>> stability_determinant(rod).sign_changes.size
+    0
+    """
+    require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
+    n, rows, lengths = rod.angles.size, rod.constraint_rows, rod.edge_lengths
+    right = np.zeros((n + 1, 1 + rows.shape[0]))
+    # first edge's value of all fields: zeta'(0) = 1 as in Eq. 7, or zeta(0) = 1 where the angle is free
+    right[0] = rod.node_lengths[0] if rod.held_angles[0] else 1.0
+    right[1:, 1:] = -rows.T
+    fields = np.zeros((n + 2, right.shape[1]))
+    fields[1:] = _solve_recursion(_recursion(rod), right)
+    integrals = np.cumsum(rows.T[:, :, None] * fields[1:-1, None, :], axis=0)
+    Z = _matrices(fields, integrals)
+    ends = np.cumsum(lengths)
+    s = np.append(ends - lengths / 2, ends[-1])
+    return Determinant(s, _determinants(Z), fields, integrals)
+
+
+def determinant_gradient(
+    rod: DiscreteRod, *, weights: FloatArray, moments: FloatArray, load_slope: FloatArray | None = None
+) -> FloatArray:
+    """Derivative of sum_i weights_i Z(s_i) with respect to the nodal K, by the adjoint method (App. B).
+
+    The rod stays in equilibrium while K changes: its ends are held, its angles and forces follow. With
+    weights that form a bump around a conjugate point sigma (or interpolate Z there) this is dZ/dK at sigma
+    up to a positive factor, and moving along it moves sigma towards the end of the rod. It is of rods that follow
+    Hooke's law: where stiffness follows the bend it leaves out that dM/dkappa changes as the shape does.
+
+    Parameters
+    ----------
+    rod : DiscreteRod
+        In equilibrium.
+    weights : (n+1,) array
+        Weights of Z at the midpoints of the edges and at the end.
+    moments : (n+1,) array
+        M at the nodes, 1/mm.
+    load_slope : (n+1, 2) array, optional
+        Derivative of each node's weight with respect to its K, 1/mm2 (weight ~ K: load / K).
+
+    Returns
+    -------
+    (n+1,) array
+    """
+    require_record(rod, DiscreteRod, "what is asked", "a DiscreteRod")
+    for name, values in (("weights", weights), ("moments", moments)):
+        if numbers(values, name).shape != (rod.angles.size + 1,):
+            raise InputError(
+                "{name} are numbers ({size},) of this rod: one more than it has edges",
+                name=name,
+                size=rod.angles.size + 1,
+            )
+    n, lengths, T, rows = rod.angles.size, rod.edge_lengths, rod.tangents, rod.constraint_rows
+    z = stability_determinant(rod)
+    X, p = z.fields, z.fields.shape[1] - 1
+
+    # back through the determinants and the running integrals
+    G = weights[:, None, None] * _cofactors(_matrices(X, z.integrals))
+    suffix = np.cumsum(G[:0:-1, 1:, :], axis=0)[::-1]  # of what hangs on the integrals up to each edge
+    per_field = G[:, 0, :].copy()
+    per_field[:-1] += np.einsum("kp,kpm->km", rows.T, suffix)
+    per_row = np.einsum("kpm,km->kp", suffix, X[1:-1])
+
+    # back through the recursion
+    adjoint = np.zeros((n + 2, 1 + p))
+    adjoint[1:-1] = _solve_recursion(_recursion(rod), per_field, transposed=True)[1:]
+    per_spring = np.einsum("km,km->k", np.diff(adjoint, axis=0), np.diff(X, axis=0))
+    per_pull = -np.einsum("km,km->k", adjoint[1:-1], X[1:-1])
+    per_row -= adjoint[1:-1, 1:]
+
+    # how Z depends on angles and forces directly
+    held = list(rod.held)
+    per_angle = per_pull * lengths * rod.shear - lengths * np.einsum("kp,kp->k", per_row, T[:, held])
+    per_force = (per_pull * lengths)[:, None] * T
+
+    # back through the equilibrium: its Jacobian is symmetric
+    y, _ = solve_bordered(*rod.hessian, rows, right=per_angle, below=per_force[:, held].sum(axis=0))
+    per_force -= (lengths * y)[:, None] * np.column_stack([-T[:, 1], T[:, 0]])
+    gradient = per_spring / rod.node_lengths - moments / rod.stiffness * np.diff(y, prepend=0.0, append=0.0)
+    for node, angle_held in zip((0, -1), rod.held_angles, strict=True):
+        gradient[node] *= angle_held
+    if load_slope is not None:
+        gradient += np.einsum("kp,kp->k", load_slope, _per_load(per_force, rod.supports))
+    return np.asarray(gradient, dtype=float)
+
+
+def conjugate_point(rod: DiscreteRod) -> float | None:
+    """First isoperimetric conjugate point from the start of the rod, mm; None when there is none in (0, l].
+
+    The shortest piece [0, s] of the rod, clamped at s, on which the second variation is not positive:
+    found by bisection on the inertia of the leading pieces, so that the zero of high order that Z has at s
+    = 0 cannot be counted.
+
+    Raises
+    ------
+    InputError
+        When the end of the rod leaves the angle free; start from the other end then.
+    """
+    require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
+    if not rod.held_angles[1]:
+        raise InputError("conjugate points need an end that holds the angle: run the rod the other way round")
+    (diagonal, off), rows, lengths = rod.hessian, rod.constraint_rows, rod.edge_lengths
+    found = _first_unstable_piece(rod)
+    if found is None:
+        return None
+    ends = np.cumsum(lengths)
+    place = np.append(ends[:-1] + lengths[1:] / 2, ends[-1])  # where the piece of k edges is clamped
+    if found == 1:
+        return float(place[0])
+    lower, upper = (
+        float(lowest_constrained(diagonal[:k], off[: k - 1], rows[:, :k])[0][0]) if k > len(rows) else np.inf
+        for k in (found - 1, found)
+    )
+    fraction = (
+        1.0 if not np.isfinite(lower) or lower <= upper else float(np.clip(lower / (lower - upper), 0, 1))
+    )
+    return float(place[found - 2] + fraction * (place[found - 1] - place[found - 2]))
+
+
+def _first_unstable_piece(rod: DiscreteRod) -> int | None:
+    """Least number of leading edges with an unstable mode that respects the constraints; None without any."""
+    (diagonal, off), rows = rod.hessian, rod.constraint_rows
+
+    def is_unstable(k: int) -> bool:
+        return k > len(rows) and bool(constrained_inertia(diagonal[:k], off[: k - 1], rows[:, :k]))
+
+    low, high = 0, diagonal.size
+    if high <= len(rows) or not rod.unstable_modes:
+        return None
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if is_unstable(middle) else (middle, high)
+    return high
+
+
+def _recursion(rod: DiscreteRod) -> FloatArray:
+    """Lower triangular band (3, n+1) of the recursion for zeta_1 .. zeta_{n+1}."""
+    spring = rod.stiffness / rod.node_lengths
+    if not rod.held_angles[0]:
+        spring[0] = 0.0
+    band = np.zeros((3, rod.angles.size + 1))
+    band[0, 0] = 1.0
+    band[0, 1:] = spring[1:]
+    band[1, :-1] = rod.edge_length * rod.pull - spring[:-1] - spring[1:]
+    band[2, :-2] = spring[1:-1]
+    return band
+
+
+def _solve_recursion(band: FloatArray, right: FloatArray, *, transposed: bool = False) -> FloatArray:
+    solution, info = lapack().dtbtrs(band, right, uplo="L", trans="T" if transposed else "N")
+    if info != 0 or not np.all(np.isfinite(solution)):
+        raise InputError(
+            "the Jacobi equation overflows: the rod is pulled far too hard for Z(s) to be a number"
+        )
+    return np.asarray(solution)
+
+
+def _matrices(fields: FloatArray, integrals: FloatArray) -> FloatArray:
+    """Stability matrices (n+1, 1+p, 1+p) at the edges and at the end."""
+    n, _, m = integrals.shape
+    Z = np.empty((n + 1, m, m))
+    Z[:, 0, :] = fields[1:]
+    Z[0, 1:, :] = 0.0
+    Z[1:, 1:, :] = integrals
+    return Z
+
+
+def _cofactors(Z: FloatArray) -> FloatArray:
+    """Cofactor matrices (k, m, m), m <= 3; exact where the determinant vanishes."""
+    m = Z.shape[1]
+    if m == 1:
+        return np.ones_like(Z)
+    if m == 2:
+        flipped = Z[:, ::-1, ::-1].copy()
+        flipped[:, 0, 1] *= -1
+        flipped[:, 1, 0] *= -1
+        return np.asarray(flipped)
+    return np.stack([_cross(Z[:, i - 2], Z[:, i - 1]) for i in range(3)], axis=1)
+
+
+def _determinants(Z: FloatArray) -> FloatArray:
+    first = _cross(Z[:, 1], Z[:, 2]) if Z.shape[1] == 3 else _cofactors(Z)[:, 0]
+    return np.asarray(np.einsum("km,km->k", Z[:, 0], first))
+
+
+def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
+    """Cross products (k, 3), faster than numpy's, which takes vectors of any shape."""
+    i, j = [1, 2, 0], [2, 0, 1]
+    return np.asarray(u[:, i] * v[:, j] - u[:, j] * v[:, i])
+
+
+def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
+    """Derivatives (n+1, 2) with respect to the nodal loads from those with respect to the edge forces."""
+    n = per_force.shape[0]
+    per_load = np.zeros((n + 1, 2))
+    ends = supports.ends
+    for i, axis in enumerate("xy"):
+        if getattr(ends[0], axis) and not getattr(ends[1], axis):
+            per_load[1:, i] = -np.cumsum(per_force[:, i])
+        else:
+            per_load[1:-1, i] = np.cumsum(per_force[:0:-1, i])[::-1]
+            if not getattr(ends[0], axis):
+                per_load[0, i] = per_force[:, i].sum()
+    return per_load
+
+
+SAFE_MARGIN = 5.0  # bears the inaccuracies of cutting and mounting; 0 is the border of stability
+OUT_OF_BALANCE = 0.05  # share of the moments: what is further from balance is no rest shape, stable or not
+
+
+@dataclass(frozen=True, eq=False)
+class Stability:
+    """What `stability` found.
+
+    Attributes
+    ----------
+    stable : bool
+        True when every small disturbance that the supports allow costs energy.
+    margin : float
+        Lowest eigenvalue of h -> int K h'^2 - <lambda, gamma'> h^2 against int h^2 on the tangent space of
+        the end constraints, times length^2, K being dM/dkappa; positive means stable, and it is comparable between
+        rods.
+    mode : (n,) array
+        The turning angles of that mode at the nodes, largest 1: the way in which the rod gives first.
+    negative : int
+        Number of unstable modes.
+    conjugate_point : float or None
+        The first isoperimetric conjugate point, mm of arc length from the start of the rod; None when
+        there is none (the rod is stable) or when both ends leave the angle free, where it is not defined.
+    started_from : {"start", "end"} or None
+        The end from which the conjugate point is counted. Counted from the other one it lies elsewhere.
+    determinant_s, determinant : (n,) arrays
+        The curve Z(s) of Fig. 9 in arc length from the start, mm; empty where it is not defined. Next to
+        `started_from` it has a zero of high order.
+    borderline : bool
+        True when the margin is smaller than its own rounding error; then `stable` is False.
+    """
+
+    stable: bool
+    margin: float
+    mode: FloatArray = field(repr=False)
+    negative: int
+    conjugate_point: float | None
+    started_from: Literal["start", "end"] | None
+    determinant_s: FloatArray = field(repr=False)
+    determinant: FloatArray = field(repr=False)
+    borderline: bool
+
+    def __str__(self) -> str:
+        return note(
+            "stable, margin {margin:.3g} ({word}): {meaning}" if self.stable else "margin {margin:.3g} ({word}): "
+            "{meaning}",
+            margin=self.margin, word=note(self.word), meaning=note(self.meaning),
+        )  # fmt: skip
+
+    @property
+    def word(self) -> Literal["unstable", "low", "ample"]:
+        """The margin in a word: below 0, below `SAFE_MARGIN`, above it."""
+        if not self.stable:
+            return "unstable"
+        return "low" if self.margin < SAFE_MARGIN else "ample"
+
+    @property
+    def meaning(self) -> str:
+        """What the margin means for a maker, in a sentence."""
+        return {
+            "unstable": "in balance but it will not stay: it snaps into another shape",
+            "low": "it stays, but a push, a loose clamp or a cut that is off may make it snap",
+            "ample": "it stays, and comes back when pushed",
+        }[self.word]
+
+
+def stability(rod: Rod) -> Stability:
+    """Is the rest shape stable, with its weight and its supports? O(n).
+
+    Two independent routes must agree: the inertia of the second variation bordered by the end constraints
+    (LDL^t), and the lowest eigenvalue on their tangent space (inverse iteration). The stability determinant of the
+    Jacobi equation (paper, section 6.2) comes with them; it holds with weight too, since weight enters only through
+    the force. All of them feel dM/dkappa (`Rod.tangent_stiffness`), which is up to a tenth more than M / kappa in a
+    wide strip (`section`) that stiffens as it is bent.
+
+    Parameters
+    ----------
+    rod : Rod
+        In equilibrium: from `optimal_rod`, `bend` or `nearest_rod`.
+
+    Returns
+    -------
+    Stability
+
+    Raises
+    ------
+    InputError
+        When the rod is far from balance: bend it first.
+    NotConvergedError
+        When the routes disagree.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.rod import Rod
+    >>> from elastica_cad.mechanics.bending import bend
+    >>> arch = bend(Rod.straight(100.0, samples=101), end=(70.0, 0.0))
+    >>> stability(arch).stable
+    True
+    """
+    if not isinstance(rod, Rod):
+        raise InputError(
+            "stability needs a Rod, as optimal_rod or bend makes one, not {name}", name=type(rod).__name__
+        )
+    if rod.residual > OUT_OF_BALANCE:
+        raise InputError(
+            "the rod is out of balance (residual {residual:.2g}), so it has no stability: bend it first",
+            residual=rod.residual,
+        )
+    discrete = rod.discrete
+    negative, margin = discrete.unstable_modes, discrete.margin
+    scale = float(np.abs(discrete.hessian[0]).max()) * discrete.angles.size * rod.length
+    borderline = abs(margin.value) <= 64 * float(np.finfo(float).eps) * scale
+    if not borderline and (negative == 0) != (margin.value > 0):
+        raise NotConvergedError(
+            "stability is undecided: {negative} unstable modes counted, but the margin is {given:.6g}",
+            negative=negative,
+            given=margin.value,
+        )
+
+    started_from: Literal["start", "end"] | None = None
+    place, s, value = None, np.zeros(0), np.zeros(0)
+    if any(discrete.held_angles):
+        started_from = "start" if discrete.held_angles[1] else "end"
+        counted = discrete if started_from == "start" else discrete.reversed()
+        z = stability_determinant(counted)
+        place, s, value = conjugate_point(counted), z.s, z.value
+    if started_from == "end":
+        place = None if place is None else rod.length - place
+        s, value = rod.length - s[::-1], value[::-1]
+    return Stability(
+        stable=negative == 0 and not borderline, margin=margin.value, mode=_nodal_mode(discrete),
+        negative=negative, conjugate_point=place, started_from=started_from, determinant_s=s,
+        determinant=value, borderline=borderline,
+    )  # fmt: skip
+
+
+def _nodal_mode(rod: DiscreteRod) -> FloatArray:
+    """The mode of the margin averaged to the nodes, largest 1; zero at an end that holds the angle."""
+    mode = rod.margin.mode
+    nodal = np.empty(mode.size + 1)
+    nodal[1:-1] = (mode[:-1] + mode[1:]) / 2
+    for node, held in zip((0, -1), rod.held_angles, strict=True):
+        nodal[node] = 0.0 if held else mode[node]
+    return np.asarray(nodal / nodal[int(np.argmax(np.abs(nodal)))])

@@ -1,0 +1,354 @@
+"""How far can a rest shape be pushed before it snaps or buckles?"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import numbers, require_record
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.bending import as_steps, reach, state_of, system_of
+from elastica_cad.mechanics.discrete_rod import Margin, solve_tridiagonal
+from elastica_cad.mechanics.loads import Gravity, PointMass
+from elastica_cad.mechanics.newton_continuation import correct, is_straight, relax
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.rod_system import RodState, RodSystem, Step
+from elastica_cad.refusals import Point
+
+PathStep: TypeAlias = "float | ArrayLike | Mapping[str, Any]"
+Path: TypeAlias = "Callable[[float], PathStep] | ArrayLike | Sequence[Mapping[str, Any]]"
+
+LARGEST_TURN_RAD = 0.3  # of an edge in one step along the path
+FIRST_STEPS = 16  # steps a leg of the path is tried in at first
+RESOLUTION_SHARE = 1e-9  # of the path
+PUSH_RAD = 0.02  # along the critical mode, to see where the rod comes to rest
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class StabilityLimit:
+    """The place on a path of end positions or loads at which a stable rod becomes unstable.
+
+    Attributes
+    ----------
+    parameter : float or None
+        Place on the path at which stability is lost: t of a function, otherwise the number of steps done
+        (2.25 is a quarter of the way from the second step to the third; 0 is the rod as given). None:
+        stable all along.
+    at : dict
+        What was asked there, as in the path: keywords of `bend`, {"end": ...} or {"load": factor}.
+    kind : {"snap", "bifurcation"} or None
+        "snap": the branch of equilibria turns back, the rod jumps. "bifurcation": the shape goes on to exist,
+        but the rod gives way sideways from it.
+    before : Rod
+        The last stable shape (at the end of the path when `parameter` is None).
+    after : Rod or None
+        The stable shape in which the rod comes to rest just beyond; None when none was found.
+    parameters, margins : (k,) arrays
+        The stable states visited.
+    """
+
+    parameter: float | None
+    at: dict[str, Any]
+    kind: Literal["snap", "bifurcation"] | None
+    before: Rod
+    after: Rod | None
+    parameters: FloatArray
+    margins: FloatArray
+
+    def __str__(self) -> str:
+        if self.parameter is None:
+            return f"stable all along the path, with a margin of {self.margins.min():.3g} at least"
+        asked = ", ".join(
+            f"{key} is {one:.4g}" if np.ndim(one) == 0 else f"{key} is {Point(one):.4g}"
+            for key, one in self.at.items()
+        )
+        how = "snaps" if self.kind == "snap" else "buckles"
+        return f"stable up to {self.parameter:.4g} on the path, where {asked}: it {how} there"
+
+    def __repr__(self) -> str:
+        return f"<StabilityLimit: {self}>"
+
+
+def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> StabilityLimit:
+    """The end displacement or load factor that makes a stable rod unstable.
+
+    The branch of equilibria is followed from the rod's present shape in adaptive steps, and the place
+    where the lowest eigenvalue (the margin of `stability`) comes to zero is bisected. A wide strip (`section`) is
+    as stiff at every step as its bend makes it.
+
+    Parameters
+    ----------
+    rod : Rod
+        In equilibrium and stable; a straight rod may be pushed together.
+    path : function or sequence
+        What happens to the rod: positions of its end (k, 2), mm; load factors (k,), which multiply the
+        weight, dead forces and moments that it carries; or mappings with keywords of `bend`. In a sequence
+        the rod is led from its present state from entry to entry in straight lines; a function of t in [0,
+        1] gives one such entry.
+    side : {+1, -1}, optional
+        To which side a straight rod is pushed out of its line (see `bend`).
+
+    Returns
+    -------
+    StabilityLimit
+
+    Raises
+    ------
+    InputError
+        The rod is unstable from the start, or the path is no path.
+    NotConvergedError
+        The start of the path is not reached.
+
+    Examples
+    --------
+    An upright column of its own weight buckles at w L^3 / (E I) = 7.837.
+
+    >>> from elastica_cad.mechanics.loads import Gravity
+
+    >>> from elastica_cad.mechanics.rod import Rod
+
+    >>> from elastica_cad.mechanics.loads import Supports
+    >>> column = Rod.straight(
+    ...     100.0, angle=np.pi / 2, supports=Supports("clamped", "free"), gravity=Gravity(100.0)
+    ... )
+    >>> limit = stability_limit(column, [20.0])
+    >>> limit.kind, round(limit.at["load"], 2)
+    ('bifurcation', 7.84)
+    """
+    require_record(rod, Rod, "the rod", "a Rod, as bend makes one")
+    rod = rod.following()
+    course = Course.of(rod, path)
+    t, state = _first_state(course, rod, side)
+    margin = state.discrete.margin
+    if margin.value <= 0:
+        raise InputError(
+            "the rod is unstable from the start of the path (margin {given:.3g}): start from a stable shape",
+            given=margin.value,
+        )
+    visited = [(t, margin.value)]
+    step = course.end / max(FIRST_STEPS * course.legs, 1)
+    while t < course.end:
+        t_next = course.clipped(t, step)
+        found = _advance(course.system(t_next), state)
+        if found is not None and (after := found.discrete.margin).value <= 0:
+            crossing = _bisected(course, (t, state, margin), t_next)
+            t, state, margin = crossing[0]
+            visited.append((t, margin.value))
+            if crossing[1]:
+                return _lost(course, t, state, visited)
+            step = (t_next - t) / 8
+            continue
+        if found is None:
+            step = (t_next - t) / 2
+            if step < RESOLUTION_SHARE * course.end:
+                return _lost(course, t, state, visited)
+            continue
+        t, state, margin = t_next, found, after
+        visited.append((t, margin.value))
+        step = min(2 * step, course.end / (FIRST_STEPS * course.legs))
+    history = np.array(visited)
+    return StabilityLimit(
+        None, course.asked(t), None, state.rod(course.loaded(t)), None, history[:, 0], history[:, 1]
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """A path as a function from its parameter to the equations of the rod."""
+
+    base: Rod
+    asked: Callable[[float], dict[str, Any]]
+    legs: int
+    end: float
+
+    @classmethod
+    def of(cls, rod: Rod, path: Path) -> "Course":
+        """From the rod's present state along a path."""
+        if callable(path):
+            function = path
+            return cls(rod, lambda t: _entry(function(t)), 1, 1.0)
+        entries = _entries(path)
+        names = {name for entry in entries for name in entry}
+        own = _present(rod, names)
+        stops = [own]
+        for entry in entries:
+            stops.append({**stops[-1], **entry})
+        legs = len(entries)
+
+        def asked(t: float) -> dict[str, Any]:
+            k = min(int(t), legs - 1)
+            return {name: _between(stops[k][name], stops[k + 1][name], t - k, name) for name in own}
+
+        return cls(rod, asked, legs, float(legs))
+
+    def clipped(self, t: float, step: float) -> float:
+        """The next parameter, stopping at the corners of the path."""
+        corner = min(np.floor(t / self.end * self.legs + 1e-9) + 1, self.legs) * self.end / self.legs
+        return float(corner if t + step >= corner * (1 - 1e-12) else t + step)
+
+    def around(self, t: float) -> tuple[float, float]:
+        """A piece of the path about t that turns no corner."""
+        reach_t = 1e-3 * self.end
+        a = max(t - reach_t, float(np.floor(t / self.end * self.legs)) * self.end / self.legs)
+        return a, min(a + 2 * reach_t, self.end)
+
+    def loaded(self, t: float) -> Rod:
+        """The rod with the weight that it carries at t."""
+        asked = self.asked(t)
+        rod = self.base
+        if "gravity" in asked:
+            rod = replace(rod, gravity=asked["gravity"])
+        return _weighing(rod, asked["load"]) if "load" in asked else rod
+
+    def system(self, t: float) -> RodSystem:
+        """The equations at t."""
+        asked = self.asked(t)
+        ends = {name: asked[name] for name in ("start", "end", "angles", "force", "moment") if name in asked}
+        system = system_of(self.loaded(t), self.base, **ends)
+        factor = asked.get("load", 1.0)
+        return replace(system, force=factor * system.force, moments=factor * system.moments)
+
+
+def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, RodState]:
+    """Equilibrium at the start of the path, or a little further where a straight rod has to bend first."""
+    for t in (0.0, 1e-3 * course.end):
+        reached = reach(state_of(rod, course.system(t)), side if t > 0 else None, 1)
+        if not reached.arrived:
+            raise NotConvergedError(
+                "the start of the path was not reached: {fraction:.1%} of the way", fraction=reached.fraction
+            )
+        if (
+            not is_straight(reached.state)
+            or correct(reached.state.under(course.system(1e-3 * course.end))) is not None
+        ):
+            return t, reached.state
+    return t, reached.state
+
+
+def _advance(system: RodSystem, state: RodState) -> RodState | None:
+    found = correct(state.under(system), turn=LARGEST_TURN_RAD)
+    return None if found is None else found[0]
+
+
+Visit: TypeAlias = tuple[float, RodState, Margin]
+
+
+def _bisected(course: Course, low: Visit, high: float) -> tuple[Visit, bool]:
+    """The last stable state before a change of sign of the margin, and whether the margin goes to zero there.
+
+    Next to a fold a step may land on the unstable branch beside; then the margin jumps instead.
+    """
+    start = low[2].value
+    while high - low[0] > RESOLUTION_SHARE * course.end:
+        t = (low[0] + high) / 2
+        found = _advance(course.system(t), low[1])
+        if found is not None and (margin := found.discrete.margin).value > 0:
+            low = (t, found, margin)
+        else:
+            high = t
+    return low, low[2].value < 1e-6 * max(start, 1.0)
+
+
+def _lost(course: Course, t: float, state: RodState, visited: list[tuple[float, float]]) -> StabilityLimit:
+    """Record of the loss of stability near path parameter t."""
+    kind = _kind(course, t, state)
+    beyond = min(t + 1e-4 * course.end, course.end)
+    mode = state.discrete.margin.mode
+    push = Step(PUSH_RAD * mode / np.abs(mode).max(), np.zeros_like(state.reactions))
+    rest = relax(state.moved(push).under(course.system(beyond)))
+    history = np.array(visited)
+    before, after = state.rod(course.loaded(t)), None if rest is None else rest.rod(course.loaded(beyond))
+    return StabilityLimit(t, course.asked(t), kind, before, after, history[:, 0], history[:, 1])
+
+
+def _kind(course: Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:
+    """At a fold the load works on the critical mode; at a bifurcation it does not.
+
+    The work is compared with the size of what the rod would do without its axial force: the turn of an end is a
+    large imbalance of one edge, which grows with the number of edges, but a smooth response.
+    """
+    margin, rod, norm = state.discrete.margin, state.discrete, np.linalg.norm
+    a, b = course.around(t)
+    before, after = (state.under(course.system(end)).residual for end in (a, b))
+    imbalance, miss = after.imbalance - before.imbalance, after.miss - before.miss
+    mode, nu = margin.mode, margin.multipliers[list(state.system.held)]
+    diagonal, off = rod.hessian
+    elastic = diagonal + rod.edge_length * rod.pull + rod.edge_lengths / state.system.length**2
+    response = solve_tridiagonal(elastic, off, imbalance)
+    moments = elastic * mode
+    moments[:-1] += off * mode[1:]
+    moments[1:] += off * mode[:-1]
+    size = float(norm(moments) * norm(response) + norm(nu) * norm(miss))
+    work = float(mode @ imbalance - nu @ miss)
+    rounding = 1e-8 * (b - a) * state.scale * float(norm(mode, 1))
+    return "snap" if abs(work) > 1e-3 * size + rounding else "bifurcation"
+
+
+def _entries(path: Any) -> list[dict[str, Any]]:
+    if isinstance(path, Sequence) and path and all(isinstance(entry, Mapping) for entry in path):
+        steps = as_steps(path)
+        if any("supports" in step for step in steps):
+            raise InputError("supports cannot change along a path: bend the rod with the new supports first")
+        return steps
+    values = numbers(path, "the path of loads")
+    if values.ndim == 1 and values.size:
+        return [_entry(value) for value in values]
+    return as_steps(values)
+
+
+def _entry(step: Any) -> dict[str, Any]:
+    """One entry of a path: a load factor, a position of the end, or keywords of `bend`."""
+    if isinstance(step, Mapping):
+        load = {"load": float(step["load"])} if "load" in step else {}
+        rest = {name: value for name, value in step.items() if name != "load"}
+        return {**as_steps([rest])[0], **load} if rest else load
+    value = numbers(step, "a step of the path")
+    if value.ndim == 0:
+        if not (np.isfinite(value) and value >= 0):
+            raise InputError("load factors must be finite and not negative, got {given}", given=value)
+        return {"load": float(value)}
+    return as_steps(value[None])[0]
+
+
+def _present(rod: Rod, names: set[str]) -> dict[str, Any]:
+    """Present values of the quantities that a path changes, by name."""
+    system = system_of(rod, rod)
+    if "load" in names and not (np.any(system.load) or np.any(system.force) or np.any(system.moments)):
+        raise InputError("a path of load factors needs a rod that carries weight, a dead force or a moment")
+    present: dict[str, Any] = {
+        "start": system.start, "end": system.end, "gravity": rod.gravity, "force": system.force,
+        "angles": system.held_angles,
+        "moment": tuple(system.moments), "load": 1.0,
+    }  # fmt: skip
+    return {name: present[name] for name in names}
+
+
+def _between(a: Any, b: Any, u: float, name: str) -> Any:
+    """The value a share u of the way from a to b."""
+    if name == "gravity":
+        zero = np.zeros(2)
+        e = (1 - u) * (zero if a is None else a.e) + u * (zero if b is None else b.e)
+        size = float(np.hypot(*e))
+        return None if size == 0 else Gravity(size ** (-1 / 3), (-e[0], -e[1]))
+    if name == "angles":
+        return tuple(
+            None if x is None else (1 - u) * x + u * (x if y is None else y)
+            for x, y in zip(a, b, strict=True)
+        )
+    if name == "moment" and np.ndim(b) == 0:
+        b = tuple(float(b) if x != 0 or k == 1 else 0.0 for k, x in enumerate(a))
+    if name == "load":
+        return float((1 - u) * a + u * b)
+    return (1 - u) * np.asarray(a, dtype=float) + u * np.asarray(b, dtype=float)
+
+
+def _weighing(rod: Rod, factor: float) -> Rod:
+    """The rod with `factor` times its weight."""
+    if rod.gravity is None or factor == 1.0:
+        return rod
+    if rod.weight is None:
+        return replace(rod, gravity=rod.gravity.scaled(factor) if factor > 0 else None)
+    masses = tuple(PointMass(point.at, factor * point.mass) for point in rod.weight.masses)
+    return replace(rod, weight=replace(rod.weight.scaled(factor, factor), masses=masses))

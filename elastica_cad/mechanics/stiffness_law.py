@@ -1,0 +1,446 @@
+"""What stiffness is made of: laws of sections, tapered and of glued leaves."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol, Self
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_whole, numbers, require_number
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2
+from elastica_cad.mechanics.section_limits import LayerStrain, positive
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.refusals import Length
+
+MOST_LEAVES = 50
+"""Largest number of leaves; more would be as good as a taper."""
+
+
+class FixedLaw:
+    """Base of laws whose stiffness does not depend on the bend."""
+
+    @property
+    def follows_bend(self) -> bool:
+        """No: bending does not change it."""
+        return False
+
+    @property
+    def stack(self) -> "LaidLeaves | None":
+        """Always None: the section is of one piece, or of leaves that are not laid yet."""
+        return None
+
+    def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> Self:  # noqa: ARG002 - see `follows_bend`
+        """The law itself."""
+        return self
+
+    def curl(self, parameter: FloatArray) -> None:
+        """Return None: bending does not change the section."""
+
+
+@dataclass(frozen=True)
+class _PowerLaw(FixedLaw):
+    """E I = E `inertia` p^`power` and area = `area` p^(`power` - 2): sections of one parameter p, mm.
+
+    Attributes
+    ----------
+    sheet : Sheet
+        Modulus, density and largest strain; its thickness does not count.
+    least, largest : float
+        Limits of the parameter, mm.
+    """
+
+    sheet: Sheet
+    least: float
+    largest: float
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.sheet, Sheet):
+            raise InputError(
+                "a Sheet is needed for the material of the section, not {sheet!r}", sheet=self.sheet
+            )
+        low, high = (require_number(value, f"{self.quantity} limit") for value in (self.least, self.largest))
+        if not 0 < low <= high:
+            raise InputError(
+                "{quantity} limits are {low:g} and {high:g}: give the least first, such as 3 and 8",
+                quantity=self.quantity,
+                low=low,
+                high=Length(high),
+            )
+
+    @property
+    def quantity(self) -> str:
+        """Name of the parameter."""
+        raise NotImplementedError
+
+    @property
+    def _shape(self) -> tuple[int, float, float]:
+        """Power of the parameter in E I, second moment and area for p = 1."""
+        raise NotImplementedError
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Least and largest parameter, mm."""
+        return self.least, self.largest
+
+    def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
+        """E I (n,), N mm2, of parameters (n,), mm."""
+        power, inertia, _ = self._shape
+        return np.asarray(self.sheet.youngs_modulus * inertia * positive(parameter, self.quantity) ** power)
+
+    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
+        """Parameters (n,), mm, that give the E I (n,), N mm2."""
+        power, inertia, _ = self._shape
+        EI = positive(bending_stiffness, "bending stiffness")
+        return np.asarray((EI / (self.sheet.youngs_modulus * inertia)) ** (1 / power))
+
+    def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
+        """N/mm (n,) of parameters (n,), mm."""
+        power, _, area = self._shape
+        specific = self.sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2
+        return np.asarray(specific * area * positive(parameter, self.quantity) ** (power - 2))
+
+    def strains(
+        self, curvature: ArrayLike, parameter: ArrayLike, *, natural_curvature: float = 0.0
+    ) -> tuple[LayerStrain, ...]:
+        """Strain p/2 |kappa - kappa_0| of the outermost fibre."""
+        bend = np.abs(numbers(curvature, "curvature") - natural_curvature)
+        strain = bend * positive(parameter, self.quantity) / 2
+        return (LayerStrain(self.sheet, np.atleast_1d(strain)),)
+
+
+@dataclass(frozen=True)
+class ThicknessLaw(_PowerLaw):
+    """A strip of one width, tapered in thickness t: E I = E w t^3 / 12, weight ~ t.
+
+    Parameters
+    ----------
+    sheet : Sheet
+        Modulus, density and largest strain; its thickness does not count.
+    least, largest : float
+        Limits of the thickness, mm.
+    width : float
+        mm.
+
+    Examples
+    --------
+    >>> law = ThicknessLaw(Sheet("rod", 1.0, 12.0, density=1000.0, max_strain=0.01), 3.0, 8.0, width=10.0)
+    >>> law.bending_stiffness(4.0).item(), round(law.parameter(640.0).item(), 9)
+    (640.0, 4.0)
+    """
+
+    width: float = 10.0
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not require_number(self.width, "width") > 0:
+            raise InputError("width is {width:g}: it must be positive, in mm", width=self.width)
+
+    @property
+    def quantity(self) -> str:
+        """Thickness."""
+        return "thickness"
+
+    @property
+    def _shape(self) -> tuple[int, float, float]:
+        return 3, self.width / 12, self.width
+
+
+@dataclass(frozen=True)
+class RoundLaw(_PowerLaw):
+    """A round rod of diameter d, or a tube whose bore is a share of it: E I ~ d^4, weight ~ d^2.
+
+    Parameters
+    ----------
+    sheet : Sheet
+        Modulus, density and largest strain; its thickness does not count.
+    least, largest : float
+        Limits of the outer diameter, mm.
+    bore : float
+        Inner over outer diameter, from 0 (a rod) to below 1.
+
+    Examples
+    --------
+    >>> law = RoundLaw(Sheet("rod", 1.0, 64.0, density=1000.0, max_strain=0.01), 2.0, 8.0)
+    >>> round(law.bending_stiffness(2.0).item() / np.pi, 9)
+    16.0
+    """
+
+    bore: float = 0.0
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not 0 <= require_number(self.bore, "bore") < 1:
+            raise InputError(
+                "bore is {bore:g}: give the inner over the outer diameter, from 0 (a rod) to below 1",
+                bore=self.bore,
+            )
+
+    @property
+    def quantity(self) -> str:
+        """Diameter."""
+        return "diameter"
+
+    @property
+    def _shape(self) -> tuple[int, float, float]:
+        return 4, np.pi / 64 * (1 - self.bore**4), np.pi / 4 * (1 - self.bore**2)
+
+
+@dataclass(frozen=True)
+class LeavesLaw(FixedLaw):
+    """`fewest` to `leaves` leaves of a sheet, glued to one section: E I = E w (k h)^3 / 12 for k of them.
+
+    Stiffness goes in steps, so a stack only comes near a curve: `nearest_rod` takes this law, `optimal_rod` none.
+
+    Parameters
+    ----------
+    sheet : Sheet
+        Of a leaf: its thickness h counts. The glue has none.
+    leaves : int
+        Of the whole stack, at most.
+    width : float
+        mm.
+    fewest : int
+        Leaves that go all the way.
+
+    Examples
+    --------
+    >>> law = LeavesLaw(Sheet("leaf", 2.0, 12.0, density=1000.0, max_strain=0.01), 4, width=10.0)
+    >>> law.bending_stiffness([1, 2, 4]).tolist(), law.relaxed.limits
+    ([80.0, 640.0, 5120.0], (2.0, 8.0))
+    """
+
+    sheet: Sheet
+    leaves: int
+    width: float
+    fewest: int = 1
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.sheet, Sheet):
+            raise InputError("a Sheet is needed for the leaves, not {sheet!r}", sheet=self.sheet)
+        if not is_whole(self.leaves) or not 2 <= self.leaves <= MOST_LEAVES:
+            raise InputError(
+                "leaves is {leaves!r}: give a whole number from 2 to {most_leaves}",
+                leaves=self.leaves,
+                most_leaves=MOST_LEAVES,
+            )
+        if not is_whole(self.fewest) or not 1 <= self.fewest <= self.leaves:
+            raise InputError(
+                "fewest is {fewest!r}: give a whole number of leaves, 1 to {leaves}",
+                fewest=self.fewest,
+                leaves=self.leaves,
+            )
+        _ = self.relaxed  # which refuses a width that is none
+
+    @property
+    def quantity(self) -> str:
+        """Number of leaves."""
+        return "leaves"
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Fewest and most leaves."""
+        return float(self.fewest), float(self.leaves)
+
+    @cached_property
+    def relaxed(self) -> ThicknessLaw:
+        """The law of the same stack with any thickness between that of the fewest leaves and that of all."""
+        h = self.sheet.thickness
+        return ThicknessLaw(self.sheet, self.fewest * h, self.leaves * h, width=self.width)
+
+    def bending_stiffness(self, count: ArrayLike) -> FloatArray:
+        """E I (n,), N mm2, of `count` (n,) leaves."""
+        return self.relaxed.bending_stiffness(self.thickness(count))
+
+    def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
+        """Number of leaves (n,), not rounded, that gives E I (n,), N mm2."""
+        return self.relaxed.parameter(bending_stiffness) / self.sheet.thickness
+
+    def weight_per_length(self, count: ArrayLike) -> FloatArray:
+        """N/mm (n,) of `count` (n,) leaves."""
+        return self.relaxed.weight_per_length(self.thickness(count))
+
+    def strains(
+        self, curvature: ArrayLike, count: ArrayLike, *, natural_curvature: float = 0.0
+    ) -> tuple[LayerStrain, ...]:
+        """Strain of the outermost fibre: glued leaves bend as one section."""
+        return self.relaxed.strains(curvature, self.thickness(count), natural_curvature=natural_curvature)
+
+    def thickness(self, count: ArrayLike) -> FloatArray:
+        """Return the thickness (n,), mm, of `count` (n,) leaves."""
+        return np.asarray(self.sheet.thickness * numbers(count, "the count of leaves"))
+
+    def laid(self, leaves: Sequence["Leaf"]) -> "LaidLeaves":
+        """The section of leaves that lie where they were laid."""
+        thick = self.relaxed
+        return LaidLeaves(self.sheet, thick.least, thick.largest, width=self.width, leaves=tuple(leaves))
+
+
+@dataclass(frozen=True)
+class Leaf:
+    """One leaf, or a piece of one: the `number`th from the through one (1), from `start` to `end`, mm."""
+
+    number: int
+    start: float
+    end: float
+
+    @property
+    def length(self) -> float:
+        """Length of the leaf, mm."""
+        return self.end - self.start
+
+
+@dataclass(frozen=True)
+class LaidLeaves(ThicknessLaw):
+    """A stack of glued leaves that lie where they were laid: its thickness goes in steps.
+
+    Parameters
+    ----------
+    sheet, least, largest, width
+        As of `ThicknessLaw`; the sheet is that of a leaf.
+    leaves : tuple of Leaf
+        Those that go all the way first, the others in the order of their numbers.
+    """
+
+    leaves: tuple[Leaf, ...] = ()
+
+    @property
+    def stack(self) -> "LaidLeaves":
+        """Itself."""
+        return self
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """One a leaf: its number, and a letter where it is in pieces."""
+        numbers = [leaf.number for leaf in self.leaves]
+        seen: dict[int, int] = {}
+        found = []
+        for number in numbers:
+            piece = seen[number] = seen.get(number, -1) + 1
+            found.append(f"{number}{chr(ord('a') + piece) if numbers.count(number) > 1 else ''}")
+        return tuple(found)
+
+    @property
+    def steps(self) -> FloatArray:
+        """Arc lengths (m,), mm, at which leaves begin or end."""
+        length = max(leaf.end for leaf in self.leaves)
+        places = {s for leaf in self.leaves for s in (leaf.start, leaf.end) if 0 < s < length}
+        return np.array(sorted(places))
+
+    def counts(self, s: ArrayLike) -> FloatArray:
+        """Number of leaves (n,) at arc lengths (n,), mm."""
+        length = max(leaf.end for leaf in self.leaves)
+        inside = np.minimum(np.asarray(s, dtype=float), np.nextafter(length, 0.0))
+        lie = [(leaf.start <= inside) & (inside < leaf.end) for leaf in self.leaves]
+        return np.asarray(np.sum(lie, axis=0), dtype=float)
+
+
+SAME_SCALE = 1e-4
+"""Relative difference of bending stiffnesses that is within the accuracy of an optimal rod."""
+
+BETWEEN_NODES = 1e-3
+"""Largest relative amount by which the stiffness may exceed a limit between the nodes at which it was imposed."""
+
+
+class StiffnessLaw(Protocol):
+    """A cross-section with one parameter, mm, that varies along the strip and decides its bending stiffness.
+
+    The parameter is a width at fixed thickness, a thickness at fixed width or a diameter. What else is given along
+    the strip, as the base of a laminate is, belongs to the law, station by station.
+    """
+
+    def bending_stiffness(self, parameter: ArrayLike, /) -> FloatArray:
+        """E I (n,), N mm2, of parameters (n,), mm."""
+
+    def parameter(self, bending_stiffness: ArrayLike, /) -> FloatArray:
+        """Parameters (n,), mm, that give the E I (n,), N mm2."""
+
+    def weight_per_length(self, parameter: ArrayLike, /) -> FloatArray:
+        """N/mm (n,) of parameters (n,), mm."""
+
+    def strains(
+        self, curvature: ArrayLike, parameter: ArrayLike, /, *, natural_curvature: float = 0.0
+    ) -> tuple[LayerStrain, ...]:
+        """Strain of each layer's outermost fibre, of curvatures (n,), 1/mm, and parameters (n,), mm."""
+
+
+class BoundedLaw(StiffnessLaw, Protocol):
+    """A law whose parameter has limits: what `optimal_rod` and `nearest_rod` take as `section`."""
+
+    @property
+    def quantity(self) -> str:
+        """Name of the parameter: "width", "thickness" or "diameter"."""
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Least (0: none) and largest parameter, mm."""
+
+    @property
+    def follows_bend(self) -> bool:
+        """Whether the stiffness depends on how sharply the section is bent. Its scale is then known only with
+        the bend."""
+
+    @property
+    def stack(self) -> LaidLeaves | None:
+        """The glued leaves that it is, as they lie; None for one piece."""
+
+    def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0, /) -> "BoundedLaw":
+        """The law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0, 1/mm.
+
+        Itself where bending does not change it.
+        """
+
+    def curl(self, parameter: FloatArray, /) -> "BendFactor | None":
+        """Dependence of the stiffness of parameters (n,), mm, on the bend; None where there is none."""
+
+
+class BendFactor(Protocol):
+    """Factors (n,) on the stiffness of the stations of a strip, by the curvature that each is bent to."""
+
+    def __call__(self, curvature: FloatArray, /) -> FloatArray:
+        """The factor of the stations (..., n) at their curvatures (..., n), 1/mm."""
+
+    def resampled(self, s: FloatArray, at: FloatArray, /) -> Self:
+        """Return the factors at stations (m,), mm, from those at `s` (n,)."""
+
+
+def at_stations(values: float | FloatArray, s: FloatArray, at: FloatArray) -> float | FloatArray:
+    """Values (..., n) at arc lengths `s` (n,), mm, at others (m,); one number is the same everywhere.
+
+    Examples
+    --------
+    >>> s = np.array([0.0, 2.0])
+    >>> at_stations(s**2, s, np.array([0.0, 1.0, 2.0])).tolist(), at_stations(3.0, s, s)
+    ([0.0, 2.0, 4.0], 3.0)
+    """
+    if np.ndim(values) == 0:
+        return values
+    return np.apply_along_axis(lambda row: np.interp(at, s, row), -1, values)
+
+
+def scale_within(
+    law: BoundedLaw, stiffness: FloatArray, *, solved: float | None = None, heavy: bool = False
+) -> float:
+    """The B, N mm2, of a rod of nodal K (n,): that with which its largest, or else its least, section is the limit.
+
+    Parameters
+    ----------
+    law : BoundedLaw
+        At the stations, bent as they are.
+    solved : float, optional
+        What the rod's own balance says. A heavy rod is in balance under the weight of its sizes; a light one may
+        be as large as its limits let it, as the strain it was found within lets its thickness.
+    """
+    least, largest = law.limits
+    limited = bool(np.isfinite(largest))
+    scales = law.bending_stiffness(np.full(stiffness.size, largest if limited else least)) / stiffness
+    B = float(scales.min() if limited else scales.max())
+    if solved is None:
+        return B
+    bounded = solved < B
+    # a search keeps its largest size at nodes; what lies between them may be a little larger
+    over = limited and B < solved < B * (1 + BETWEEN_NODES)
+    kept = (heavy and not over) or bounded or abs(B / solved - 1) < SAME_SCALE
+    return solved if kept else B

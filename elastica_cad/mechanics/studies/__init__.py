@@ -1,1 +1,0 @@
-"""Studies of a finished rod: calibration of its sheet, tolerances, how far it can be pushed."""

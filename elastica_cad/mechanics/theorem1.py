@@ -1,0 +1,917 @@
+"""Theorem 1: the conditions on the curvature, the verdict, and the check of a drawn curve."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._text import html_text
+from elastica_cad._types import FloatArray
+from elastica_cad._values import numbers
+from elastica_cad.errors import Change, ElasticaError, InputError
+from elastica_cad.geometry.fairing import smooth_for_corners
+from elastica_cad.geometry.measured_points import MeasuredPoints, Provenance
+from elastica_cad.geometry.plane_curve import Break, CurvatureZero, PlaneCurve, TangentBreak, clamp_ends
+from elastica_cad.geometry.tangent_healing import Turn
+from elastica_cad.mechanics.loads import (
+    ExcessCurvature,
+    NaturalCurvature,
+    RestCurvature,
+    Supports,
+    require_curve,
+    require_natural_curvature,
+)
+from elastica_cad.refusals import Length, Listed, Refusal, note, sentences
+
+
+@dataclass(frozen=True)
+class InflectionLine:
+    """A line, zero of a + <b, x>, with |b| = 1.
+
+    Attributes
+    ----------
+    point : (2,) tuple
+        A point of it, mm.
+    direction : (2,) tuple
+        Unit vector along it.
+    """
+
+    point: tuple[float, float]
+    direction: tuple[float, float]
+
+    @property
+    def b(self) -> FloatArray:
+        """Unit normal (2,): the direction turned left."""
+        return np.array([-self.direction[1], self.direction[0]])
+
+    @property
+    def a(self) -> float:
+        """Constant of a + <b, x>, mm."""
+        return -float(self.b @ np.asarray(self.point))
+
+    def distance(self, position: FloatArray) -> FloatArray:
+        """Signed distances (n,) of points (n, 2), mm."""
+        points = numbers(position, "positions")
+        if points.shape[-1:] != (2,):
+            raise InputError("positions are points (n, 2), in mm, not of shape {shape}", shape=points.shape)
+        return np.asarray((points - np.asarray(self.point)) @ self.b)
+
+    def as_dict(self) -> dict[str, Any]:
+        """For reports."""
+        return {
+            "point": list(self.point),
+            "direction": list(self.direction),
+            "a": self.a,
+            "b": self.b.tolist(),
+        }
+
+
+@dataclass(frozen=True)
+class FittedVerdict:
+    """Verdict on one curve that was fitted to points.
+
+    Attributes
+    ----------
+    realizable : bool
+    distance : float
+        Largest distance of a point from the curve, mm.
+    inflections : int
+        Number of inflections.
+    """
+
+    realizable: bool
+    distance: float
+    inflections: int
+
+
+@dataclass(frozen=True)
+class Undecided:
+    """Two curves that follow the same points and have different verdicts; `str()` of it is a message.
+
+    Attributes
+    ----------
+    resolution : float
+        Distance by which the number of decimals may move a point, mm.
+    fit, other : FittedVerdict
+        The curve of the check, and another one.
+    """
+
+    resolution: float
+    fit: FittedVerdict
+    other: FittedVerdict
+
+    def __str__(self) -> str:
+        return note(
+            "The verdict is undecided by these points (resolution {resolution}): give more points, or more "
+            "decimals. A curve within {near} of the points (inflections: {others}) cannot be bent. The curve "
+            "fitted to them within {far} (inflections: {count}) can."
+            if self.fit.realizable else
+            "The verdict is undecided by these points (resolution {resolution}): give more points, or more "
+            "decimals. A curve within {near} of the points (inflections: {others}) can be bent. The curve "
+            "fitted to them within {far} (inflections: {count}) cannot.",
+            resolution=_two_digits(self.resolution), near=_two_digits(self.other.distance),
+            far=_two_digits(self.fit.distance), others=self.other.inflections, count=self.fit.inflections,
+            severity="warning",
+        )  # fmt: skip
+
+
+def _two_digits(mm: float) -> Length:
+    return Length(float(f"{mm:.2g}"))
+
+
+@dataclass(frozen=True, eq=False)
+class EquilibriumCheck:
+    """Verdict of Theorem 1 on a curve; `str()` of it is advice to a designer.
+
+    Attributes
+    ----------
+    realizable : bool
+        Can a flat strip take this curve?
+    reasons : tuple of str
+        Why not; empty when realizable.
+    warnings : tuple of str
+        What the designer should know all the same.
+    length : float
+        mm.
+    any_stiffness : bool
+        The curve is straight (or has the natural curvature throughout): every stiffness will do.
+    inflections : tuple of float
+        Arc lengths, mm, where kappa - kappa_0 changes sign.
+    line : InflectionLine or None
+        The inflection line; for a single inflection the middle one of those that will do; None where none is
+        needed.
+    off_line : tuple of (float, float)
+        Arc length of every point that the line must pass, and its distance from it, mm.
+    crossings, touches : tuple of float
+        Arc lengths, mm, where the line crosses or touches the curve and must not.
+    curvature_touches, jumps : tuple of float
+        Arc lengths, mm, where kappa - kappa_0 touches zero without changing sign or changes it too gently,
+        and where its sign changes by a jump.
+    flats : tuple of (float, float)
+        Straight pieces from, to, mm.
+    moved : float
+        Largest move, mm, of the curve by which its inflections were brought onto one line.
+    curve : PlaneCurve
+        The curve of this check: the drawn one, or the moved one.
+    zeros : tuple of CurvatureZero
+        All zeros of kappa - kappa_0 of `curve` at which the moment must vanish.
+    bent_beforehand : bool
+        Is the strip anything but flat before it is bent?
+    undecided : Undecided or None
+        Another verdict on another curve that follows the points as well, of a curve that was fitted to points.
+    """
+
+    realizable: bool
+    reasons: tuple[str, ...]
+    warnings: tuple[str, ...]
+    length: float
+    curve: PlaneCurve = field(repr=False)
+    any_stiffness: bool = False
+    inflections: tuple[float, ...] = ()
+    line: InflectionLine | None = None
+    off_line: tuple[tuple[float, float], ...] = ()
+    crossings: tuple[float, ...] = ()
+    touches: tuple[float, ...] = ()
+    curvature_touches: tuple[float, ...] = ()
+    jumps: tuple[float, ...] = ()
+    flats: tuple[tuple[float, float], ...] = ()
+    moved: float = 0.0
+    zeros: tuple[CurvatureZero, ...] = field(default=(), repr=False)
+    bent_beforehand: bool = False
+    undecided: Undecided | None = None
+
+    def __repr__(self) -> str:
+        verdict = "undecided" if self.undecided else "realizable" if self.realizable else "not realizable"
+        return f"<EquilibriumCheck {verdict}, {self.length:.4g} mm>"
+
+    def __str__(self) -> str:
+        stray, points = stray_point(self.curve), self.told_of_points
+        first = [*stray, self.verdict] if stray else [self.verdict, *points]
+        return sentences([*first, *self.reasons, *self.warnings], " ")
+
+    @property
+    def cautions(self) -> tuple[str, ...]:
+        """The warnings for a strip that is made, after the message that points leave the verdict undecided."""
+        return self.warnings if self.undecided is None else (str(self.undecided), *self.warnings)
+
+    @property
+    def told_of_points(self) -> tuple[str, ...]:
+        """Of a curve that was fitted to points that waver: the one that stands out, or how far they do."""
+        points = measured_points(self.curve)
+        if points is None:
+            return ()
+        return points.stray or (note("The curve was fitted to points, and {points}.", points=points.told),)
+
+    @property
+    def verdict(self) -> str:
+        """Can a strip take it, in a sentence, without reasons."""
+        if self.undecided is not None:
+            return str(self.undecided)
+        return self._tell_blank() if self.bent_beforehand else self._tell_flat()
+
+    def _tell_flat(self) -> str:
+        if not self.realizable:
+            said = "A flat strip cannot take this curve of {length}."
+        elif self.any_stiffness:
+            said = "A strip of any width takes this curve of {length}: it is not bent."
+        elif not self.inflections:
+            said = "A flat strip can take this curve of {length}; it has no inflections."
+        elif len(self.inflections) == 1:
+            said = "A flat strip can take this curve of {length}; it has 1 inflection, at {places}."
+        else:
+            said = "A flat strip can take this curve of {length}; it has {count} inflections, at {places}."
+        return self._said(said)
+
+    def _tell_blank(self) -> str:
+        """Its inflections cannot be seen in the curve: there it is bent as the blank was."""
+        if not self.realizable:
+            return self._said("A strip bent beforehand as asked cannot take this curve of {length}.")
+        if self.any_stiffness:
+            return self._said("A strip bent beforehand as asked has this curve of {length} already.")
+        return self._said(
+            "A strip bent beforehand as asked can take this curve of {length}; its bending changes sign at "
+            "{places}."
+            if self.inflections
+            else "A strip bent beforehand as asked can take this curve of {length}; its bending does not "
+            "change sign."
+        )
+
+    def _said(self, text: str) -> str:
+        places = lengths(self.inflections)
+        return note(text, length=Length(self.length), count=len(places), places=places)
+
+    def _repr_html_(self) -> str:
+        verdict = "undecided" if self.undecided else "yes" if self.realizable else "no"
+        return f"<p><b>{verdict}</b>: {html_text(self)}</p>"
+
+    def as_dict(self) -> dict[str, Any]:
+        """Numbers, texts and lists for a report."""
+        return {
+            "realizable": self.realizable,
+            "any_stiffness": self.any_stiffness,
+            "reasons": list(self.reasons),
+            "warnings": list(self.warnings),
+            "length": self.length,
+            "inflections": list(self.inflections),
+            "line": self.line.as_dict() if self.line else None,
+            "off_line": [list(pair) for pair in self.off_line],
+            "crossings": list(self.crossings),
+            "touches": list(self.touches),
+            "curvature_touches": list(self.curvature_touches),
+            "jumps": list(self.jumps),
+            "flats": [list(pair) for pair in self.flats],
+            "moved": self.moved,
+            "undecided": None if self.undecided is None else asdict(self.undecided),
+        }
+
+
+@dataclass(frozen=True)
+class PairZero:
+    """A place where two curves are bent alike, so that their moments must be equal too.
+
+    Attributes
+    ----------
+    s : float
+        Arc length, mm.
+    t : float
+        Parameter of the first curve.
+    order : int
+        How often the difference of the curvatures vanishes there: 1 where it changes sign, 2 where it only
+        touches zero, 3 where it changes sign without a slope; 0 where it changes sign by a jump.
+    before, after : int
+        Sign of the difference on either side; 0 beyond the ends.
+    """
+
+    s: float
+    t: float
+    order: int
+    before: int
+    after: int
+
+
+@dataclass(frozen=True, eq=False)
+class PairCheck:
+    """Can one strip rest in two curves? `str()` of it is advice to a designer.
+
+    Attributes
+    ----------
+    realizable : bool
+        Is there a strip, with a shape of its own before it is bent, that rests in both?
+    reasons : tuple of str
+        Why not; empty when realizable.
+    length : float
+        Of both curves, mm.
+    first, second : PlaneCurve
+        The curves, brought to equal length to rounding.
+    bistable : bool
+        Do both states have the same clamps: ends that lie alike, and the same total turning?
+    any_stiffness : bool
+        The curves are congruent: every strip of their own shape will do, unbent.
+    zeros : tuple of PairZero
+        Where kappa_1 - kappa_2 vanishes or jumps to the other sign.
+    unmet : tuple of PairZero
+        Those of them at which no difference of moments vanishes as it must.
+    flats : tuple of (float, float)
+        Stretches from, to, mm, on which both curves are bent alike.
+    against : tuple of float
+        Arc lengths, mm, where the moments would have to act against the curvatures.
+    """
+
+    realizable: bool
+    reasons: tuple[str, ...]
+    length: float
+    first: PlaneCurve = field(repr=False)
+    second: PlaneCurve = field(repr=False)
+    bistable: bool = False
+    any_stiffness: bool = False
+    zeros: tuple[PairZero, ...] = ()
+    unmet: tuple[PairZero, ...] = ()
+    flats: tuple[tuple[float, float], ...] = ()
+    against: tuple[float, ...] = ()
+
+    def __repr__(self) -> str:
+        verdict = "realizable" if self.realizable else "not realizable"
+        return f"<PairCheck {verdict}, {self.length:.4g} mm>"
+
+    def __str__(self) -> str:
+        return " ".join([self._tell(), *self.reasons])
+
+    def _tell(self) -> str:
+        if not self.realizable:
+            return note("No strip rests in both curves of {length}.", length=Length(self.length))
+        if self.any_stiffness:
+            return "Both curves have the same shape: a strip of that shape rests in them without being bent."
+        held = "in the same clamps" if self.bistable else "each in its own clamps"
+        alike = "they are bent alike at {places}" if self.zeros else "they are bent alike nowhere"
+        text = f"One strip can rest in both curves of {{length}}, {held}; {alike}."
+        return note(text, length=Length(self.length), places=lengths(z.s for z in self.zeros))
+
+    def _repr_html_(self) -> str:
+        return f"<p><b>{'yes' if self.realizable else 'no'}</b>: {html_text(self)}</p>"
+
+    def as_dict(self) -> dict[str, Any]:
+        """Numbers, texts and lists for a report."""
+        return {
+            "realizable": self.realizable,
+            "reasons": list(self.reasons),
+            "length": self.length,
+            "bistable": self.bistable,
+            "any_stiffness": self.any_stiffness,
+            "zeros": [{"s": z.s, "order": z.order} for z in self.zeros],
+            "unmet": [{"s": z.s, "order": z.order} for z in self.unmet],
+            "flats": [list(pair) for pair in self.flats],
+            "against": list(self.against),
+        }
+
+
+class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public name
+    """No admissible stiffness makes the curve, or two curves, rest shapes; `check` tells why and where."""
+
+    KIND = "not realizable"
+
+    def __init__(self, check: EquilibriumCheck | PairCheck) -> None:
+        self.check = check
+        changes = () if isinstance(check, PairCheck) else changes_of(check.curve)
+        super().__init__(str(check), changes=changes)
+
+
+def measured_points(curve: PlaneCurve) -> MeasuredPoints | None:
+    """Return the noisy points to which a curve was fitted, or None of any other curve."""
+    points = None if curve.provenance is None else curve.provenance.measured
+    return points if points is not None and points.wavers else None
+
+
+def stray_point(curve: PlaneCurve) -> tuple[Refusal, ...]:
+    """The sentence about the measured point that stands out; none where none does."""
+    points = measured_points(curve)
+    return () if points is None else points.stray
+
+
+def changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
+    """With which a strip may come near a curve that none takes: points that waver are smoothed first.
+
+    None where a point stands out: nobody wants a strip near a mistyped number.
+    """
+    points = measured_points(curve)
+    if points is not None and points.stray:
+        return ()
+    smoothing = [] if points is None else [Change("smooth", times * points.reach) for times in (1, 2)]
+    return (*smoothing, Change("nearest", True))
+
+
+def lengths(s: Iterable[float]) -> Listed:
+    """Places along the curve, without traces of rounding: "12 and 34.5 mm"."""
+    return Listed(Length(round(x, 6)) for x in s)
+
+
+def _shown_on(curve: PlaneCurve, point: FloatArray) -> str:
+    """A point (2,) as the program shows it in which the curve was drawn."""
+    drawn = curve.provenance
+    return (drawn or Provenance()).shown(point)
+
+
+def require_bendable(curve: PlaneCurve) -> None:
+    """Refuse what no strip can follow, whatever holds it: a corner, also where a curve closes.
+
+    Raises
+    ------
+    InputError
+        The message says where, and what to do.
+    """
+    corners = curve.tangent_breaks
+    if (corners or curve.has_corners) and (points := measured_points(curve)) is not None:
+        told = next(iter(points.stray), points.told)
+        raise InputError(told, kind="corner", changes=changes_of(curve))
+    if corners:
+        slight = _taken_out(curve)
+        apart = Change("split_corners", True), Change("nearest", True)
+        raise InputError(_tell_corners(curve, corners), kind="corner", changes=slight or apart)
+    if curve.has_corners:
+        changes = _taken_out(curve) or (Change("nearest", True),)
+        raise InputError(_tell_seam(curve), kind="corner", changes=changes)
+
+
+SAMPLED_SHARE, CORNER_DEG = 0.15, 50.0
+"""Turn beside a corner, as a share of the corner's, from which the points may be those of a bend, and the turn of a
+corner, which `curve_from_points` takes for one."""
+
+
+def _tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
+    """Describe the corners, and say whether the digits of a file may explain them."""
+    drawn = curve.provenance
+    maybe = {} if drawn is None else {turn.t: turn for turn in drawn.undecided}
+    if drawn is not None and all(corner.t in maybe for corner in corners):
+        turn = max((maybe[corner.t] for corner in corners), key=lambda one: one.angle)
+        return _tell_undecided(drawn, turn, [c.s for c in corners])
+    if drawn is not None and drawn.measured is not None:
+        for corner in corners:
+            place = np.asarray(curve.evaluate(np.array(corner.t)))
+            here, *beside = np.degrees(drawn.measured.turns_beside(place))
+            if any(SAMPLED_SHARE <= turn / here < 1 and abs(turn) < CORNER_DEG for turn in beside):
+                return note(
+                    "undecided by these points: they turn by {angle:.3g} degrees at {shown}, and by {before:.3g} "
+                    "and {after:.3g} at the points beside it, so it may be a corner or a sharp bend; give more "
+                    "points there, or draw two curves{smooth}",
+                    angle=abs(here), shown=drawn.shown(place), before=abs(beside[0]), after=abs(beside[1]),
+                    smooth=_tell_smooth(curve),
+                )  # fmt: skip
+    sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
+    shown = None if drawn is None else drawn.shown(curve.evaluate(np.array(corners[0].t)))
+    return note(
+        "the curve has a corner at {places}, of {angle:.3g} degrees: a strip bends without kinks; round it, "
+        "or draw two curves{smooth}" if shown is None else
+        "the curve has a corner at {places}, {shown}, of {angle:.3g} degrees: a strip bends without kinks; "
+        "round it, or draw two curves{smooth}",
+        places=lengths(c.s for c in corners), shown=shown, angle=sharpest, smooth=_tell_smooth(curve),
+    )  # fmt: skip
+
+
+def _tell_seam(curve: PlaneCurve) -> str:
+    """Describe the corner of a closed curve whose only corner is where it closes."""
+    drawn = curve.provenance
+    start = curve.evaluate(np.array(curve.domain[0]))
+    for turn in () if drawn is None else drawn.undecided:
+        if turn.t == curve.domain[0]:
+            return _tell_undecided(drawn, turn, [0.0])
+    return note(
+        "the curve is closed with a corner of {angle:.3g} degrees at {shown}: a strip bends without kinks; "
+        "round it, or leave a gap between its ends{smooth}",
+        angle=np.degrees(abs(curve.seam_turn)), shown=_shown_on(curve, start), smooth=_tell_smooth(curve),
+    )  # fmt: skip
+
+
+def _tell_undecided(drawn: Provenance | None, turn: Turn, s: Iterable[float]) -> str:
+    return note(
+        "undecided at this precision: the curve turns by {angle:.2g} degrees at {shown}, {places} from its "
+        "start, and the digits of the file alone can turn its handle of {handle} by {bound:.2g}: save it "
+        "with more decimals, or make the node smooth with longer handles",
+        angle=np.degrees(turn.angle), shown=(drawn or Provenance()).shown(turn.point), places=lengths(s),
+        handle=Length(turn.handle), bound=np.degrees(turn.bound),
+    )  # fmt: skip
+
+
+def _taken_out(curve: PlaneCurve) -> tuple[Change, ...]:
+    """The distance within which slight corners are taken out."""
+    slight = smooth_for_corners(curve)
+    return () if slight is None else (Change("smooth", slight),)
+
+
+def _tell_smooth(curve: PlaneCurve) -> str:
+    slight = _taken_out(curve)
+    if not slight:
+        return ""
+    mm = slight[0].value
+    within = ", or take it out within {size:g} (smooth = {mm:g}, --smooth {mm:g})"
+    return note(within, size=Length(mm), mm=mm)
+
+
+PLACES = 721
+"""Number of places along a curve among which the flattest is chosen."""
+
+CLEAR_SHARE = 0.05
+"""A closed curve does not begin where its curvature is below this share of the largest: an inflection is too
+near."""
+
+PLACE_DIGITS = 6
+"""Digits to which a place (mm) is rounded, so that the same curve from two programs begins at the same place."""
+
+ALIKE = 1e-6
+"""Relative difference of curvatures below which two places count as equally flat."""
+
+
+NEAR_KNOT_SHARE = 1e-5
+"""Distance from a knot, as a share of the domain, up to which a closed curve begins at the knot: the curvature of a
+shorter span is rounding."""
+
+
+def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
+    """The closed curve begun, and ended, at the arc length `s` (mm): exact.
+
+    Raises
+    ------
+    InputError
+        A curve that is open, or a place that lies beyond it.
+
+    Examples
+    --------
+    >>> circle = PlaneCurve.arc((0, 0), 10, 0, 2 * np.pi)
+    >>> begin_at(circle, circle.length / 4).at([0.0]).position.round(6).tolist()
+    [[0.0, 10.0]]
+    """
+    if not curve.is_closed:
+        raise InputError("the curve is open: only a closed one can begin anywhere")
+    if not 0 <= s <= curve.length:
+        raise InputError(
+            "the curve cannot begin at {s:g}: it is {length:.4g} long; give a place along it",
+            s=Length(s),
+            length=Length(curve.length),
+        )
+    low, high = curve.domain
+    t = float(curve.parameter(np.array(s)))
+    drawn, curve = curve.provenance, _closed_exactly(curve)
+    knot = float(curve.knots[np.argmin(np.abs(curve.knots - t))])
+    t = knot if abs(knot - t) <= NEAR_KNOT_SHARE * (high - low) else t
+    if t <= low or t >= high:
+        return curve.drawn_as(drawn)
+    first, second = curve.trimmed(t, high), curve.trimmed(low, t)
+    p = curve.degree
+    knots = np.concatenate([first.knots[:-1], second.knots[p + 1 :] + (high - low)])
+    points = np.concatenate([first.control_points, second.control_points[1:]])
+    weights = None
+    if first.weights is not None and second.weights is not None:
+        # the weights of one part may be scaled as a whole: those of the second go on where the first's end
+        onward = second.weights * (first.weights[-1] / second.weights[0])
+        weights = np.concatenate([first.weights, onward[1:]])
+    return PlaneCurve(knots, points, p, weights).drawn_as(drawn and drawn.of_part())
+
+
+def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
+    """The curve with its last point on its first: programs that drew the same one then begin alike."""
+    clamped = clamp_ends(curve)
+    points = clamped.control_points
+    if np.array_equal(points[0], points[-1]):
+        return curve
+    return clamped.with_control_points(np.concatenate([points[:-1], points[:1]]))
+
+
+def flattest_place(curve: PlaneCurve) -> float:
+    """Arc length (mm) at which a closed curve is bent least, away from its inflections; 0 where its start is as
+    flat."""
+    nodes = curve.sample(PLACES)
+    bent = np.abs(nodes.curvature)
+    largest = float(bent.max())
+    bent[bent < CLEAR_SHARE * largest] = np.inf
+    first = float(nodes.s[np.flatnonzero(bent <= bent.min() + ALIKE * largest)[0]])
+    return min(round(first, PLACE_DIGITS), curve.length)
+
+
+AT_END_SHARE = 1e-6
+"""A zero of the curvature nearer to an end than this share of the length is at the end."""
+
+SEAM_SHARE = 0.01
+"""A closed curve whose curvature at its start is below this share of the largest begins elsewhere."""
+
+PINNED_SHARE = 1e-6
+"""Curvature at a pinned end, relative to the largest, below which it counts as 0."""
+
+GENTLE_SHARE = 1e-5
+"""Slope of the curvature in an inflection, relative to the largest curvature over the length, below which it
+counts as 0: the stiffness there would be some ten thousand times that of other places."""
+
+FAINT_SHARE = 1e-7
+"""Curvature in a dip, relative to the largest, below which it counts as 0; it corresponds to the square of the
+slope."""
+
+ALL_BUT_UNBENT_SHARE = 1e-3
+"""A zero of the extended curve beyond an end counts for that end only if the curvature at the end is below this
+share of the largest."""
+
+STEP_SHARE = 1e-3
+"""Jump of the curvature, relative to the larger side, up to which nothing is reported: it changes the width of
+a strip of 40 mm by 0.04 mm, and arcs that were drawn to micrometres have smaller ones."""
+
+KINK_SHARE = 0.01
+"""Jump of the slope of the curvature, over the length, up to which nothing is reported: the edge of a strip a
+fifth as wide as long turns by at most 0.1 degree."""
+
+SHARP_SHARE = 5.0
+"""The same from which on the edge has a sharp point that everybody sees: of a strip a fifteenth as wide as long it
+turns by 10 degrees."""
+
+TINY = float(np.finfo(float).tiny)
+
+_DIP_SHARE = 0.01  # of the largest curvature: deeper dips are looked at closely
+
+
+def examine_curvature(
+    curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature = 0.0
+) -> EquilibriumCheck:
+    """The conditions on the curvature alone: zeros of kappa - kappa_0, jumps, straight pieces, kinks."""
+    require_curve(curve)
+    require_natural_curvature(natural_curvature)
+    require_bendable(curve)
+    excess = ExcessCurvature(curve, natural_curvature)
+    largest = _largest(excess)
+    excess, begun = _begun_clear(excess, largest)
+    curve = excess.curve
+    zeros = _zeros_of(excess, supports, largest)
+    flats = [z for z in zeros if z.kind == "flat"]
+    jumps = tuple(z.s for z in zeros if z.kind == "jump")
+    touches = [z.s for z in zeros if z.kind == "touch"]
+    points = tuple(z for z in zeros if z.kind in ("crossing", "end"))
+    check = EquilibriumCheck(
+        realizable=True,
+        reasons=(),
+        warnings=(),
+        length=curve.length,
+        curve=curve,
+        inflections=tuple((z.s + z.s_end) / 2 for z in zeros if z.changes_sign),
+        jumps=jumps,
+        flats=tuple((z.s, z.s_end) for z in flats),
+        zeros=points,
+        bent_beforehand=excess.is_bent_beforehand,
+    )
+    if (
+        flats
+        and flats[0].s <= AT_END_SHARE * curve.length
+        and flats[0].s_end >= (1 - AT_END_SHARE) * curve.length
+    ):
+        return replace(check, any_stiffness=True, warnings=_warn_of_crossing(curve), zeros=())
+    gentle = [z.s for z, slope in zip(points, _slopes(excess, points), strict=True)
+              if slope <= GENTLE_SHARE * largest / curve.length]  # fmt: skip
+    gentle += faint_places(excess, largest, zeros)
+    reasons = [
+        *_tell_pinned_ends(excess, supports, points),
+        *_tell_straight_parts(excess, flats, largest),
+        *_tell_jumps(jumps),
+        *_tell_touches(sorted([*touches, *gentle])),
+    ]
+    return replace(
+        check,
+        realizable=not reasons,
+        reasons=tuple(reasons),
+        warnings=(*begun, *_warn_of_widths(curve, jumps, flats), *_warn_of_crossing(curve)),
+        curvature_touches=tuple(sorted([*touches, *gentle])),
+    )
+
+
+def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
+    """Let a closed curve that begins where its bending is 0 begin elsewhere, and say so in a sentence."""
+    curve = excess.curve
+    if not curve.is_closed or isinstance(excess.rest, RestCurvature):  # which counts from the start
+        return excess, ()
+    if np.abs(excess.at(np.array(curve.domain))).min() > SEAM_SHARE * largest:
+        return excess, ()
+    place = flattest_place(curve)
+    told = note(
+        "The curve is closed and begins where it is not bent, so places are counted from {shown}, {s} after "
+        "its start.",
+        shown=_shown_on(curve, curve.at(np.array([place])).position[0]), s=Length(place), severity="warning",
+    )  # fmt: skip
+    return replace(excess, curve=begin_at(curve, place)), (told,)
+
+
+def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tuple[CurvatureZero, ...]:
+    """Zeros of kappa - kappa_0, those next to an end put there, also from beyond; a pinned end may keep a trace."""
+    curve = excess.curve
+    low, high = curve.domain
+    length, near = curve.length, AT_END_SHARE * curve.length
+    found: list[CurvatureZero] = []
+    ends: dict[bool, CurvatureZero] = {}
+    for zero in excess.zeros:
+        at_start, at_end = zero.s_end <= near, zero.s >= length - near
+        if zero.kind == "flat" or not (at_start or at_end):
+            found.append(zero)
+        else:
+            ends[at_end] = zero
+    hardly_bent = np.abs(excess.survey[[0, -1]]) <= 2 * max(PINNED_SHARE, ALL_BUT_UNBENT_SHARE) * largest
+    if not (ends or hardly_bent.any()):  # nor does a slope make a zero of them
+        return tuple(found)
+    t_ends = np.array([low, high])
+    at_ends = zip((low, high), excess.at(t_ends).tolist(), excess.slope_at(t_ends).tolist(), strict=True)
+    for is_end, (support, (t, kappa, slope)) in enumerate(zip(supports.ends, at_ends, strict=True)):
+        pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
+        # a zero that lies as near beyond the end
+        beyond = 0 < abs(kappa) <= min(near * abs(slope), ALL_BUT_UNBENT_SHARE * largest)
+        if bool(is_end) in ends or ((pinned or beyond) and not any(z.t <= t <= z.t_end for z in found)):
+            way = int(np.sign(slope))
+            sign = (0, way) if not is_end else (-way, 0)
+            s = length if is_end else 0.0
+            found.append(CurvatureZero(s, t, "end", s, t, *sign))
+    return tuple(sorted(found, key=lambda z: z.s))
+
+
+def _largest(excess: ExcessCurvature) -> float:
+    """Largest |kappa - kappa_0|, nearly: the size against which others are small."""
+    return float(np.abs(excess.survey).max())
+
+
+def faint_places(
+    excess: ExcessCurvature, largest: float, zeros: Sequence[CurvatureZero], share: float = FAINT_SHARE
+) -> list[float]:
+    """Arc lengths (mm) where |kappa - kappa_0| dips to a share of the largest, without a zero there."""
+    curve, felt = excess.curve, excess.survey
+    s = curve.survey.s
+    bent = np.abs(felt)
+    inside = bent[1:-1]
+    dips = (inside <= bent[:-2]) & (inside <= bent[2:]) & (inside < _DIP_SHARE * largest)
+    found = []
+    for i in np.flatnonzero(dips) + 1:
+        low, high = s[i - 1], s[i + 1]
+        if any(low <= z.s_end and z.s <= high for z in zeros):
+            continue
+        sign = np.sign(felt[i])
+
+        def depth(s: float, sign: float = sign) -> float:
+            return float(sign * excess.at(curve.parameter(np.array(s))))
+
+        from scipy.optimize import minimize_scalar
+
+        least = minimize_scalar(
+            depth, bounds=(low, high), method="bounded", options={"xatol": 1e-7 * curve.length}
+        )
+        if least.fun <= share * largest:
+            found.append(float(least.x))
+    return found
+
+
+def _slopes(excess: ExcessCurvature, zeros: Sequence[CurvatureZero]) -> list[float]:
+    """Least one-sided |d kappa / ds| at each zero."""
+    if not zeros:
+        return []
+    t = np.array([zero.t for zero in zeros])
+    low, high = excess.curve.domain
+    knots = excess.curve.bezier_table[0]
+    if not isinstance(excess.rest, RestCurvature) and not np.isin(t, knots[1:-1]).any():
+        return list(map(float, np.abs(excess.slope_at(t))))
+    before, after = (np.abs(excess.slope_at(t, left=left)) for left in (True, False))
+    least = np.where(t <= low, after, np.where(t >= high, before, np.minimum(before, after)))
+    return list(map(float, least))
+
+
+def _tell_pinned_ends(
+    excess: ExcessCurvature, supports: Supports, zeros: Sequence[CurvatureZero]
+) -> Iterable[str]:
+    """Ends that turn freely where the curve is bent."""
+    curve = excess.curve
+    for name, support, t, s in zip(
+        ("start", "end"), supports.ends, curve.domain, (0.0, curve.length), strict=True
+    ):
+        if support.angle or any(z.kind == "end" and z.t == t for z in zeros):
+            continue
+        kappa = float(curve.curvature_at(np.array(t)))
+        natural = float(excess.rest_at(np.array(t)))
+        yield note(
+            "The {end} (at {s}) is free to turn, so the curve must have no curvature there; it has "
+            "{curvature:.3g} 1/mm less the natural {natural:.3g}: clamp this end, or let the curvature run "
+            "out to zero." if natural else
+            "The {end} (at {s}) is free to turn, so the curve must have no curvature there; it has "
+            "{curvature:.3g} 1/mm: clamp this end, or let the curvature run out to zero.",
+            end=note(name), s=Length(s), curvature=kappa, natural=natural,
+        )  # fmt: skip
+
+
+def _tell_straight_parts(
+    excess: ExcessCurvature, flats: Sequence[CurvatureZero], largest: float
+) -> Iterable[str]:
+    """Straight parts, at whose ends no stiffness would do."""
+    curve = excess.curve
+    for flat in flats:
+        joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))
+                  if AT_END_SHARE * curve.length < joint[0] < (1 - AT_END_SHARE) * curve.length]  # fmt: skip
+        opening = note(
+            "The piece from {start} to {end} has exactly the natural curvature and joined to a bent one, so "
+            "the stiffness would have to go to 0 at the joint" if excess.is_bent_beforehand else
+            "The piece from {start} to {end} is straight and joined to a bent one, so the stiffness would "
+            "have to go to 0 at the joint",
+            start=Length(round(flat.s, 6)), end=Length(flat.s_end),
+        )  # fmt: skip
+        if any(_is_gentle(excess, t, largest, left=left) for _, t, left in joints):
+            yield note("{why}, whatever supports the strip there: bend the piece a little.", why=opening)
+        else:
+            at = lengths(s for s, _, _ in joints)
+            yield note(
+                "{why}: support the strip at {places}, or bend the piece a little.", why=opening, places=at
+            )
+
+
+def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool) -> bool:
+    """Whether kappa - kappa_0 leaves zero at t without a slope, so that no strip can take even the bent piece
+    alone."""
+    at = np.array(t)
+    kappa = abs(float(excess.at(at, left=left)))
+    slope = abs(float(excess.slope_at(at, left=left)))
+    return kappa <= PINNED_SHARE * largest and slope <= PINNED_SHARE * largest / excess.curve.length
+
+
+def _tell_jumps(jumps: Sequence[float]) -> Iterable[str]:
+    """Jumps of the curvature through zero."""
+    if jumps:
+        yield note(
+            "The bending is reversed by a jump of the curvature at {places}, where the stiffness "
+            "would have to go to 0: support the strip there, or let the curvature pass through zero "
+            "smoothly (smooth = 0.1, --smooth 0.1, does that within 0.1 mm).",
+            places=lengths(jumps),
+        )
+
+
+def _tell_touches(touches: Sequence[float]) -> Iterable[str]:
+    """Places where the curvature touches zero."""
+    if touches:
+        yield note(
+            "The curvature runs out to zero at {places} without a clear change of sign, where the stiffness "
+            "would have to be infinite or zero, whatever supports the strip: bend the curve a little more "
+            "there, or reverse its bending at a clear rate.",
+            places=lengths(touches),
+        )
+
+
+def _warn_of_widths(
+    curve: PlaneCurve, jumps: Sequence[float], flats: Sequence[CurvatureZero]
+) -> Iterable[str]:
+    """Warn of places where the width will jump or have a kink with the curvature, but not where a straight piece
+    begins or ends, since smoothing would not help there.
+    """
+    breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
+    straight = [end for flat in flats for end in (flat.s, flat.s_end)]
+    if curve.seam is not None:  # start and end are one place
+        straight += [end - curve.length for end in straight]
+    near = AT_END_SHARE * curve.length
+    steps = [
+        b.s
+        for b in breaks
+        if b.continuity == 1
+        and b.s not in jumps
+        and not any(abs(b.s - end) <= near for end in straight)
+        and _is_seen(curve, b)
+    ]
+    kinks = [b for b in breaks if b.continuity == 2 and _is_seen(curve, b)]
+    sharp = any(_is_seen(curve, b, SHARP_SHARE) for b in kinks)
+    if steps:
+        yield Refusal(
+            "kinks",
+            "The width of the strip steps at {places}, where the curvature jumps: smooth = 0.1 "
+            "(--smooth 0.1) makes it a fair curve of degree 4 within 0.1 mm.",
+            {"places": lengths(steps)}, severity="warning",
+        )  # fmt: skip
+    if kinks:
+        yield Refusal(
+            "kinks",
+            "The width of the strip has a kink at {places}, where the slope of the curvature jumps: "
+            "smooth = 0.1 (--smooth 0.1) makes it a fair curve of degree 4 within 0.1 mm."
+            if curve.degree < 4 else
+            "The width of the strip has a kink at {places}, where the slope of the curvature jumps: do not "
+            "repeat the knot there.",
+            {"places": lengths(b.s for b in kinks)}, severity="warning" if sharp else "note",
+        )  # fmt: skip
+
+
+def _is_seen(curve: PlaneCurve, place: Break, share: float = KINK_SHARE) -> bool:
+    """Whether the curvature, or its slope by this share, jumps by so much that it can be seen in the width."""
+    jump, kink = curvature_jump(curve, place)
+    return jump > STEP_SHARE or kink > share
+
+
+def curvature_jump(curve: PlaneCurve, place: Break) -> tuple[float, float]:
+    """Return the jumps of the curvature and of its slope times the length, as fractions of the curvature."""
+    before = np.array(curve.domain[1] if place.t == curve.domain[0] else place.t)  # of a closed one's start
+    after = np.array(place.t)
+    kappa = float(curve.curvature_at(before, left=True)), float(curve.curvature_at(after))
+    slope = float(curve.curvature_slope_at(before, left=True)), float(curve.curvature_slope_at(after))
+    size = max(*map(abs, kappa), TINY)
+    return abs(kappa[1] - kappa[0]) / size, abs(slope[1] - slope[0]) * curve.length / size
+
+
+def _warn_of_crossing(curve: PlaneCurve) -> tuple[str, ...]:
+    """Warn of places where the curve crosses itself."""
+    pairs = curve.self_intersections()
+    if not pairs.size:
+        return ()
+    both = Listed(Listed(map(Length, pair)) for pair in pairs)
+    return (
+        note(
+            "The curve crosses itself (at {places}): two parts of the strip must pass side by side there.",
+            places=both, severity="warning",
+        ),
+    )  # fmt: skip

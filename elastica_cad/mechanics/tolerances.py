@@ -1,0 +1,541 @@
+"""How far strips stray that are made within tolerances, and by which imperfections."""
+
+from collections.abc import Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import is_whole, numbers, require_positive, require_record
+from elastica_cad.errors import InputError, NotConvergedError, quoted
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.bending import bend, dead_loads, has_snapped, system_of
+from elastica_cad.mechanics.moment_curvature import PlasticLaw
+from elastica_cad.mechanics.rod import CurlingLaw, Rod
+from elastica_cad.mechanics.sections import SheetCurl
+from elastica_cad.mechanics.sheets import Range, Sheet
+from elastica_cad.refusals import Length
+
+ROUNDED_SHARE = 1e-9
+"""Forces and moments below this share of the largest count as 0 at a free end."""
+
+
+@dataclass(frozen=True)
+class Imperfection:
+    """One way in which a real strip differs from its design; the default is no difference.
+
+    Attributes
+    ----------
+    stiffness_range : float
+        m in K -> 1 + (K - 1) m: the ratio of stiffness is smaller or larger than intended.
+    youngs_modulus, density, thickness : float
+        Factors on those of the sheet; with weight they act through E h^2 / rho, with a force or moment on a free
+        end through E h^3. In a strip that bends as a plate the thickness tells how far it does, too.
+    start_angle, end_angle : float
+        Added to the angles that the supports hold, rad.
+    yield_curvature : float
+        1/mm; what the design's curvature exceeds it by stays in the strip (ideal plasticity, paper Appendix
+        D).
+    width_loss : float
+        Width lost all along, mm, beyond what the kerf was corrected for; negative for a strip left too wide.
+    thickness_wave, wave_phase : float
+        Amplitude of a wave of thickness, one over the length of the strip, as a share of the thickness; and its
+        phase at the start, rad.
+    """
+
+    stiffness_range: float = 1.0
+    youngs_modulus: float = 1.0
+    density: float = 1.0
+    thickness: float = 1.0
+    start_angle: float = 0.0
+    end_angle: float = 0.0
+    yield_curvature: float = np.inf
+    width_loss: float = 0.0
+    thickness_wave: float = 0.0
+    wave_phase: float = 0.0
+
+
+def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None = None) -> Rod:
+    """The rest shape of a strip that differs from its design.
+
+    Parameters
+    ----------
+    rod : Rod
+        The design, in balance.
+    imperfection : Imperfection
+    max_width : float, optional
+        Width of the widest place, mm; needed for a loss of width only.
+
+    Raises
+    ------
+    InputError
+        A loss of width without `max_width`, or as large as the narrowest place.
+    NotConvergedError
+        No rest shape found.
+    """
+    require_record(rod, Rod, "the rod", "a Rod, as bend makes one")
+    require_record(imperfection, Imperfection, "the imperfection", "an Imperfection")
+    v, rod = imperfection, rod.following()
+    changed, B = _as_cut(rod, v, max_width)
+    limit = v.yield_curvature / v.thickness
+    bend_here = np.asarray(rod.curvature) - rod.natural_curvature
+    if np.any(np.abs(bend_here) > limit):
+        rest = rod.natural_curvature + PlasticLaw(limit).permanent_curvature(bend_here)
+        law = changed.law
+        changed = replace(
+            changed, natural_curvature=rest,
+            law=replace(law, natural_curvature=rest) if isinstance(law, CurlingLaw) else law,
+        )  # fmt: skip
+    held = [end.angle for end in rod.supports.ends]
+    angles = tuple(
+        float(angle) + delta if hold else None
+        for angle, delta, hold in zip(rod.angle[[0, -1]], (v.start_angle, v.end_angle), held, strict=True)
+    )
+    softer = 1 / (v.youngs_modulus * v.thickness**3 * B)  # loads on free ends are newtons: they stay
+    force, moment = dead_loads(rod, softer)
+    return bend(changed, angles=(angles[0], angles[1]), force=force, moment=moment)
+
+
+def feels_modulus(rod: Rod) -> bool:
+    """Whether the shape depends on the modulus of the sheet, which it does only under loads."""
+    loads = system_of(rod, rod)
+    pulls = np.abs(loads.force).max() > ROUNDED_SHARE * np.abs(rod.force).max()
+    turns = np.abs(loads.moments).max() > ROUNDED_SHARE * np.abs(rod.moment).max()
+    return bool(pulls or turns or np.any(loads.load))
+
+
+def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
+    """Width of the narrowest place, mm; refused where `loss` would leave nothing of it."""
+    if max_width is None:
+        raise InputError("a loss of width needs max_width, the width of the widest place, mm")
+    require_positive(max_width, "max_width")
+    plate = _plate_of(rod.following())
+    least = max_width / float(np.max(rod.stiffness)) if plate is None else float(plate[1].width.min())
+    if loss >= least:
+        raise InputError(
+            "a loss of {loss:g} leaves nothing of the narrowest place, {least:.4g} wide: use a "
+            "larger max_width",
+            loss=Length(loss),
+            least=Length(least),
+        )
+    return least
+
+
+def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
+    """The law of a strip whose widths follow the bend, and how they curl; None of others."""
+    law = rod.law
+    if rod.follows_bend and isinstance(law, CurlingLaw) and isinstance(law.factor, SheetCurl):
+        return law, law.factor
+    return None
+
+
+def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, float]:
+    """The rod as it is cut, with its weight, and what is left of its least stiffness by its widths."""
+    K, B = 1 + (np.asarray(rod.stiffness) - 1) * v.stiffness_range, 1.0
+    least = np.inf if v.width_loss == 0 else least_width(rod, max_width, v.width_loss)
+    plate = _plate_of(rod)
+    wave = (1 + v.thickness_wave * np.cos(2 * np.pi * rod.s / rod.length + v.wave_phase)) ** 3
+    if plate is not None:
+        return _plate_as_cut(rod, *plate, K * wave / rod.stiffness, v)
+    if v.width_loss != 0:
+        loss = v.width_loss / least
+        K, B = (K - loss) / (1 - loss), 1 - loss
+    if v.thickness_wave:
+        low = float((K * wave).min())
+        K, B = K * wave / low, B * low
+    changed = rod.with_stiffness(K) if np.any(rod.stiffness != K) else rod
+    return _with_weight(changed, v, B), B
+
+
+def _plate_as_cut(
+    rod: Rod, law: CurlingLaw, curl: SheetCurl, stiffer: FloatArray, v: Imperfection
+) -> tuple[Rod, float]:
+    """The same of a strip that bends as a plate, the more so the wider and the thinner it comes out.
+
+    `stiffer` (n,) is what its range of stiffness makes of K.
+    """
+    kappa = np.asarray(rod.curvature)
+    asked = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
+    cut = replace(asked, width=asked.width - v.width_loss, thickness=curl.thickness * v.thickness)
+    narrower, here = cut.width / curl.width, cut(kappa)
+    K = rod.stiffness * narrower * here / law.designed
+    B = float(K.min())
+    changed = rod.with_stiffness(K) if np.any(rod.stiffness != K) else rod
+    changed = _with_weight(replace(changed, law=replace(law, factor=cut, designed=here)), v, B)
+    if rod.weight is not None and rod.gravity is not None:
+        alpha, beta = rod.weight.along(rod.s)
+        newtons = v.density * v.thickness * narrower * (alpha + beta * rod.stiffness)
+        weight = replace(rod.weight, alpha=Profile.interpolate(rod.s, newtons), beta=0.0)
+        changed = replace(changed, weight=weight)
+    return changed, B
+
+
+def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
+    """The changed sheet's weight; `width_factor` is what the least bending stiffness lost by width."""
+    if rod.gravity is None:
+        return rod
+    if rod.weight is None:
+        factor = v.density / (v.youngs_modulus * v.thickness**2)
+        return rod if factor == 1 else replace(rod, gravity=rod.gravity.scaled(factor))
+    heavier = v.density * v.thickness
+    weight = rod.weight.scaled(heavier, heavier * width_factor)
+    B = (rod.bending_stiffness or 0.0) * v.youngs_modulus * v.thickness**3 * width_factor
+    return replace(rod, weight=weight, bending_stiffness=B)
+
+
+_CHUNK = 16  # bends that one task of an executor does
+
+MOST_SAMPLES = 100_000
+"""Largest number of rods that are bent in one study."""
+
+
+SIGNED = ("angle", "width_loss", "thickness_wave", "wave_phase")
+"""Ranges that may reach below zero."""
+
+
+@dataclass(frozen=True)
+class ToleranceRanges:
+    """Lowest and highest value of everything that may vary; see `Imperfection` for the meaning.
+
+    Parameters
+    ----------
+    stiffness_range : (low, high)
+        Factors m on K - 1.
+    youngs_modulus, density, thickness : (low, high)
+        Factors on the sheet's numbers.
+    angle : (low, high)
+        rad, for each end on its own.
+    yield_curvature : (low, high)
+        1/mm, for the thickness as designed.
+    width_loss : (low, high)
+        mm.
+    thickness_wave, wave_phase : (low, high)
+        Amplitude, as a share, and phase, rad, of a wave of thickness along the strip.
+
+    Raises
+    ------
+    InputError
+        A range with its ends exchanged, or factors that are not positive.
+    """
+
+    stiffness_range: Range = (0.9, 1.1)
+    youngs_modulus: Range = (0.9, 1.1)
+    density: Range = (0.95, 1.05)
+    thickness: Range = (0.95, 1.05)
+    angle: Range = (-0.035, 0.035)
+    yield_curvature: Range = (np.inf, np.inf)
+    width_loss: Range = (0.0, 0.0)
+    thickness_wave: Range = (-0.01, 0.01)
+    wave_phase: Range = (0.0, float(np.pi))
+
+    def __post_init__(self) -> None:
+        for name, given in vars(self).items():
+            pair = numbers(given, f"the range of {name}")
+            if pair.shape != (2,):
+                raise InputError(
+                    "range of {name} is {given!r}: give the lowest and the highest",
+                    name=name,
+                    given=given,
+                )
+            low, high = pair.tolist()
+            if not low <= high:
+                raise InputError(
+                    "range of {name} is {low:g} to {high:g}: give the lowest first",
+                    name=name,
+                    low=low,
+                    high=high,
+                )
+            if name not in SIGNED and low <= 0:
+                raise InputError("range of {name} begins at {low:g}: it must be positive", name=name, low=low)
+            if name in SIGNED and not np.isfinite([low, high]).all():
+                raise InputError(
+                    "range of {name} is {low:g} to {high:g}: it must be finite", name=name, low=low, high=high
+                )
+
+    @classmethod
+    def of(
+        cls, sheet: Sheet, *, stiffness_range: Range = (0.9, 1.1), angle: Range = (-0.035, 0.035)
+    ) -> "ToleranceRanges":
+        """The ranges that the sheet's source gives; what is taken as certain there does not vary.
+
+        Parameters
+        ----------
+        sheet : Sheet
+            Its kerf is taken as corrected for: only the deviation from it counts.
+        stiffness_range, angle : (low, high)
+            What a sheet says nothing about.
+        """
+
+        sheet = Sheet.of(sheet)
+
+        def factors(quantity: str) -> Range:
+            low, high = sheet.range_of(quantity)
+            value = float(getattr(sheet, quantity))
+            return low / value, high / value
+
+        low_strain, high_strain = sheet.range_of("max_strain")
+        low_kerf, high_kerf = sheet.range_of("kerf")
+        return cls(
+            stiffness_range=stiffness_range,
+            youngs_modulus=factors("youngs_modulus"),
+            density=factors("density"),
+            thickness=factors("thickness"),
+            angle=angle,
+            yield_curvature=(2 * low_strain / sheet.thickness, 2 * high_strain / sheet.thickness),
+            width_loss=(low_kerf - sheet.kerf, high_kerf - sheet.kerf),
+        )
+
+
+@dataclass(frozen=True)
+class ToleranceEffect:
+    """What one cause, or all together, do to the shape.
+
+    Attributes
+    ----------
+    name : str
+    worst : float
+        Largest deviation found, mm: of the samples, and for a single cause of its extreme values too.
+    percentile_95 : float
+        95 % of the samples stay below it, mm.
+    samples, failed, snapped : int
+        Bends made; how many of them found no rest shape, which are in neither number above; and how many
+        snapped to another shape far from the design, which are in both.
+    """
+
+    name: str
+    worst: float
+    percentile_95: float
+    samples: int
+    failed: int
+    snapped: int
+
+
+@dataclass(frozen=True)
+class ToleranceStudy:
+    """Deviations by cause and all together; `str` of it is a table.
+
+    Attributes
+    ----------
+    effects : tuple of ToleranceEffect
+        Stiffness range, weight, end angles, plasticity, thickness, kerf, thickness along the strip: each alone.
+    combined : ToleranceEffect
+        All at once.
+    seed : int
+    """
+
+    effects: tuple[ToleranceEffect, ...]
+    combined: ToleranceEffect
+    seed: int
+
+    def __getitem__(self, name: str) -> ToleranceEffect:
+        """The effect called `name`."""
+        for effect in (*self.effects, self.combined):
+            if effect.name == name:
+                return effect
+        raise InputError(
+            "no effect is called {name!r}: use one of {names}",
+            name=name,
+            names=", ".join(e.name for e in (*self.effects, self.combined)),
+        )
+
+    @property
+    def failed(self) -> int:
+        """Bends that found no rest shape, of all."""
+        return sum(effect.failed for effect in (*self.effects, self.combined))
+
+    def __str__(self) -> str:
+        """One line a cause: worst and 95 % deviation, mm."""
+        lines = [f"{'deviation, mm':<26}{'95 %':>9}{'worst':>9}"]
+        for effect in (*self.effects, self.combined):
+            line = f"{effect.name:<26}{effect.percentile_95:>9.3f}{effect.worst:>9.3f}"
+            if effect.failed:
+                line += f"   {effect.failed} of {effect.samples} found no rest shape"
+            if effect.snapped:
+                line += f"   {effect.snapped} of {effect.samples} snapped"
+            lines.append(line)
+        return "\n".join(lines)
+
+
+def tolerance_study(
+    rod: Rod,
+    *,
+    sheet: Sheet | None = None,
+    ranges: ToleranceRanges | None = None,
+    max_width: float | None = None,
+    samples: int = 100,
+    seed: int = 0,
+    executor: Executor | None = None,
+) -> ToleranceStudy:
+    """How far the bent strip strays from `rod` when things vary within their ranges (paper, 8.2, Fig. 15).
+
+    Monte Carlo with uniform distributions: each cause alone, then all together. A deviation is the largest
+    distance between a node of the varied rod and the same node of the design. A wide strip (`section`) bends as a
+    plate of the width and thickness that come out, so it feels its thickness without any load too.
+
+    Parameters
+    ----------
+    rod : Rod
+        The design, in balance.
+    sheet : Sheet, optional
+        Ranges are taken from it.
+    ranges : ToleranceRanges, optional
+        Ranges given by hand; they come before those of `sheet`.
+    max_width : float, optional
+        Width of the widest place, mm; without it the kerf is left out.
+    samples : int
+        Bends for each cause.
+    seed : int
+        Same seed, same numbers, with whatever executor.
+    executor : concurrent.futures.Executor, optional
+        Threads or processes that share the bends.
+
+    Returns
+    -------
+    ToleranceStudy
+
+    Raises
+    ------
+    InputError
+        No samples, a loss of width that leaves nothing.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.bending import bend
+    >>> rod = bend(Rod.straight(100.0, [1, 2, 1], samples=41), end=(70.0, 0.0))
+    >>> study = tolerance_study(rod, samples=8)
+    >>> study["end angles"].worst > study["end angles"].percentile_95 > 0
+    True
+    >>> study["weight"].worst
+    0.0
+    """
+    require_record(rod, Rod, "the rod", "a Rod, as bend makes one")
+    if not (is_whole(samples) and 1 <= samples <= MOST_SAMPLES):
+        raise InputError(
+            "samples is {samples!r}: give a whole number from 1 to {most_samples}",
+            samples=samples,
+            most_samples=MOST_SAMPLES,
+        )
+    if not (ranges is None or isinstance(ranges, ToleranceRanges)):
+        raise InputError("ranges are {ranges}: give a ToleranceRanges record, or None", ranges=quoted(ranges))
+    if not (executor is None or callable(getattr(executor, "map", None))):
+        raise InputError(
+            "executor is {executor}: give one of concurrent.futures, or None", executor=quoted(executor)
+        )
+    if not (is_whole(seed) and seed >= 0):
+        raise InputError("seed is {seed!r}: give a whole number from 0", seed=seed)
+    found = ranges or (ToleranceRanges.of(sheet) if sheet is not None else ToleranceRanges())
+    if max_width is None:
+        found = replace(found, width_loss=(0.0, 0.0))
+    elif found.width_loss[1] > 0:
+        least_width(rod, max_width, found.width_loss[1])
+    rng = np.random.default_rng(seed)
+    drawn = {name: _drawn(found, name, rng, samples) for name in _CAUSES}
+    combined = [_merged([drawn[name][i] for name in _CAUSES]) for i in range(samples)]
+    groups = [(name, drawn[name], _extremes(found, name)) for name in _CAUSES] + [("combined", combined, [])]
+    todo = [v for _, inner, outer in groups for v in (*inner, *outer)]
+    outcomes = _run(rod, todo, max_width, executor)
+    effects, first = [], 0
+    for name, inner, outer in groups:
+        middle, last = first + len(inner), first + len(inner) + len(outer)
+        effects.append(_effect(name, outcomes[first:middle], outcomes[middle:last]))
+        first = last
+    return ToleranceStudy(tuple(effects[:-1]), effects[-1], seed)
+
+
+class _Outcome(NamedTuple):
+    """Deviation, mm, None where no rest shape was found; did the rod snap on the way?"""
+
+    deviation: float | None
+    snapped: bool
+
+
+# cause -> fields of Imperfection that it changes, with the range each is drawn from
+_CAUSES: dict[str, dict[str, str]] = {
+    "stiffness range": {"stiffness_range": "stiffness_range"},
+    "weight": {"youngs_modulus": "youngs_modulus", "density": "density"},
+    "end angles": {"start_angle": "angle", "end_angle": "angle"},
+    "plasticity": {"yield_curvature": "yield_curvature"},
+    "thickness": {"thickness": "thickness"},
+    "kerf": {"width_loss": "width_loss"},
+    "thickness along the strip": {"thickness_wave": "thickness_wave", "wave_phase": "wave_phase"},
+}
+
+
+def _drawn(ranges: ToleranceRanges, cause: str, rng: np.random.Generator, samples: int) -> list[Imperfection]:
+    fields = _CAUSES[cause]
+    share = rng.random((samples, len(fields)))
+    columns = [_between(getattr(ranges, source), share[:, i]) for i, source in enumerate(fields.values())]
+    return [Imperfection(**dict(zip(fields, map(float, row), strict=True))) for row in np.transpose(columns)]
+
+
+def _between(limits: Range, share: FloatArray) -> FloatArray:
+    low, high = limits
+    return np.full(share.shape, low) if low == high else low + (high - low) * share
+
+
+def _extremes(ranges: ToleranceRanges, cause: str) -> list[Imperfection]:
+    """Every corner of the ranges of one cause."""
+    fields = _CAUSES[cause]
+    corners = product(*(getattr(ranges, source) for source in fields.values()))
+    return [Imperfection(**dict(zip(fields, corner, strict=True))) for corner in dict.fromkeys(corners)]
+
+
+def _merged(parts: Sequence[Imperfection]) -> Imperfection:
+    merged: dict[str, float] = {}
+    for part, fields in zip(parts, _CAUSES.values(), strict=True):
+        merged.update({field: getattr(part, field) for field in fields})
+    return Imperfection(**merged)
+
+
+def _run(
+    rod: Rod, todo: list[Imperfection], max_width: float | None, executor: Executor | None
+) -> list[_Outcome]:
+    """Results for each imperfection; equal ones are bent once."""
+    different = list(dict.fromkeys(_reduced(rod, v) for v in todo))
+    bent = partial(_outcome, rod, max_width)
+    answers = map(bent, different) if executor is None else executor.map(bent, different, chunksize=_CHUNK)
+    known = dict(zip(different, answers, strict=True))
+    return [known[_reduced(rod, v)] for v in todo]
+
+
+def _reduced(rod: Rod, v: Imperfection) -> Imperfection:
+    """The imperfection without what this rod cannot feel."""
+    loaded = feels_modulus(rod)
+    if not loaded:
+        v = replace(v, youngs_modulus=1.0, density=1.0)
+    largest = float(np.abs(rod.curvature - rod.natural_curvature).max())
+    if largest <= v.yield_curvature / v.thickness:
+        v = replace(v, yield_curvature=np.inf)
+        if not (loaded or rod.follows_bend):
+            v = replace(v, thickness=1.0)
+    a, b = rod.supports.ends
+    return replace(
+        v, start_angle=v.start_angle if a.angle else 0.0, end_angle=v.end_angle if b.angle else 0.0
+    )
+
+
+def _outcome(rod: Rod, max_width: float | None, imperfection: Imperfection) -> _Outcome:
+    if imperfection == Imperfection():
+        return _Outcome(0.0, False)
+    try:
+        bent = perturb_rod(rod, imperfection, max_width=max_width)
+    except NotConvergedError:
+        return _Outcome(None, False)
+    return _Outcome(float(np.hypot(*(bent.position - rod.position).T).max()), has_snapped(bent))
+
+
+def _effect(name: str, inner: Sequence[_Outcome], outer: Sequence[_Outcome]) -> ToleranceEffect:
+    good = np.array([one.deviation for one in inner if one.deviation is not None])
+    every = np.array([one.deviation for one in (*inner, *outer) if one.deviation is not None])
+    return ToleranceEffect(
+        name=name,
+        worst=float(every.max()) if every.size else float("nan"),
+        percentile_95=float(np.percentile(good, 95)) if good.size else float("nan"),
+        samples=len(inner) + len(outer),
+        failed=len(inner) + len(outer) - every.size,
+        snapped=sum(one.snapped for one in (*inner, *outer)),
+    )

@@ -1,0 +1,411 @@
+"""Battens of tapered stock, and what the bench needs of them."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from textwrap import wrap
+from typing import Literal
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._units import MM_PER_INCH
+from elastica_cad._values import numbers
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.segments import Line
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.loads import Gravity, Supports, Weight
+from elastica_cad.mechanics.rod import Rod, csv_text
+from elastica_cad.mechanics.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.model.leaf_stack import LeafStack
+from elastica_cad.refusals import Length, note
+from elastica_cad.strip.drawing import CUT_OUTER, MARK, Drawing, LayeredPath
+from elastica_cad.strip.holding_template import tell_ends
+from elastica_cad.strip.lettering import Text, engravable
+from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.tapered_solids import side_view
+
+ROWS = 21
+"""Stations of a batten of which none are asked for, evenly from end to end of its free part."""
+
+DECIMALS = {"mm": 2, "inch": 3, "percent": 3, "safety": 2}
+"""Of a column in the table's file, by the unit in its name: as fine as a bench works."""
+
+LETTER_MM, TICK_MM = 4.0, 3.0
+LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
+"""Of what is written below a side view: distance of its lines, and letters in one, which a page of A4 holds."""
+
+
+def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, FloatArray]:
+    """Columns (n,) by name at stations (n,), mm along a tapered strip: size in mm and inch, strain, and safety.
+
+    Stations count from where the bend begins, and each has its distance from the tip of the first tab. Where none
+    are asked for, both tips are among them. Safety is what the material bears over the strain; infinite
+    where it is not bent.
+
+    Raises
+    ------
+    InputError
+        The strip is of one thickness.
+    """
+    law, size = strip.layout.section, strip.layout.size
+    if law is None or size is None:
+        raise InputError("the strip is of one thickness: it has no side view; give it a law")
+    first, last = (tab.length for tab in strip.ends)
+    tips = -first, strip.rod.length + last
+    evenly = np.unique([*tips, *np.linspace(0.0, strip.rod.length, ROWS)])
+    s = np.clip(evenly if stations is None else numbers(stations, "stations"), *tips)
+    bent = np.clip(s, 0.0, strip.rod.length)
+    sizes = size(bent)
+    (layer,) = law.strains(np.abs(strip.rod.bend_at(bent)), sizes)
+    strain = np.where((layer.strain < 1e-12) | (s != bent), 0.0, layer.strain)
+    safety = np.divide(layer.limit, strain, out=np.full(s.size, np.inf), where=strain > 0)
+    return {
+        "s_mm": s, "s_inch": s / MM_PER_INCH,
+        "from_tip_mm": s + first, "from_tip_inch": (s + first) / MM_PER_INCH, f"{law.quantity}_mm": sizes,
+        f"{law.quantity}_inch": sizes / MM_PER_INCH, "strain": strain, "safety": safety,
+    }  # fmt: skip
+
+
+def bench_csv(strip: Strip, stations: ArrayLike | None = None) -> str:
+    """The table as comma-separated text, the strain in percent, without a safety where nothing is bent; of leaves
+    their cut list.
+    """
+    if strip.layout.stack:
+        return LeafStack(strip).cut_list.csv
+    table = _bench_table(strip, stations)
+    *sizes, (_, strain), safety = table.items()
+    columns = dict([*sizes, ("strain_percent", 100 * strain), safety])
+    rounded = {name: column.round(DECIMALS[name.rsplit("_", 1)[-1]]) for name, column in columns.items()}
+    return csv_text(rounded).replace(",inf", ",")
+
+
+def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
+    """The side view at full size; of leaves their pattern.
+
+    A tick at every station has its distance from the tip and the size there, mm; the lines below say what it is
+    made of and how its ends are held.
+    """
+    if strip.layout.stack:
+        return LeafStack(strip).drawing
+    s, _, far, _, sizes, *_ = _bench_table(strip, stations).values()
+    view = side_view(strip)
+    (left, low), (_, top) = view.bounds.tolist()
+    ticks = [LayeredPath(MARK, Path((Line((x, top + 1.0), (x, top + 1.0 + TICK_MM)),))) for x in s.tolist()]
+    texts = tuple(
+        Text((x, top + 2.0 + TICK_MM), f"{tip:.1f}: {size:.2f}", LETTER_MM, np.pi / 2)
+        for x, tip, size in zip(s.tolist(), far.tolist(), sizes.tolist(), strict=True)
+    )
+    told = tuple(
+        Text((left, low - LINE_MM * row), line, LETTER_MM, 0.0, MARK)
+        for row, line in enumerate(_told(strip), start=1)
+    )
+    return Drawing(strip.label, (*ticks, LayeredPath(CUT_OUTER, view)), (*texts, *told))
+
+
+def _told(strip: Strip) -> list[str]:
+    """The lines below a side view."""
+    law, sheet = strip.layout.section, strip.sheet
+    flat = law is not None and law.quantity == "thickness"
+    stock = sheet.full_name.removesuffix(f" {sheet.thickness:g} mm")  # a sheet is given for its wood
+    wide = f"{stock}, {strip.width.extremes[1]:g} mm wide: plane both faces alike"
+    told = wide if flat else f"{stock}, round: turn it to the diameters"
+    ticks = "full size, seen from the side; at a tick: mm from this tip, and the size there"
+    said = strip.label or "batten", told, str(tell_ends(strip)), ticks
+    return [engravable(line) for one in said for line in wrap(one, LETTERS)]
+
+
+ENDS = Supports("pinned", "pinned")
+SEARCH_NODES, FINE_NODES = 401, 2401  # while the taper is sought, and of the curve that is handed on
+MOST_CAMBER = 0.4  # of the chord: deeper ones are bows, not battens
+MOST_FULL = 0.8  # of the length: what is left must make the taper
+SETTLED = 1e-7  # of camber and place, in chords
+MOST_STEPS = 30
+
+
+@dataclass(frozen=True)
+class BattenSpec:
+    """What is asked of a batten.
+
+    Parameters
+    ----------
+    length : float
+        Of the batten, mm.
+    camber : float
+        Its greatest depth over the chord, in chords (0.1 is 10 %), once the ends are pressed together.
+    place : float
+        Where along the chord that is, in chords from the start: 0.5 is the middle, less is nearer to the start.
+    stock : ThicknessLaw or RoundLaw
+        A strip planed in thickness, or a rod; its largest size is that of the stock, its least what may be left.
+    label : str
+    full : float
+        Share of the length, at the thick end, that keeps the full size: the taper goes over the rest, so that the
+        entry at the thin end comes fuller or finer.
+    lying : "up" or "down", optional
+        Which way it bulges as it lies with its chord level: camber and place are then meant under its own weight.
+        Without it the batten stands, as a sail holds it, and its weight does not count.
+
+    Raises
+    ------
+    InputError
+        Numbers that no batten has.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.sheets import Sheet
+    >>> glass = Sheet("glass", 8.0, 38000.0, density=1900.0, max_strain=0.012)
+    >>> batten = BattenSpec(2400.0, 0.1, 0.4, ThicknessLaw(glass, 3.0, 8.0, width=25.0)).make()
+    >>> sizes = batten.table([0.0, 1200.0, 2400.0])["thickness_mm"]
+    >>> sizes.round(1).tolist(), round(batten.end_force)
+    ([3.3, 5.7, 8.0], 20)
+    """
+
+    length: float
+    camber: float
+    place: float
+    stock: ThicknessLaw | RoundLaw
+    label: str = "batten"
+    full: float = 0.0
+    lying: Literal["up", "down"] | None = None
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.length) and self.length > 0):
+            raise InputError(
+                "the batten's length is {length:g}: it must be positive, in mm", length=self.length
+            )
+        if not 0 < self.camber <= MOST_CAMBER:
+            raise InputError(
+                "the camber is {camber:g} % of the chord: give 1 to {most_camber:g}",
+                camber=100 * self.camber,
+                most_camber=100 * MOST_CAMBER,
+            )
+        if not 0 < self.place < 1:
+            raise InputError(
+                "the camber's place is {place:g} % of the chord: give 1 to 99", place=100 * self.place
+            )
+        if not 0 <= self.full <= MOST_FULL:
+            raise InputError(
+                "{full:g} % of the batten is to keep its full size: give 0 to {most_full:g}",
+                full=100 * self.full,
+                most_full=100 * MOST_FULL,
+            )
+        if not isinstance(self.stock, ThicknessLaw | RoundLaw):
+            raise InputError("stock is {stock!r}: give a ThicknessLaw or a RoundLaw", stock=self.stock)
+        if self.lying not in (None, "up", "down"):
+            raise InputError(
+                'lying is {lying!r}: give "up" or "down", which way it bulges, or None', lying=self.lying
+            )
+
+    def make(self) -> "Batten":
+        """The batten: its size falls evenly towards one end, by as much as the place asks for.
+
+        Raises
+        ------
+        InputError
+            The place asks for a thinner end than the stock's least size; the place that it allows is told.
+        NotConvergedError
+            No taper gives that camber.
+        """
+        try:
+            taper, chord = self._taper()
+        except NotConvergedError:
+            if self.lying is not None:  # what the weight does is told
+                raise
+            raise self._too_thin(0.5 - self.place, self._even_chord, note("less")) from None
+        thin = self.stock.largest * np.exp(-abs(taper))
+        if thin < self.stock.least * (1 - 1e-9):
+            raise self._too_thin(taper, chord, Length(thin))
+        return Batten(self, _straight_ends(_pressed(self, taper, chord, FINE_NODES).curve))
+
+    def _too_thin(self, side: float, chord: float, thin: object) -> InputError:
+        """That the stock's taper, larger at the end where `side` is positive, brings the camber less far."""
+        most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)
+        within = 100 * self._place_of(most, chord)
+        # rounded towards the middle, so that what is told can be made
+        nearest = (
+            note("at least {percent:.3g}", percent=np.ceil(10 * within) / 10)
+            if side > 0
+            else note("at most {percent:.3g}", percent=np.floor(10 * within) / 10)
+        )
+        return InputError(
+            "camber at {place:.4g} % asks for {thin} at the thin end of stock of {largest:g}, "
+            "and {least:g} must be left: move the camber to {nearest} % of the chord, or allow "
+            "less",
+            place=100 * self.place,
+            thin=thin,
+            largest=Length(self.stock.largest),
+            least=Length(self.stock.least),
+            nearest=nearest,
+        )
+
+    @property
+    def _even_chord(self) -> float:
+        """About the chord, over the length, of an even batten with this camber: of half a sine."""
+        return 1 - 2.4 * self.camber**2
+
+    def _place_of(self, taper: float, chord: float) -> float:
+        """Where this taper brings a camber of that depth, which grows with the root of what the chord is short."""
+        for _ in range(MOST_STEPS):
+            depth, place = camber_of(_pressed(self, taper, chord, SEARCH_NODES))
+            if abs(depth - self.camber) < 10 * SETTLED:
+                break
+            chord = max(1 - (1 - chord) * (self.camber / depth) ** 2, 0.3)
+        return place
+
+    def _taper(self) -> tuple[float, float]:
+        """Logarithm of end over start size, and chord over length."""
+        from scipy.optimize import least_squares
+
+        def missed(x: FloatArray) -> FloatArray:
+            found = camber_of(_pressed(self, float(x[0]), float(x[1]), SEARCH_NODES))
+            return np.array(found) - (self.camber, self.place)
+
+        # what taper does to the place of an even batten's camber, to begin with
+        first = [6.0 * (0.5 - self.place), self._even_chord]
+        found = least_squares(
+            missed, first, bounds=([-4.0, 0.3], [4.0, 1.0 - 1e-6]), x_scale=[1.0, 0.1], ftol=None, gtol=None,
+            xtol=1e-10, max_nfev=MOST_STEPS,
+        )  # fmt: skip
+        if np.abs(found.fun).max() < SETTLED:
+            return float(found.x[0]), float(found.x[1])
+        raise NotConvergedError(
+            "no taper brings a camber of {camber:g} % to {place:g} % of the chord: move it "
+            "nearer to the middle",
+            camber=100 * self.camber,
+            place=100 * self.place,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Batten:
+    """A batten as it is made: see `BattenSpec`.
+
+    Attributes
+    ----------
+    spec : BattenSpec
+    curve : PlaneCurve
+        The shape between its pressed ends, the chord along x.
+    """
+
+    spec: BattenSpec
+    curve: PlaneCurve
+
+    @property
+    def strip_spec(self) -> StripSpec:
+        """The batten as a request for a strip: its curve between hinges, its stiffness made of the stock."""
+        stock = self.spec.stock
+        return StripSpec(
+            self.curve, stock.sheet, law=stock, supports=ENDS, ends=(Tab(0.0), Tab(0.0)), label=self.spec.label,
+            smooth=0.0, gravity=None if self.spec.lying is None else _level(self.spec.lying),
+        )  # fmt: skip
+
+    @cached_property
+    def strip(self) -> Strip:
+        """What the request makes: bodies, mass and warnings are those of every strip."""
+        return self.strip_spec.make()
+
+    @property
+    def camber(self) -> tuple[float, float]:
+        """Depth and its place, in chords."""
+        return camber_of(self.strip.rod)
+
+    def camber_with_weight(self, *, bulging: Literal["up", "down"]) -> tuple[float, float]:
+        """Return depth and place of the camber under the batten's own weight, as `camber_of` does.
+
+        The batten lies with its chord level, and its ends are pressed as near as before.
+        """
+        rod, size = self.strip.rod, self.strip.layout.size
+        assert size is not None
+        side = float(np.sign(rod.position[rod.s.size // 2, 1] - rod.position[0, 1]))
+        down = _level(bulging, side)
+        newtons = Profile.interpolate(rod.s, self.spec.stock.weight_per_length(size(rod.s)))
+        return camber_of(bend(replace(rod, gravity=down, weight=Weight(alpha=newtons))))
+
+    @property
+    def chord(self) -> float:
+        """Distance of the pressed ends, mm."""
+        return float(np.hypot(*(self.strip.rod.position[-1] - self.strip.rod.position[0])))
+
+    @property
+    def end_force(self) -> float:
+        """Force by which the ends are pressed together, N."""
+        return float(np.hypot(*self.strip.reactions().start_force))
+
+    def of_leaves(self, leaves: int) -> LeafedRod:
+        """The stock glued of so many equal leaves, not planed; their ends bring it nearest to this shape.
+
+        Raises
+        ------
+        InputError
+            The stock is no strip, or the number no whole one.
+        NotConvergedError
+            No such stack comes to rest between the pressed ends.
+        """
+        stock = self.spec.stock
+        if not isinstance(stock, ThicknessLaw):
+            raise InputError("leaves are of a strip: give a ThicknessLaw as stock")
+        leaf = stock.sheet.with_thickness(stock.largest / max(leaves, 1))
+        return lay_leaves(self.strip.rod, LeavesLaw(leaf, leaves, stock.width))
+
+    def strip_of(self, leafed: LeafedRod) -> Strip:
+        """Return the strip that these leaves make."""
+        spec = self.spec
+        return Strip(leafed.rod, leafed.section.sheet, ends=(Tab(0.0), Tab(0.0)), label=spec.label)
+
+    def table(self, stations: FloatArray | list[float]) -> dict[str, FloatArray]:
+        """Columns (n,) by name at stations (n,), mm along the batten: see `_bench_table`."""
+        return _bench_table(self.strip, stations)
+
+
+def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
+    """The batten between hinges at this distance; its size goes from 1 to exp(taper), full at the thick end."""
+    along = np.linspace(0.0, 1.0, nodes)
+    tapered = 1 - spec.full
+    share = along / tapered if taper > 0 else (along - spec.full) / tapered
+    sizes = 1 + np.expm1(taper) * np.clip(share, 0.0, 1.0)
+    sizes *= spec.stock.largest / sizes.max()
+    EI = spec.stock.bending_stiffness(sizes)
+    flat = Rod.straight(spec.length, EI, samples=nodes, supports=ENDS, bending_stiffness=float(EI.min()))
+    light = bend(flat, end=(chord * spec.length, 0.0))
+    if spec.lying is None:
+        return light
+    newtons = Profile.interpolate(light.s, spec.stock.weight_per_length(sizes))
+    heavy = bend(replace(light, gravity=_level(spec.lying), weight=Weight(alpha=newtons)))
+    if heavy.position[nodes // 2, 1] <= 0:
+        raise NotConvergedError(
+            "the batten does not stay bulging {lying}: its own weight snaps it over; take "
+            "stiffer or lighter stock, or more camber",
+            lying=spec.lying,
+        )
+    return heavy
+
+
+def _level(bulging: Literal["up", "down"], side: float = 1.0) -> Gravity:
+    """Gravity across the chord, of a batten that bulges to its left, or where `side` is -1 to its right."""
+    return Gravity(1.0, (0.0, -side if bulging == "up" else side))
+
+
+def camber_of(rod: Rod) -> tuple[float, float]:
+    """The largest distance from the chord and where it lies, in chords, by a parabola through three nodes."""
+    chord = rod.position[-1] - rod.position[0]
+    size = float(chord @ chord)
+    along = (rod.position - rod.position[0]) @ chord / size
+    off = np.abs((rod.position - rod.position[0]) @ np.array([-chord[1], chord[0]])) / size
+    k = int(np.clip(off.argmax(), 1, off.size - 2))
+    a, b, c = np.polyfit(along[k - 1 : k + 2] - along[k], off[k - 1 : k + 2], 2)
+    return float(c - b**2 / (4 * a)), float(along[k] - b / (2 * a))
+
+
+def _straight_ends(curve: PlaneCurve) -> PlaneCurve:
+    """The curve with no curvature at its ends, as hinges have it: third points are moved by micrometres."""
+    points = np.array(curve.control_points)
+    for first, second, third in ((0, 1, 2), (-1, -2, -3)):
+        along = points[second] - points[first]
+        along = along / np.hypot(*along)
+        points[third] = points[first] + ((points[third] - points[first]) @ along) * along
+    return PlaneCurve(curve.knots, points, curve.degree)

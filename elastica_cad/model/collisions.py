@@ -1,0 +1,381 @@
+"""Strips of a model that share material where no slot lets them, and a strip that meets itself.
+
+Both are found on samples. Of two bodies that share material an edge of one reaches into the other, or they lie face
+on face: edges are sampled finely, and faces, where the depth is level, coarsely.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._values import and_more
+from elastica_cad.geometry.plane_points import turns_along
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.model.crossings import RuledStrip, strip_crossings, strips_may_meet
+from elastica_cad.model.interlocking import SHALLOW_RAD, TOUCHING_RAD, Joint, slot_width, strip_thickness
+from elastica_cad.refusals import Length, Point, note
+from elastica_cad.strip.slots import slot_cut
+from elastica_cad.strip.strip import Placed, Strip, strip_names
+
+EDGE_PITCH_MM, FACE_PITCH_MM = 0.2, 1.0
+"""Distances between samples along edges and on faces, mm."""
+
+SHARED_MM = 0.05
+"""Depth, mm, up to which strips that are slotted together only touch."""
+
+EDGES_TOUCH_MM = 0.1
+"""Depth, mm, up to which strips that lie edge to edge may overlap; it can be filed off."""
+
+FOOT_STEPS = 3
+"""Newton steps from the nearest station of a curve to its nearest point."""
+
+INSCRIBED = np.sqrt(0.5)
+"""Side of the square in a circle, over its diameter: round rods count as that."""
+
+MOUTH = 4.0
+"""Length, in widths of a slot, by which it is extended beyond the edge: its sides reach the edge at different
+places."""
+
+RIM_MM = 0.002
+"""Flatness of the polygons that represent slots, mm."""
+
+SELF_PITCH_SHARE = 0.25
+"""Distance between samples along a strip that may meet itself, in thicknesses."""
+
+MOST_SAMPLES = 20_000
+"""Largest number of samples along a strip that may meet itself; on a long one they are farther apart."""
+
+Places = tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Collision:
+    """A place where two strips share material.
+
+    Attributes
+    ----------
+    places : (float, float)
+        Arc lengths of both, mm.
+    depth : float
+        How far one reaches into the other, mm.
+    position : (3,) array
+        In space, mm.
+    """
+
+    places: Places
+    depth: float
+    position: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """A bent strip between its tabs: a ruled surface, its thickness, mm, and the polygons (k, 2) of its slots."""
+
+    ruled: RuledStrip
+    thickness: float
+    slots: tuple[FloatArray, ...]
+
+    @classmethod
+    def of(cls, placed: Placed) -> "Body":
+        """A placed strip, everywhere as thick as where it is thinnest; of a round rod the square in it."""
+        strip = placed.strip
+        ruled = RuledStrip(strip.rod.curve, placed.frame, strip.width)
+        cuts = (slot_cut(slot, strip.width, beyond=MOUTH * slot.width) for slot in strip.slots)
+        slots = tuple(cut.points(RIM_MM) for cut in cuts)
+        for quantity, size in strip.tapered.items():
+            thinnest = float(size.extremes[0])
+            if quantity == "thickness":
+                return cls(ruled, thinnest, slots)
+            width = replace(ruled.width, coefficients=INSCRIBED * ruled.width.coefficients)
+            return cls(replace(ruled, width=width), INSCRIBED * thinnest, slots)
+        return cls(ruled, strip_thickness(strip), slots)
+
+    def samples(self, inset: float) -> tuple[FloatArray, FloatArray]:
+        """Places (n,) and (n,) on edges and faces in the flat pattern, `inset` mm within the rim."""
+        length = self.ruled.length
+        first, last = min(inset, length / 2), max(length - inset, length / 2)
+        widest = self.ruled.width.extremes[1]
+        along, ends = _steps(first, last, EDGE_PITCH_MM), _steps(-1.0, 1.0, 2 * EDGE_PITCH_MM / widest)
+        rows, inner = _steps(first, last, FACE_PITCH_MM), _steps(-1.0, 1.0, 2 * FACE_PITCH_MM / widest)
+        grids = [(along, np.array([-1.0, 1.0])), (np.array([first, last]), ends), (rows, inner)]
+        s, share = np.concatenate([np.reshape(np.meshgrid(x, y), (2, -1)) for x, y in grids], axis=1)
+        return s, share * np.maximum(self.ruled.half_width(s) - inset, 0.0)
+
+    @cached_property
+    def _tree(self) -> Any:
+        from scipy.spatial import cKDTree
+
+        return cKDTree(self.ruled.in_plane(self.ruled.stations)[0])
+
+    def stations_near(self, points: FloatArray, reach: float) -> tuple[IntArray, FloatArray]:
+        """Which points (n, 2) of the curve's plane may lie within reach of it, and the stations nearest to them."""
+        stations = self.ruled.stations
+        away, k = self._tree.query(points, distance_upper_bound=reach + float(np.diff(stations).max()))
+        near = np.flatnonzero(np.isfinite(away))
+        return near, stations[k[near]]
+
+    def nearest(self, points: FloatArray, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Arc lengths (n,) near s at which the curve is nearest to points (n, 2), its places and tangents there."""
+        for _ in range(FOOT_STEPS):
+            place, tangent = self.ruled.in_plane(s)
+            s = np.clip(s + ((points - place) * tangent).sum(axis=1), 0.0, self.ruled.length)
+        return s, *self.ruled.in_plane(s)
+
+    def uncut(self, s: FloatArray, across: FloatArray) -> FloatArray:
+        """Distance of places (n,) of the flat pattern from the nearest slot, mm; negative inside it."""
+        away = np.full(s.size, np.inf)
+        for rim in self.slots:
+            (x, y), (dx, dy) = rim.T, (np.roll(rim, -1, axis=0) - rim).T
+            left, down = s[:, None] - x, across[:, None] - y
+            where = np.clip((left * dx + down * dy) / (dx**2 + dy**2), 0.0, 1.0)
+            off = np.hypot(where * dx - left, where * dy - down).min(axis=1)
+            # a line from the place to one side meets the sides of a polygon around it an odd number of times
+            beside = ((down >= 0) != (down >= dy)) & ((left * dy < down * dx) == (dy > 0))
+            away = np.minimum(away, np.where(beside.sum(axis=1) % 2 == 1, -off, off))
+        return away
+
+
+def _steps(low: float, high: float, pitch: float) -> FloatArray:
+    """Even places (n,) from low to high, about so far apart."""
+    return np.linspace(low, high, max(2, int(np.ceil((high - low) / pitch)) + 1))
+
+
+def deepest_collision(first: Body, second: Body, room: float = 0.0) -> Collision | None:
+    """Return the place where two slotted strips reach deepest into each other, `room` mm and more beside all slots.
+
+    None where no deeper than `SHARED_MM`.
+    """
+    return _deeper(first, second, room, SHARED_MM, is_flush=False)
+
+
+def _flush_overlap(first: Body, second: Body) -> Collision | None:
+    """Where two strips whose surfaces run nearly alike lie deepest in each other's thickness, slots left out.
+
+    Of strips thinner than twice `EDGES_TOUCH_MM` half the thickness counts.
+    """
+    return _deeper(
+        first, second, 0.0, min(EDGES_TOUCH_MM, first.thickness / 2, second.thickness / 2), is_flush=True
+    )
+
+
+def _deeper(first: Body, second: Body, room: float, least: float, *, is_flush: bool) -> Collision | None:
+    """The deeper of the places where the first reaches into the second or the other way round."""
+    one, other = (
+        _deepest(a, b, room, least, is_flush=is_flush) for a, b in ((first, second), (second, first))
+    )
+    if other is not None and (one is None or other.depth > one.depth):
+        return Collision(other.places[::-1], other.depth, other.position)
+    return one
+
+
+def _deepest(a: Body, b: Body, room: float, least: float, *, is_flush: bool) -> Collision | None:
+    """Where samples of one strip lie more than `least` mm deep in another.
+
+    The samples are those of both faces, a little within the body; strips that are flush are compared by their
+    middle surfaces.
+    """
+    inset = least if is_flush else min(least / 2, a.thickness / 4, b.thickness / 4)
+    heights = [0.0] if is_flush else [inset - a.thickness / 2, a.thickness / 2 - inset]
+    thick = (a.thickness + b.thickness) / 2 if is_flush else b.thickness / 2
+    s, across = a.samples(inset)
+    place, tangent = a.ruled.in_plane(s)
+    left = np.column_stack([-tangent[:, 1], tangent[:, 0]])
+    place = np.concatenate([place + height * left for height in heights])
+    s, across, left = (np.concatenate([rows] * len(heights)) for rows in (s, across, left))
+    local = b.ruled.frame.local(a.ruled.frame.point(place) + across[:, None] * a.ruled.axis)
+    low, high = b.ruled.box + thick * np.array([[-1.0, -1.0, 0.0], [1.0, 1.0, 0.0]])
+    inner = np.flatnonzero(np.all((local > low) & (local < high), axis=1))
+    near, stations = b.stations_near(local[inner, :2], thick)
+    s, across, left, local = (rows[inner[near]] for rows in (s, across, left, local))
+    if not s.size:
+        return None
+    foot, there, along = b.nearest(local[:, :2], stations)
+    gap = local[:, :2] - there
+    ends = np.minimum(foot, b.ruled.length - foot) - np.abs((gap * along).sum(axis=1))
+    depth = np.minimum(thick - np.hypot(*gap.T), b.ruled.half_width(foot) - np.abs(local[:, 2]))
+    depth = np.minimum(depth, ends) + (0.0 if is_flush else inset)
+    if is_flush:
+        facing = (a.ruled.frame.direction(left) * b.ruled.normal(along)).sum(axis=1)
+        depth[np.abs(facing) < np.cos(SHALLOW_RAD)] = -np.inf
+    else:
+        inner = np.flatnonzero(depth > least)
+        for body, x, y in ((a, s, across), (b, foot, local[:, 2])):
+            depth[inner] = np.minimum(depth[inner], body.uncut(x[inner], y[inner]) - room + inset)
+    k = int(np.argmax(depth))
+    if depth[k] <= least:
+        return None
+    return Collision((float(s[k]), float(foot[k])), float(depth[k]), b.ruled.frame.point(local[k]))
+
+
+@dataclass(frozen=True, eq=False)
+class _Meeting:
+    """Overlap of two strips: side by side, beside the slots that join them, or at an angle."""
+
+    names: tuple[str, str]
+    places: Places
+    is_flush: bool = False
+    beside_slots: Collision | None = None
+
+    def told(self, more: str = "") -> str:
+        """A sentence; `more` counts the other pairs."""
+        (a, b), (s, r) = self.names, map(Length, self.places)
+        if self.beside_slots is not None:
+            return note(
+                "{a} at {s} also runs {depth:.2g} deep into {b} at {r}, beside the slots that join them, "
+                "near {place}{more}: turn or shift one of them, or make them narrower there",
+                a=a, s=s, depth=Length(self.beside_slots.depth), b=b, r=r, more=more,
+                place=Point(self.beside_slots.position),
+            )  # fmt: skip
+        if self.is_flush:
+            return note(
+                "{a} at {s} lies in the thickness of {b} at {r}{more}: place them apart, or make them "
+                "narrower there",
+                a=a, s=s, b=b, r=r, more=more,
+            )  # fmt: skip
+        return note(
+            "{a} at {s} runs through {b} at {r}{more}: slot them (interlock), place them apart, or make them "
+            "narrower there",
+            a=a, s=s, b=b, r=r, more=more,
+        )  # fmt: skip
+
+
+def missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tuple[str, ...]:
+    """A sentence for every two strips that overlap and are not slotted there, on one place; tabs are left out.
+
+    Of strips that cross it is the first crossing, of strips that lie side by side where they lie deepest. Of strips
+    that `joints` slot into each other it is where they reach deepest into each other beside their slots.
+
+    Examples
+    --------
+    >>> missing_slots([])
+    ()
+    """
+    return tuple(meeting.told() for meeting in _meetings(placed, joints))
+
+
+def tell_missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tuple[str, ...]:
+    """Return a sentence on the first two strips that lack a slot; empty where all are slotted or apart.
+
+    Examples
+    --------
+    >>> tell_missing_slots([])
+    ()
+    """
+    meetings = _meetings(placed, joints)
+    return tuple(meeting.told(and_more(meetings, "pair")) for meeting in meetings[:1])
+
+
+def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meeting]:
+    """One place for every two strips that overlap where no slot allows it."""
+    names, bodies = strip_names(placed), [Body.of(one) for one in placed]
+    narrower = [replace(body.ruled, width=_within_edges(one.strip.width))
+                for body, one in zip(bodies, placed, strict=True)]  # fmt: skip
+    meeting = strips_may_meet(narrower, np.array([strip_thickness(one.strip) / 2 for one in placed]))
+    slotted = _rooms(placed, joints)
+    found = []
+    for i, j in combinations(range(len(placed)), 2):
+        pair, strips = (names[i], names[j]), (placed[i].strip, placed[j].strip)
+        if (i, j) in slotted:
+            if (hit := deepest_collision(bodies[i], bodies[j], slotted[i, j])) is not None:
+                found.append(_Meeting(pair, hit.places, beside_slots=hit))
+        elif meeting[i, j]:
+            if (places := _crossing(strips, (narrower[i], narrower[j]))) is not None:
+                found.append(_Meeting(pair, places))
+            elif (hit := _flush_overlap(bodies[i], bodies[j])) is not None and not _slotted(
+                strips, *np.array(hit.places)[:, None]
+            ):
+                found.append(_Meeting(pair, hit.places, is_flush=True))
+    return found
+
+
+def _rooms(placed: Sequence[Placed], joints: Iterable[Joint]) -> dict[tuple[int, int], float]:
+    """For pairs that are slotted together, how far beside their slots they are asked, mm.
+
+    Slots of the paper's width are too narrow: there strips are asked only where they are clear of what an exact
+    slot takes away.
+    """
+    rooms: dict[tuple[int, int], float] = {}
+    for joint in joints:
+        room = 0.0
+        if joint.fit == "paper":
+            thick = max(strip_thickness(placed[i].strip) for i in joint.members)
+            room = float(slot_width(np.array(joint.angle[0]), own=thick, other=thick, clearance=0.0))
+        rooms[joint.members] = max(room, rooms.get(joint.members, 0.0))
+    return rooms
+
+
+def _crossing(strips: tuple[Strip, Strip], surfaces: tuple[RuledStrip, RuledStrip]) -> Places | None:
+    """Arc lengths of both strips where they first run through each other at an angle."""
+    for crossing in strip_crossings(*surfaces):
+        _, _, points = crossing.course
+        if points.angle.max() < TOUCHING_RAD or crossing.length < strip_thickness(strips[0]):
+            continue
+        if not _slotted(strips, points.first[:, 0], points.second[:, 0]):
+            return float(points.first[:, 0].mean()), float(points.second[:, 0].mean())
+    return None
+
+
+def _within_edges(width: Profile) -> Profile:
+    """The width without what a file takes off: strips that lie edge to edge then keep apart."""
+    return replace(width, coefficients=width.coefficients - 2 * EDGES_TOUCH_MM)
+
+
+def _slotted(strips: tuple[Strip, Strip], first: FloatArray, second: FloatArray) -> bool:
+    """Has either strip a slot at these stations?"""
+    return any(_has_slot(strip, at) for strip, at in zip(strips, (first, second), strict=True))
+
+
+def _has_slot(strip: Strip, stations: FloatArray) -> bool:
+    room = strip_thickness(strip)
+    return any(
+        stations.min() - slot.width - room < slot.at < stations.max() + slot.width + room
+        for slot in strip.slots
+    )
+
+
+def self_contact(strip: Strip) -> Places | None:
+    """Two places of the bent strip that touch or run through each other, mm along it; None where there are none.
+
+    Tabs lie below 0 and beyond the length; the lap of a closed strip is left out. A meeting that a slot at one of
+    the places makes room for is none.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.sheets import Sheet
+    >>> from elastica_cad.mechanics.rod import Rod
+    >>> self_contact(Strip(Rod.straight(100), Sheet.named("card-200gsm"), max_width=20)) is None
+    True
+    """
+    from scipy.spatial import cKDTree
+
+    rod, turned = strip.rod, turns_along(strip.rod.angle)
+    # between two places that meet a curve turns by half a circle or more
+    if np.ptp(rod.angle) < np.pi:
+        return None
+    size = strip.layout.size
+    thickness = strip.layers[-1].high if size is None else float(size.extremes[1])
+    start, end = (0.0, 0.0) if strip.is_closed else (tab.length for tab in strip.ends)
+    long = rod.length + start + end
+    count = min(MOST_SAMPLES, int(long / (SELF_PITCH_SHARE * thickness)) + 2)
+    s = np.linspace(-start, rod.length + end, count)
+    inner = np.clip(s, 0.0, rod.length)
+    x, y, angle, turn = (np.interp(inner, rod.s, row) for row in (*rod.position.T, rod.angle, turned))
+    middle = np.column_stack([x, y]) + (s - inner)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
+    pairs = cKDTree(middle).query_pairs(max(thickness, long / count), output_type="ndarray")
+    between = np.abs(np.diff(turn[pairs], axis=1)[:, 0])
+    if strip.is_closed:
+        between = np.minimum(between, turned[-1] - between)
+    pairs = pairs[between > np.pi / 2]
+    if not len(pairs):
+        return None
+    first, second = np.sort(s[pairs[np.hypot(*(middle[pairs[:, 1]] - middle[pairs[:, 0]]).T).argmin()]])
+    if any(
+        abs(slot.at - place) < slot.width + thickness for slot in strip.slots for place in (first, second)
+    ):
+        return None
+    return float(first), float(second)

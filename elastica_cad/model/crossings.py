@@ -1,0 +1,618 @@
+"""Where two bent strips, as ruled surfaces, cross in space.
+
+gamma_a + v z_a = gamma_b + u z_b. Across both rulings, along n = z_a x z_b, only the two curves have a say:
+<n, gamma_a(s_a)> = <n, gamma_b(s_b)> is a level set in the plane of (s_a, s_b), made of one branch for each pair
+of stretches on which the two heights are monotone; v and u follow from what is left. With parallel rulings the
+plane curves cross at points, each a whole ruling.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from itertools import pairwise
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray, IntArray
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.path_intersections import segment_crossings
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import distinct, lengths_along
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.segments import Spline
+
+STATIONS = 400
+"""Least number of samples of a strip from which crossings are found; between them it is known to 1e-5 mm."""
+
+_TABLES = 128  # curves whose tables are kept: equal strips share theirs, as do crossings and collisions
+_ROUNDING = 1e-12  # of places: strips as thin as a line may meet in spite of it
+
+InPlane = tuple[FloatArray, FloatArray]
+"""Points and unit tangents (n, 2) of a strip's curve in its own plane."""
+
+
+@dataclass(frozen=True, eq=False)
+class RuledStrip:
+    """The surface gamma(s) + v z, |v| <= width(s) / 2: curve in the plane of `frame`, rulings along its z.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+    frame : Frame
+    width : Profile
+        Full width over arc length, mm.
+    """
+
+    curve: PlaneCurve
+    frame: Frame
+    width: Profile
+
+    @property
+    def length(self) -> float:
+        """Length of the strip, mm."""
+        return self.width.length
+
+    @property
+    def axis(self) -> FloatArray:
+        """Direction of the rulings (3,)."""
+        return self.frame.z_axis
+
+    @property
+    def stations(self) -> FloatArray:
+        """Arc lengths (n,) dense enough to find crossings from."""
+        return np.asarray(self._spline.x)
+
+    def half_width(self, s: FloatArray) -> FloatArray:
+        """Half the width (n,) at arc lengths (n,), mm."""
+        return self.width(s) / 2
+
+    def motion(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Points of the curve in space and unit tangents, (n, 3) each, at arc lengths (n,)."""
+        p, d = self.in_plane(s)
+        return self.frame.point(p), self.frame.direction(d)
+
+    def normal(self, tangent: FloatArray) -> FloatArray:
+        """Unit normals of the surface (n, 3), to the left of the curve, for its tangents (n, 2) in its plane."""
+        return self.frame.direction(np.column_stack([-tangent[:, 1], tangent[:, 0]]))
+
+    @cached_property
+    def box(self) -> FloatArray:
+        """[[low], [high]] (2, 3) of a box around the surface in its own frame, mm."""
+        reach = self.width.extremes[1] / 2
+        low, high = self.curve.bounds
+        return np.array([[*low, -reach], [*high, reach]])
+
+    def in_plane(self, s: FloatArray) -> InPlane:
+        """Points and tangents at arc lengths (n,)."""
+        return self._spline(s), self._spline(s, 1)
+
+    @property
+    def _spline(self) -> Any:
+        return _over_arc_length(self.curve, self.length)
+
+
+def strips_may_meet(strips: Sequence[RuledStrip], rooms: FloatArray | None = None) -> BoolArray:
+    """Which strips (n, n) are not clearly apart, each with `rooms` (n,) mm about it, seen in the frame of either.
+
+    A box around one strip then meets that around the other.
+    """
+    rooms = np.zeros(len(strips)) if rooms is None else rooms
+    axes, origins, boxes = (
+        np.array(rows).reshape(-1, *shape)
+        for rows, shape in (
+            ([strip.frame.axes for strip in strips], (3, 3)),
+            ([strip.frame.origin for strip in strips], (3,)),
+            ([strip.box for strip in strips], (2, 3)),
+        )
+    )
+    centers = origins + (boxes.mean(axis=1)[:, None] @ axes)[:, 0]
+    sizes = (boxes[:, 1] - boxes[:, 0]) / 2
+    rooms = rooms + _ROUNDING * (np.abs(centers).max(initial=0.0) + sizes.max(initial=0.0))
+    seen = np.empty((len(strips), len(strips)), dtype=bool)
+    for own, box, room, sees, origin in zip(axes, boxes, rooms, seen, origins, strict=True):
+        center = (centers - origin) @ own.T
+        half = (np.abs(own @ np.swapaxes(axes, 1, 2)) @ sizes[..., None])[..., 0] + (rooms + room)[:, None]
+        sees[:] = np.all((box[0] <= center + half) & (box[1] >= center - half), axis=1)
+    return np.asarray(seen & seen.T)
+
+
+@lru_cache(maxsize=_TABLES)
+def _over_arc_length(curve: PlaneCurve, length: float) -> Any:
+    """Cubic spline of a curve over arc lengths that end at `length`, with the curve's own tangents at its nodes."""
+    from scipy.interpolate import CubicHermiteSpline
+
+    panels = curve.smooth_panels
+    each = -(-STATIONS // (panels.size - 1))
+    inner = (panels[:-1, None] + np.diff(panels)[:, None] * np.arange(each) / each).ravel()
+    t = np.append(inner, panels[-1])
+    way = curve.evaluate(t, 1)
+    return CubicHermiteSpline(
+        curve.arc_length(t) * length / curve.length, curve.evaluate(t), way / np.hypot(*way.T)[:, None]
+    )
+
+
+ZERO = 1e-11
+"""A value below this, in the unit of the function, counts as zero; for lengths in mm it is rounding in a model
+of 10 m."""
+
+ZERO_STEPS = 80
+"""Largest number of steps, far more than needed: each gains more than one and a half digits."""
+
+
+def _bracketed_zeros(
+    function: Callable[[FloatArray], FloatArray],
+    low: FloatArray,
+    high: FloatArray,
+    *,
+    values: tuple[FloatArray, FloatArray],
+) -> FloatArray:
+    """Zeros (n,), one between each low and high, where the function has the given values of different signs.
+
+    All at once by the false position of Anderson and Bjorck (BIT 13, 1973).
+    """
+    if not low.size:
+        return low
+    f, g = values
+    root, h = high, g
+    for _ in range(ZERO_STEPS):
+        moving = np.abs(h) > ZERO
+        if not np.any(moving & (np.abs(high - low) > 1e-15 * np.maximum(np.abs(high), np.abs(low)))):
+            break
+        slope = np.where(g != f, g - f, 1.0)
+        root = np.where(moving, high - g * (high - low) / slope, root)
+        h = function(root)
+        crossed = np.sign(h) * np.sign(g) <= 0
+        kept = 1.0 - h / np.where(g != 0, g, 1.0)
+        low, f = np.where(crossed, high, low), np.where(crossed, g, f * np.where(kept > 0, kept, 0.5))
+        high, g = root, h
+    return root
+
+
+PARALLEL_RAD = 2e-8
+"""Rulings at less than this angle count as parallel: over 1 m they part by 20 nm."""
+
+HEIGHT_ERROR = 1e-13
+"""Newton's method ends when the two heights differ by less than this share of the longer strip."""
+
+MOST_STEPS = 30
+"""Largest number of Newton steps; six are usual, and where surfaces touch, each only halves the error."""
+
+SAME_HEIGHT = 1e-9
+"""Nodes whose heights differ by less than this share of the longer strip are the same: equal strips have theirs
+in pairs."""
+
+LEVEL_SLOPE = 1e-12
+"""A curve is level when the slope of its height is nowhere larger than this."""
+
+LEAST_SQUARED_SLOPE = 1e-14
+"""Squared slope of the heights below which the surfaces touch; Newton's steps are kept short there."""
+
+
+@dataclass(frozen=True, eq=False)
+class IntersectionPoints:
+    """Common points: arc lengths of both curves (n,), and how far along both rulings they lie (n,), mm.
+
+    `on_curves` says where both curves are at these arc lengths.
+    """
+
+    s_a: FloatArray
+    s_b: FloatArray
+    v: FloatArray
+    u: FloatArray
+    on_curves: tuple[InPlane, InPlane]
+
+
+def margins(strips: tuple[RuledStrip, RuledStrip], p: IntersectionPoints) -> FloatArray:
+    """Distances (n, 4) from the upper and lower edge of the first strip, then of the second; negative outside."""
+    w, x = strips[0].half_width(p.s_a), strips[1].half_width(p.s_b)
+    return np.column_stack([w - p.v, w + p.v, x - p.u, x + p.u])
+
+
+def _intersect_surfaces(a: RuledStrip, b: RuledStrip) -> "tuple[Branch | Ruling, ...]":
+    """All curves in which the two surfaces, with rulings of any length, meet."""
+    n = np.cross(a.axis, b.axis)
+    if np.linalg.norm(n) < PARALLEL_RAD:
+        return tuple(_rulings(a, b))
+    heights = _Heights(a, b, n)
+    return tuple(Branch(heights, s_a, s_b) for s_a, s_b in _chained(heights))
+
+
+@dataclass(frozen=True, eq=False)
+class Ruling:
+    """Crossing of the plane curves of two strips with parallel rulings; its parameter q is v."""
+
+    strips: tuple[RuledStrip, RuledStrip]
+    s_a: float
+    s_b: float
+    offset: float  # from gamma_a to gamma_b along z_a
+    sign: float  # z_b = sign * z_a
+    reach: float
+
+    @property
+    def nodes(self) -> FloatArray:
+        """The points along the ruling, from one end to the other."""
+        return np.linspace(-self.reach, self.reach, 9)
+
+    def at(self, q: FloatArray) -> IntersectionPoints:
+        """Points on the ruling."""
+        s_a, s_b = np.full(q.size, self.s_a), np.full(q.size, self.s_b)
+        on_curves = self.strips[0].in_plane(s_a), self.strips[1].in_plane(s_b)
+        return IntersectionPoints(s_a, s_b, q, self.sign * (q - self.offset), on_curves)
+
+
+def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
+    """Crossings of the two plane curves, both drawn in the plane of a."""
+    sign = float(np.sign(a.axis @ b.axis))
+    moved = Frame(a.frame.local(b.frame.origin), a.frame.axes @ b.frame.x_axis, a.frame.axes @ b.frame.y_axis)
+    m = np.eye(3)
+    m[:2] = np.column_stack([moved.x_axis[:2], moved.y_axis[:2], moved.origin[:2]])
+    first, second = Spline(a.curve), Spline(b.curve.transformed(m))
+    found = segment_crossings(first, second)
+    offset = float(moved.origin[2])
+    reach = a.width.extremes[1] + b.width.extremes[1] + abs(offset)
+    x, y = np.array(found, dtype=float).reshape(-1, 2).T
+    s_a = a.curve.arc_length(first.parameter(x)) * a.length / a.curve.length
+    s_b = b.curve.arc_length(Spline(b.curve).parameter(y)) * b.length / b.curve.length
+    return [Ruling((a, b), float(s), float(r), offset, sign, reach) for s, r in zip(s_a, s_b, strict=True)]
+
+
+@dataclass(frozen=True, eq=False)
+class _Heights:
+    """The heights of both curves along n, and what follows from equal heights."""
+
+    a: RuledStrip
+    b: RuledStrip
+    n: FloatArray
+
+    @cached_property
+    def up(self) -> FloatArray:
+        """n brought to unit length."""
+        return self.n / np.linalg.norm(self.n)
+
+    def along(self, strip: RuledStrip, s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Heights of one of the curves, from the origin of a's frame, and their slopes, (n,) each."""
+        return self.above(strip, strip.in_plane(s))
+
+    def above(self, strip: RuledStrip, places: InPlane) -> tuple[FloatArray, FloatArray]:
+        """Heights and their slopes for places on one of the curves."""
+        across, base = self._ways[0 if strip is self.a else 1]
+        position, tangent = places
+        return position @ across + base, tangent @ across
+
+    @cached_property
+    def _ways(self) -> tuple[tuple[FloatArray, float], ...]:
+        """Slopes of the height along x and y of each frame, and the height of its origin."""
+        origin = self.a.frame.origin
+        return tuple(
+            (strip.frame.axes[:2] @ self.up, float((strip.frame.origin - origin) @ self.up))
+            for strip in (self.a, self.b)
+        )
+
+    def common(
+        self, s_a: FloatArray, s_b: FloatArray, on_curves: tuple[InPlane, InPlane]
+    ) -> IntersectionPoints:
+        """v and u where the heights are equal: v z_a - u z_b leads from gamma_a to gamma_b."""
+        gap = self.b.frame.point(on_curves[1][0]) - self.a.frame.point(on_curves[0][0])
+        v, u = self._rulings @ gap.T
+        return IntersectionPoints(s_a, s_b, v, u, on_curves)
+
+    @cached_property
+    def _rulings(self) -> FloatArray:
+        """Rows (2, 3) whose products with the gap are v and u: the gap crossed with the other ruling, along n."""
+        return np.cross([self.b.axis, self.a.axis], self.n) / (self.n @ self.n)
+
+
+@dataclass(frozen=True, eq=False)
+class Branch:
+    """A connected part of the level set, drawn roughly by (s_a, s_b) at its nodes; q counts the nodes."""
+
+    heights: _Heights
+    s_a: FloatArray
+    s_b: FloatArray
+
+    @property
+    def nodes(self) -> FloatArray:
+        """0, 1, 2, ..."""
+        return np.arange(self.s_a.size, dtype=float)
+
+    def at(self, q: FloatArray) -> IntersectionPoints:
+        """Newton's method across the level set, from between the nodes."""
+        h = self.heights
+        s_a, s_b = (np.interp(q, self.nodes, row) for row in (self.s_a, self.s_b))
+        on_curves = h.a.in_plane(s_a), h.b.in_plane(s_b)
+        tolerance = HEIGHT_ERROR * max(h.a.length, h.b.length)
+        for _ in range(MOST_STEPS):
+            (p, f), (r, g) = h.above(h.a, on_curves[0]), h.above(h.b, on_curves[1])
+            gap = p - r
+            if np.abs(gap).max(initial=0.0) <= tolerance:
+                break
+            step = gap / np.maximum(f**2 + g**2, LEAST_SQUARED_SLOPE)
+            s_a, s_b = np.clip(s_a - step * f, 0.0, h.a.length), np.clip(s_b + step * g, 0.0, h.b.length)
+            on_curves = h.a.in_plane(s_a), h.b.in_plane(s_b)
+        return h.common(s_a, s_b, on_curves)
+
+
+IntersectionCurve: TypeAlias = Branch | Ruling
+"""Curve of common points over a parameter; between two of its nodes it can only cross an edge."""
+
+
+def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
+    """The level set as polylines (s_a, s_b), each as long as it goes."""
+    first = _monotone(heights, heights.a)
+    second = _monotone(heights, heights.b)
+    pieces: list[tuple[FloatArray, FloatArray]] = []
+    ends: list[list[tuple[str, int, int] | None]] = []
+    level: list[tuple[FloatArray, FloatArray]] = []
+    for k, (s_a, c_a) in enumerate(first):
+        for m, (s_b, c_b) in enumerate(second):
+            low, high = max(c_a.min(), c_b.min()), min(c_a.max(), c_b.max())
+            if not low < high:
+                level.extend(_level(s_a, c_a, s_b, c_b))
+                continue
+            inside = np.concatenate([c_a, c_b])
+            room = SAME_HEIGHT * max(heights.a.length, heights.b.length)
+            inside = np.sort(inside[(inside > low + room) & (inside < high - room)])
+            c = np.concatenate([[low], inside[np.diff(inside, prepend=low) > room], [high]])
+            pieces.append((_inverted(s_a, c_a, c), _inverted(s_b, c_b, c)))
+            ends.append([_joint(k, c_a, m, c_b, bound) for bound in (low, high)])
+    return [*level, *_joined(pieces, ends, len(first), len(second))]
+
+
+def _level(
+    s_a: FloatArray, c_a: FloatArray, s_b: FloatArray, c_b: FloatArray
+) -> Iterator[tuple[FloatArray, FloatArray]]:
+    """The way along a straight strip that keeps the height at which the other curve passes it."""
+    if c_b[0] == c_b[-1] and c_a.min() < c_b[0] < c_a.max():
+        yield np.repeat(_inverted(s_a, c_a, c_b[:1]), s_b.size), s_b
+    if c_a[0] == c_a[-1] and c_b.min() < c_a[0] < c_b.max():
+        yield s_a, np.repeat(_inverted(s_b, c_b, c_a[:1]), s_a.size)
+
+
+def _monotone(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, FloatArray]]:
+    """Stretches (s, height) between the places where the height turns."""
+    s = strip.stations
+    height, slope = heights.along(strip, s)
+    if np.abs(slope).max() < LEVEL_SLOPE:
+        return [(s, np.full(s.size, height.mean()))]
+    turns = np.flatnonzero((slope[:-1] < 0) != (slope[1:] < 0))
+    found = _bracketed_zeros(
+        lambda x: heights.along(strip, x)[1], s[turns], s[turns + 1], values=(slope[turns], slope[turns + 1])
+    )
+    top = heights.along(strip, found)[0]
+    stretches = []
+    stops = [-1, *turns.tolist(), s.size - 1]
+    for i, (before, after) in enumerate(pairwise(stops)):
+        row, c = s[before + 1 : after + 1], height[before + 1 : after + 1]
+        if i > 0:
+            row, c = np.append(found[i - 1], row), np.append(top[i - 1], c)
+        if i < turns.size:
+            row, c = np.append(row, found[i]), np.append(c, top[i])
+        stretches.append((row, c))
+    return stretches
+
+
+def _inverted(s: FloatArray, c: FloatArray, at: FloatArray) -> FloatArray:
+    """Arc lengths at given heights of a monotone stretch."""
+    order = 1 if c[-1] > c[0] else -1
+    return np.interp(at, c[::order], s[::order])
+
+
+def _joint(k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float) -> tuple[str, int, int] | None:
+    """Which turn of which curve ends a piece at the height `bound`: the next piece goes on from there.
+
+    Turns are counted as the stretches that begin with them.
+    """
+    as_a, as_b = bound in (c_a[0], c_a[-1]), bound in (c_b[0], c_b[-1])
+    if as_a and as_b:
+        return None  # the surfaces touch there: no way leads on
+    if as_a:
+        return "a", k if bound == c_a[0] else k + 1, m
+    return "b", m if bound == c_b[0] else m + 1, k
+
+
+def _joined(
+    pieces: list[tuple[FloatArray, FloatArray]],
+    ends: list[list[tuple[str, int, int] | None]],
+    first: int,
+    second: int,
+) -> list[tuple[FloatArray, FloatArray]]:
+    """Pieces that end at the same turn, put together."""
+    counts = {"a": first, "b": second}
+    homes: dict[tuple[str, int, int], list[int]] = {}
+    for i, pair in enumerate(ends):
+        for key in pair:
+            if key is not None and 0 < key[1] < counts[key[0]]:
+                homes.setdefault(key, []).append(i)
+    left = set(range(len(pieces)))
+
+    def grown(i: int, key: tuple[str, int, int] | None) -> list[tuple[FloatArray, FloatArray]]:
+        """Pieces from the far end of the chain beyond `key` to it, in order towards piece i."""
+        chain: list[tuple[FloatArray, FloatArray]] = []
+        while key is not None:
+            after = [j for j in homes.get(key, []) if j != i and j in left]
+            if not after:
+                break
+            i = after[0]
+            left.discard(i)
+            s_a, s_b = pieces[i]
+            way = 1 if ends[i][1] == key else -1
+            chain.insert(0, (s_a[::way], s_b[::way]))
+            key = ends[i][0 if way == 1 else 1]
+        return chain
+
+    chains = []
+    while left:
+        i = min(left)
+        left.discard(i)
+        before = grown(i, ends[i][0])
+        after = [(s_a[::-1], s_b[::-1]) for s_a, s_b in reversed(grown(i, ends[i][1]))]
+        rows = [*before, pieces[i], *after]
+        chains.append(tuple(np.concatenate([rows[0][c], *(row[c][1:] for row in rows[1:])]) for c in (0, 1)))
+    return [(s_a, s_b) for s_a, s_b in chains]
+
+
+NODE_PARTS = 4
+"""Number of parts between nodes among which crossings of edges are bracketed."""
+
+ON_EDGE_MM = 1e-8
+"""A crossing that ends this near to an edge, mm, ends on it."""
+
+LENGTH_POINTS = 33
+"""Number of points with which the length along a crossing is measured, to a thousandth."""
+
+
+@dataclass(frozen=True, eq=False)
+class CrossingPoints:
+    """Points that both strips share.
+
+    Attributes
+    ----------
+    first, second : (n, 2) arrays
+        In the flat patterns of both strips: arc length, and distance from the centre line, mm.
+    position : (n, 3) array
+        In space, mm.
+    angle : (n,) array
+        Between the two surfaces, rad, from 0 to pi / 2.
+    """
+
+    first: FloatArray
+    second: FloatArray
+    position: FloatArray
+    angle: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class Crossing:
+    """One stretch along which both strips have material; both flat patterns show it in its true length.
+
+    Attributes
+    ----------
+    strips : pair of RuledStrip
+    start, end : float
+        Range on the locus.
+    """
+
+    strips: tuple[RuledStrip, RuledStrip]
+    locus: IntersectionCurve
+    start: float
+    end: float
+
+    def at(self, x: FloatArray) -> CrossingPoints:
+        """Points at x (n,): 0 and 1 are where the stretch begins and ends; it goes on beyond."""
+        a, b = self.strips
+        p = self.locus.at(self.start + x * (self.end - self.start))
+        (place, tangent), (_, other) = p.on_curves
+        normals = a.normal(tangent), b.normal(other)
+        # half the angle between unit vectors has this tangent, to rounding at every angle
+        apart, together = np.linalg.norm([normals[0] - normals[1], normals[0] + normals[1]], axis=2)
+        return CrossingPoints(
+            np.column_stack([p.s_a, p.v]),
+            np.column_stack([p.s_b, p.u]),
+            a.frame.point(place) + p.v[:, None] * a.axis,
+            2 * np.arctan2(np.minimum(apart, together), np.maximum(apart, together)),
+        )
+
+    @cached_property
+    def course(self) -> tuple[FloatArray, FloatArray, CrossingPoints]:
+        """Places x (n,) from 0 to 1, all nodes of the locus among them, lengths up to them, mm, and the points."""
+        nodes = (self.locus.nodes - self.start) / (self.end - self.start)
+        x = distinct(np.concatenate([np.linspace(0.0, 1.0, LENGTH_POINTS), nodes[(nodes > 0) & (nodes < 1)]]))
+        points = self.at(x)
+        return x, lengths_along(points.position), points
+
+    @property
+    def length(self) -> float:
+        """Length of the crossing, mm."""
+        return float(self.course[1][-1])
+
+    @cached_property
+    def middle(self) -> float:
+        """The x half way along."""
+        x, along, _ = self.course
+        k = int(np.searchsorted(along, along[-1] / 2)) - 1
+        pace = float((x[k + 1] - x[k]) / (along[k + 1] - along[k]))
+        middle, half = float(x[k]) + pace * (along[-1] / 2 - along[k]), along[-1] / 2 - along[k]
+        for _ in range(2):  # between nodes x is smooth: the secant method takes a few steps
+            done = lengths_along(self.at(np.linspace(x[k], middle, 5)).position)[-1]
+            middle += (half - done) * pace
+        return float(middle)
+
+    def evenly(self, start: float, end: float, pitch: float) -> FloatArray:
+        """Places x (n,), at least 6, from start to end at nearly equal distances of at most `pitch` mm."""
+        x, along, _ = self.course
+        if min(start, end) < 0 or max(start, end) > 1:
+            x = np.linspace(min(start, end), max(start, end), LENGTH_POINTS)
+            along = lengths_along(self.at(x).position)
+        low, high = np.interp([start, end], x, along)
+        count = int(np.clip(abs(high - low) / pitch, 5, 64)) + 1
+        return np.concatenate([[start], np.interp(np.linspace(low, high, count)[1:-1], along, x), [end]])
+
+    @cached_property
+    def room(self) -> FloatArray:
+        """Width, mm, that the first and second strip have beyond the crossing (2, 2), at its start and end."""
+        m = margins(self.strips, self.locus.at(np.array([self.start, self.end])))
+        return np.array([m[:, :2].min(axis=1), m[:, 2:].min(axis=1)])
+
+    def beyond(self, which: int, end: int) -> float | None:
+        """The x at which strip `which` (0 or 1) itself ends, going on from the start (end 0) or the end (1).
+
+        None where the strip's curve ends before its long edge is reached.
+        """
+        if self.room[which, end] < ON_EDGE_MM:
+            return float(end)
+        origin, way = (self.start, -1) if end == 0 else (self.end, 1)
+        nodes = self.locus.nodes
+        q = np.concatenate([[origin], nodes[(nodes - origin) * way > 0][::way]])
+        m = margins(self.strips, self.locus.at(q))[:, 2 * which : 2 * which + 2]
+        outside = np.flatnonzero(m.min(axis=1) < 0)
+        if not outside.size:
+            return None
+        i, side = int(outside[0]), int(np.argmin(m[outside[0]]))
+        sides, values = np.array([2 * which + side]), (m[[i - 1], side], m[[i], side])
+        root = float(_edges(self.strips, self.locus, (q[[i - 1]], q[[i]]), sides, values)[0])
+        return (root - self.start) / (self.end - self.start)
+
+
+def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
+    """All stretches along which two bent strips cross.
+
+    Solved by Newton's method to rounding error; both ends of a stretch are where it leaves one of the strips. Of
+    strips that are clearly apart (`strips_may_meet`) there is none.
+    """
+    found = []
+    for locus in _intersect_surfaces(a, b):
+        found += [Crossing((a, b), locus, *run) for run in _runs((a, b), locus)]
+    return tuple(found)
+
+
+def _runs(strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve) -> list[tuple[float, float]]:
+    """Ranges of q inside both strips."""
+    nodes = locus.nodes
+    fine = (nodes[:-1, None] + np.diff(nodes)[:, None] * np.arange(NODE_PARTS) / NODE_PARTS).ravel()
+    q = np.append(fine, nodes[-1])
+    m = margins(strips, locus.at(q))
+    i, side = np.nonzero(np.sign(m[:-1]) * np.sign(m[1:]) < 0)
+    on_edge = q[(m == 0).any(axis=1)]
+    edges = _edges(strips, locus, (q[i], q[i + 1]), side, (m[i, side], m[i + 1, side]))
+    cuts = distinct(np.concatenate([q[[0, -1]], on_edge, edges]))
+    inside = margins(strips, locus.at((cuts[:-1] + cuts[1:]) / 2)).min(axis=1) > 0
+    return [(float(cuts[first]), float(cuts[last])) for first, last in _blocks(inside)]
+
+
+def _edges(
+    strips: tuple[RuledStrip, RuledStrip],
+    locus: IntersectionCurve,
+    between: tuple[FloatArray, FloatArray],
+    sides: IntArray,
+    values: tuple[FloatArray, FloatArray],
+) -> FloatArray:
+    """Where on the locus the margins' columns `sides` (n,) vanish, between places (n,) where they have `values`."""
+    rows = np.arange(sides.size)
+    return _bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], *between, values=values)
+
+
+def _blocks(flags: BoolArray) -> list[tuple[int, int]]:
+    """(first, last + 1) of the runs of True."""
+    steps = np.diff(np.concatenate([[0], flags.astype(int), [0]]))
+    return list(zip(np.flatnonzero(steps > 0).tolist(), np.flatnonzero(steps < 0).tolist(), strict=True))

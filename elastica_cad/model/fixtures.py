@@ -1,0 +1,550 @@
+"""Tabs of strips in space, and printed blocks that hold them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from itertools import combinations
+from typing import Annotated, Any, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import EqualByValue, and_more, require_record
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.errors import InputError, refuse_unknown
+from elastica_cad.geometry.frame import Frame, frame_or_plain
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.segments import Arc, Segment
+from elastica_cad.refusals import Length, Listed, note
+from elastica_cad.strip.lettering import centred_text, text_strokes
+from elastica_cad.strip.outline import ENDS, Hole, StripEnd, TSlot
+from elastica_cad.strip.solids import FlatSolid, PrismSolid, convex_corners
+from elastica_cad.strip.strip import Placed, Strip, require_placed, strip_names
+from elastica_cad.strip.tab_seats import TabSeat, lean_against
+
+Key: TypeAlias = tuple[float, ...]
+
+
+def tab_name(strip: str, end: StripEnd) -> str:
+    """Number of the part that is the tab at an end of a strip: the way its label reads."""
+    return f"{strip}:{1 if end == 'start' else 2}"
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedTab:
+    """A tab in space.
+
+    Attributes
+    ----------
+    frame : Frame
+        Origin where the free part ends, half way through the thickness; x out of the strip into the tab, y across
+        it, z off the strip's upper side.
+    length, width, thickness : float
+        mm.
+    holes : tuple of Hole
+        Seen along y of this frame.
+    name : str
+        Part number: the strip's name with 1 for the start and 2 for the end, which is the way its label reads.
+    t_slot : TSlot or None
+        The screw that goes in from the tip.
+    """
+
+    frame: Frame
+    length: float
+    width: float
+    thickness: float
+    holes: tuple[Hole, ...]
+    name: str
+    t_slot: TSlot | None = None
+
+    @classmethod
+    def of(
+        cls, strip: Strip, end: StripEnd, frame: Frame | None = None, *, name: str | None = None
+    ) -> "PlacedTab":
+        """The tab at the start or the end of a strip whose curve is drawn in `frame`."""
+        require_record(strip, Strip, "what a tab is of", "a Strip, as make_strip makes one")
+        require_ends([end])
+        place = frame_or_plain(frame)
+        k, way = (0, -1.0) if end == "start" else (-1, 1.0)
+        alpha = float(strip.rod.angle[k])
+        out = way * place.direction([np.cos(alpha), np.sin(alpha)])
+        origin = place.point(strip.rod.position[k])
+        tab, own = strip.ends[k], strip.end_widths[k]
+        if name is not None:
+            require_record(name, str, "the name of a tab", "a text")
+        called = name or strip.label or "strip"
+        return cls(
+            Frame(origin, out, way * place.z_axis),
+            tab.length,
+            tab.width or own,
+            strip.end_thicknesses[k],
+            tab.holes,
+            tab_name(called, end),
+            tab.t_slot,
+        )
+
+    @cached_property
+    def key(self) -> Key:
+        """Rounded position, by which holders and strips are matched."""
+        return tuple(np.round([*self.frame.origin, *self.frame.x_axis], 6).tolist())
+
+    @property
+    def tip(self) -> FloatArray:
+        """Middle of the tab's far end (3,), mm."""
+        return self.frame.point((self.length, 0.0, 0.0))
+
+    @property
+    def edges(self) -> FloatArray:
+        """Origins (4, 3) of the tab's four long edges; all run along x of the frame."""
+        corners = [(0.0, i * self.width / 2, j * self.thickness / 2) for i in (-1, 1) for j in (-1, 1)]
+        return self.frame.point(corners)
+
+
+def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
+    """The tabs of all strips at these ends, strip by strip, called like the strips."""
+    return [
+        PlacedTab.of(one.strip, end, one.frame, name=name)
+        for one, name in zip(placed, strip_names(placed), strict=True)
+        for end in ends
+    ]
+
+
+def tabs_to_hold(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
+    """Place the tabs for which holders are to be made; refuses strips that none of our holders fits."""
+    require_ends(ends)
+    for one, name in zip(require_placed(placed), strip_names(placed), strict=True):
+        _require_holdable(one.strip, name)
+    return place_tabs(placed, ends)
+
+
+def require_ends(ends: object) -> None:
+    """Refuse what names no ends of strips."""
+    named = ends if isinstance(ends, Sequence) and not isinstance(ends, str) else (ends,)
+    if not all(isinstance(end, str) and end in ENDS for end in named):
+        raise InputError('ends are {ends!r}: give a list of "start" and "end" of the records', ends=ends)
+
+
+def _require_holdable(strip: Strip, name: str | None = None) -> None:
+    """Refuse a strip whose ends fit none of our holders."""
+    if strip.layout.stack is not None:
+        raise InputError(
+            "{name}: a stack of leaves lies on one side of its curve, where none of our holders "
+            "is: hold its ends in clamps, and name the other strips as those that are held",
+            name=name or strip.label or "strip",
+        )
+
+
+LEAST_WALL_MM = 0.8
+"""Thinnest printed wall, mm: two lines of a 0.4 mm nozzle."""
+
+GROOVE_SHARE = 0.16, 0.075
+"""Width and depth of engraved strokes over the height of the letters: at 4 mm a 0.4 mm nozzle still prints the
+width, and the depth is two fine layers."""
+
+LABEL_MM = 4.0
+"""Height of the part number, where there is room."""
+
+LEVEL = 1e-6
+"""Tolerance for heights, mm, and directions."""
+
+BEYOND_MM = 1.0
+"""Distance by which holes and pockets extend beyond the faces that they open, mm."""
+
+
+@dataclass(frozen=True, eq=False)
+class EndFixture(EqualByValue):
+    """A block with a pocket for one tab, and a foot with two screw holes.
+
+    Parameters
+    ----------
+    tab : PlacedTab
+        What it holds; see `EndFixture.of`.
+    floor : Frame, optional
+        The plane it stands on, z up; it must be at right angles to the plane of the strip's curve. Without it the
+        block stands on a plane square to the tab, behind its tip.
+    clearance : float
+        Room around the tab on every side, mm.
+    wall : float
+        Least thickness around the pocket, mm.
+    foot : float
+        How far the foot sticks out on either side, mm; 0 for none.
+    foot_height : float
+        mm.
+    screw : float
+        Diameter of the screw holes in the foot, mm; 0 for none. Holes of the tab go through the block too, to clamp
+        it with screws.
+    engrave : str, optional
+        Text engraved on the block; the tab's name unless given, empty for none.
+    lean : (float, float)
+        How the pocket is shifted to the left of the curve, mm, and turned to the left, rad: see `of`.
+
+    Raises
+    ------
+    InputError
+        No tab to hold, sizes that are not possible, a floor above the tab or not square to the curve's plane.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.rod import Rod
+    >>> from elastica_cad.mechanics.sheets import Sheet
+    >>> strip = Strip(Rod.straight(100), Sheet.named("birch-plywood-0.8"), max_width=20, label="A")
+    >>> fixture = EndFixture.of(strip, "end")
+    >>> fixture.engrave, len(fixture.solid.added)
+    ('A:2', 2)
+    """
+
+    tab: PlacedTab
+    floor: Frame | None = None
+    clearance: Annotated[float, Asked("Room around the tab in its pocket.", "mm", least=0, most=100)] = 0.15
+    wall: Annotated[float, Asked("Thickness around the pocket.", "mm", least=LEAST_WALL_MM, most=1000)] = 4.0
+    foot: Annotated[float, Asked("Width of the foot; 0 for none.", "mm", least=0, most=1000)] = 12.0
+    foot_height: Annotated[float, Asked("Height of the foot.", "mm", above=0, most=1000)] = 4.0
+    screw: Annotated[
+        float, Asked("Diameter of the screw holes in the foot; 0 for none.", "mm", least=0, most=100)
+    ] = 4.3
+    engrave: str | None = None
+    lean: tuple[float, float] = (0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        require_record(self.tab, PlacedTab, "the tab", "a PlacedTab")
+        if self.floor is not None:
+            require_record(self.floor, Frame, "the floor", "a Frame")
+        who = f"fixture {self.tab.name}"
+        if self.tab.length <= 0:
+            raise InputError("{who}: the strip has no tab there to hold; give it one, e.g. Tab(10)", who=who)
+        require_declared(EndFixture, vars(self), f"{who}:")
+        if self.foot and self.screw > 0.8 * min(self.foot, self.across):
+            raise InputError(
+                "{who}: a screw of {screw:g} does not fit a foot of {foot:g} by {across:.4g}: make "
+                "the foot longer or the screw thinner",
+                who=who,
+                screw=Length(self.screw),
+                foot=self.foot,
+                across=Length(self.across),
+            )
+        if self.engrave is None:
+            object.__setattr__(self, "engrave", self.tab.name)
+        if abs(self.ground.z_axis @ self.tab.frame.y_axis) > LEVEL:
+            lean = np.degrees(np.arcsin(min(1.0, abs(float(self.ground.z_axis @ self.tab.frame.y_axis)))))
+            raise InputError(
+                "{who}: the plane of the strip leans {lean:.3g} degrees to the floor: leave the "
+                "floor out, and the block stands square to its tab",
+                who=who,
+                lean=lean,
+            )
+        if self.lowest < -LEVEL:
+            raise InputError(
+                "{who}: the block reaches {given:.4g} below the floor: lower the floor or shorten the tab",
+                who=who,
+                given=Length(-self.lowest),
+            )
+
+    @classmethod
+    def of(
+        cls,
+        strip: Strip,
+        end: StripEnd = "start",
+        frame: Frame | None = None,
+        *,
+        floor: Frame | None = None,
+        engrave: str | None = None,
+        **sizes: Any,
+    ) -> "EndFixture":
+        """The fixture of a strip's "start" or "end", its curve drawn in `frame` (the xy plane unless told).
+
+        The pocket leans against the strip's force and moment, so that the tab lies as designed when it has taken up
+        the clearance.
+        """
+        tab = PlacedTab.of(strip, end, frame)
+        _require_holdable(strip)
+        return cls(tab, floor, engrave=engrave, **sizes).leaning(strip, end)
+
+    def leaning(self, strip: Strip, end: StripEnd) -> "EndFixture":
+        """The fixture with its pocket leaned against what an end of the strip does to it.
+
+        The tab bends between the walls that it is pressed against, as it does between two plates: the body of a
+        straight tab runs into them a little.
+        """
+        require_record(strip, Strip, "what is held", "a Strip")
+        require_ends([end])
+        index, straight = ENDS.index(end), replace(self, lean=(0.0, 0.0)).seat
+        loaded = strip.as_made.loaded
+        lean = lean_against(loaded, index, straight, strip.as_made.tab_ratios(loaded)[index])
+        return replace(self, lean=(lean.shift, lean.turn))
+
+    @property
+    def label(self) -> str:
+        """Name in assemblies."""
+        return f"fixture {self.engrave or self.tab.name}"
+
+    @property
+    def across(self) -> float:
+        """Width of the block, across the strip, mm."""
+        return self.tab.width + 2 * (self.clearance + self.wall)
+
+    @cached_property
+    def ground(self) -> Frame:
+        """The plane the block stands on; its z axis points to the block."""
+        if self.floor is not None:
+            return self.floor
+        tab = self.tab.frame
+        back = self.tab.length + self.clearance + self.wall
+        return Frame(tab.point((back, 0.0, 0.0)), tab.z_axis, tab.y_axis)
+
+    @cached_property
+    def _profile(self) -> Frame:
+        """Frame in which profiles are drawn: x points out of the strip, y away from its upper side, z across it
+        from the middle."""
+        return Frame(self.tab.frame.origin, self.tab.frame.x_axis, self.tab.frame.z_axis)
+
+    @cached_property
+    def _core(self) -> FloatArray:
+        """Corners (4, 2) of the block about the pocket, in the profile's frame."""
+        half = self.tab.thickness / 2 + self.clearance + self.wall
+        back = self.tab.length + self.clearance + self.wall
+        return np.array([(0.0, -half), (back, -half), (back, half), (0.0, half)])
+
+    @cached_property
+    def _up(self) -> tuple[FloatArray, FloatArray, float]:
+        """Unit vectors up and along the floor (2,), and the floor's height, in the profile's frame."""
+        n = self.ground.z_axis
+        up = np.array([n @ self._profile.x_axis, n @ self._profile.y_axis])
+        up = up / np.hypot(*up)
+        return up, np.array([up[1], -up[0]]), float((self.ground.origin - self._profile.origin) @ n)
+
+    @property
+    def lowest(self) -> float:
+        """Height of the block's lowest corner over the floor, mm, before it is drawn down to it."""
+        up, _, height = self._up
+        return float((self._core @ up).min() - height)
+
+    @property
+    def lowest_height(self) -> float:
+        """Least z in space of the block about the pocket, mm."""
+        return float(self._profile.point(self._core)[:, 2].min())
+
+    @property
+    def seat(self) -> TabSeat:
+        """The pocket as the tab feels it."""
+        pocket = TabSeat.pocket(self.tab.length, self.tab.thickness, self.clearance)
+        return pocket.moved(*self.lean)
+
+    @cached_property
+    def solid(self) -> PrismSolid:
+        """The block, as prisms put together and taken away, the pocket first; its joint "tab" is where the strip
+        ends.
+        """
+        up, along, height = self._up
+        core = self._core
+        grounded = core - np.outer(core @ up - height, up)
+        body = convex_corners(np.concatenate([core, grounded]))
+        added = [self._prism(body, self.across)]
+        reach = np.array([(core @ along).min(), (core @ along).max()])
+        removed = [self._pocket(), *self._clamp_holes(body), *self._tip_hole(body)]
+        if self.foot:
+            span = reach + np.array([-self.foot, self.foot])
+            low, high = height * up, (height + self.foot_height) * up
+            left, right = span[:, None] * along
+            added.append(
+                self._prism(np.array([left + low, right + low, right + high, left + high]), self.across)
+            )
+            middles = (span[0] + self.foot / 2, span[1] - self.foot / 2)
+            removed += [self._screw_hole(x) for x in middles if self.screw]
+        return PrismSolid(tuple(added), (*removed, *self._letters()), {"tab": self.tab.frame})
+
+    def _prism(self, corners: FloatArray, across: float) -> FlatSolid:
+        """A profile drawn across the block, half to either side of the strip's middle."""
+        return FlatSolid(_polygon(corners), (), across, self._profile.shifted(z=-across / 2))
+
+    def _pocket(self) -> FlatSolid:
+        """The room of the tab, open to the strip."""
+        half = self.tab.thickness / 2 + self.clearance
+        back, front = self.tab.length + self.clearance, -BEYOND_MM
+        shift, turn = self.lean
+        cos, sin = np.cos(turn), np.sin(turn)
+        corners = np.array([(front, -half), (back, -half), (back, half), (front, half)])
+        # left of the curve is off the strip's lower side: -y of the profile
+        leaned = corners @ np.array([[cos, -sin], [sin, cos]]) - (0.0, shift)
+        return self._prism(leaned, self.tab.width + 2 * self.clearance)
+
+    def _clamp_holes(self, body: FloatArray) -> list[FlatSolid]:
+        """The tab's own holes, through the whole block."""
+        low, high = body[:, 1].min() - BEYOND_MM, body[:, 1].max() + BEYOND_MM
+        frame = self.tab.frame.shifted(z=float(low))
+        return [
+            FlatSolid(Path.circle((hole.at, hole.across), hole.diameter / 2), (), float(high - low), frame)
+            for hole in self.tab.holes
+        ]
+
+    def _tip_hole(self, body: FloatArray) -> list[FlatSolid]:
+        """For the screw of a T-slot, through the wall behind the tip and all below it."""
+        slot, tab = self.tab.t_slot, self.tab.frame
+        if slot is None:
+            return []
+        tip, back = self.tab.length, float(body[:, 0].max()) + 2 * self.foot + BEYOND_MM
+        frame = Frame(tab.point((tip, 0.0, 0.0)), tab.y_axis, tab.z_axis)
+        return [FlatSolid(Path.circle((0.0, 0.0), slot.screw / 2), (), back - tip, frame)]
+
+    def _screw_hole(self, along: float) -> FlatSolid:
+        up, level, height = self._up
+        x, y = along * level + (height - BEYOND_MM) * up
+        z_axis = self._profile.direction(up)
+        frame = Frame(
+            self._profile.point((x, y, 0.0)), np.cross(self._profile.z_axis, z_axis), self._profile.z_axis
+        )
+        if frame.z_axis @ z_axis < 0:
+            frame = Frame(frame.origin, -frame.x_axis, frame.y_axis)
+        return FlatSolid(Path.circle((0.0, 0.0), self.screw / 2), (), self.foot_height + 2 * BEYOND_MM, frame)
+
+    def _letters(self) -> list[FlatSolid]:
+        """The engraved text as grooves in the side, along the tab."""
+        if not self.engrave:
+            return []
+        (_, low), (long, high) = self._core[0], self._core[2]
+        tab = self.tab.frame
+        side = Frame(tab.point((0.0, self.across / 2, 0.0)), tab.x_axis, -tab.z_axis)
+        text = centred_text(self.engrave, (long / 2, 0.0), min(LABEL_MM, 0.7 * (high - low)), 0.85 * long)
+        return engraved(text_strokes(text), text.height, side)
+
+
+def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[FlatSolid]:
+    """The grooves of letters of this height in a face whose normal is the z axis of `side`.
+
+    Every line or arc of a stroke is a groove of its own with a flat bottom; grooves that meet overlap.
+    """
+    width, depth = (share * height for share in GROOVE_SHARE)
+    frame = side.shifted(z=-depth)
+    return [
+        FlatSolid(_groove(segment, width), (), 2 * depth, frame)
+        for stroke in strokes
+        for segment in stroke.segments
+    ]
+
+
+def _groove(way: Segment, width: float) -> Path:
+    """The outline of a groove along a line or an arc; a dot where it is shorter than wide."""
+    if way.length <= width:
+        return Path.circle(way.at(0.5), width / 2)
+    ends, along = way.at(np.array([0.0, 1.0])), way.tangent_at(np.array([0.0, 1.0]))
+    off = width / 2 * np.column_stack([-along[:, 1], along[:, 0]])
+    bulge = np.tan(way.sweep / 4) if isinstance(way, Arc) else 0.0
+    return Path.polyline([*(ends - off), *(ends + off)[::-1]], [bulge, 0.0, -bulge, 0.0], closed=True)
+
+
+def end_fixtures(
+    placed: Sequence[Placed], *, floor: Frame | None = None, ends: Sequence[StripEnd] = ENDS, **sizes: Any
+) -> tuple[EndFixture, ...]:
+    """Blocks for these ends of every strip that has tabs; sizes as in `EndFixture`.
+
+    Without `floor`, blocks whose strips stand upright share a horizontal floor that just touches the lowest of
+    them; the others stand square to their tabs.
+    """
+    refuse_unknown(sizes, {one.name for one in fields(EndFixture)} - {"tab", "floor", "engrave"}, "a fixture")
+    placed = require_placed(placed)
+    tabs = tabs_to_hold(placed, ends)
+    of_tabs = [(one.strip, end) for one in placed for end in ends]
+    held = [(tab, *of) for tab, of in zip(tabs, of_tabs, strict=True) if tab.length > 0]
+    if floor is not None:
+        grounds: list[Frame | None] = [floor] * len(held)
+    else:
+        upright = [abs(tab.frame.y_axis[2]) <= LEVEL for tab, _, _ in held]
+        trial = [EndFixture(tab, None, engrave=None, **sizes) for tab, _, _ in held]
+        corners = [one.lowest_height for one, stands in zip(trial, upright, strict=True) if stands]
+        ground = Frame((0.0, 0.0, min(corners))) if corners else None
+        grounds = [ground if stands else None for stands in upright]
+    return tuple(
+        EndFixture(tab, ground, engrave=None, **sizes).leaning(strip, end)
+        for (tab, strip, end), ground in zip(held, grounds, strict=True)
+    )
+
+
+def _polygon(corners: FloatArray) -> Path:
+    path = Path.polygon(corners)
+    return path if path.area > 0 else path.reversed()
+
+
+TOUCHING_MM = 0.1
+"""Depth, mm, by which blocks may overlap; it can be filed off."""
+
+PITCH_MM = 0.5
+"""Distance, mm, between the points of strips and edges of blocks that are tested for overlap with blocks."""
+
+
+def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tuple[str, ...]:
+    """Sentences that name the first two blocks that would stand in each other, and the first strip in one's way.
+
+    Examples
+    --------
+    >>> crowded_blocks([], [])
+    ()
+    """
+    parts = [[_Prism.of(solid) for solid in block.solid.added] for block in blocks]
+    edges = [np.concatenate([part.edges for part in its]) for its in parts]
+    pairs = [
+        Listed([blocks[i].tab.name, blocks[j].tab.name])
+        for i, j in combinations(range(len(blocks)), 2)
+        if _reach_into(edges[i], parts[j]) or _reach_into(edges[j], parts[i])
+    ]
+    crossed = [
+        note("{strip} would run through the printed block of {tab}", strip=name, tab=blocks[k].tab.name)
+        for name, one in zip(strip_names(placed), placed, strict=True)
+        for k in _crossed(one, blocks, parts)
+    ]
+    told = []
+    if pairs:
+        told.append(note(
+            "the printed blocks of {pair}{more} would stand in each other: end these strips farther apart, "
+            "make wall and foot smaller, or hold fewer of the ends by blocks (strips, ends)",
+            pair=pairs[0], more=and_more(pairs, "pair"),
+        ))  # fmt: skip
+    if crossed:
+        told.append(note(
+            "{crossed}{more}: end them farther apart, or hold fewer of the ends by blocks (strips, ends)",
+            crossed=crossed[0], more=and_more(crossed, "place"),
+        ))  # fmt: skip
+    return tuple(told)
+
+
+def _crossed(placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Sequence["_Prism"]]) -> list[int]:
+    """The blocks that a strip runs through, but for those that hold it."""
+    own = {PlacedTab.of(placed.strip, end, placed.frame).key for end in ENDS}
+    rod, frame = placed.strip.rod, placed.frame
+    s = np.linspace(0.0, rod.length, int(rod.length / PITCH_MM) + 2)
+    half = placed.strip.width(s) / 2
+    across = np.linspace(-1.0, 1.0, int(2 * half.max() / PITCH_MM) + 2)
+    middle = frame.point(np.column_stack([np.interp(s, rod.s, x) for x in rod.position.T]))
+    points = (middle[:, None] + np.multiply.outer(half, across)[..., None] * frame.z_axis).reshape(-1, 3)
+    return [k for k, block in enumerate(blocks) if block.tab.key not in own and _reach_into(points, parts[k])]
+
+
+def _reach_into(points: FloatArray, parts: Sequence["_Prism"]) -> bool:
+    """Whether any of the points (n, 3) is deep enough within one of the parts."""
+    return any(bool((part.depths(points) > TOUCHING_MM).any()) for part in parts)
+
+
+@dataclass(frozen=True, eq=False)
+class _Prism:
+    """A convex prism in space: points (n, 3) along its edges, and of its faces points and normals (k, 3)."""
+
+    edges: FloatArray
+    faces: FloatArray
+    outward: FloatArray
+
+    @classmethod
+    def of(cls, solid: FlatSolid) -> "_Prism":
+        """That of a solid, whose outline of lines runs anticlockwise."""
+        up = solid.frame.z_axis
+        lower = solid.frame.point([segment.start for segment in solid.outline.segments])
+        upper, after = lower + solid.thickness * up, np.roll(lower, -1, axis=0)
+        ends = [(lower, after), (upper, after + solid.thickness * up), (lower, upper)]
+        starts, ways = (np.concatenate(rows) for rows in zip(*((a, b - a) for a, b in ends), strict=True))
+        count = int(np.linalg.norm(ways, axis=1).max() / PITCH_MM) + 2
+        edges = starts + np.linspace(0.0, 1.0, count)[:, None, None] * ways
+        outward = np.concatenate([np.cross(after - lower, up), up[None], -up[None]])
+        outward /= np.linalg.norm(outward, axis=1)[:, None]
+        return cls(edges.reshape(-1, 3), np.concatenate([lower, upper[:1], lower[:1]]), outward)
+
+    def depths(self, points: FloatArray) -> FloatArray:
+        """Depth of points (n, 3) within the prism, mm; negative outside."""
+        heights = (self.faces * self.outward).sum(axis=1)
+        return np.asarray((heights - points @ self.outward.T).min(axis=1))

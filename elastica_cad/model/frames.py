@@ -1,0 +1,489 @@
+"""A slotted frame: rails that hold all tabs and ribs that join them; feet that hold tabs at their angle."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Annotated, Any
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number, several
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.errors import InputError, refusing_old_names
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.nurbs_curve import cross
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path_intersections import self_crossing
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.fixtures import tabs_to_hold
+from elastica_cad.model.plate_pairs import lean_pair, tab_plane, through_slots
+from elastica_cad.model.plates import PLAY_MM, BasePlate, TabSlot, plate_with
+from elastica_cad.refusals import Length as Mm
+from elastica_cad.strip.drawing import CUT_OUTER, SAME_MM, Drawing, LayeredPath
+from elastica_cad.strip.lettering import Text, centred_text
+from elastica_cad.strip.outline import ENDS, StripEnd
+from elastica_cad.strip.pieces import Piece, distinct
+from elastica_cad.strip.slots import CLEARANCE_MM
+from elastica_cad.strip.solids import FlatSolid, convex_corners
+from elastica_cad.strip.strip import Placed
+from elastica_cad.strip.uncuttable_parts import (
+    FabricationLimits,
+    accept_faults,
+    find_plate_faults,
+    limits_or_default,
+)
+
+SHOULDER_MM = 5.0
+"""Width, mm, by which a rib is wider than its tongue on each side, to rest against the rail."""
+
+SLOT_ROOM_MM = 3.0
+"""Least distance between the slots of ribs and of tabs, mm; the sheet may need more."""
+
+LABEL_MM = 6.0
+"""Height of a rib's name, where there is room."""
+
+MOST_RIBS = 200
+"""Largest number of ribs of one frame."""
+
+STEP_MM = 2.5
+"""Step, mm, on each side by which a tongue is narrower in the first of two rails: it keeps the gap between
+them."""
+
+ON_SIDE_MM = 1e-6
+"""Points of a tongue this near to a side of the rib lie on it: rounding."""
+
+PARALLEL_SINE = 0.1
+"""Rails whose normals differ by no larger sine count as parallel: ribs then stand across the first of them."""
+
+
+@dataclass(frozen=True, eq=False)
+class Rib:
+    """A plate that joins the rails; its tongues fill slots of both.
+
+    Attributes
+    ----------
+    name : str
+    sheet : Sheet
+    frame : Frame
+        Middle of its thickness.
+    outline : Path
+        Closed, in the frame.
+    label : Text
+        Its name, in the frame.
+    warnings : tuple of str
+        Why it should not be cut, where it was made all the same.
+    """
+
+    name: str
+    sheet: Sheet
+    frame: Frame
+    outline: Path
+    label: Text
+    warnings: tuple[str, ...] = ()
+
+    def checked(self, shop: FabricationLimits | None = None, *, ignore_limits: bool = False) -> "Rib":
+        """The rib with what is to be said of it; one that cannot be cut is refused without `ignore_limits`.
+
+        Raises
+        ------
+        InputError
+            Necks, or a rib larger than the stock.
+        """
+        faults = find_plate_faults(self.name, self.sheet, self.outline, (), shop)
+        return replace(self, warnings=accept_faults(faults, ignore_limits))
+
+    @property
+    def solid(self) -> FlatSolid:
+        """The rib in space."""
+        thickness = self.sheet.thickness
+        return FlatSolid(self.outline, (), thickness, self.frame.shifted(z=-thickness / 2))
+
+    @property
+    def piece(self) -> Piece:
+        """The rib as a piece to be cut, its name engraved."""
+        drawing = Drawing(self.name, (LayeredPath(CUT_OUTER, self.outline),), (self.label,))
+        return Piece(self.name, drawing, self.sheet)
+
+
+@dataclass(frozen=True, eq=False)
+class SlottedFrame:
+    """Two rails and the ribs between them.
+
+    Attributes
+    ----------
+    rails : tuple of BasePlate
+        One holds the tabs at the strips' starts, one those at their ends; or two each.
+    ribs : tuple of Rib
+    """
+
+    rails: tuple[BasePlate, ...]
+    ribs: tuple[Rib, ...]
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """Pieces to be cut."""
+        return (*(rail.piece for rail in self.rails), *(rib.piece for rib in self.ribs))
+
+    @cached_property
+    def solids(self) -> tuple[tuple[str, FlatSolid], ...]:
+        """Names and bodies in space."""
+        plates = tuple((rail.name, rail.solid) for rail in self.rails)
+        return (*plates, *((rib.name, rib.solid) for rib in self.ribs))
+
+
+@refusing_old_names
+def slotted_frame(
+    placed: Sequence[Placed],
+    sheet: Sheet | str,
+    *,
+    ribs: Annotated[int, Asked("Ribs between the rails.", least=2, most=MOST_RIBS)] = 3,
+    depth: Annotated[float, Asked("Depth of the ribs.", "mm", least=1, most=1000)] = 20.0,
+    tongue: Annotated[float, Asked("Length of the tongues.", "mm", least=1, most=1000)] = 12.0,
+    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)] = PLAY_MM,
+    clearance: Annotated[
+        float, Asked("Added to the width of slots.", "mm", least=0, most=1000)
+    ] = CLEARANCE_MM,
+    border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)] = 8.0,
+    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None,
+    shop: FabricationLimits | None = None,
+    ignore_limits: bool = False,
+) -> SlottedFrame:
+    """A frame of plates: each rail follows the tabs of one end, ribs hold the rails apart at their angle.
+
+    Parameters
+    ----------
+    placed : sequence of Placed
+        Every strip with a tab at both ends; the tabs of each end lie near a line or a plane.
+    sheet : Sheet or its name
+        Of the rails and ribs.
+    ribs : int
+        How many, 2 or more; fewer are made where there is no room between tabs.
+    depth : float
+        Of the ribs behind the rails, mm.
+    tongue : float
+        Length of the tongues by which ribs hold rails, mm.
+    play, clearance : float
+        Room beside tabs and tongues on either side, and added to the width of slots, mm.
+    border : float
+        Least distance of slots from the edge of a rail, mm.
+    gap : float, optional
+        Two rails instead of each, so far apart, mm, that hold inclined tabs at their angle; the steps of the ribs'
+        tongues keep the gap.
+    shop : FabricationLimits, optional
+        What the workshop can make: bridges between slots, the largest sheet.
+    ignore_limits : bool
+        Make rails and ribs that the workshop cannot, and say so in their warnings.
+
+    Raises
+    ------
+    InputError
+        Tabs that no plane rail can hold, slots that meet or are far wider than their tabs, rails that no rib can
+        join, parts that cannot be cut; the parts are named.
+
+    Examples
+    --------
+    >>> from elastica_cad.strip.strip import Strip
+    >>> from elastica_cad.geometry.plane_curve import PlaneCurve
+    >>> from elastica_cad.mechanics.least_ratio import optimal_rod
+    >>> rod = optimal_rod(PlaneCurve.ellipse((0, 0), (100, 60), start=0.2, end=2.9))
+    >>> strip = Strip(rod, Sheet.named("birch-plywood-0.8"), max_width=20)
+    >>> arches = [Placed(strip, (0, y, 0), (1, 0, 0), (0, 0, 1)) for y in (0, 50, 100)]
+    >>> frame = slotted_frame(arches, Sheet.named("mdf-3"))
+    >>> [piece.name for piece in frame.pieces]
+    ['rail-start', 'rail-end', 'rib-1', 'rib-2', 'rib-3']
+    """
+    sheet = Sheet.of(sheet)
+    require_declared(slotted_frame, locals(), "frame")
+    step, behind = (0.0, 0.0) if gap is None else (STEP_MM, sheet.thickness + gap)
+    if tongue <= 2 * step:
+        raise InputError(
+            "frame tongue is {tongue:g}: between two rails it must be more than {step:g}",
+            tongue=tongue,
+            step=Mm(2 * step),
+        )
+    rails = [_RailPlan.of(placed, end, sheet, play=play, clearance=clearance) for end in ENDS]
+    outer = [] if gap is None else [
+        _RailPlan.of(placed, end, sheet, play=play, clearance=clearance, behind=behind) for end in ENDS
+    ]  # fmt: skip
+    across = _across(rails)
+    room = max(SLOT_ROOM_MM, limits_or_default(shop).bridge_for(sheet))
+    stations = _stations([*rails, *outer], across, ribs, sheet.thickness + 2 * (room + clearance))
+    plans = [
+        _RibPlan(f"rib-{n}", station, across, tuple(rail.seat(station, across) for rail in rails))
+        for n, station in enumerate(stations, start=1)
+    ]
+    plates: list[BasePlate] = []
+    gate: dict[str, Any] = {"shop": shop, "ignore_limits": ignore_limits}
+    for group, narrower in ((rails, step), (outer, 0.0)):
+        size = (tongue - 2 * narrower + 2 * play, sheet.thickness + clearance)
+        for k, rail in enumerate(group):
+            slots = [rail.tongue_slot(plan.name, plan.seats[k], size, sheet.thickness) for plan in plans]
+            held = [*rail.slots, *slots]
+            plates.append(plate_with(held, sheet, rail.frame, border=border, name=rail.name, **gate))
+    if gap is not None:
+        pairs = [lean_pair(placed, (plates[k], plates[k + 2])) for k in (0, 1)]
+        plates = [pair[k] for k in (0, 1) for pair in pairs]
+    made = (plan.rib(sheet, tongue, depth, behind=behind, step=step) for plan in plans)
+    return SlottedFrame(tuple(plates), tuple(rib.checked(shop, ignore_limits=ignore_limits) for rib in made))
+
+
+@dataclass
+class _RailPlan:
+    """A rail before its outline is drawn."""
+
+    name: str
+    frame: Frame
+    slots: list[TabSlot]
+
+    @classmethod
+    def of(
+        cls,
+        placed: Sequence[Placed],
+        end: StripEnd,
+        sheet: Sheet,
+        *,
+        play: float,
+        clearance: float,
+        behind: float = 0.0,
+    ) -> "_RailPlan":
+        """The plane that the tabs of one end go through, or one so far behind it, with their slots."""
+        name = f"rail-{end}{'-outer' if behind else ''}"
+        tabs = tabs_to_hold(placed, [end])
+        frame = tab_plane(tabs, name).shifted(z=-behind)
+        slots = through_slots(tabs, frame, sheet, play=play, clearance=clearance, name=name)
+        return cls(name, frame, slots)
+
+    def seat(self, station: float, across: FloatArray) -> "_Seat":
+        """Place where a rib across direction `across` (3,) meets the upper face, in the middle of the rail."""
+        centers = self.frame.point([slot.corners.mean(axis=0) for slot in self.slots])
+        n = self.frame.z_axis
+        along = np.cross(n, across)
+        along = along / np.linalg.norm(along)
+        order = np.argsort(centers @ across)
+        side = float(np.interp(station, (centers @ across)[order], (centers @ along)[order]))
+        height = float(self.frame.origin @ n)
+        return _Seat(station * across + side * along + height * n, along, n)
+
+    def tongue_slot(self, name: str, seat: "_Seat", size: tuple[float, float], thickness: float) -> TabSlot:
+        """The slot for a rib's tongue: length along the rib and width."""
+        center = self.frame.local(seat.point)[:2]
+        u = (self.frame.axes @ seat.along)[:2]
+        v = np.array([-u[1], u[0]])
+        a, b = size[0] / 2 * u, size[1] / 2 * v
+        corners = np.array([center - a - b, center + a - b, center + a + b, center - a + b])
+        return TabSlot(corners, name, thickness)
+
+    def reach(self, across: FloatArray) -> FloatArray:
+        """Begin and end of each slot (n, 2) along a direction (3,)."""
+        corners = self.frame.point(np.array([slot.corners for slot in self.slots])) @ across
+        return np.column_stack([corners.min(axis=1), corners.max(axis=1)])
+
+
+@dataclass(frozen=True, eq=False)
+class _Seat:
+    """Place where a rib goes through a rail: a point of the rail's upper face, the directions along the rib and
+    off the face."""
+
+    point: FloatArray
+    along: FloatArray
+    normal: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class _RibPlan:
+    """A rib before it is drawn."""
+
+    name: str
+    station: float
+    across: FloatArray
+    seats: tuple[_Seat, ...]
+
+    def rib(self, sheet: Sheet, tongue: float, depth: float, *, behind: float, step: float) -> Rib:
+        """The plate behind all rails, with a tongue through each, which is narrower in the first of two rails."""
+        x_axis = self.seats[0].along
+        frame = Frame(self.seats[0].point, x_axis, np.cross(self.across, x_axis))
+        rest, under = tongue / 2 + SHOULDER_MM, sheet.thickness + behind
+        a, b = (_Corner(frame, seat, other) for seat, other in zip(self.seats, self.seats[::-1], strict=True))
+        bases = [np.array([c.at(side * tongue / 2, under) for side in (-1, 1)]) for c in (a, b)]
+        block = [
+            c.at(side * rest, down) for c in (a, b) for side in (-1, 1) for down in (under, under + depth)
+        ]
+        half, full = under + depth / 2, under + depth
+        bar = [
+            *(a.at(-rest, under), a.at(rest, under), a.at(rest, half), b.at(rest, half), b.at(rest, under)),
+            *(b.at(-rest, under), b.at(-rest, full), b.at(rest, full), a.at(rest, full), a.at(-rest, full)),
+        ]
+        for loop in (convex_corners(np.array(block)), _anticlockwise(np.array(bar))):
+            drawn: FloatArray | None = loop
+            for base in bases:
+                drawn = None if drawn is None else _with_tongue(drawn, base, (behind, under), step)
+            if drawn is not None and self_crossing(drawn, closed=True) is None:
+                # in the part behind the first tongue
+                label = centred_text(self.name, a.at(0.0, half), min(LABEL_MM, 0.6 * depth), 1.6 * rest)
+                return Rib(self.name, sheet, frame, Path.polygon(drawn), label)
+        raise InputError(
+            "{name}: the rails face each other, so that no rib can join them from behind: use fixtures",
+            name=self.name,
+        )
+
+
+class _Corner:
+    """Corners of a rib in its frame, told by one of its seats: towards the other seat, and behind the face."""
+
+    def __init__(self, frame: Frame, seat: _Seat, other: _Seat) -> None:
+        self.frame, self.seat = frame, seat
+        self.inward = seat.along if (other.point - seat.point) @ seat.along >= 0 else -seat.along
+
+    def at(self, inward: float, behind: float) -> FloatArray:
+        """The point (2,)."""
+        point = self.seat.point + inward * self.inward - behind * self.seat.normal
+        return self.frame.local(point)[:2]
+
+
+def _across(rails: Sequence[_RailPlan]) -> FloatArray:
+    """The direction that ribs stand across, square to both rails' normals."""
+    a, b = rails
+    normal = np.cross(a.frame.z_axis, b.frame.z_axis)
+    if np.linalg.norm(normal) < PARALLEL_SINE:
+        normal = a.frame.x_axis - (a.frame.x_axis @ b.frame.z_axis) * b.frame.z_axis
+    normal = normal / np.linalg.norm(normal)
+    return normal if normal @ a.frame.x_axis >= 0 else -normal
+
+
+def _stations(rails: Sequence[_RailPlan], across: FloatArray, count: int, room: float) -> list[float]:
+    """Places of the ribs: before the first tab, behind the last, and evenly in gaps between."""
+    reach = np.concatenate([rail.reach(across) for rail in rails])
+    reach = reach[np.argsort(reach[:, 0])]
+    first, last = float(reach[:, 0].min()), float(reach[:, 1].max())
+    ends = np.maximum.accumulate(reach[:, 1])[:-1]
+    wide = reach[1:, 0] - ends >= room
+    gaps = (reach[1:, 0] + ends)[wide] / 2
+    chosen = [first - room / 2, last + room / 2]
+    for wanted in np.linspace(first, last, count)[1:-1]:
+        free = [float(gap) for gap in gaps if gap not in chosen]
+        if free:
+            chosen.append(min(free, key=lambda gap: abs(gap - wanted)))
+    return sorted(chosen)
+
+
+def _anticlockwise(loop: FloatArray) -> FloatArray:
+    return loop if cross(loop, np.roll(loop, -1, axis=0)).sum() > 0 else loop[::-1]
+
+
+def _with_tongue(
+    loop: FloatArray, base: FloatArray, heights: tuple[float, float], step: float
+) -> FloatArray | None:
+    """The anticlockwise loop with a tongue drawn outward over `base`, two points inside one of its sides.
+
+    The tongue ends at the second height; from the first on it is narrower by `step` at either side. None where the
+    points lie on no side.
+    """
+    low, high = heights
+    for i, (p, q) in enumerate(zip(loop, np.roll(loop, -1, axis=0), strict=True)):
+        side = (q - p) / np.hypot(*(q - p))
+        outward = np.array([side[1], -side[0]])
+        off, along = (base - p) @ outward, (base - p) @ side
+        if np.abs(off).max() < ON_SIDE_MM and along.min() > 0 and along.max() < np.hypot(*(q - p)):
+            a, b = base[np.argsort(along)]
+            rise, inset = (high * outward, step * side)
+            stepped = [a + low * outward, a + low * outward + inset] if step else []
+            back = [b + low * outward - inset, b + low * outward] if step else []
+            corners = [a, *stepped, a + rise + inset, b + rise - inset, *back, b]
+            return np.concatenate([loop[: i + 1], corners, loop[i + 1 :]])
+    return None
+
+
+LEAST_GLUED_MM = 4.0
+"""Least length of a tab behind its plate, mm, that can be glued."""
+
+FOOT_LABEL_MM = 3.0
+"""Height of a foot's name, where there is room."""
+
+
+def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib, ...]:
+    """Plates whose tabs are glued, and the feet that set their angle: two for every tab, of the plate's sheet.
+
+    A foot stands square to plate and tab; one of its sides lies on the plate's back, one along the tab. Feet of
+    equal strips are equal and share a name; others of that name have a number behind it.
+
+    Parameters
+    ----------
+    size : float
+        How far feet reach along the tab, and over the plate beside the slot, mm.
+
+    Raises
+    ------
+    InputError
+        A tab that does not reach far enough behind its plate to be glued, with the length it needs.
+    """
+    plates = several("plates", plates, BasePlate, "BasePlate")
+    if not (is_number(size) and size >= LEAST_GLUED_MM):
+        raise InputError(
+            "feet are {size!r} mm: make them {least_glued_mm:g} or larger",
+            size=size,
+            least_glued_mm=Mm(LEAST_GLUED_MM),
+        )
+    glued = tuple(replace(plate, glued=True) for plate in plates)
+    return (*glued, *_distinctly_named([foot for plate in plates for foot in _feet(plate, size)]))
+
+
+def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
+    thickness = plate.sheet.thickness
+    for slot in plate.slots:
+        tab = slot.tab
+        if tab is None:
+            continue
+        # profile: x out along the tab, y off its upper side; the plate's back is where n p = low
+        profile = Frame(tab.frame.origin, tab.frame.x_axis, tab.frame.z_axis)
+        n = np.array([plate.frame.z_axis @ profile.x_axis, plate.frame.z_axis @ profile.y_axis])
+        low = float((plate.frame.origin - profile.origin) @ plate.frame.z_axis) - thickness
+        walls = profile.local(plate.frame.point(np.column_stack([slot.corners, np.full(4, -thickness)])))
+        level = np.array([-n[1], n[0]]) / np.hypot(*n) * np.sign(n[0])  # along the plate's back, towards +y
+        for side, called in ((1.0, "a"), (-1.0, "b")):
+            face = side * tab.thickness / 2
+            begin = (low - n[1] * face) / n[0]
+            reach = min(size, tab.length - begin)
+            if reach < LEAST_GLUED_MM:
+                raise InputError(
+                    "{name}: the tab of {name_2} is too short to glue feet to: make it {ceil:.0f} long",
+                    name=plate.name,
+                    name_2=tab.name,
+                    ceil=Mm(np.ceil(begin + LEAST_GLUED_MM)),
+                )
+            corner = np.array([begin, face])
+            past = float(((walls[:, :2] - corner) @ (side * level)).max())
+            beside = corner + side * level * (max(past, 0.0) + size)
+            corners = np.array([corner, corner + reach * np.array([1.0, 0.0]), beside])
+            outline = Path.polygon(corners if side > 0 else corners[::-1])
+            name = f"foot-{slot.name.replace(':', '-')}{called}"
+            yield Rib(name, plate.sheet, profile, outline, _label(name, corners))
+
+
+def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
+    """The feet, those of one name and another shape called by another name; copies of a strip have equal feet."""
+    shapes: list[tuple[str, FloatArray]] = []
+    places: list[int] = []
+    for foot in feet:
+        corners = foot.outline.points(SAME_MM)
+        alike = (
+            i
+            for i, (name, known) in enumerate(shapes)
+            if name == foot.name and known.shape == corners.shape and np.abs(known - corners).max() < SAME_MM
+        )
+        place = next(alike, len(shapes))
+        if place == len(shapes):
+            shapes.append((foot.name, corners))
+        places.append(place)
+    names = distinct(name for name, _ in shapes)
+    for foot, place in zip(feet, places, strict=True):
+        name, (own, corners) = names[place], shapes[place]
+        yield foot if name == own else replace(foot, name=name, label=_label(name, corners))
+
+
+def _label(name: str, corners: np.ndarray) -> Text:
+    """The name in the middle of a triangle, as large as fits."""
+    sides = np.roll(corners, -1, axis=0) - corners
+    (ux, uy), (vx, vy) = sides[:2]
+    inner = abs(ux * vy - uy * vx) / np.hypot(*sides.T).sum()  # radius of the circle inscribed
+    return centred_text(name, corners.mean(axis=0), min(FOOT_LABEL_MM, inner / 2), 1.6 * inner)

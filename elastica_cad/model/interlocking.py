@@ -1,0 +1,420 @@
+"""Strips that cross in space are slotted half way each, so that they slide into each other."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations, product
+from typing import Annotated, Literal, TypeVar
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import direction, is_series, is_whole, numbers, require_number
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.errors import InputError
+from elastica_cad.model.crossings import PARALLEL_RAD, Crossing, RuledStrip, strip_crossings, strips_may_meet
+from elastica_cad.refusals import Length, Listed, note, sentences
+from elastica_cad.strip.slots import CLEARANCE_MM, Relief, Slot
+from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_placed, strip_names
+
+MOST_STEPS = 30
+"""Largest number of Newton steps with the slopes at the centre line."""
+
+CLOSE_MM = 1e-6
+"""Accuracy with which the faces meet, mm: that of files."""
+
+
+def _bent_slot_width(
+    own: RuledStrip, other: RuledStrip, rows: FloatArray, mates: FloatArray, *, thickness: tuple[float, float]
+) -> FloatArray:
+    """Widths (n,), mm, that let the faces of another strip through those of this one, half to either side.
+
+    Where flat sheets meet it is `slot_width` without clearance. Bent ones fall away from each other to the sides of
+    the line on which their middles meet, by (w / 2)^2 kappa / 2, and shift what goes through by cot(phi) of that.
+
+    Parameters
+    ----------
+    own, other : RuledStrip
+    rows, mates : (n, 2) array
+        The centre line of the slot in both flat patterns, mm.
+    thickness : (own, other)
+        mm.
+
+    Returns
+    -------
+    (n,) array
+        0 where the faces do not meet: strips that bend away from each other beside a shallow crossing.
+    """
+    along = np.gradient(rows, np.arange(len(rows)), axis=0, edge_order=2)
+    along /= np.hypot(*along.T)[:, None]
+    across = np.column_stack([-along[:, 1], along[:, 0]])
+    ways = across[:, :1] * own.motion(rows[:, 0])[1] + across[:, 1:] * own.axis
+    tangents = other.motion(mates[:, 0])[1]
+    slopes = np.stack([ways, -tangents, -np.broadcast_to(other.axis, tangents.shape)], axis=2)
+    inverse, rows, mates, across = (
+        np.tile(one, (4, *[1] * (one.ndim - 1))) for one in (np.linalg.inv(slopes), rows, mates, across)
+    )
+    z = np.repeat(list(product((-0.5, 0.5), repeat=2)), len(along), axis=0) * thickness
+    x = np.zeros((len(rows), 3))  # across the slot, and along and across the other strip
+    error = np.full(len(rows), np.inf)
+    farthest = own.length + other.length  # where faces do not meet, steps would grow beyond all numbers
+    for _ in range(MOST_STEPS):
+        here = _on_face(own, rows + x[:, :1] * across, z[:, :1])
+        there = _on_face(other, mates + x[:, 1:], z[:, 1:])
+        error = np.abs(here - there).max(axis=1)
+        if not (error > CLOSE_MM).any():
+            break
+        x -= (inverse @ (here - there)[:, :, None])[:, :, 0]
+        np.clip(x, -farthest, farthest, out=x)
+    reach = np.where(error <= CLOSE_MM, np.abs(x[:, 0]), 0.0)
+    return np.asarray(2 * reach.reshape(4, -1).max(axis=0), dtype=float)
+
+
+def _on_face(strip: RuledStrip, flat: FloatArray, height: FloatArray) -> FloatArray:
+    """Points (n, 3) at heights (n, 1) to the left of the curve over flat places (n, 2)."""
+    points, tangents = strip.in_plane(flat[:, 0])
+    left = np.column_stack([-tangents[:, 1], tangents[:, 0]])
+    return strip.frame.point(points + height * left) + flat[:, 1:] * strip.axis
+
+
+Fit = Literal["exact", "paper"]
+Member = TypeVar("Member")
+
+SHALLOW_RAD = np.radians(15.0)
+"""Angle between two strips, rad, below which a warning is given: a slot is then over 7 times as wide as the
+sheet is thick."""
+
+TOUCHING_RAD = np.radians(1.0)
+"""Below this angle strips touch rather than cross: a slot would be over 100 times as wide as the sheet."""
+
+FORCED_SHARE = 0.5
+"""A strip is cut from the other side only where that costs less than this share of the crossing's length more."""
+
+PITCH_MM = 1.5
+"""Largest distance of the points along a slot's centre line: enough for the curves that crossings are."""
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """Two strips slotted into each other.
+
+    Attributes
+    ----------
+    members : (int, int)
+        Places of the strips in the model.
+    slots : (Slot, Slot)
+        In the same order.
+    angle : (float, float)
+        Smallest and largest angle between the strips along the crossing, rad.
+    position : (3,) array
+        Where the two slots end against each other, mm.
+    fit : "exact" or "paper"
+        How wide the slots are.
+    """
+
+    members: tuple[int, int]
+    slots: tuple[Slot, Slot]
+    angle: tuple[float, float]
+    position: FloatArray
+    fit: Fit = "exact"
+
+
+def slot_width(
+    angle: FloatArray, *, own: float, other: float, clearance: float, fit: Fit = "exact"
+) -> FloatArray:
+    """Width of a slot through a sheet of thickness `own` for one of thickness `other` at an angle, mm.
+
+    h_other / sin(phi) + h_own |cot(phi)| + clearance: a cut square to the sheet also lets the other strip pass
+    obliquely through the thickness. `fit="paper"` leaves the second term out (paper, section 9.1).
+    """
+    angle = numbers(angle, "slot angle")
+    for what, size in (("own", own), ("other", other), ("clearance", clearance)):
+        require_number(size, f"slot {what}", "mm")
+    if not np.all(np.sin(angle) > 0):
+        raise InputError(
+            "the angle of a slot must lie between 0 and pi rad: strips that lie in each other need none"
+        )
+    width = other / np.sin(angle) + clearance
+    return width + own * np.abs(np.cos(angle)) / np.sin(angle) if fit == "exact" else width
+
+
+@dataclass(frozen=True, eq=False)
+class InterlockedStrips:
+    """Result of `interlock`: the placed strips with their slots, the joints, and notes."""
+
+    placed: tuple[Placed, ...]
+    joints: tuple[Joint, ...]
+    reports: tuple[str, ...]
+
+
+def interlock(
+    placed: Sequence[Placed],
+    *,
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0)] = CLEARANCE_MM,
+    fit: Annotated[Fit, Asked("Slots for the exact angle, or as the paper cuts them.")] = "exact",
+    relief: Annotated[Relief, Asked("Inner end of slots.")] = "square",
+    pairs: Iterable[tuple[int, int]] | None = None,
+    above: Annotated[
+        ArrayLike | None, Asked("From where strips are pushed on.", written=tuple[float, float, float])
+    ] = None,
+) -> InterlockedStrips:
+    """Slots wherever two bent strips cross, cut half way into each from opposite sides.
+
+    The strips are taken as ruled surfaces, and their crossings are exact. A slot is as wide as the angle
+    between the strips asks for, point by point. Each strip is cut from the side on which it ends; where
+    both sides would do, the earlier of two strips opens towards `above`, so that the later one is pushed on
+    from there. Both slots end half way, without room: there the strips sit on each other, which places them along
+    their rulings. Only the strips between their tabs are searched: keep tabs clear of other strips. A crossing
+    that leaves a strip through its end, not its edge, leaves no way to push it on and is refused.
+
+    Parameters
+    ----------
+    placed : sequence of Placed
+        In the order of assembly.
+    clearance : float
+        Added to the width of every slot, mm.
+    fit : "exact" or "paper"
+        "paper" is the narrower h / sin(phi), too narrow below 60 degrees.
+    relief : "square" or "round"
+        Inner ends of the slots.
+    pairs : iterable of (int, int), optional
+        Which strips may be slotted, by their places; all that cross if not given.
+    above : (3,) array_like, optional
+        A direction; the earlier strip's own rulings if not given.
+
+    Raises
+    ------
+    InputError
+        Strips that touch along a line or cross where one of them ends, slots that meet, a clearance larger
+        than a strip.
+    """
+    require_declared(interlock, locals())
+    placed = require_placed(placed)
+    up = None if above is None else direction(above, "above")
+    ruled = [RuledStrip(p.strip.rod.curve, p.frame, p.strip.width) for p in placed]
+    names = distinct_names(placed)
+    cutter = _Cutter(tuple(one.strip for one in placed), names, clearance, fit, relief, up)
+    joints: list[Joint] = []
+    meeting = strips_may_meet(ruled)
+    for i, j in _checked_pairs(len(placed), pairs):
+        if meeting[i, j]:
+            joints += cutter.joints((i, j), (placed[i], placed[j]), (ruled[i], ruled[j]))
+    slots: list[list[Slot]] = [[] for _ in placed]
+    for joint in joints:
+        for member, slot in zip(joint.members, joint.slots, strict=True):
+            slots[member].append(slot)
+    slotted = (
+        _with_slots(*each) for each in zip(placed, map(tuple, slots), strip_names(placed), strict=True)
+    )
+    return InterlockedStrips(tuple(slotted), tuple(joints), _reports(names, joints))
+
+
+_joined: WeakKeyDictionary[Placed, WeakKeyDictionary[Placed, tuple[object, tuple[Joint, ...]]]]
+_joined = WeakKeyDictionary()
+"""The last joints of two placed strips, and what was asked: where one of many changes, only its own are new."""
+
+_slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDictionary()
+"""Placed strips with their last slots: one whose slots are as before is the same, with all that is known of it."""
+
+
+def _with_slots(one: Placed, slots: tuple[Slot, ...], name: str) -> Placed:
+    """The placed strip with more slots; messages call it by `name`."""
+    known, made = _slotted.get(one, (None, one))
+    if known != slots:
+        made = one.with_strip(replace(one.strip, slots=(*one.strip.slots, *slots))) if slots else one
+        _refuse_faults(made.strip, name)
+        _slotted[one] = slots, made
+    return made
+
+
+def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[tuple[int, int]]:
+    if pairs is None:
+        return list(combinations(range(count), 2))
+    found = []
+    for pair in tuple(pairs) if is_series(pairs) else (pairs,):
+        two = isinstance(pair, Sequence) and len(pair) == 2 and all(map(is_whole, pair))
+        if not two or pair[0] == pair[1] or not all(0 <= place < count for place in pair):
+            raise InputError(
+                "pair {pair!r}: name two different strips by their places 0 to {count}",
+                pair=pair,
+                count=count - 1,
+            )
+        found.append((min(pair), max(pair)))
+    return sorted(set(found))
+
+
+@dataclass(frozen=True, eq=False)
+class _Cutter:
+    """Makes slots of crossings."""
+
+    strips: tuple[Strip, ...]
+    names: tuple[str, ...]
+    clearance: float
+    fit: Fit
+    relief: Relief
+    above: FloatArray | None
+
+    def joints(
+        self, members: tuple[int, int], placed: tuple[Placed, Placed], ruled: tuple[RuledStrip, RuledStrip]
+    ) -> tuple[Joint, ...]:
+        """All joints of two strips."""
+        above = None if self.above is None else tuple(self.above.tolist())
+        asked = members, [self.names[i] for i in members], self.clearance, self.fit, self.relief, above
+        known = _joined.setdefault(placed[0], WeakKeyDictionary())
+        before, found = known.get(placed[1], (None, ()))
+        if before != asked:
+            crossings = strip_crossings(*ruled)
+            self.refuse_touching(members, ruled, crossings)
+            found = tuple(self.joint(members, crossing) for crossing in crossings)
+            known[placed[1]] = asked, found
+        return found
+
+    def joint(self, members: tuple[int, int], crossing: Crossing) -> Joint:
+        """Both slots of one crossing, each from the half way point to where its strip ends."""
+        names = [self.names[i] for i in members]
+        points = crossing.course[2]
+        low, high = float(points.angle.min()), float(points.angle.max())
+        if low < TOUCHING_RAD:
+            s = float(points.first[int(points.angle.argmin()), 0])
+            raise InputError(self._touch(names, s))
+        slots, middle = [], np.zeros(3)
+        for which, end in enumerate(self._ends(members, crossing)):
+            last = crossing.beyond(which, end)
+            p = crossing.at(crossing.evenly(crossing.middle, float(end if last is None else last), PITCH_MM))
+            rows, mates = _turned((p.first, p.second), which)
+            own, other = (strip_thickness(self.strips[i]) for i in _turned(members, which))
+            widths = slot_width(p.angle, own=own, other=other, clearance=self.clearance, fit=self.fit)
+            if self.fit == "exact":
+                sheets = _turned(crossing.strips, which)
+                bent = _bent_slot_width(*sheets, rows, mates, thickness=(own, other))
+                widths = np.maximum(widths, bent + self.clearance)
+            strip = self.strips[members[which]]
+            if self.clearance >= float(strip.width(rows[0, 0])):
+                raise InputError(
+                    "a clearance of {clearance:g} is larger than {names} is wide at {rows:.6g}: make it "
+                    "smaller",
+                    clearance=Length(self.clearance),
+                    names=names[which],
+                    rows=Length(rows[0, 0]),
+                )
+            side: Literal["upper", "lower"] = "upper" if rows[-1, 1] > rows[0, 1] else "lower"
+            mate = self.strips[members[1 - which]].label
+            slots.append(Slot.along(rows, widths, side=side, relief=self.relief, mate=mate))
+            middle = p.position[0]
+        return Joint(members, (slots[0], slots[1]), (low, high), middle, self.fit)
+
+    def _ends(self, members: tuple[int, int], crossing: Crossing) -> tuple[int, int]:
+        """On which end of the crossing (0 or 1) either strip is cut.
+
+        Each is cut from where it ends anyway; where both ways serve, the earlier strip of the model opens
+        towards `above` (its own rulings' direction).
+        """
+        costs = []
+        for ends in ((0, 1), (1, 0)):
+            exits = [crossing.beyond(which, end) for which, end in enumerate(ends)]
+            costs.append(
+                sum(np.inf if x is None else abs(x - end) for x, end in zip(exits, ends, strict=True))
+            )
+        if not np.isfinite(min(costs)):
+            s = crossing.at(np.array([0.5])).first[0, 0]
+            names = [self.names[i] for i in members]
+            raise InputError(
+                "{names} and {names_2} cross at {s:.6g} of {names}, but one of them ends before the "
+                "crossing comes to its edge, so that no slot can open there: shorten, move or turn "
+                "one of them",
+                names=names[0],
+                names_2=names[1],
+                s=Length(s),
+            )
+        if abs(costs[0] - costs[1]) > FORCED_SHARE:
+            return ((0, 1), (1, 0))[int(np.argmin(costs))]
+        up = crossing.strips[0].axis if self.above is None else self.above
+        heights = crossing.course[2].position @ up
+        return (0, 1) if heights[0] > heights[-1] else (1, 0)
+
+    def refuse_touching(
+        self, members: tuple[int, int], ruled: tuple[RuledStrip, RuledStrip], crossings: Iterable[Crossing]
+    ) -> None:
+        """Strips with parallel rulings must keep clear of each other but where they cross."""
+        a, b = ruled
+        if np.linalg.norm(np.cross(a.axis, b.axis)) > PARALLEL_RAD:
+            return
+        reach = sum(strip_thickness(self.strips[i]) for i in members) / 2
+        own, other = (a.frame.local(strip.motion(strip.stations)[0]) for strip in (a, b))
+        distance = np.hypot(*(own[:, None, :2] - other[None, :, :2]).transpose(2, 0, 1))
+        nearest = distance.argmin(axis=1)
+        apart = np.abs(other[nearest, 2] - own[:, 2])
+        overlap = a.half_width(a.stations) + b.half_width(b.stations)[nearest] > apart
+        touch = (distance.min(axis=1) < reach) & overlap
+        spacing = float(np.diff(a.stations).max())
+        for crossing in crossings:
+            p = crossing.at(np.array([0.5]))
+            room = reach / np.tan(max(float(p.angle[0]), TOUCHING_RAD)) + 2 * spacing
+            touch &= np.abs(a.stations - p.first[0, 0]) > 2 * room
+        if touch.any():
+            names = [self.names[i] for i in members]
+            raise InputError(self._touch(names, float(a.stations[int(touch.argmax())])))
+
+    def _touch(self, names: list[str], s: float) -> str:
+        return note(
+            "{a} and {b} touch along a line at {s} of {a} instead of crossing: move them apart or turn one "
+            "of them",
+            a=names[0], b=names[1], s=Length(s),
+        )  # fmt: skip
+
+
+def strip_thickness(strip: Strip) -> float:
+    """Thickness of all layers together, mm."""
+    backing = strip.layout.backing
+    return strip.sheet.thickness + (0.0 if backing is None else backing.sheet.thickness)
+
+
+def _turned(pair: tuple[Member, Member], which: int) -> tuple[Member, Member]:
+    return pair if which == 0 else (pair[1], pair[0])
+
+
+def _reports(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
+    """Shallow angles, and how the model goes together."""
+    shallow: dict[tuple[int, int], list[Joint]] = {}
+    for joint in joints:
+        if joint.angle[0] < SHALLOW_RAD:
+            shallow.setdefault(joint.members, []).append(joint)
+    found = []
+    for (i, j), group in shallow.items():
+        a, b = names[i], names[j]
+        places = Listed(Length(joint.slots[0].at) for joint in group)
+        width = max(
+            float(np.max(slot.widths)) for joint in group for slot in joint.slots if slot.widths is not None
+        )
+        degrees = np.degrees(min(joint.angle[0] for joint in group))
+        found.append(note(
+            "{a} and {b} cross at {degrees:.3g} degrees at {places} of {a}: the slots are up to {width} "
+            "wide; a larger angle would hold better",
+            a=a, b=b, degrees=degrees, places=places, width=Length(width),
+        ))  # fmt: skip
+    told = _assembly(names, joints) if joints else note("no two strips cross: interlocking cut no slot")
+    return (*found, told)
+
+
+def _assembly(names: Sequence[str], joints: list[Joint]) -> str:
+    """Sentence on the order in which the strips go together, and on those that cannot simply be pushed on."""
+    sides: dict[int, set[str]] = {}
+    for joint in joints:
+        sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)
+    both = [names[i] for i, found in sorted(sides.items()) if len(found) > 1]
+    text = note("assembly: {order}; push each strip onto those before it", order=", ".join(names))
+    if both:
+        last = note("{strips} must be threaded in, being held from both edges", strips=", ".join(both))
+        return sentences([text, last])
+    return text
+
+
+def _refuse_faults(strip: Strip, name: str) -> None:
+    """Draw the outline now, so that slots that meet are found with the part's name."""
+    try:
+        whole = strip.outline.closed
+    except InputError as error:
+        own = f"{strip.label or 'strip'}: "
+        raise InputError("{name}: {rest}", name=name, rest=str(error).removeprefix(own)) from error
+    if not whole:
+        raise InputError("{name}: the slots open its outline", name=name)

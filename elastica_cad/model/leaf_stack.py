@@ -1,0 +1,58 @@
+"""Glued leaves as they are cut and laid: a list, and one pattern with marks where the next leaf goes."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._values import require_record
+from elastica_cad.errors import InputError
+from elastica_cad.model.nesting import CutList, cut_list
+from elastica_cad.strip.drawing import Drawing
+from elastica_cad.strip.pieces import Piece
+from elastica_cad.strip.strip import Strip
+
+APART_MM = 5.0
+"""Between the leaves of the pattern."""
+
+
+@dataclass(frozen=True, eq=False)
+class LeafStack:
+    """What a workshop makes of a strip of glued leaves.
+
+    Attributes
+    ----------
+    strip : Strip
+        Its law is a `LeavesLaw`.
+
+    Raises
+    ------
+    InputError
+        The strip is of something else.
+    """
+
+    strip: Strip
+
+    def __post_init__(self) -> None:
+        require_record(self.strip, Strip, "what is of leaves", "a Strip")
+        if self.strip.layout.stack is None:
+            raise InputError("the strip is not of leaves: make it with law=LeavesLaw(sheet, leaves, width)")
+
+    @property
+    def cut_list(self) -> CutList:
+        """A row for every leaf, the through one first."""
+        stack, label = self.strip.layout.stack, self.strip.label or "stack"
+        assert stack is not None
+        layers = zip(self.strip.drawings(), self.strip.layers, stack.names, strict=True)
+        leaves = [Piece(f"{label} {name}", drawing, layer.sheet) for drawing, layer, name in layers]
+        return cut_list(leaves, dict.fromkeys((leaf.name for leaf in leaves), ""))
+
+    @property
+    def drawing(self) -> Drawing:
+        """Every leaf at full size, where it lies along the stack, one below another; on each a mark across at the
+        ends of the leaves that are glued on it."""
+        pitch = float(np.ptp(self.strip.outline.bounds[:, 1])) + APART_MM
+        moved = [
+            one.transformed(np.array([[1, 0, 0], [0, 1, -i * pitch], [0, 0, 1]]))
+            for i, one in enumerate(self.strip.drawings())
+        ]
+        return Drawing.merged(self.strip.label or "stack", moved)

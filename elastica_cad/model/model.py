@@ -1,0 +1,516 @@
+"""Models: strips in space and their copies, what holds them and what is cut."""
+
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+from typing import Annotated, Any, TypeAlias
+
+import numpy as np
+
+from elastica_cad._notebook import html_table
+from elastica_cad._types import ArrayLike
+from elastica_cad._values import counted, direction, is_whole, several, three
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.errors import InputError, quoted, refuse_options_unlike, refusing_old_names
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.sheets import Sheet, require_printable
+from elastica_cad.model.fixtures import EndFixture, end_fixtures
+from elastica_cad.model.frames import Rib, SlottedFrame, slotted_frame
+from elastica_cad.model.held_tabs import held_shapes
+from elastica_cad.model.interlocking import Joint, interlock
+from elastica_cad.model.nesting import CutList, NestedSheet, cut_list, nest_pieces
+from elastica_cad.model.plate_pairs import end_plates, facing_plates
+from elastica_cad.model.plates import BasePlate, Ring, base_plate
+from elastica_cad.refusals import Length, note
+from elastica_cad.strip.held_shape import HeldShape
+from elastica_cad.strip.makeable_strip import compensate_widths
+from elastica_cad.strip.pieces import (
+    EqualStrips,
+    Piece,
+    count_shapes,
+    cut_key,
+    group_equal_strips,
+    strip_pieces,
+)
+from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_placed, strip_names
+from elastica_cad.strip.uncuttable_parts import FabricationLimits
+
+Color: TypeAlias = tuple[float, float, float]
+"""Red, green and blue in 0..1, as on a screen."""
+
+FIXTURE_COLOR: Color = (0.30, 0.36, 0.42)
+"""Of printed blocks: dark, unlike any sheet."""
+
+_BY_NAME = {
+    "pom": (0.93, 0.93, 0.90),
+    "polypropylene": (0.88, 0.91, 0.93),
+    "petg": (0.72, 0.85, 0.88),
+    "acrylic": (0.66, 0.82, 0.90),
+    "gfrp": (0.78, 0.80, 0.60),
+}
+_BY_KIND = {
+    "plywood": (0.85, 0.70, 0.48),
+    "wood": (0.80, 0.62, 0.40),
+    "card": (0.94, 0.91, 0.84),
+    "board": (0.66, 0.50, 0.34),
+    "metal": (0.70, 0.72, 0.75),
+    "plastic": (0.85, 0.87, 0.88),
+    "composite": (0.78, 0.80, 0.60),
+}
+_UNKNOWN = (0.80, 0.74, 0.62)  # of sheets of no known kind: between wood and card
+
+
+def sheet_color(sheet: Sheet) -> Color:
+    """The colour of a sheet by its name, else by its kind.
+
+    Examples
+    --------
+    >>> sheet_color(Sheet.named("card-200gsm"))
+    (0.94, 0.91, 0.84)
+    """
+    sheet = Sheet.of(sheet)
+    for name, color in _BY_NAME.items():
+        if sheet.name.startswith(name):
+            return color
+    return _BY_KIND.get(sheet.kind, _UNKNOWN)
+
+
+LEAST_SPREAD = 0.2
+"""Least ratio of the spread of slots across to that along, with which strips hold two plates to each other."""
+
+
+@dataclass(frozen=True, eq=False)
+class Stand:
+    """What holds the strips.
+
+    Attributes
+    ----------
+    holders : tuple of BasePlate, Rib or EndFixture
+    sentence : str
+        What they are, and where no plates hold all tabs, why.
+    """
+
+    holders: tuple[BasePlate | Rib | EndFixture, ...]
+    sentence: str
+
+
+@refusing_old_names
+def stand(
+    placed: Sequence[Placed],
+    sheet: Sheet | str,
+    *,
+    name: str | None = None,
+    shop: FabricationLimits | None = None,
+    ignore_limits: bool = False,
+) -> Stand:
+    """Make the simplest holder that takes the tabs of all strips.
+
+    These are tried in turn, and the first that can be made is taken: one plate, two plates that the strips hold
+    apart, a slotted frame, a printed block for every end.
+
+    Parameters
+    ----------
+    placed : sequence of Placed
+        The strips in their places, with tabs.
+    sheet : Sheet or its name
+        What plates and frames are cut from.
+    name : str, optional
+        What one plate or two are called; rails, ribs and blocks are called by what they are.
+    shop : FabricationLimits, optional
+        What the workshop can cut; plates beyond it do not count as made.
+    ignore_limits : bool
+        Accept plates that the workshop cannot cut.
+
+    Returns
+    -------
+    Stand
+        The holders, and a sentence that says which of these they are.
+
+    Raises
+    ------
+    InputError
+        Strips without tabs.
+
+    Examples
+    --------
+    >>> from elastica_cad.strip.strip_spec import make_strip
+    >>> from elastica_cad.geometry.plane_curve import PlaneCurve
+    >>> arch = make_strip(PlaneCurve.arc((0, 0), 60, 3.1, 0.04), "birch-plywood-0.8", max_width=20)
+    >>> arches = [Placed(arch, (0, y, 0), (1, 0, 0), (0, 0, 1)) for y in (0, 40, 80)]
+    >>> print(stand(arches, Sheet.named("mdf-3")).sentence)
+    stands on one plate
+    """
+    sheet = Sheet.of(sheet)
+    gate: dict[str, Any] = {"shop": shop, "ignore_limits": ignore_limits}
+    ways: tuple[tuple[str, Callable[[], tuple[BasePlate | Rib, ...]]], ...] = (
+        (
+            "stands on one plate",
+            partial(end_plates, placed, sheet, together=True, name=name or "base", **gate),
+        ),
+        (
+            "held by two plates",
+            partial(_plates_apart, placed, sheet, gate | ({"name": name} if name else {})),
+        ),
+        ("held by a slotted frame", partial(_frame, placed, sheet, gate)),
+    )
+    problem = ""
+    for sentence, make in ways:
+        try:
+            return Stand(make(), sentence)
+        except InputError as error:
+            problem = str(error)
+    blocks = end_fixtures(placed)
+    if not blocks:
+        raise InputError(
+            "nothing can hold strips without tabs: give them ends of some length ({problem})", problem=problem
+        )
+    return Stand(
+        blocks,
+        note(
+            "held by a printed block at every end, for plates cannot hold all tabs: {problem}",
+            problem=problem,
+        ),
+    )
+
+
+def _plates_apart(placed: Sequence[Placed], sheet: Sheet, gate: Mapping[str, Any]) -> tuple[BasePlate, ...]:
+    """Two plates, where strips stand around and so hold them apart."""
+    plates = facing_plates(placed, sheet, **gate)
+    for plate in plates:
+        centers = np.array([slot.corners.mean(axis=0) for slot in plate.slots])
+        # one only, of a single slot
+        spreads = np.linalg.svd(centers - centers.mean(axis=0), compute_uv=False)
+        if len(plate.slots) < 3 or spreads[1] < LEAST_SPREAD * spreads[0]:
+            raise InputError("{name}: the slots lie in a row, so that the plate would tip", name=plate.name)
+    return plates
+
+
+def _frame(placed: Sequence[Placed], sheet: Sheet, gate: Mapping[str, Any]) -> tuple[BasePlate | Rib, ...]:
+    made = slotted_frame(placed, sheet, **gate)
+    return (*made.rails, *made.ribs)
+
+
+Triple: TypeAlias = tuple[float, float, float]
+
+MOST_PLACED = 100_000
+"""Largest number of strips of one model."""
+
+
+def mirror(
+    placed: Sequence[Placed],
+    point: Annotated[ArrayLike, Asked("A point on the plane.", "mm", written=Triple)] = (0.0, 0.0, 0.0),
+    normal: Annotated[ArrayLike, Asked("Across the plane.", written=Triple)] = (1.0, 0.0, 0.0),
+    *,
+    keep: Annotated[bool, Asked("Keep the original too.")] = True,
+) -> tuple[Placed, ...]:
+    """The mirror images in the plane through `point` across `normal`, behind the strips themselves if kept."""
+    n, p = direction(normal, "the normal of a mirror"), three(point, "the point of a mirror")
+    turn = np.eye(3) - 2 * np.outer(n, n)
+    images = tuple(one.moved(turn, 2 * (p @ n) * n) for one in placed)
+    return (*placed, *images) if keep else images
+
+
+def rotate(
+    placed: Sequence[Placed],
+    count: Annotated[int, Asked("How many in all.", least=1, most=1000)],
+    *,
+    axis: Annotated[ArrayLike, Asked("Direction of the axis.", written=Triple)] = (0.0, 0.0, 1.0),
+    point: Annotated[ArrayLike, Asked("A point on the axis.", "mm", written=Triple)] = (0.0, 0.0, 0.0),
+    step: Annotated[float | None, Asked("Angle between two; all around unless given.", "rad")] = None,
+) -> tuple[Placed, ...]:
+    """The strips `count` times about an axis, each `step` rad further; the full turn by `count` unless given."""
+    _require_count(count, len(placed))
+    require_declared(rotate, {"step": step}, "rotation")
+    k, p = direction(axis, "the axis of a rotation"), three(point, "the point of a rotation")
+    angle = 2 * np.pi / count if step is None else float(step)
+    cross = np.array([[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]])
+    copies = list(placed)
+    for i in range(1, count):
+        turn = np.eye(3) + np.sin(i * angle) * cross + (1 - np.cos(i * angle)) * cross @ cross
+        copies += [one.moved(turn, p - turn @ p) for one in placed]
+    return tuple(copies)
+
+
+def repeat(
+    placed: Sequence[Placed],
+    count: Annotated[int, Asked("How many in all.", least=1, most=1000)],
+    step: Annotated[ArrayLike, Asked("From one to the next.", "mm", written=Triple)],
+) -> tuple[Placed, ...]:
+    """The strips `count` times, the first where they are, each `step` (3,) mm further."""
+    _require_count(count, len(placed))
+    d = three(step, "the step of a pattern")
+    return tuple(one.moved(np.eye(3), i * d) for i in range(count) for one in placed)
+
+
+def _require_count(count: int, of: int) -> None:
+    require_declared(repeat, {"count": count}, "pattern")
+    if count * of > MOST_PLACED:
+        raise InputError(
+            "a pattern of {of} strips, {count} times: a model holds {most_placed} at most",
+            of=of,
+            count=quoted(count),
+            most_placed=MOST_PLACED,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """Strips in space.
+
+    Parameters
+    ----------
+    placed : sequence of Placed
+        In the order of assembly.
+    name : str
+        Titles and file names come from it.
+    reports : tuple of str
+        What was found on the way, one sentence each.
+    joints : tuple of Joint
+        Where strips were slotted into each other by `interlock`.
+    plates : tuple of Ring
+        Flat parts that belong to it, in their places: rings and caps of a surface of revolution.
+
+    Raises
+    ------
+    InputError
+        No strips.
+    """
+
+    placed: tuple[Placed, ...]
+    name: str = "model"
+    reports: tuple[str, ...] = ()
+    joints: tuple[Joint, ...] = ()
+    plates: tuple[Ring, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "placed", require_placed(self.placed))
+        object.__setattr__(self, "reports", several("reports", self.reports, str, "text"))
+        require_printable(self.name, "the model's name")
+        if not self.placed:
+            raise InputError("the model {name!r} has no strips", name=self.name)
+
+    @property
+    def strips(self) -> tuple[Strip, ...]:
+        """The strips in order, equal ones repeated."""
+        return tuple(placed.strip for placed in self.placed)
+
+    def name_of(self, index: int) -> str:
+        """Name of a strip in messages: its label, or its number counted from 1."""
+        return strip_names(self.placed)[self._place(index)]
+
+    def single_name_of(self, index: int) -> str:
+        """Return the name of strip `index`, with its place where other strips have the same label."""
+        return distinct_names(self.placed)[self._place(index)]
+
+    def _place(self, index: int) -> int:
+        if not is_whole(index) or not -len(self.placed) <= index < len(self.placed):
+            raise InputError(
+                "{index!r} is no strip of this model: give one of the places 0 to {given}",
+                index=index,
+                given=len(self.placed) - 1,
+            )
+        return index
+
+    def __repr__(self) -> str:
+        strips, joints = counted(len(self.placed), "strip"), counted(len(self.joints), "joint")
+        return f"<Model {self.name!r}, {strips}, {joints}>"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            {
+                "part": part.name, "cut": part.count, "sheet": part.strip.sheet.name,
+                "length, mm": f"{part.strip.rod.length:.1f}", "ratio": f"{part.strip.rod.ratio:.3g}",
+                "strain": f"{part.strip.max_strain:.2%}",
+            }
+            for part in self.parts
+        ]  # fmt: skip
+        return html_table(repr(self), rows)
+
+    @cached_property
+    def parts(self) -> tuple[EqualStrips, ...]:
+        """Strips to be cut: equal ones once, with their count; see `group_equal_strips`."""
+        return group_equal_strips(self.placed)
+
+    @cached_property
+    def shape_count(self) -> int:
+        """Number of different shapes of the strips, whatever is engraved on them."""
+        return count_shapes(self.parts)
+
+    def with_strips(self, strips: Sequence[Strip]) -> "Model":
+        """The model with other strips in the same places."""
+        new = several("strips", strips, Strip, "Strip")
+        if len(new) != len(self.placed):
+            raise InputError(
+                "the model has {count} strips, not {count_2}: give a Strip record for each",
+                count=len(self.placed),
+                count_2=len(new),
+            )
+        pairs = zip(self.placed, new, strict=True)
+        return replace(self, placed=tuple(placed.with_strip(strip) for placed, strip in pairs))
+
+    def interlock(self, **options: Any) -> "Model":
+        """The model with slots wherever two bent strips cross, cut half way into each.
+
+        Options are those of `model.interlock`: clearance, fit, relief, pairs, above; so are the errors.
+        """
+        refuse_options_unlike(options, interlock, "interlock")
+        found = interlock(self.placed, **options)
+        return replace(
+            self,
+            placed=found.placed,
+            joints=(*self.joints, *found.joints),
+            reports=(*self.reports, *found.reports),
+        )
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """Drawings of what is cut: as `parts`, with each layer of a laminate as a piece, then the plates."""
+        return (*strip_pieces(self.parts), *(plate.piece for plate in self.plates))
+
+    def fixtures(self, *, floor: Frame | None = None, **sizes: Any) -> tuple[EndFixture, ...]:
+        """Printed blocks that hold both ends of every strip; sizes are those of `EndFixture`."""
+        return end_fixtures(self.placed, floor=floor, **sizes)
+
+    def base_plate(self, sheet: Sheet | str, **options: Any) -> BasePlate:
+        """One slotted plate for all tabs that stand on it; options: see `model.base_plate`."""
+        refuse_options_unlike(options, base_plate, "a base plate")
+        return base_plate(self.placed, sheet, **options)
+
+    def slotted_frame(self, sheet: Sheet | str, **options: Any) -> SlottedFrame:
+        """Rails for the tabs of both ends, joined by ribs; options: see `model.slotted_frame`."""
+        refuse_options_unlike(options, slotted_frame, "a slotted frame")
+        return slotted_frame(self.placed, sheet, **options)
+
+    def nest(self, *, others: Iterable[Piece] = (), **options: Any) -> tuple[NestedSheet, ...]:
+        """Drawings of all sheets to be cut: the strips and other pieces.
+
+        Options are those of `model.nest_pieces`: sheet_size, margin, kerf, name.
+        """
+        refuse_options_unlike(options, nest_pieces, "a nest")
+        more = several("other pieces", others, Piece, "Piece")
+        return nest_pieces((*self.pieces, *more), **{"name": f"{self.name}-nest", **options})
+
+    def cut_list(self, others: Iterable[Piece] = ()) -> CutList:
+        """Return the list of all pieces, equal ones once with their count."""
+        return cut_list((*self.pieces, *several("other pieces", others, Piece, "Piece")))
+
+    def held(self, *holders: object) -> tuple[HeldShape, ...]:
+        """The shape that each strip takes as it is made, in its rings and these holders: see `Strip.held`."""
+        return held_shapes(self.placed, (*self.plates, *holders))
+
+    def mirrored(
+        self, point: ArrayLike = (0.0, 0.0, 0.0), normal: ArrayLike = (1.0, 0.0, 0.0), *, keep: bool = True
+    ) -> "Model":
+        """The mirror image in the plane through `point` across `normal`, and the strips themselves if kept."""
+        return self._arranged(mirror(self.placed, point, normal, keep=keep))
+
+    def rotated(self, count: int, **options: Any) -> "Model":
+        """The strips `count` times about an axis, the first where they are.
+
+        Options: axis (3,), point (3,) and step, rad; about z, one full turn in all, unless given.
+        """
+        refuse_options_unlike(options, rotate, "a rotated model")
+        return self._arranged(rotate(self.placed, count, **options))
+
+    def repeated(self, count: int, step: ArrayLike) -> "Model":
+        """The strips `count` times, the first where they are, each `step` (3,) mm further."""
+        return self._arranged(repeat(self.placed, count, step))
+
+    def _arranged(self, placed: tuple[Placed, ...]) -> "Model":
+        if self.plates:
+            raise InputError(
+                "the model {name!r} has {name_2}, made for its strips where they are: repeat the "
+                "strips without rings",
+                name=self.name,
+                name_2=self.plates[0].name,
+            )
+        return replace(self, placed=placed)
+
+
+LARGEST = 0.15
+"""Largest change of the logarithm of a width. Strips that become wider at their ends are narrower elsewhere."""
+
+WIDENED, GENTLER = 1.1, 0.7
+"""As much wider a strip becomes at once so that no joint is lost; where that would need more, its largest change is
+made so much smaller instead: a wider strip has wider shoulders beside its tabs, which cost more than is gained."""
+
+ROUNDS, MOST_ROUNDS = 2, 10
+"""Usual and largest number of rounds: wider strips have deeper slots, and joints may be lost."""
+
+
+def interlock_compensated(model: Model, which: Container[str], **options: Any) -> Model:
+    """The model interlocked, with widths that make up for the slots.
+
+    Strips that would no longer reach each other, narrower as they get, are widened as a whole by as much as they
+    lost there, which changes no shape and is reported; where that is much, less is made up for. What is left is
+    each strip's `held_deviation`.
+
+    Parameters
+    ----------
+    model : Model
+        Not interlocked yet.
+    which : container of str
+        Labels of the strips whose widths may change.
+    **options
+        Those of `Model.interlock`, and its errors.
+    """
+    first = locked = model.interlock(**options)
+    wider, largest, left = [1.0] * len(model.strips), [LARGEST] * len(model.strips), ROUNDS
+    for _ in range(MOST_ROUNDS):
+        # slots are cut anew: where widths change, those of the round before need not reach the edge
+        known: dict[Any, Strip] = {}
+        strips = list(model.strips)
+        for k, (one, cut) in enumerate(zip(model.strips, locked.strips, strict=True)):
+            if one.label not in which:
+                continue
+            alike = cut_key(cut), largest[k]
+            if alike not in known:
+                known[alike] = compensate_widths(cut, largest=largest[k])
+            strips[k] = _widened(replace(one, correction=known[alike].correction), wider[k])
+        locked = model.with_strips(strips).interlock(**options)
+        lost = _lost(first, locked)
+        left = ROUNDS if lost else left - 1
+        if not left:
+            break
+        for k, narrower in _narrowed(lost, model, locked).items():
+            if narrower > WIDENED:
+                largest[k] *= GENTLER
+            else:
+                wider[k] *= narrower
+    told = tuple(
+        note(
+            "{strip} is {width:.4g} wide at most, not {asked:.4g}, so that it still locks into its neighbours",
+            strip=model.name_of(k), width=Length(strip.max_width), asked=Length(one.max_width),
+        )
+        for k, (one, strip) in enumerate(zip(model.strips, locked.strips, strict=True))
+        if strip.max_width is not None and one.max_width is not None and strip.max_width > one.max_width
+    )  # fmt: skip
+    return replace(locked, reports=(*locked.reports, *told))
+
+
+def _widened(strip: Strip, scale: float) -> Strip:
+    if scale == 1 or strip.max_width is None or strip.rod.bending_stiffness is not None:
+        return strip
+    return replace(strip, max_width=scale * strip.max_width)
+
+
+def _lost(before: Model, after: Model) -> list[tuple[int, float]]:
+    """Strips, and places on them, mm, of joints that are no more.
+
+    Two strips may meet more than once: each joint that is left is the nearest one of before.
+    """
+    gone = [(joint.members, [slot.at for slot in joint.slots]) for joint in before.joints]
+    for joint in after.joints:
+        same = [one for one in gone if one[0] == joint.members]
+        if same:
+            gone.remove(min(same, key=lambda one: abs(one[1][0] - joint.slots[0].at)))
+    return [place for members, places in gone for place in zip(members, places, strict=True)]
+
+
+def _narrowed(lost: list[tuple[int, float]], before: Model, after: Model) -> dict[int, float]:
+    """Largest share by which each strip became narrower at the joints that it lost."""
+    found: dict[int, float] = {}
+    for k, at in lost:
+        narrower = float(before.strips[k].width(at) / after.strips[k].width(at))
+        found[k] = max(1.0, narrower, found.get(k, 1.0))
+    return found

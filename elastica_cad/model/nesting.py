@@ -1,0 +1,471 @@
+"""Nested sheets, and the cut list of every piece."""
+
+import csv
+import io
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Annotated
+
+import numpy as np
+
+from elastica_cad._values import require_number, require_record, several
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.path import Path
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.refusals import Length, note
+from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, DEFAULT_KERF_MM, SHEET, Drawing, LayeredPath
+from elastica_cad.strip.layers import Layer
+from elastica_cad.strip.pieces import FlatShape, Piece
+
+SLACK_MM = 1e-9
+"""Tolerance, mm, for a piece as large as its row."""
+
+_TIE_DECIMALS = 6
+"""Decimals of mm to which sizes are compared: pieces of equal size stay in their order."""
+
+LEAST_GAP_MM = 0.01
+"""Least distance between the paths of the tool, mm; loops that touch cannot be offset by the kerf."""
+
+
+@dataclass(frozen=True)
+class Nesting:
+    """Sheets that pieces are laid on: (width, height) and least distance, mm."""
+
+    sheet_size: Annotated[tuple[float, float], Asked("Width and height of the sheets.", "mm", above=0)] = (
+        600.0,
+        400.0,
+    )
+    margin: Annotated[float, Asked("Least distance between parts.", "mm", least=0)] = 2.0
+
+    def __post_init__(self) -> None:
+        require_declared(Nesting, vars(self))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class NestedSheet(Drawing):
+    """The drawing of one sheet with its pieces and its border; the sheet's lower left corner is the origin.
+
+    Attributes
+    ----------
+    sheet : Sheet
+        The material.
+    sheet_size : (width, height)
+        mm.
+    pieces : tuple of str
+        Names of the pieces, one for each that is cut.
+    used : float
+        Area of the rows that hold pieces, margins included, mm2.
+    filled : float
+        Area of the pieces' bounding boxes, each with its margin, mm2.
+    share : float
+        Of the whole sheet, what the pieces themselves take.
+    """
+
+    sheet: Sheet | None = None
+    sheet_size: tuple[float, float] = (0.0, 0.0)
+    pieces: tuple[str, ...] = ()
+    used: float = 0.0
+    filled: float = 0.0
+    share: float = 0.0
+
+    @property
+    def grain(self) -> str:
+        """Sentence on the direction of the grain; empty for sheets without grain."""
+        if self.sheet is None or self.sheet.grain == "none":
+            return ""
+        return note("the grain runs along x, the side of {side:g}", side=Length(self.sheet_size[0]))
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """Number of each piece on this sheet."""
+        return dict(Counter(self.pieces))
+
+
+@dataclass(frozen=True)
+class _Box:
+    """A piece to be laid, with its margin: index, size along the rows and across them, turned by a quarter."""
+
+    piece: int
+    long: float
+    wide: float
+    turned: bool
+
+
+@dataclass
+class _Row:
+    """A row of boxes: where it begins across the sheet, how wide it is, how much of its length is taken."""
+
+    start: float
+    wide: float
+    taken: float = 0.0
+
+
+@dataclass(frozen=True)
+class _Place:
+    box: _Box
+    sheet: int
+    x: float
+    y: float
+
+
+def nest_pieces(
+    pieces: Iterable[Piece],
+    *,
+    sheet_size: tuple[float, float] = (600.0, 400.0),
+    margin: float = 2.0,
+    kerf: float | None = DEFAULT_KERF_MM,
+    name: str = "nest",
+) -> tuple[NestedSheet, ...]:
+    """Lay pieces on as few sheets as rows allow; every material has sheets of its own.
+
+    Rows follow the long or the short side of the sheet, whichever takes fewer sheets, then less of the last
+    one; within a row pieces lie as drawn or, without grain, turned by a quarter. With grain, which runs along
+    the width of the sheet, `Sheet.grain` decides.
+
+    Parameters
+    ----------
+    pieces : iterable of Piece
+        Each is laid `count` times.
+    sheet_size : (width, height)
+        mm.
+    margin : float
+        Least distance between pieces, and to the edge of the sheet, mm.
+    kerf : float or None
+        What the drawings will be moved by when they are written (`compensate_kerf`), mm; None for each sheet's own.
+        The margin is kept between the loops as the tool runs.
+    name : str
+        The drawings are called after it, the material and their number.
+
+    Returns
+    -------
+    tuple of NestedSheet
+        Drawings in the order of materials, then sheets.
+
+    Raises
+    ------
+    InputError
+        A piece larger than the sheet, a sheet or margin that is not possible.
+
+    Notes
+    -----
+    Best fit of boxes by falling width (shelf packing; Lodi, Martello and Monaci, Two-dimensional packing
+    problems, EJOR 141, 2002). Boxes are the exact bounds of what is cut, so boxes that keep the margin prove
+    that curves keep it.
+    """
+    asked = Nesting(sheet_size, margin)
+    if kerf is not None:
+        require_number(kerf, "the kerf", "mm")
+    width, height = map(float, asked.sheet_size)
+    groups: dict[Sheet, list[Piece]] = {}
+    for piece in several("pieces", pieces, Piece, "Piece"):
+        groups.setdefault(piece.sheet, []).append(piece)
+    drawings: list[NestedSheet] = []
+    for sheet, group in groups.items():
+        widened = widened_by(sheet, kerf)
+        apart = widened + (max(margin, LEAST_GAP_MM) if widened else margin)
+        drawings += _nested_group(sheet, group, (width, height), apart, name)
+    return tuple(drawings)
+
+
+def widened_by(sheet: Sheet, kerf: float | None) -> float:
+    """Amount, mm, by which the path of the tool is wider than a piece; a `kerf` of None is that of the sheet."""
+    return max(sheet.kerf if kerf is None else kerf, 0.0)
+
+
+def _nested_group(
+    sheet: Sheet, pieces: Sequence[Piece], size: tuple[float, float], margin: float, name: str
+) -> list[NestedSheet]:
+    """All sheets of one material: rows are tried along either side of the sheet."""
+    best: tuple[tuple[float, float], bool, list[_Place]] | None = None
+    for upright in (False, True):
+        room = (size[1] - margin, size[0] - margin) if upright else (size[0] - margin, size[1] - margin)
+        boxes = [_boxes(i, piece, margin, room, upright) for i, piece in enumerate(pieces)]
+        if not all(boxes):
+            continue
+        places = _packed(boxes, pieces, room)
+        count = max(place.sheet for place in places)
+        last = _rounded(max(place.y + place.box.wide for place in places if place.sheet == count) * room[0])
+        if best is None or (count, last) < best[0]:
+            best = ((count, last), upright, places)
+    if best is None:
+        raise InputError(_too_large(pieces, size, margin))
+    _, upright, places = best
+    return [
+        _drawing(
+            sheet,
+            pieces,
+            [p for p in places if p.sheet == number],
+            size,
+            margin,
+            upright,
+            f"{name}-{number + 1}",
+        )
+        for number in range(max(place.sheet for place in places) + 1)
+    ]
+
+
+def _turns(piece: Piece) -> tuple[bool, ...]:
+    """May the piece lie as drawn, turned by a quarter? The grain runs along x of the sheet."""
+    return {"along": (False,), "across": (True,)}.get(piece.sheet.grain, (False, True))
+
+
+def _boxes(index: int, piece: Piece, margin: float, room: tuple[float, float], upright: bool) -> list[_Box]:
+    """The ways in which a piece may lie in the rows and fits the sheet."""
+    x, y = (side + margin for side in piece.size)
+    found = []
+    for turned in _turns(piece):
+        long, wide = (y, x) if turned != upright else (x, y)
+        if long <= room[0] + SLACK_MM and wide <= room[1] + SLACK_MM:
+            found.append(_Box(index, long, wide, turned))
+    return sorted(found, key=lambda box: _rounded(box.wide))
+
+
+def _packed(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float, float]) -> list[_Place]:
+    """Best fit by falling width: a box goes into the row that it fills best, else into a new one."""
+    queue = [ways for ways, piece in zip(boxes, pieces, strict=True) for _ in range(piece.count)]
+    queue.sort(key=lambda ways: (-_rounded(ways[0].wide), -_rounded(ways[0].long)))
+    sheets: list[list[_Row]] = []
+    places: list[_Place] = []
+    for ways in queue:
+        fits = [
+            (_rounded(row.wide - box.wide), _rounded(room[0] - row.taken - box.long), number, k, box)
+            for number, rows in enumerate(sheets)
+            for k, row in enumerate(rows)
+            for box in ways
+            if box.wide <= row.wide + SLACK_MM and row.taken + box.long <= room[0] + SLACK_MM
+        ]
+        if fits:
+            _, _, number, k, box = min(fits, key=lambda fit: fit[:4])
+            row = sheets[number][k]
+        else:
+            box = ways[0]
+            roomy = [i for i, rows in enumerate(sheets) if _ends(rows) + box.wide <= room[1] + SLACK_MM]
+            number = roomy[0] if roomy else len(sheets)
+            if not roomy:
+                sheets.append([])
+            row = _Row(_ends(sheets[number]), box.wide)
+            sheets[number].append(row)
+        places.append(_Place(box, number, row.taken, row.start))
+        row.taken += box.long
+    return places
+
+
+def _rounded(size: float) -> float:
+    """The size by which pieces are compared."""
+    return round(size, _TIE_DECIMALS)
+
+
+def _ends(rows: Sequence[_Row]) -> float:
+    """End of the last row of a sheet, mm."""
+    return rows[-1].start + rows[-1].wide if rows else 0.0
+
+
+def _drawing(
+    sheet: Sheet,
+    pieces: Sequence[Piece],
+    places: Sequence[_Place],
+    size: tuple[float, float],
+    margin: float,
+    upright: bool,
+    name: str,
+) -> NestedSheet:
+    """The drawing of one sheet, its pieces in the order of the model."""
+    room = size[1] - margin if upright else size[0] - margin
+    laid = []
+    for place in sorted(places, key=lambda place: place.box.piece):
+        piece = pieces[place.box.piece]
+        x, y = (place.y, place.x) if upright else (place.x, place.y)
+        laid.append(piece.drawing.transformed(_matrix(piece, place.box.turned, x + margin, y + margin)))
+    merged = Drawing.merged(f"{name}-{sheet.name}", laid)
+    rows = max(place.y + place.box.wide for place in places)
+    return NestedSheet(
+        merged.name,
+        (LayeredPath(SHEET, Path.rectangle(*size)), *merged.paths),
+        merged.texts,
+        sheet=sheet,
+        sheet_size=size,
+        pieces=tuple(pieces[place.box.piece].name for place in sorted(places, key=lambda p: p.box.piece)),
+        used=rows * room,
+        filled=sum(place.box.long * place.box.wide for place in places),
+        share=sum(pieces[place.box.piece].area for place in places) / (size[0] * size[1]),
+    )
+
+
+def _matrix(piece: Piece, turned: bool, x: float, y: float) -> np.ndarray:
+    """Moves the piece, turned by a quarter if asked, so that the corner of its bounds lies at (x, y)."""
+    (x0, y0), (_, y1) = piece.bounds
+    if turned:
+        return np.array([[0.0, -1.0, x + y1], [1.0, 0.0, y - x0], [0.0, 0.0, 1.0]])
+    return np.array([[1.0, 0.0, x - x0], [0.0, 1.0, y - y0], [0.0, 0.0, 1.0]])
+
+
+def _too_large(pieces: Sequence[Piece], size: tuple[float, float], margin: float) -> str:
+    for piece in pieces:
+        if not any(_boxes(0, piece, margin, (size[0] - margin, size[1] - margin), False)):
+            x, y = piece.size
+            return note(
+                "{piece}: {x:.4g} by {y:.4g} is larger than a sheet of {long:g} by {short:g} with a margin "
+                "of {margin:g}: use a larger sheet or make the part in pieces" if piece.sheet.grain == "none" else
+                "{piece}: {x:.4g} by {y:.4g} is larger than a sheet of {long:g} by {short:g} with a margin "
+                "of {margin:g} with the grain {grain} it: use a larger sheet or make the part in pieces",
+                piece=piece.name, x=x, y=Length(y), long=size[0], short=Length(size[1]), margin=Length(margin),
+                grain=piece.sheet.grain,
+            )  # fmt: skip
+    raise AssertionError("every piece fits the sheet")
+
+
+IN_FILES = {
+    "part": "{0.part}", "sheet": "{0.sheet}", "thickness_mm": "{0.thickness:g}", "length_mm": "{0.length:.2f}",
+    "width_mm": "{0.width:.2f}", "count": "{0.count}", "file": "{0.file}", "cut_length_mm": "{0.cut_length:.1f}",
+    "mass_g": "{0.mass:.3f}", "grain": "{0.grain}", "same_shape_as": "{0.like}",
+}  # fmt: skip
+"""Columns of the list in a file, with how a row says them."""
+
+FOR_PEOPLE = {
+    "part": "{0.part}", "sheet": "{0.sheet}", "mm": "{0.thickness:g}", "size mm": "{0.length:.1f} x {0.width:.1f}",
+    "count": "{0.count}", "cut mm": "{0.cut_length:.0f}", "g": "{0.mass:.2f}", "grain": "{0.grain}",
+    "shape as": "{0.like}", "file": "{0.file}",
+}  # fmt: skip
+"""The same of the table."""
+
+SUMMED = ("count", "cut mm", "g")
+
+
+@dataclass(frozen=True)
+class CutListRow:
+    """One line of the list; lengths in mm, masses in g, `cut_length` and `mass` of one piece.
+
+    `grain` says how `length` lies to the grain of the sheet, empty without one; `like` names the first piece of the
+    same shape, turned about or over, which differs in what is engraved alone.
+    """
+
+    part: str
+    sheet: str
+    thickness: float
+    length: float
+    width: float
+    count: int
+    cut_length: float
+    mass: float
+    file: str
+    grain: str = ""
+    like: str = ""
+
+
+@dataclass(frozen=True)
+class CutList:
+    """What is cut; `csv` for programs, `str()` for people.
+
+    Attributes
+    ----------
+    rows : tuple of CutListRow
+    """
+
+    rows: tuple[CutListRow, ...]
+
+    @property
+    def count(self) -> int:
+        """Number of all pieces."""
+        return sum(row.count for row in self.rows)
+
+    @property
+    def shapes(self) -> int:
+        """Number of different shapes, whatever is engraved on them."""
+        return sum(not row.like for row in self.rows)
+
+    @property
+    def cut_length(self) -> float:
+        """Length of all cuts, mm."""
+        return sum(row.count * row.cut_length for row in self.rows)
+
+    @property
+    def mass(self) -> float:
+        """Mass of all pieces, g."""
+        return sum(row.count * row.mass for row in self.rows)
+
+    @property
+    def csv(self) -> str:
+        """Comma separated values with a header line; units are in the header.
+
+        A text that a spreadsheet would compute has an apostrophe before it.
+        """
+        stream = io.StringIO()
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(IN_FILES)
+        writer.writerows([_cell(text.format(row)) for text in IN_FILES.values()] for row in self.rows)
+        return stream.getvalue()
+
+    def in_files(self, files: Mapping[str, str]) -> "CutList":
+        """The list with the files that hold the parts, by their names; the others keep theirs."""
+        require_record(files, Mapping, "the names of files", "a mapping from part to file")
+        return CutList(tuple(replace(row, file=files.get(row.part, row.file)) for row in self.rows))
+
+    def __str__(self) -> str:
+        """A table for people, with the sums below."""
+        body = [[text.format(row) for text in FOR_PEOPLE.values()] for row in self.rows]
+        sums = [FOR_PEOPLE[name].format(self) if name in SUMMED else "" for name in FOR_PEOPLE]
+        return _table([[*FOR_PEOPLE], *body, ["in all", *sums[1:]]], right=(2, 3, 4, 5, 6))
+
+
+def _cell(text: str) -> str:
+    """The text, with the mark of one where a spreadsheet would take it for a formula."""
+    return f"'{text}" if text[:1] in tuple("=+-@\t\r") else text
+
+
+def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) -> CutList:
+    """The cut list of pieces, in their order.
+
+    Parameters
+    ----------
+    pieces : iterable of Piece
+    files : mapping, optional
+        From a piece's name to its file; `file_stem` with .dxf where not given.
+    """
+    rows, pieces = [], several("pieces", pieces, Piece, "Piece")
+    seen: list[tuple[FlatShape, str]] = []
+    for piece in pieces:
+        length, width = piece.size
+        rows.append(
+            CutListRow(
+                piece.name,
+                piece.sheet.name,
+                piece.sheet.thickness,
+                length,
+                width,
+                piece.count,
+                piece.cut_length,
+                piece.mass,
+                f"{piece.file_stem}.dxf",
+                "" if piece.sheet.grain == "none" else piece.sheet.grain,
+                _like(piece, seen),
+            )
+        )
+    return CutList(tuple(rows)).in_files({} if files is None else files)
+
+
+def _like(piece: Piece, seen: list[tuple[FlatShape, str]]) -> str:
+    """The first piece of the same shape, among those seen; this one joins them where there is none."""
+    outer = piece.drawing.on(CUT_OUTER)
+    if len(outer) != 1 or piece.worked is not None:  # what the drawing shows does not tell them apart
+        return ""
+    shape = FlatShape((Layer(piece.sheet, outer[0], piece.drawing.on(CUT_INNER)),))
+    first = next((name for other, name in seen if other.equals(shape)), "")
+    if not first:
+        seen.append((shape, piece.name))
+    return first
+
+
+def _table(rows: Sequence[Sequence[str]], *, right: Sequence[int]) -> str:
+    widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
+    lines = []
+    for row in rows:
+        cells = [
+            cell.rjust(width) if k in right else cell.ljust(width)
+            for k, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ]
+        lines.append("  ".join(cells).rstrip())
+    lines.insert(1, "-" * max(map(len, lines)))
+    lines.insert(-1, lines[1])
+    return "\n".join(lines) + "\n"

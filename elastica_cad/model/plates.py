@@ -1,0 +1,647 @@
+"""Slotted plates that hold tabs: base plates, rings and caps."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Annotated, Any, Literal, Self
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import several
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.errors import InputError, refusing_old_names
+from elastica_cad.geometry.frame import Frame, frame_or_plain
+from elastica_cad.geometry.offset import offset_path
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_points import boxes_about, boxes_meet
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.fixtures import PlacedTab, require_ends, tabs_to_hold
+from elastica_cad.refusals import Length as Mm
+from elastica_cad.refusals import note
+from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
+from elastica_cad.strip.lettering import Text, engravable, text_width
+from elastica_cad.strip.outline import ENDS, StripEnd
+from elastica_cad.strip.pieces import Piece
+from elastica_cad.strip.slots import CLEARANCE_MM
+from elastica_cad.strip.solids import FlatSolid, convex_corners
+from elastica_cad.strip.strip import Placed, require_placed
+from elastica_cad.strip.uncuttable_parts import (
+    FabricationLimits,
+    accept_faults,
+    find_plate_faults,
+    find_shoulder_faults,
+    find_slot_faults,
+)
+
+FLATTEST_RAD = np.radians(15.0)
+"""Tabs at less than this angle to a plate would need slots over four times its thickness wide."""
+
+LEAST_OPENING_SHARE = 0.4
+"""A round plate has an opening only if the opening is larger than this share of it."""
+
+LABEL_MM = 4.0
+"""Height of engraved names, where there is room."""
+
+BELOW_MM = 1e-6
+"""A tab goes through a plate if it ends farther below its face than this, mm."""
+
+Shape = Literal["hull", "rectangle", "ring"]
+
+
+@dataclass(frozen=True, eq=False)
+class TabSlot:
+    """A slot of a base plate.
+
+    Attributes
+    ----------
+    corners : (4, 2) array
+        In the plate's frame, anticlockwise, mm; the first side runs across the tab.
+    name : str
+        The tab's.
+    through : float
+        Thickness of the tab, mm.
+    tab : PlacedTab or None
+        What goes through it; None for a tongue of another plate.
+    """
+
+    corners: FloatArray
+    name: str
+    through: float
+    tab: PlacedTab | None = None
+
+    @property
+    def path(self) -> Path:
+        """The closed loop to cut."""
+        return Path.polygon(self.corners)
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Across the tab and through it, mm."""
+        a, b = np.hypot(*(self.corners[1:3] - self.corners[:2]).T)
+        return float(a), float(b)
+
+
+@dataclass(frozen=True, eq=False)
+class BasePlate:
+    """A plate with a slot for every tab.
+
+    Attributes
+    ----------
+    sheet : Sheet
+    frame : Frame
+        Its upper face, z up.
+    outline : Path
+        Closed, in the frame.
+    slots : tuple of TabSlot
+    name : str
+    warnings : tuple of str
+        Why it should not be cut, where it was made all the same.
+    opening : Path or None
+        A closed loop in its middle that is cut out.
+    glued : bool
+        Are its tabs glued at their angle, with feet?
+    """
+
+    sheet: Sheet
+    frame: Frame
+    outline: Path
+    slots: tuple[TabSlot, ...] = ()
+    name: str = "base"
+    warnings: tuple[str, ...] = ()
+    opening: Path | None = None
+    glued: bool = False
+
+    @property
+    def _inner(self) -> tuple[Path, ...]:
+        """All loops that are cut out."""
+        return (*(slot.path for slot in self.slots), *(() if self.opening is None else (self.opening,)))
+
+    def checked(self, shop: FabricationLimits | None = None, *, ignore_limits: bool = False) -> Self:
+        """The plate with what is to be said of it; one that cannot be cut is refused without `ignore_limits`.
+
+        Raises
+        ------
+        InputError
+            Slots that meet or are far wider than their tabs, thin bridges, a plate larger than the stock.
+        """
+        _refuse_meetings(self.slots, self.name)
+        called = [note("the slot of {name}", name=slot.name) for slot in self.slots]
+        faults = (
+            *find_slot_faults(self.name, [(slot.name, slot.size[1], slot.through) for slot in self.slots]),
+            *find_plate_faults(self.name, self.sheet, self.outline, self._inner, shop, called),
+        )
+        return replace(self, warnings=accept_faults(faults, ignore_limits))
+
+    @property
+    def solid(self) -> FlatSolid:
+        """The plate in space, behind its frame."""
+        thickness = self.sheet.thickness
+        return FlatSolid(self.outline, self._inner, thickness, self.frame.shifted(z=-thickness))
+
+    @cached_property
+    def drawing(self) -> Drawing:
+        """The cut pattern seen from above, every slot with the name of its tab."""
+        paths = [LayeredPath(CUT_INNER, path) for path in self._inner]
+        texts = (*(self._label(slot) for slot in self.slots), *self._name())
+        return Drawing(self.name, (*paths, LayeredPath(CUT_OUTER, self.outline)), texts)
+
+    @property
+    def piece(self) -> Piece:
+        """The plate as a piece to be cut."""
+        return Piece(self.name, self.drawing, self.sheet)
+
+    def _name(self) -> tuple[Text, ...]:
+        """Its name between opening and slots: of two rings that stand together each says which one it is."""
+        if self.opening is None:
+            return ()
+        center, inner = self.opening.bounds.mean(axis=0), float(np.ptp(self.opening.bounds[:, 0])) / 2
+        free, _ = around([slot.corners for slot in self.slots], center, CLEAR_MM)
+        return _rim_text(self.name, inner + CLEAR_MM, free, center)
+
+    def _label(self, slot: TabSlot) -> Text:
+        """The name along the slot, reading upright above it, or below where another slot is in the way."""
+        a, b, c, _ = slot.corners
+        along, off = (b - a) / np.hypot(*(b - a)), (c - b) / np.hypot(*(c - b))
+        if along[0] < -1e-9 or (abs(along[0]) <= 1e-9 and along[1] < 0):
+            along, off = -along, -off
+        height, name = min(LABEL_MM, 0.2 * slot.size[0]), engravable(slot.name)
+        long, far = text_width(name, height) / 2, slot.size[1] / 2 + 0.5 * height
+        others = np.array([other.corners for other in self.slots if other is not slot])
+        bases = [slot.corners.mean(axis=0) + shift * off for shift in (far, -far - height)]
+        boxes = np.array([[p - long * along, p + long * along] for p in bases])
+        room = [1.0, 1.0]
+        if others.size:
+            labels = np.concatenate([boxes, boxes[:, ::-1] + height * off], axis=1)
+            room = _gaps(labels[:, None], others).min(axis=1).tolist()
+        start = boxes[0 if room[0] > 0.2 * height or room[0] >= room[1] else 1][0]
+        angle = float(np.arctan2(along[1], along[0]))
+        return Text((float(start[0]), float(start[1])), name, height, angle, ENGRAVE)
+
+
+BASE_PLAY_MM, BASE_BORDER_MM = 0.5, 12.0
+"""Room beside a tab on either side, and material about the slots of a base plate, mm, unless asked otherwise."""
+
+
+@refusing_old_names
+def base_plate(
+    placed: Sequence[Placed],
+    sheet: Sheet | str,
+    *,
+    frame: Frame | None = None,
+    play: Annotated[
+        float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)
+    ] = BASE_PLAY_MM,
+    clearance: Annotated[
+        float, Asked("Added to the width of slots.", "mm", least=0, most=1000)
+    ] = CLEARANCE_MM,
+    slot_width: Annotated[float | None, Asked("Least width of slots.", "mm", least=0, most=1000)] = None,
+    border: Annotated[
+        float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)
+    ] = BASE_BORDER_MM,
+    shape: Annotated[Shape, Asked("Outline of the plate.")] = "hull",
+    ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS,
+    name: Annotated[str, Asked("Name of its files.")] = "base",
+    shop: FabricationLimits | None = None,
+    ignore_limits: bool = False,
+) -> BasePlate:
+    """One plate with a slot for every tab that stands on it.
+
+    A tab goes on straight through the plate: a slot is as wide as the tab's way between upper and lower face
+    asks for with a vertical cut, h / sin(phi) + H |cot(phi)| + clearance, where phi is the tab's angle to the
+    plate, h its thickness and H the plate's.
+
+    Parameters
+    ----------
+    placed : sequence of Placed
+    sheet : Sheet or its name
+        Of the plate.
+    frame : Frame, optional
+        The plate's upper face, z up; the plane z = 0 unless given.
+    play : float
+        Room beside the tab on either side, mm.
+    clearance : float
+        Added to the width of slots, mm.
+    slot_width : float, optional
+        Least width of slots, mm.
+    border : float
+        Least distance of slots from the edge, mm.
+    shape : "hull", "rectangle" or "ring"
+        The outline around all slots; "ring" is round, with an opening where that would leave some.
+    ends : sequence of "start" and "end"
+        Which tabs may stand on it.
+    name : str
+    shop : FabricationLimits, optional
+        What the workshop can make: bridges between slots, the largest sheet.
+    ignore_limits : bool
+        Make a plate that the workshop cannot, and say so in its warnings.
+
+    Raises
+    ------
+    InputError
+        No tab goes through the plate, one lies too flat, two slots meet, slots far wider than their tabs, bridges
+        too thin to cut, a leaning strip wider than its tab that runs into the plate; the parts are named.
+    """
+    require_declared(base_plate, locals(), f"{name}:")
+    sheet = Sheet.of(sheet)
+    placed, ground = require_placed(placed), frame_or_plain(frame)
+    slot_width = 0.0 if slot_width is None else slot_width
+    require_ends(ends)
+    widths = [one.strip.end_widths[ENDS.index(end)] for one in placed for end in ends]
+    tabs = tabs_to_hold(placed, ends)
+    if not tabs:
+        raise InputError("{name}: there is no strip for it to hold: name other strips or ends", name=name)
+    standing = [(tab, wide) for tab, wide in zip(tabs, widths, strict=True) if _stands_in(tab, ground)]
+    if not standing:
+        heights = [float(ground.local(tab.tip)[2]) for tab in tabs]
+        raise InputError(
+            "{name}: no tab of the model goes down through the plate, their tips are "
+            "{heights:.0f} to {heights_2:.0f} above its upper face: move the plate to where the "
+            "strips end, give the strips longer tabs, or hold ends that come from below by rings",
+            name=name,
+            heights=min(heights),
+            heights_2=Mm(max(heights)),
+        )
+    slots = tuple(
+        tab_slot(tab, ground, sheet.thickness, play=play, clearance=clearance, least=slot_width, name=name)
+        for tab, _ in standing
+    )
+    deep = [
+        (tab.name, _shoulder_depth(tab, wide, ground), tab.thickness)
+        for tab, wide in standing
+        if wide > tab.width + 2 * play
+    ]
+    told = accept_faults(find_shoulder_faults(name, deep), ignore_limits)
+    gate: dict[str, Any] = {"shop": shop, "ignore_limits": ignore_limits}
+    plate = plate_with(slots, sheet, ground, border=border, shape=shape, name=name, **gate)
+    return replace(plate, warnings=(*told, *plate.warnings)) if told else plate
+
+
+def _shoulder_depth(tab: PlacedTab, wide: float, ground: Frame) -> float:
+    """Depth, mm, to which the end of a strip of width `wide` would reach into the plate where its tab begins."""
+    height = float(ground.local(tab.frame.origin)[2])
+    return wide / 2 * abs(float(ground.z_axis @ tab.frame.y_axis)) - height
+
+
+def plate_with(
+    slots: Sequence[TabSlot],
+    sheet: Sheet,
+    frame: Frame,
+    *,
+    border: float,
+    shape: Shape = "hull",
+    name: str = "base",
+    shop: FabricationLimits | None = None,
+    ignore_limits: bool = False,
+) -> BasePlate:
+    """The plate around slots; refused where two meet, and without `ignore_limits` where it cannot be made."""
+    points, opening = np.concatenate([slot.corners for slot in slots]), None
+    outline = _outline(points, border, "hull" if shape == "ring" else shape)
+    if shape == "ring":
+        center = np.mean([slot.corners.mean(axis=0) for slot in slots], axis=0)
+        inner, outer = around([slot.corners for slot in slots], center, border)
+        if inner > LEAST_OPENING_SHARE * outer:
+            outline, opening = Path.circle(center, outer), Path.circle(center, inner)
+    return BasePlate(sheet, frame, outline, tuple(slots), name, opening=opening).checked(
+        shop, ignore_limits=ignore_limits
+    )
+
+
+def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[float, float]:
+    """Radii about a point (2,) that stay `border` mm clear of loops (4, 2), inside and outside of them."""
+    points = np.concatenate([(loop + np.roll(loop, shift, axis=0)) / 2 for loop in loops for shift in (0, 1)])
+    away = np.hypot(*(points - center).T)
+    return float(away.min()) - border, float(away.max()) + border
+
+
+def _stands_in(tab: PlacedTab, ground: Frame) -> bool:
+    """Whether the tab begins on or above a plate's upper face and ends below it."""
+    (_, _, start), (_, _, tip) = ground.local([tab.frame.origin, tab.tip])
+    return bool(start > -tab.thickness and tip < -BELOW_MM)
+
+
+def tab_slot(
+    tab: PlacedTab,
+    ground: Frame,
+    thickness: float,
+    *,
+    play: float,
+    clearance: float,
+    least: float = 0.0,
+    name: str = "base",
+) -> TabSlot:
+    """The rectangle that lets the tab through both faces."""
+    down = -float(tab.frame.x_axis @ ground.z_axis)
+    if down < np.sin(FLATTEST_RAD):
+        raise InputError(
+            "{name}: the tab of {name_2} leans to {given:.3g} degrees from the plate: at "
+            "{flattest_rad:.0f} degrees or less a slot cannot hold it; use a fixture there",
+            name=name,
+            name_2=tab.name,
+            given=np.degrees(np.arcsin(max(0.0, down))),
+            flattest_rad=np.degrees(FLATTEST_RAD),
+        )
+    edges = ground.local(tab.edges)
+    step = ground.local(tab.frame.origin + tab.frame.x_axis) - ground.local(tab.frame.origin)
+    through = [edges - np.outer((edges[:, 2] - z) / step[2], step) for z in (0.0, -thickness)]
+    points = np.concatenate(through)[:, :2]
+    across = (ground.axes @ tab.frame.y_axis)[:2]
+    u = across / np.hypot(*across)
+    v = np.array([-u[1], u[0]])
+    p = points @ np.array([u, v]).T
+    low, high = p.min(axis=0), p.max(axis=0)
+    rest = max(clearance, least - (high[1] - low[1]))
+    room = np.array([play, rest / 2])
+    low, high = low - room, high + room
+    box = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
+    return TabSlot(box @ np.array([u, v]), tab.name, tab.thickness, tab)
+
+
+def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
+    corners = np.array([slot.corners for slot in slots]).reshape(-1, 4, 2)
+    boxes = boxes_about(corners)
+    near = np.argwhere(np.tril(boxes_meet(boxes[:, None], boxes[None]), -1))
+    met = near[_gaps(*corners[near.T]) <= 0]
+    for i, j in met[:1].tolist():
+        x, y = (corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2
+        raise InputError(
+            "{name}: the slots of {name_2} and {name_3} run into each other near ({x:.1f}, "
+            "{y:.1f}): give the strips narrower tabs or move them apart",
+            name=name,
+            name_2=slots[j].name,
+            name_3=slots[i].name,
+            x=x,
+            y=y,
+        )
+
+
+def _gaps(one: FloatArray, others: FloatArray) -> FloatArray:
+    """Lower bounds (...,) of the distance, mm, of rectangles (..., 4, 2) from others (..., 4, 2).
+
+    Exact where a side faces the other.
+    """
+    own, theirs = _across(one), _across(others)
+    return np.asarray(
+        np.maximum(_apart(one @ own, others @ own), _apart(one @ theirs, others @ theirs)), dtype=float
+    )
+
+
+def _across(rectangles: FloatArray) -> FloatArray:
+    """Unit normals of the first two sides of rectangles (..., 4, 2), as columns (..., 2, 2)."""
+    sides = rectangles[..., 1:3, :] - rectangles[..., :2, :]
+    normals = np.stack([-sides[..., 1], sides[..., 0]], axis=-2)
+    return np.asarray(normals / np.hypot(normals[..., 0, :], normals[..., 1, :])[..., None, :], dtype=float)
+
+
+def _apart(p: FloatArray, q: FloatArray) -> FloatArray:
+    """The larger (...,) of the gaps between places (..., 4, 2) along two ways."""
+    gaps = np.maximum(q.min(axis=-2) - p.max(axis=-2), p.min(axis=-2) - q.max(axis=-2))
+    return np.asarray(gaps.max(axis=-1), dtype=float)
+
+
+def _outline(points: FloatArray, border: float, shape: Shape) -> Path:
+    low, high = points.min(axis=0) - border, points.max(axis=0) + border
+    if shape == "rectangle":
+        return Path.rectangle(*map(float, high - low), corner=low)
+    hull = Path.polygon(convex_corners(points))
+    return offset_path(hull, border) if border else hull
+
+
+PLAY_MM = 0.3
+"""Clearance beside a tab in its slot on either side, mm; it is small, since tabs may be close to each other."""
+
+GAP_MM = 20.0
+"""Default distance between two plates, mm."""
+
+BORDER_MM = 8.0
+"""Default width of material beside slots and seats, mm."""
+
+LYING_RAD = np.radians(5.0)
+"""Tabs at a smaller angle than this to the ring, rad, lie on it; glue fills the wedge."""
+
+CLEAR_MM = 0.5
+"""Distance between a name and slots or rim, mm."""
+
+TAILS = 1 / 3
+"""Depth of letters like g below their line, in heights."""
+
+LEAST_LABEL_MM = 1.5
+"""Smallest names, mm; smaller ones could not be read and are left out."""
+
+
+@dataclass(frozen=True, eq=False)
+class Ring(BasePlate):
+    """A flat ring about an axis, or a cap where it has no opening; its frame is the face that looks at the strips,
+    its middle on the axis, z towards them.
+
+    Attributes
+    ----------
+    seats : tuple of Path
+        Engraved outlines of tabs that lie on it.
+    holes : tuple of Path
+        Of the bolts of such tabs.
+    seated : tuple of str
+        Names of such tabs.
+    """
+
+    seats: tuple[Path, ...] = ()
+    holes: tuple[Path, ...] = ()
+    seated: tuple[str, ...] = ()
+
+    @classmethod
+    def _around(
+        cls, loops: Sequence[FloatArray], border: float, sheet: Sheet, frame: Frame, name: str, **more: Any
+    ) -> Self:
+        """The ring that has loops (4, 2), slots or seats, with so much material about them, mm; without an opening
+        where that would be too small."""
+        inner, outer = around(loops, np.zeros(2), border)
+        opening = Path.circle((0.0, 0.0), inner) if inner > LEAST_OPENING_SHARE * outer else None
+        return cls(sheet, frame, Path.circle((0.0, 0.0), outer), name=name, opening=opening, **more)
+
+    @property
+    def radii(self) -> tuple[float, float]:
+        """Of the opening, 0 of a cap, and of the rim, mm."""
+        return 0.0 if self.opening is None else float(self.opening.bounds[1, 0]), float(
+            self.outline.bounds[1, 0]
+        )
+
+    @property
+    def _inner(self) -> tuple[Path, ...]:
+        return (*super()._inner, *self.holes)
+
+    @cached_property
+    def drawing(self) -> Drawing:
+        """The cut pattern seen from the strips, with its name near the rim where there is room."""
+        paths = [LayeredPath(CUT_INNER, path) for path in self._inner]
+        paths += [LayeredPath(ENGRAVE, seat) for seat in self.seats]
+        paths.append(LayeredPath(CUT_OUTER, self.outline))
+        return Drawing(self.name, tuple(paths), self._name())
+
+    def _name(self) -> tuple[Text, ...]:
+        loops = [slot.corners for slot in self.slots] + [seat.points(0.1) for seat in self.seats]
+        inner = max(float(np.hypot(*loop.T).max()) for loop in loops) + CLEAR_MM
+        return _rim_text(self.name, inner, self.radii[1] - CLEAR_MM)
+
+
+def _rim_text(
+    name: str, inner: float, outer: float, center: Sequence[float] = (0.0, 0.0)
+) -> tuple[Text, ...]:
+    """The name of a ring engraved above its centre between two radii, as large as fits; none that could be read."""
+    largest = min(LABEL_MM, 0.4 * (outer - inner))
+    for height in np.linspace(largest, LEAST_LABEL_MM, 12).tolist() if largest > LEAST_LABEL_MM else ():
+        half, below = text_width(name, height) / 2, height * TAILS
+        most = float(np.sqrt(max(outer**2 - half**2, 0.0))) - height  # its upper corners lie on the circle
+        if most >= inner + below:
+            low = min(most, (inner + below + outer - height) / 2)
+            return (Text((center[0] - half, center[1] + low), name, height, 0.0, ENGRAVE),)
+    return ()
+
+
+def slot_reach(radius: float, angle: float, thickness: float, tab: float) -> float:
+    """Least distance from the axis (mm) of a tab, `tab` mm thick, in a ring, or of the whole where it lies on it.
+
+    It begins at a radius and goes out at an angle (rad) against the direction away from the axis.
+    """
+    if abs(np.sin(angle)) < np.sin(FLATTEST_RAD):
+        return radius
+    through = radius + thickness * float(np.cos(angle)) / abs(float(np.sin(angle)))
+    return min(radius, through) - tab / 2 / abs(float(np.sin(angle))) - CLEARANCE_MM
+
+
+@refusing_old_names
+def ring_plate(
+    tabs: Sequence[PlacedTab],
+    sheet: Sheet | str,
+    *,
+    middle: float = np.inf,
+    border: float = BORDER_MM,
+    play: float = PLAY_MM,
+    clearance: float = CLEARANCE_MM,
+    name: str = "ring",
+    shop: FabricationLimits | None = None,
+    ignore_limits: bool = False,
+) -> Ring:
+    """The ring or cap about the z axis that holds one end of all strips of a surface of revolution.
+
+    Tabs that meet its plane at more than 15 degrees go through slots; at less than 5 they lie on its face, on
+    engraved seats, to be glued or bolted through their holes.
+
+    Parameters
+    ----------
+    tabs : sequence of PlacedTab
+        Of the same end of every strip.
+    sheet : Sheet or its name
+        Of the ring.
+    middle : float
+        Height of the model's middle, mm: where tabs lie on the ring it keeps to their other side.
+    border : float
+        Least width of material beside slots and seats, mm.
+    play : float
+        Room beside a tab in its slot on either side, mm.
+    clearance : float
+        Added to the width of slots, mm.
+    name : str
+    shop : FabricationLimits, optional
+        What the workshop can make: bridges between slots, the largest sheet.
+    ignore_limits : bool
+        Make a ring that the workshop cannot, and say so in its warnings.
+
+    Raises
+    ------
+    InputError
+        Tabs that have no length, lie over each other, or meet the plane at angles between; slots that meet or are
+        far wider than their tabs, bridges too thin to cut.
+    """
+    sheet = Sheet.of(sheet)
+    require_declared(base_plate, {"border": border, "play": play, "clearance": clearance}, f"{name}:")
+    tabs = several("tabs", tabs, PlacedTab, "PlacedTab")
+    if not tabs:
+        raise InputError("{name}: there is no tab for it to hold: give it PlacedTab records", name=name)
+    first = tabs[0]
+    if first.length == 0:
+        raise InputError("{name}: strips without tabs cannot be held by a ring: give them tabs", name=name)
+    height, rise = float(first.frame.origin[2]), float(first.frame.x_axis[2])
+    if abs(rise) >= np.sin(FLATTEST_RAD):
+        frame = _facing(height, up=rise < 0)
+        slots = tuple(
+            tab_slot(tab, frame, sheet.thickness, play=play, clearance=clearance, name=name) for tab in tabs
+        )
+        return ring_around(
+            slots, sheet, frame, border=border, name=name, shop=shop, ignore_limits=ignore_limits
+        )
+    if abs(rise) > np.sin(LYING_RAD):
+        lean, steep, flat = np.degrees([np.arcsin(abs(rise)), FLATTEST_RAD, LYING_RAD])
+        raise InputError(
+            "{name}: the tabs meet its plane at {lean:.3g} degrees, too flat for slots and too "
+            "steep to lie on it: end strips where it is more than {steep:.0f} or less than "
+            "{flat:.0f}",
+            name=name,
+            lean=lean,
+            steep=steep,
+            flat=flat,
+        )
+    below = middle > height
+    frame = _facing(height + (-0.5 if below else 0.5) * first.thickness, up=below)
+    seats = [_seat(tab, frame) for tab in tabs]
+    _refuse_meeting_seats(seats, len(tabs), name)
+    holes = tuple(
+        Path.circle(frame.local(tab.frame.point((hole.at, hole.across, 0.0)))[:2], hole.diameter / 2)
+        for tab in tabs
+        for hole in tab.holes
+    )
+    loops = tuple(Path.polygon(seat) for seat in seats)
+    seated = tuple(tab.name for tab in tabs)
+    found = Ring._around(seats, border, sheet, frame, name, seats=loops, holes=holes, seated=seated)
+    return found.checked(shop, ignore_limits=ignore_limits)
+
+
+def ring_around(
+    slots: Sequence[TabSlot],
+    sheet: Sheet | str,
+    frame: Frame,
+    *,
+    border: float = BORDER_MM,
+    name: str = "ring",
+    shop: FabricationLimits | None = None,
+    ignore_limits: bool = False,
+) -> Ring:
+    """The ring about the axis of its frame that has these slots; see `ring_plate`."""
+    sheet = Sheet.of(sheet)
+    loops = [slot.corners for slot in slots]
+    return Ring._around(loops, border, sheet, frame, name, slots=tuple(slots)).checked(
+        shop, ignore_limits=ignore_limits
+    )
+
+
+def _facing(height: float, *, up: bool) -> Frame:
+    """The plane across the axis at a height, looking up or down."""
+    return Frame((0.0, 0.0, height), (1.0, 0.0, 0.0), (0.0, 1.0 if up else -1.0, 0.0))
+
+
+def _seat(tab: PlacedTab, frame: Frame) -> FloatArray:
+    """Corners (4, 2) of a tab that lies on the ring."""
+    half = tab.width / 2
+    corners = [(0.0, -half, 0.0), (tab.length, -half, 0.0), (tab.length, half, 0.0), (0.0, half, 0.0)]
+    return frame.local(tab.frame.point(corners))[:, :2]
+
+
+def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) -> None:
+    """Every tab keeps within its share of the full turn."""
+    seat = seats[0]
+    out = seat.mean(axis=0)
+    out = out / max(float(np.hypot(*out)), 1e-300)
+    along, across = seat @ out, np.abs(seat @ np.array([-out[1], out[0]]))
+    if np.any(across >= along * np.tan(np.pi / count)):
+        raise InputError(
+            "{name}: the tabs lie over each other {least} from the axis: end the strips at a "
+            "larger ring, or give them shorter or narrower tabs",
+            name=name,
+            least=Mm(along.min()),
+        )
+
+
+def needed_length(tab: PlacedTab, first: BasePlate, gap: float) -> float:
+    """Length, in whole mm, that a tab needs to reach through a plate and another `gap` mm behind it."""
+    back = first.frame.shifted(z=-2 * first.sheet.thickness - gap)
+    missing = float(back.local(tab.tip)[2] / -(back.z_axis @ tab.frame.x_axis))
+    return float(np.ceil(tab.length + missing))

@@ -1,0 +1,391 @@
+"""Models of surfaces of revolution, and widths with which neighbouring strips close gaps."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_whole, require_flag, require_number, require_record
+from elastica_cad.errors import InputError, refusing_old_names
+from elastica_cad.forming.meridians import Meridian, meridian
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_curve import PlaneCurve, line_crossings
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model.fixtures import tabs_to_hold
+from elastica_cad.model.model import Model
+from elastica_cad.model.plate_pairs import ring_pair
+from elastica_cad.model.plates import FLATTEST_RAD, PLAY_MM, Ring, ring_plate, slot_reach
+from elastica_cad.refusals import Length
+from elastica_cad.strip.makeable_strip import refuse_broken
+from elastica_cad.strip.outline import ENDS, Tab, pair_of_tabs
+from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad.strip.uncuttable_parts import (
+    DEFAULT_LIMITS,
+    FabricationLimits,
+    accept_faults,
+    find_strip_faults,
+)
+
+WIDTH_MM = 1e-5
+"""Largest error of a width, mm."""
+
+PARALLEL = 1e-12
+"""Slopes below this are rounding: two planes are then the same, and two bounds never cross."""
+
+END_MM = 1e-9
+"""Kinks nearer than this to an end are at the end."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Bound:
+    """Distance along the ruling to a plane, a + <b, gamma>, for a curve gamma in its own plane."""
+
+    a: float
+    b: FloatArray
+
+    def __call__(self, points: FloatArray) -> FloatArray:
+        return np.asarray(self.a + points @ self.b, dtype=float)
+
+
+def touching_widths(
+    strips: Sequence[Placed | tuple[PlaneCurve, Frame]], gap: float = 0.0, *, closed: bool = False
+) -> tuple[Profile, ...]:
+    """Widths at which strips on neighbouring planes meet at the planes that bisect the angle between theirs.
+
+    Half the width is the distance from the curve, along the ruling, to the nearer bisector plane after that was
+    moved towards the curve by the gap (the Flower Pot and the Shell of the paper, section 9).
+
+    Parameters
+    ----------
+    strips : sequence of Placed, or of (PlaneCurve, Frame)
+        In order around the surface; the frame is the plane in which the curve is drawn.
+    gap : float
+        Distance that either strip keeps from the bisector plane, mm.
+    closed : bool
+        True where the last strip is the first one's neighbour; otherwise both have one neighbour only.
+
+    Returns
+    -------
+    tuple of Profile
+        Full widths over arc length, mm.
+
+    Raises
+    ------
+    InputError
+        Fewer than two strips, or no width left somewhere.
+
+    Examples
+    --------
+    >>> arc = PlaneCurve.line((30, 0), (50, 40))
+    >>> turned = [Frame((0, 0, 0), (np.cos(a), np.sin(a), 0), (0, 0, 1)) for a in (0.0, 0.2)]
+    >>> widths = touching_widths([(arc, frame) for frame in turned])
+    >>> float(widths[0](0.0).round(6)), float((60 * np.tan(0.1)).round(6))
+    (6.02008, 6.02008)
+    """
+    require_number(gap, "the gap", "mm")
+    if not (isinstance(strips, Sequence) and all(isinstance(p, Placed | tuple) for p in strips)):
+        raise InputError(
+            "strips are {strips!r}: give a list of Placed, or of (PlaneCurve, Frame)", strips=strips
+        )
+    pairs = [(p.strip.rod.curve, p.frame) if isinstance(p, Placed) else p for p in strips]
+    names = [
+        p.strip.label or f"strip {i + 1}" if isinstance(p, Placed) else f"strip {i + 1}"
+        for i, p in enumerate(strips)
+    ]
+    count = len(pairs)
+    if count < 2:
+        raise InputError("strips touch their neighbours: give two of them or more")
+    require_flag(closed, "closed")
+    found = []
+    for i, (curve, frame) in enumerate(pairs):
+        around = {(i - 1) % count, (i + 1) % count} if closed else {i - 1, i + 1} & set(range(count))
+        bounds = [_bound((curve, frame), pairs[j], gap, (names[i], names[j])) for j in sorted(around)]
+        found.append(_width(curve, bounds, gap, names[i]))
+    return tuple(found)
+
+
+def _bound(
+    own: tuple[PlaneCurve, Frame], other: tuple[PlaneCurve, Frame], gap: float, names: tuple[str, str]
+) -> _Bound:
+    """The plane between two strips, moved towards the first by the gap, as the first sees it."""
+    frame, opposite = own[1], other[1]
+    middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (own, other)]
+    z, r = frame.z_axis, opposite.z_axis
+    z = z * np.sign((middles[1] - frame.origin) @ z)
+    r = r * np.sign((middles[0] - opposite.origin) @ r)
+    normal = z - r  # of the points as far from either plane, on the sides that face each other
+    pace = float(normal @ z)
+    if not (np.any(z) and np.any(r)) or pace < PARALLEL:
+        raise InputError(
+            "{names} and {names_2} lie in the same plane: no plane passes between them",
+            names=names[0],
+            names_2=names[1],
+        )
+    offset = z @ frame.origin - r @ opposite.origin - gap * np.linalg.norm(normal)
+    return _Bound(
+        float(offset - normal @ frame.origin) / pace,
+        -np.array([normal @ frame.x_axis, normal @ frame.y_axis]) / pace,
+    )
+
+
+def _width(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -> Profile:
+    """Twice the smaller of the bounds, with a kink where they change places."""
+    breaks = [(b.s, max(b.continuity, 0)) for b in curve.breaks]
+    if len(bounds) == 2:
+        one, two = bounds
+        a, b = one.a - two.a, one.b - two.b
+        if np.hypot(*b) > PARALLEL:
+            breaks += [(r.s, 0) for r in line_crossings(curve, a, b) if r.kind == "crossing"]
+    inside = {s: c for s, c in sorted(breaks, reverse=True) if END_MM < s < curve.length - END_MM}
+
+    def half(s: FloatArray) -> FloatArray:
+        points = curve.at(s).position
+        return np.asarray(np.min([bound(points) for bound in bounds], axis=0))
+
+    width = Profile.fit(
+        lambda s: 2 * half(s), curve.length, breaks=sorted(inside.items()), tolerance=WIDTH_MM
+    )
+    least, _ = width.extremes
+    if least <= 0:
+        s = np.linspace(0.0, curve.length, 2001)
+        at = float(s[int(np.argmin(half(s)))])
+        raise InputError(
+            "{name}: nothing is left of its width at {at:.6g} ({least:.4g}) with a gap of "
+            "{gap:g}: make the gap smaller or end the strip before",
+            name=name,
+            at=Length(at),
+            least=Length(least),
+            gap=Length(gap),
+        )
+    return width
+
+
+MOST_STRIPS = 1000
+"""Largest number of strips; those of a sphere of 1 m would be 3 mm wide."""
+
+TAB_MM = 8.0
+"""Default length of a tab, mm: through a 3 mm ring with room for glue."""
+
+BEYOND_MM = 2.0
+"""Length of a tab beyond the second of two rings, mm."""
+
+TAB_GAP_MM = 0.5
+"""Least gap between the tabs of neighbours, mm."""
+
+TRIED_RINGS = 60
+"""Number of sizes of rings that are tried where the requested one cannot be made."""
+
+BRIDGE_FACTOR = 1.02
+"""Factor on the least material between slots, so that they are not refused because of rounding."""
+
+
+@refusing_old_names
+def revolution(
+    a: float,
+    b: ArrayLike,
+    start: ArrayLike,
+    angle: float,
+    strips: int,
+    *,
+    length: float,
+    sheet: Sheet | str,
+    ring: float | None = None,
+    ends: tuple[Tab, Tab] | None = None,
+    rings: Sheet | str | None = None,
+    gap: float | None = None,
+    name: str = "revolution",
+    shop: FabricationLimits = DEFAULT_LIMITS,
+    ignore_limits: bool = False,
+) -> Model:
+    """The surface of revolution about z whose meridian has x kappa = a + <b, gamma>, tiled by plain strips.
+
+    Parameters
+    ----------
+    a, b, start, angle, length, ring
+        As in `meridian`.
+    strips : int
+        How many make the surface.
+    sheet : Sheet or str
+        Or its name.
+    ends : pair of Tab, optional
+        Of each strip; 8 mm long, or as two rings need, and so wide that neighbours' tabs keep apart, unless given.
+    rings : Sheet or str, optional
+        Of a ring at each end, or a cap near the pole, which join the model as its `plates`; see `ring_plate`.
+    gap : float, optional
+        Two rings instead of each where tabs go through, so far apart, mm, that hold the tabs at their angle; see
+        `ring_pair`.
+    name : str
+    shop : FabricationLimits
+        What the workshop can make.
+    ignore_limits : bool
+        Make strips and rings that the workshop cannot, and say so in their warnings.
+
+    Raises
+    ------
+    InputError, NotConvergedError
+        As `meridian`, fewer than three strips, strips or rings that cannot be cut and handled.
+
+    Examples
+    --------
+    >>> card = Sheet.named("card-200gsm")
+    >>> vase = revolution(-1.5, (0, 0.03), (150, -11.5), 2.2, 15, length=300, sheet=card)
+    >>> len(vase.placed), len(vase.parts)
+    (15, 1)
+    """
+    return revolve(
+        meridian(a, b, start, angle, length, ring=ring),
+        strips,
+        sheet=sheet,
+        ends=ends,
+        rings=rings,
+        gap=gap,
+        name=name,
+        shop=shop,
+        ignore_limits=ignore_limits,
+    )
+
+
+@refusing_old_names
+def revolve(
+    meridian: Meridian,
+    strips: int,
+    *,
+    sheet: Sheet | str,
+    ends: tuple[Tab, Tab] | None = None,
+    rings: Sheet | str | None = None,
+    gap: float | None = None,
+    name: str = "revolution",
+    shop: FabricationLimits = DEFAULT_LIMITS,
+    ignore_limits: bool = False,
+) -> Model:
+    """A meridian's surface about z, tiled by so many equal plain strips; see `revolution`.
+
+    Raises
+    ------
+    InputError
+        Fewer than three strips, an unknown sheet, strips or a ring that cannot be made; at a pole the smallest ring
+        that can be is told.
+
+    Examples
+    --------
+    >>> from elastica_cad.forming.meridians import meridian_through
+    >>> profile = meridian_through([(70, 0), (85, 16), (125, 55), (90, 115), (75, 140)])
+    >>> len(revolve(profile, 20, sheet="card-200gsm", rings="hdf-1.5").plates)
+    2
+    """
+    require_record(meridian, Meridian, "what is turned", "a Meridian, as meridian_through makes one")
+    if not (is_whole(strips) and 3 <= strips <= MOST_STRIPS):
+        raise InputError(
+            "strips={strips!r}: a surface of revolution is tiled by 3 strips or more, {most_strips} at most",
+            strips=strips,
+            most_strips=MOST_STRIPS,
+        )
+    sheet = Sheet.of(sheet)
+    rings = None if rings is None else Sheet.of(rings)
+    require_record(shop, FabricationLimits, "the shop", "a FabricationLimits")
+    ends = None if ends is None else pair_of_tabs(ends)
+    if gap is not None:
+        require_number(gap, "gap", "mm")
+    asked = _Asked(strips, sheet, ends, rings, gap, shop, ignore_limits)
+    try:
+        placed, plates, told = asked.made(meridian)
+    except InputError as problem:
+        works = _smallest_ring(meridian, asked) if meridian.at_pole else None
+        if works is None:
+            raise
+        said = f"{problem}".rstrip(".")
+        raise InputError(
+            "{said}; ring={works} is the smallest, in whole mm, that works here", said=said, works=works
+        ) from problem
+    return Model(placed, name=name, plates=plates, reports=told)
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """Request for a surface, without its meridian."""
+
+    strips: int
+    sheet: Sheet
+    ends: tuple[Tab, Tab] | None
+    rings: Sheet | None
+    gap: float | None
+    shop: FabricationLimits
+    ignore_limits: bool
+
+    def made(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[Ring, ...], tuple[str, ...]]:
+        """All strips about the axis, rings, and what is to be said of strips that cannot be cut."""
+        width = 2 * float(np.tan(np.pi / self.strips)) * float(meridian.distance.extremes[1])
+        strip = Strip(meridian.rod, self.sheet, max_width=width, ends=self.ends or self._tabs(meridian))
+        turn = 2 * np.pi * np.arange(self.strips) / self.strips
+        placed = tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn)
+        refuse_broken(strip, self.ignore_limits)
+        told = accept_faults(find_strip_faults(strip, self.shop), self.ignore_limits)
+        if self.rings is None:
+            return placed, (), told
+        heights = strip.rod.position[:, 1]
+        middle = float(heights.min() + heights.max()) / 2
+        options: dict[str, Any] = {"middle": middle, "shop": self.shop, "ignore_limits": self.ignore_limits}
+        plates: list[Ring] = []
+        for end in ENDS:
+            tabs, called = tabs_to_hold(placed, [end]), f"ring-{end}"
+            if self.gap is None:
+                plates.append(ring_plate(tabs, self.rings, name=called, **options))
+            else:
+                plates += ring_pair(placed, tabs, self.rings, gap=self.gap, name=called, **options)
+        return placed, tuple(plates), told
+
+    def _tabs(self, meridian: Meridian) -> tuple[Tab, Tab]:
+        """Tabs that go straight on, narrower than the room between the planes to both neighbours.
+
+        At a pole, where they would be narrower than the shop can make, strips end as they are.
+        """
+        ends = meridian.curve.sample(2)
+        outward = ends.angle + np.array([np.pi, 0.0])
+        steep = np.abs(np.sin(outward))
+        lengths, through = np.full(2, TAB_MM), 0.0 if self.rings is None else self.rings.thickness
+        if self.rings is not None and self.gap is not None:
+            through += self.gap + self.rings.thickness
+            needed = through / np.maximum(steep, np.sin(FLATTEST_RAD)) + BEYOND_MM
+            lengths = np.where(steep > np.sin(FLATTEST_RAD), np.maximum(needed, TAB_MM), TAB_MM)
+        near = np.minimum(ends.position[:, 0], ends.position[:, 0] + lengths * np.cos(outward))
+        gap = TAB_GAP_MM
+        if self.rings is not None:
+            # what separates two slots is seen along the sides of either, turned by half the angle between them
+            gap = (
+                2 * PLAY_MM
+                + BRIDGE_FACTOR * self.shop.bridge_for(self.rings) / float(np.cos(np.pi / self.strips)) ** 2
+            )
+            inner = [
+                slot_reach(float(r), float(angle), through, self.sheet.thickness)
+                for r, angle in zip(ends.position[:, 0], outward, strict=True)
+            ]
+            near = np.minimum(near, inner)
+        room = 2 * np.tan(np.pi / self.strips) * near - gap
+        first, last = (
+            Tab(float(long), width=float(wide) if wide >= self.shop.width_for(self.sheet) else None)
+            for long, wide in zip(lengths, room, strict=True)
+        )
+        return first, last
+
+
+def _smallest_ring(meridian: Meridian, asked: _Asked) -> int | None:
+    """The smallest distance from the axis, in whole millimetres, at which strips and rings can be made, if any."""
+
+    def works(ring: int) -> bool:
+        try:
+            asked.made(meridian.to_ring(ring))
+        except InputError:
+            return False
+        return True
+
+    start, end = meridian.ring
+    tried = np.unique(np.ceil(np.geomspace(end, start, TRIED_RINGS)[1:-1]).astype(int))
+    tried = tried[(tried > end) & (tried < start)]
+    first = next((i for i, ring in enumerate(tried.tolist()) if works(ring)), None)
+    if first is None:
+        return None
+    before = int(tried[first - 1]) if first else int(end)
+    return next(ring for ring in range(before + 1, int(tried[first]) + 1) if ring > end and works(ring))

@@ -1,0 +1,891 @@
+"""A part with two rest shapes, cut in the plane of its sheet: outline, pads, holder, strain, and its travel."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import pairwise
+from typing import Annotated, Any
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import (
+    is_number,
+    numbers,
+    require_flag,
+    require_number,
+    require_positive,
+    require_record,
+)
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.errors import InputError, NotConvergedError, StrainError, rounded_up
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.segments import Arc, Line, Spline
+from elastica_cad.geometry.splines import adaptive_spline, spline_through
+from elastica_cad.mechanics.bending import bend_path
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.section_limits import judge_strain
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sideways import SidewaysStability
+from elastica_cad.pairs.pushed_rod import PushPath, RestShape, push_path, rest_shape
+from elastica_cad.pairs.two_state_rods import TwoStateRod
+from elastica_cad.refusals import Length, Refusal, note
+from elastica_cad.strip.corner_rounding import round_corners
+from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
+from elastica_cad.strip.lettering import Text, fit_label
+from elastica_cad.strip.solids import FlatSolid
+
+LEAST_CUT_MM, LEAST_PRINTED_MM = 0.8, 0.9
+"""Thinnest tongue that a laser leaves sound, and that a nozzle of 0.4 mm prints in two lines."""
+
+SIDE_MM = 1e-3
+"""How closely the cut sides follow the thickness."""
+
+LEAST_GAP_MM = 0.3
+"""Between two stretches of the part: nearer ones touch, or are welded by the laser or the printer."""
+
+APART = 3.0
+"""In thicknesses along the part: stretches nearer than that to each other are neighbours."""
+
+CONTACT_POINTS = 241
+TRAVEL_STEPS = 48
+SHAPES = 8  # of a travel, at which the part may not touch itself
+STATES = ("first", "second")
+FAR_SHARE = 0.05
+"""Of the largest way of a point from one state to the other: one that goes less far is no place to push at."""
+
+REST_SHARE = 1e-3
+"""Distance from the drawn state, as a fraction of the length, beyond which there is a warning about a rest shape.
+Two rest shapes that are nearer to each other are one."""
+
+SPARE = 0.98
+"""Fraction of the strain limit that is used, because a part that stretches moves otherwise if it is thicker."""
+
+OFF_MM = 0.1
+"""By which the part may be thicker or thinner in its plane than drawn: what careful cutting or printing leaves."""
+
+_GAUSS = np.polynomial.legendre.leggauss(24)
+
+
+@dataclass(frozen=True)
+class Pad:
+    """What holds an end of a flexure: a plate with two holes on its middle line.
+
+    Attributes
+    ----------
+    length, width : float
+        Along the part and across it, mm; wider where the end of the part and its fillets need it.
+    hole : float
+        Diameter of the holes, mm; 3.2 for M3.
+    inset : float
+        From the ends of the pad to the middles of the holes, mm.
+    """
+
+    length: Annotated[float, Asked("Along the part.", "mm", above=0)] = 18.0
+    width: Annotated[float, Asked("Across the part.", "mm", above=0)] = 10.0
+    hole: Annotated[float, Asked("Diameter of its two holes; 3.2 for M3.", "mm", above=0)] = 3.2
+    inset: Annotated[float, Asked("From its ends to the middles of the holes.", "mm", above=0)] = 4.5
+
+    def __post_init__(self) -> None:
+        require_declared(Pad, vars(self), "pad")
+        if self.hole + 2 > min(self.width, self.length - 2 * self.inset, 2 * self.inset):
+            raise InputError(
+                "two holes of {hole:g} leave no material in a pad of {length:g} by {width:g}: make it larger",
+                hole=Length(self.hole), length=Length(self.length), width=Length(self.width),
+            )  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class FlexureTravel:
+    """The way from one state to the other.
+
+    Attributes
+    ----------
+    travel : (k,) array
+        mm of the pushed point; of a part with two settings shares of the way of its end, from 0 to 1.
+    force : (k,) array
+        N, along the push; of a part with two settings the force that holds its end.
+    energy : (k,) array
+        N mm.
+    position : (k, n, 2) array
+        Centre line, mm.
+    strain : (k,) array
+        Largest on the way.
+    snap : float or None
+        Travel behind which the part goes on by itself, mm.
+    work : float
+        Done up to there, N mm.
+    reached : bool
+        Does it end in the other state?
+    """
+
+    travel: FloatArray
+    force: FloatArray
+    energy: FloatArray
+    position: FloatArray
+    strain: FloatArray
+    snap: float | None
+    work: float
+    reached: bool
+
+    @property
+    def largest_force(self) -> float:
+        """Largest force up to the snap, or of the whole travel if the part does not snap, N."""
+        return float(self.force[self.travel <= (self.travel[-1] if self.snap is None else self.snap)].max())
+
+
+@dataclass(frozen=True, eq=False)
+class Flexure:
+    """A pair as a part cut in the plane of a sheet, whose thickness there makes the stiffness.
+
+    Parameters
+    ----------
+    pair : TwoStateRod
+    sheet : Sheet or str
+        Its thickness is the depth of the part; its `max_strain` bounds both states and the way between them.
+    least_thickness : float, optional
+        Of the part in its plane, mm; unless given the largest that the strain of states and way allows.
+    pad : Pad
+        At both ends.
+    fillet : float
+        Radius at the roots, mm; 0 for none.
+    push_at : float, optional
+        Where a bistable part is pushed, mm; its middle, or where that hardly moves the place that moves furthest.
+    printed : bool
+        Printed rather than cut: 0.9 mm at least, not 0.8.
+    label : str
+        Engraved on the first pad.
+    ignore_limits : bool
+        Make it although it is too thin, strained too much, or touches itself.
+
+    Raises
+    ------
+    InputError
+        The part is too thin to be cut, or touches itself; with what would help.
+    StrainError
+        It breaks.
+
+    Notes
+    -----
+    With t the depth and E the sheet's modulus h(s) = (12 B K / (E t))^(1/3). A state is strained by
+    |kappa - kappa_0| h / 2 times Winkler's factor of curved beams on the inner side, and by its axial force. In the
+    fillets at the roots the strain is larger by a notch factor. The fillets lie partly within the free length, so
+    that the ends give as much as if they were clamped where they are drawn.
+
+    Examples
+    --------
+    >>> from elastica_cad.pairs.two_state_rods import two_state_rod
+    >>> arch = PlaneCurve.spline([(0, 0), (30, 10), (90, 10), (120, 0)], degree=3)
+    >>> pair = two_state_rod(arch, arch.transformed(np.diag([1.0, -1.0, 1.0])))
+    >>> part = Flexure(pair, "pom-2")
+    >>> bool(max(part.strain) <= part.sheet.max_strain * 1.000001), part.outline.closed
+    (True, True)
+    """
+
+    pair: TwoStateRod
+    sheet: Sheet
+    least_thickness: float | None = None
+    pad: Pad = field(default_factory=Pad)
+    fillet: float = 1.0
+    push_at: float | None = None
+    printed: bool = False
+    label: str = ""
+    ignore_limits: bool = False
+
+    def __post_init__(self) -> None:
+        require_record(self.pair, TwoStateRod, "the pair", "a TwoStateRod, as two_state_rod gives")
+        object.__setattr__(self, "sheet", Sheet.of(self.sheet))
+        require_record(self.pad, Pad, "the pad", "a Pad")
+        require_flag(self.printed, "printed")
+        if self.least_thickness is not None:
+            require_positive(self.least_thickness, "the least thickness")
+        if not is_number(self.fillet) or self.fillet:
+            require_positive(self.fillet, "the fillet")
+        if (
+            self.push_at is not None
+            and not 0 < require_number(self.push_at, "push_at", "mm") < self.pair.length
+        ):
+            raise InputError(
+                "the part is {length} long between its pads: push it there, not at {at}",
+                length=Length(self.pair.length), at=Length(self.push_at),
+            )  # fmt: skip
+        faults = list(self._faults())
+        if faults and not self.ignore_limits:
+            raise faults[0]
+
+    def __repr__(self) -> str:
+        low, high = self.thickness_range
+        return f"<Flexure of {self.pair.length:.4g} mm, {self.sheet.name}, {low:.3g} to {high:.3g} mm thick>"
+
+    # --- what it is made of
+
+    @cached_property
+    def scale(self) -> float:
+        """Least thickness in the plane, mm."""
+        if self.least_thickness is not None:
+            return self.least_thickness
+        if self.pair.check.any_stiffness:
+            raise InputError("both curves have the same shape, so nothing is bent: say how thick the part shall be "
+                             "(least_thickness, --least-thickness)")  # fmt: skip
+        states, most = self.pair.states, self.sheet.max_strain
+        scale = self._thickest(self._bends_of(states), self._pull_of(states), most)
+        try:
+            rests = [rest_shape(rod, thickness=scale) for rod in self.rods]
+            shapes = [self._nodal(rest) for rest in rests]
+            if self.pair.bistable:
+                starts = self.rods if self._are_apart(*rests) else self.rods[:1]
+                shapes += [self._nodal(self._push(start, scale)) for start in starts]
+            else:
+                shapes.append((self._bends_of(self._led_rods), scale**2 * self._pull_of(self._led_rods)))
+        except NotConvergedError:
+            return scale  # which `warnings` tells
+        bends, stretch = (np.vstack(rows) for rows in zip(*shapes, strict=True))
+        return min(scale, self._thickest(bends, stretch / scale**2, SPARE * most))
+
+    def _thickest(self, bends: FloatArray, pull: FloatArray, most: float) -> float:
+        """The least thickness, mm, at which shapes (k, n) of the part are strained by `most`."""
+        from scipy.optimize import brentq
+
+        def excess(scale: float) -> float:
+            return float(self._strains(bends, pull * scale**2, scale).max()) - most
+
+        high = 2 * most / float(np.abs(bends).max())  # the other causes of strain only lower it
+        return high if excess(high) <= 0 else float(brentq(excess, high / 20, high, xtol=1e-9 * high))
+
+    @property
+    def thickness_range(self) -> tuple[float, float]:
+        """Least and largest thickness in the plane, mm."""
+        return self.scale, self.scale * self.pair.ratio ** (1 / 3)
+
+    def thickness_at(self, s: FloatArray) -> FloatArray:
+        """Thickness in the plane (n,), mm, at arc lengths (n,), mm; beyond the ends as there."""
+        inside = np.clip(numbers(s, "the arc lengths"), 0.0, self.pair.length)
+        return np.asarray(self.scale * self.pair.first.profile(inside) ** (1 / 3))
+
+    @property
+    def bending_stiffness(self) -> float:
+        """Least B, N mm2."""
+        return self.sheet.youngs_modulus * self.sheet.thickness * self.scale**3 / 12
+
+    def _strains(self, bends: FloatArray, stretch: FloatArray, scale: float) -> FloatArray:
+        """Largest strain (..., n) at the rod's nodes, of bends (1/mm) and axial strains (..., n).
+
+        The ends, which lie within the fillets, have the strain of the fillets.
+        """
+        s, h = self.pair.first.s, scale * self.pair.first.stiffness ** (1 / 3)
+        bent = np.abs(bends) * h / 2 * curved_beam_factor(h * np.abs(self.pair.natural_curvature))
+        strains = bent + np.abs(stretch)
+        for end in (0, -1):
+            inside = np.abs(s - s[end]) <= self.fillet - _overhang(float(h[end]), self.fillet)
+            root = np.flatnonzero(inside)[-1 - end]
+            bending, axial = root_factors(max(self.fillet, SHARP_MM) / float(h[root]))
+            worst = bending * bent[..., root] + axial * np.abs(stretch[..., root])
+            strains[..., inside] = worst[..., None]
+        return np.asarray(strains)
+
+    def _bends_of(self, rods: Iterable[Rod]) -> FloatArray:
+        """kappa - kappa_0 (k, n), 1/mm, of shapes of the part."""
+        return np.array([rod.curvature - self.pair.natural_curvature for rod in rods])
+
+    def _pull_of(self, rods: Iterable[Rod]) -> FloatArray:
+        """Axial strain (k, n) that the forces of shapes of the part cause, over the square of `scale`, 1/mm2."""
+        along = [
+            (rod.force * np.column_stack([np.cos(rod.angle), np.sin(rod.angle)])).sum(axis=1) for rod in rods
+        ]
+        return np.asarray(along / self.pair.first.stiffness ** (1 / 3) / 12)
+
+    @cached_property
+    def strain(self) -> tuple[float, float]:
+        """Largest strain of both states, at rest."""
+        first, second = (float(self._strains(*self._nodal(rest), self.scale).max()) for rest in self.rests)
+        return first, second
+
+    @property
+    def stretch(self) -> float:
+        """By how much the forces of the drawn states lengthen or shorten the part at most, mm."""
+        strain = self.scale**2 * self._pull_of(self.pair.states)
+        return float(np.abs(strain @ self.pair.first.node_lengths).max())
+
+    @cached_property
+    def rests(self) -> tuple[RestShape, RestShape]:
+        """The shapes in which the part, which stretches, rests if it is let go in each state."""
+        first, second = (rest_shape(rod, thickness=self.scale) for rod in self.rods)
+        return first, second
+
+    @property
+    def rest_deviations(self) -> tuple[float, float]:
+        """Largest distance of each rest shape from the drawn state, mm."""
+        first, second = (
+            _distance(rest.position, np.column_stack([np.interp(rest.s, rod.s, x) for x in rod.position.T]))
+            for rest, rod in zip(self.rests, self.rods, strict=True)
+        )
+        return first, second
+
+    @property
+    def bistable(self) -> bool:
+        """Whether the part has two rest shapes in the same clamps."""
+        return self.pair.bistable and self._are_apart(*self.rests)
+
+    def _are_apart(self, first: RestShape, second: RestShape) -> bool:
+        return _distance(first.position, second.position) > REST_SHARE * self.pair.length
+
+    @cached_property
+    def sideways(self) -> tuple[SidewaysStability, SidewaysStability]:
+        """Does each state stay in its plane?"""
+        return self.pair.sideways(
+            self.sheet.thickness, self.thickness_at(self.pair.first.s), poisson_ratio=self.sheet.poisson_ratio
+        )
+
+    # --- its shape
+
+    @cached_property
+    def centre(self) -> "CentreLine":
+        """As it lies without load, from the origin along x."""
+        rod = self.pair.first
+        turn = spline_through(rod.s, self.pair.natural_curvature, 3).antiderivative()
+        return CentreLine(rod.s, np.asarray(turn(rod.s)), np.zeros(2))
+
+    @cached_property
+    def second_moved(self) -> FloatArray:
+        """From where the second state is drawn to where its start is held as that of the first, (3, 3)."""
+        first, second = self.pair.states
+        turn = float(first.angle[0] - second.angle[0])
+        c, s = np.cos(turn), np.sin(turn)
+        matrix = np.eye(3)
+        matrix[:2, :2] = [[c, -s], [s, c]]
+        matrix[:2, 2] = first.position[0] - matrix[:2, :2] @ second.position[0]
+        return matrix
+
+    @cached_property
+    def rods(self) -> tuple[Rod, Rod]:
+        """Both states, the second moved so that its start is held where that of the first is."""
+        first, second = self.pair.states
+        matrix, turn = self.second_moved, float(first.angle[0] - second.angle[0])
+        moved = replace(
+            second, position=second.position @ matrix[:2, :2].T + matrix[:2, 2], angle=second.angle + turn,
+            force=second.force @ matrix[:2, :2].T, shape=second.curve.transformed(matrix),
+        )  # fmt: skip
+        return first, moved
+
+    @cached_property
+    def states(self) -> tuple["CentreLine", "CentreLine"]:
+        """The centre lines of these."""
+        first, second = (CentreLine(rod.s, rod.angle, rod.position[0]) for rod in self.rods)
+        return first, second
+
+    @cached_property
+    def outline(self) -> Path:
+        """Of the unloaded part, anticlockwise: the sides as splines, pads, fillets."""
+        corners = self.outline_along(self.centre)
+        return round_corners(corners, self.fillet) if self.fillet else corners
+
+    def outline_along(self, line: "CentreLine") -> Path:
+        """The outline, with sharp roots, of the part bent to a centre line."""
+        require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
+        low, high = -self.overhang(0.0), self.pair.length + self.overhang(self.pair.length)
+
+        def side(way: int) -> PlaneCurve:
+            def points(s: FloatArray) -> FloatArray:
+                position, angle = line.at(s)
+                normal = np.column_stack([-np.sin(angle), np.cos(angle)])
+                return np.asarray(position + way * self.thickness_at(s)[:, None] / 2 * normal)
+
+            breaks = [(place, 1) for place in (0.0, self.pair.length) if low < place < high]
+            knots, rows = adaptive_spline(points, (low, high), degree=3, tolerance=SIDE_MM, breaks=breaks)
+            return PlaneCurve(knots, rows, 3)
+
+        right, left = Spline(side(-1)), Spline(side(1)).reversed()
+        start, end = self.pads_along(line)
+        chain = [
+            right,
+            *_lines([right.end, *end, left.start]),
+            left,
+            *_lines([left.end, *start, right.start]),
+        ]
+        return Path(chain, closed=True)
+
+    def overhang(self, s: float) -> float:
+        """How far beyond an end of the free length its pad begins, mm.
+
+        The fillet thickens the part towards the pad. It bends as a piece of the strip of the length `give`, so it
+        begins that far within the free length. What the pad's own root adds is that of a half-plane.
+        """
+        s = require_number(s, "the arc length", "mm")
+        return _overhang(float(self.thickness_at(np.array([s]))[0]), self.fillet)
+
+    @cached_property
+    def pad_width(self) -> float:
+        """Of the pads as they are cut, mm."""
+        thickest = float(self.thickness_at(np.array([0.0, self.pair.length])).max())
+        return max(self.pad.width, thickest + 5 * self.fillet)  # each root and corner takes one
+
+    def pads_along(self, line: "CentreLine") -> tuple[list[FloatArray], list[FloatArray]]:
+        """The corners of the pads at start and end of the part bent to a centre line, anticlockwise."""
+        require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
+        length = self.pair.length
+        return (
+            self._pad_corners(line, -self.overhang(0.0), -1),
+            self._pad_corners(line, length + self.overhang(length), 1),
+        )
+
+    def _pad_corners(self, line: "CentreLine", s: float, way: int) -> list[FloatArray]:
+        """The four corners of a pad from the right side on, anticlockwise."""
+        position, along, across = self._root(line, s, way)
+        half = self.pad_width / 2 * across
+        far = position + self.pad.length * along
+        return [position - half, far - half, far + half, position + half]
+
+    def _root(self, line: "CentreLine", s: float, way: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Middle of a pad's inner edge, the direction outward, and that to its left."""
+        position, angle = (value[0] for value in line.at(np.array([s])))
+        along = way * np.array([np.cos(angle), np.sin(angle)])
+        return position, along, np.array([-along[1], along[0]])
+
+    def hole_places(self, line: "CentreLine") -> FloatArray:
+        """Middles of the holes (2, 2, 2): of the start's and the end's pad, those at the root first."""
+        places = []
+        for s, way in ((-self.overhang(0.0), -1), (self.pair.length + self.overhang(self.pair.length), 1)):
+            position, along, _ = self._root(line, s, way)
+            places.append([position + d * along for d in (self.pad.inset, self.pad.length - self.pad.inset)])
+        return np.array(places)
+
+    @cached_property
+    def holes(self) -> tuple[Path, ...]:
+        """Of the unloaded part."""
+        return tuple(
+            Path.circle(place, self.pad.hole / 2) for place in self.hole_places(self.centre).reshape(-1, 2)
+        )
+
+    def drawing(self) -> Drawing:
+        """What is cut, as the unloaded part lies."""
+        paths = [LayeredPath(CUT_INNER, hole) for hole in self.holes]
+        texts: tuple[Text, ...] = ()
+        if self.label:
+            near, far = self.hole_places(self.centre)[0]
+            room = float(np.hypot(*(far - near))) - self.pad.hole - 2
+            middle = (near + far) / 2
+            texts = (fit_label(self.label, (float(middle[0]), float(middle[1])), angle=0.0, room=room,
+                               across=self.pad_width - 2),)  # fmt: skip
+        return Drawing(self.label or "flexure", (*paths, LayeredPath(CUT_OUTER, self.outline)), texts)
+
+    def holder(self) -> Drawing:
+        """A plate with the holes of each state: one set of a bistable part, else the end's of both settings."""
+        places = [self.hole_places(line) for line in self.states]
+        groups = [(places[0][0], ""), (places[0][1], "" if self.pair.bistable else "1")]
+        if not self.pair.bistable:
+            groups.append((places[1][1], "2"))
+        middles = np.concatenate([group for group, _ in groups])
+        margin = self.pad_width / 2 + self.pad.hole
+        low, high = middles.min(axis=0) - margin, middles.max(axis=0) + margin
+        plate = round_corners(Path.rectangle(*(high - low), corner=low), self.pad.hole)
+        distinct = _distinct(middles)
+        apart = min(
+            (float(np.hypot(*(a - b))) for i, a in enumerate(distinct) for b in distinct[:i]), default=np.inf
+        )
+        if apart < self.pad.hole + self.sheet.thickness / 2:
+            raise InputError(
+                "holes of the two settings lie {apart} apart in the holder and run into each other: make the pads "
+                "longer or shorter, or turn the second curve so that its end lies elsewhere",
+                apart=Length(apart),
+            )
+        texts = [
+            Text((float(group[:, 0].mean()), float(group[:, 1].mean())), name, 3.0, 0.0, ENGRAVE)
+            for group, name in groups
+            if name
+        ]
+        holes = [LayeredPath(CUT_INNER, Path.circle(place, self.pad.hole / 2)) for place in distinct]
+        name = f"{self.label or 'flexure'}-holder"
+        return Drawing(name, (*holes, LayeredPath(CUT_OUTER, plate)), tuple(texts))
+
+    @property
+    def solid(self) -> FlatSolid:
+        """The unloaded part as a body, from z = 0 to the depth."""
+        return FlatSolid(self.outline, self.holes, self.sheet.thickness)
+
+    # --- from state to state
+
+    @cached_property
+    def pushed(self) -> tuple[float, FloatArray]:
+        """Where a bistable part is pushed, mm, and the way of this point from the first state to the second."""
+        first, second = self.rods
+        way = second.position - first.position
+        far = np.hypot(*way.T)
+        i = int(np.abs(first.s - (first.length / 2 if self.push_at is None else self.push_at)).argmin())
+        if self.push_at is None and far[i] < FAR_SHARE * far.max():
+            i = int(far.argmax())
+        return float(first.s[i]), np.asarray(way[i])
+
+    @cached_property
+    def travel(self) -> FlexureTravel:
+        """From the first state to the second: pushed where it is bistable, else its end led."""
+        return self._pushed(*self.rods) if self.pair.bistable else self._led()
+
+    @cached_property
+    def force_range(self) -> tuple[float, float]:
+        """Least and largest that `travel.largest_force` may turn out, N.
+
+        Where the part is off by `OFF_MM` in its plane, of a sheet at the ends of its ranges. A part that does not
+        snap at one of these thicknesses has no force there.
+        """
+        forces = [self.travel.largest_force]
+        for off in (-OFF_MM, OFF_MM):
+            fraction = 1 + 2 * off / sum(self.thickness_range)
+            force = forces[0] / self.bending_stiffness
+            if self.bistable:
+                path = self._push_finely(self.pair.first, fraction * self.scale)
+                force = 0.0 if path.snap is None else path.largest_force
+            forces.append(fraction**3 * self.bending_stiffness * force)
+        ends = np.array([min(forces), max(forces)])
+        for name in ("youngs_modulus", "thickness"):
+            ends = ends * self.sheet.range_of(name) / getattr(self.sheet, name)
+        low, high = ends
+        return float(low), float(high)
+
+    @property
+    def force_text(self) -> Refusal:
+        """The largest force with its range, as a text."""
+        low, high = self.force_range
+        return note(
+            "about {force:.2g} N ({low:.2g} to {high:.2g} N with {off} of thickness more or less and the sheet's "
+            "spread)"
+            if self.sheet.youngs_modulus_range
+            else "about {force:.2g} N ({low:.2g} to {high:.2g} N with {off} of thickness more or less; the spread "
+            "of the sheet is not known)",
+            force=self.travel.largest_force, low=low, high=high, off=Length(OFF_MM),
+        )  # fmt: skip
+
+    @cached_property
+    def travel_back(self) -> FlexureTravel | None:
+        """From the second state to the first, of a bistable part."""
+        return self._pushed(*self.rods[::-1]) if self.bistable else None
+
+    @property
+    def travel_strain(self) -> float:
+        """Largest strain on the way from state to state, and back if the part is bistable."""
+        return max(float(way.strain.max()) for way in (self.travel, self.travel_back) if way is not None)
+
+    def _pushed(self, start: Rod, goal: Rod) -> FlexureTravel:
+        path, B = self._push_finely(start, self.scale), self.bending_stiffness
+        rest = rest_shape(goal, thickness=self.scale)
+        place = np.column_stack([np.interp(path.s, rest.s, column) for column in rest.position.T])
+        reached = _distance(path.released, place) <= REST_SHARE * start.length
+        return FlexureTravel(
+            path.travel, B * path.force, B * path.energy, path.position,
+            self._strains(*self._nodal(path), self.scale).max(axis=1), path.snap, B * path.barrier,
+            self.bistable and reached,
+        )  # fmt: skip
+
+    def _push(self, start: Rod, scale: float, *snap: float) -> PushPath:
+        """Along the straight way of the pushed point to the other state, in finer steps up to a snap (mm)."""
+        at, way = self.pushed
+        way = way if start is self.rods[0] else -way
+        travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*snap, float(np.hypot(*way)))]
+        return push_path(start, at, way, np.unique(travel), thickness=scale)
+
+    def _push_finely(self, start: Rod, scale: float) -> PushPath:
+        path = self._push(start, scale)
+        return path if path.snap is None else self._push(start, scale, path.snap)
+
+    def _nodal(self, shape: PushPath | RestShape) -> tuple[FloatArray, FloatArray]:
+        """kappa - kappa_0, 1/mm, and axial strain (..., n) at the rod's nodes."""
+        s = self.pair.first.s
+        bend, stretch = (
+            np.apply_along_axis(lambda row: np.interp(s, shape.s, row), -1, values)
+            for values in (shape.bend, shape.stretch)
+        )
+        return bend, stretch
+
+    @cached_property
+    def _led_rods(self) -> Sequence[Rod]:
+        """The end led along a straight line while it turns evenly, the start staying where it is."""
+        first, second = self.rods
+        end, angle = second.position[-1], float(second.angle[-1])
+        steps = [
+            {
+                "end": first.position[-1] + share * (end - first.position[-1]),
+                "angles": (
+                    float(first.angle[0]),
+                    float(first.angle[-1] + share * (angle - first.angle[-1])),
+                ),
+            }
+            for share in np.linspace(0.0, 1.0, TRAVEL_STEPS // 2 + 1)
+        ]
+        return bend_path(first, steps)
+
+    def _led(self) -> FlexureTravel:
+        first, second = self.rods
+        rods, B = self._led_rods, self.bending_stiffness
+        energy = B * np.array([rod.bending_energy for rod in rods])
+        force = B * np.array([np.hypot(*rod.force[-1]) for rod in rods])
+        strains = self._strains(self._bends_of(rods), self.scale**2 * self._pull_of(rods), self.scale)
+        return FlexureTravel(
+            np.linspace(0.0, 1.0, len(rods)), force, energy, np.array([rod.position for rod in rods]),
+            strains.max(axis=1), None, float(energy[-1] - energy[0]),
+            _distance(rods[-1].position, second.position) <= REST_SHARE * first.length,
+        )  # fmt: skip
+
+    # --- whether it can be made
+
+    @cached_property
+    def contacts(self) -> dict[str, float]:
+        """Gaps, mm, between stretches that come too near: of the unloaded part and of both states."""
+        lines = {
+            "unloaded": self.centre,
+            "in its first state": self.states[0],
+            "in its second state": self.states[1],
+        }
+        found = {name: self._gap(line) for name, line in lines.items()}
+        return {name: gap for name, gap in found.items() if gap < LEAST_GAP_MM}
+
+    def _gap(self, line: "CentreLine") -> float:
+        """Least distance of two stretches of the part, its pads with them, that are no neighbours, mm."""
+        length = self.pair.length
+        s = np.linspace(0.0, length, CONTACT_POINTS)
+        beyond = np.arange(self.pad_width / 2, self.pad.length + 1e-9, self.pad_width / 4)
+        outer = [self.overhang(0.0), self.overhang(length)]
+        s = np.concatenate([-(outer[0] + beyond)[::-1], s, length + outer[1] + beyond])
+        half = np.where((s < 0) | (s > length), self.pad_width / 2, self.thickness_at(s) / 2)
+        position = line.at(s)[0]
+        apart = (
+            np.hypot(*(position[:, None] - position[None]).transpose(2, 0, 1)) - half[:, None] - half[None]
+        )
+        near = np.abs(s[:, None] - s[None]) <= APART * (half[:, None] + half[None]) + s[1] - s[0]
+        return float(np.where(near, np.inf, apart).min())
+
+    def _gap_on_the_way(self, way: FlexureTravel) -> float:
+        """The same of some of the shapes between the states, mm."""
+        shapes = way.position[:: max(1, len(way.position) // SHAPES)]
+        gaps = [self._gap(self.line_through(shape)) for shape in shapes]
+        return min(gaps)
+
+    def line_through(self, positions: FloatArray) -> "CentreLine":
+        """Centre line through nodes (n, 2) of a shape of `travel` or `rests`, mm."""
+        steps = np.append(0.0, np.cumsum(np.hypot(*np.diff(positions, axis=0).T)))
+        s = steps * self.pair.length / steps[-1]
+        along = np.gradient(positions, s, axis=0, edge_order=2)
+        return CentreLine(s, np.unwrap(np.arctan2(along[:, 1], along[:, 0])), positions[0])
+
+    def _faults(self) -> Iterable[InputError]:
+        """What keeps it from being made and used."""
+        thin, least = self.scale, LEAST_PRINTED_MM if self.printed else LEAST_CUT_MM
+        if thin < least * (1 - 1e-6):
+            made = "printed" if self.printed else "cut"
+            share = rounded_up(least / thin, 3)
+            yield InputError(
+                "at the strain that {sheet} bears, {strain:.2g} %, the part may be {thin:.3g} thick at most where "
+                "it is thinnest, and {least:g} are {made} soundly: draw both curves {share:g} times as large, "
+                "{needs} long, or closer to each other, or take a sheet that bears more",
+                sheet=self.sheet.name, strain=100 * self.sheet.max_strain, thin=Length(thin), least=Length(least),
+                made=made, share=share, needs=Length(share * self.pair.length),
+            )  # fmt: skip
+        worst = max(self.strain)
+        verdict = judge_strain(self.sheet, worst)
+        if verdict.refused:
+            yield StrainError(
+                "the part is strained by {worst:.2g} % where {sheet} bears {most:.2g} %, and breaks: make it "
+                "thinner, or draw the curves closer to each other",
+                worst=100 * worst, sheet=self.sheet.name, most=100 * self.sheet.max_strain,
+            )  # fmt: skip
+        for name, gap in self.contacts.items():
+            yield InputError(
+                "{name} the part comes within {gap} of itself and touches: draw the curves further open there",
+                name=name, gap=Length(max(gap, 0.0)),
+            )  # fmt: skip
+
+    @cached_property
+    def warnings(self) -> tuple[Refusal, ...]:
+        """What a user should know about the part."""
+        found = [note("{fault}", severity="warning", fault=str(one)) for one in self._faults()] \
+            if self.ignore_limits else []  # fmt: skip
+        worst = max(self.strain)
+        verdict = judge_strain(self.sheet, worst)
+        if not verdict.allowed and not verdict.refused:
+            found.append(note("strained by {worst:.2g} %, {percent} % of what {sheet} bears for long: {outcome}",
+                              severity="warning", worst=100 * worst, percent=verdict.percent, sheet=self.sheet.name,
+                              outcome=verdict.outcome))  # fmt: skip
+        for name, side in zip(STATES, self.sideways, strict=True):
+            if side.needs_guiding:
+                found.append(note("the {name} state: {side}", severity="warning", name=name, side=str(side)))
+        found += self.rest_warnings
+        try:
+            way = self.travel
+        except NotConvergedError as error:
+            found.append(
+                note("no way from state to state was found: {error}", severity="warning", error=str(error))
+            )
+        else:
+            most = self.travel_strain
+            if not judge_strain(self.sheet, most).allowed and most > worst:
+                found.append(note("on the way from state to state it is strained by {most:.2g} %, and the sheet "
+                                  "bears {limit:.2g} % for long", severity="warning", most=100 * most,
+                                  limit=100 * self.sheet.max_strain))  # fmt: skip
+            if (gap := self._gap_on_the_way(way)) < LEAST_GAP_MM:
+                found.append(note("on the way from state to state the part comes within {gap} of itself",
+                                  severity="warning", gap=Length(max(gap, 0.0))))  # fmt: skip
+            if not way.reached and self.bistable == self.pair.bistable:
+                found.append(note("the way taken does not end in the second state: push it at another "
+                                  "place, or lead it by hand", severity="warning"))  # fmt: skip
+        return tuple(found)
+
+    @property
+    def rest_warnings(self) -> tuple[Refusal, ...]:
+        """Messages about rest shapes that do not exist or are far from the drawn states."""
+        if self.pair.bistable and not self.bistable:
+            return (note("the part is not bistable: its forces stretch it, and it rests near one curve only, the "
+                         "{name}; make it thinner (least_thickness, --least-thickness), or bend the curves more",
+                         severity="warning", name=STATES[int(np.argmin(self.rest_deviations))]),)  # fmt: skip
+        found = []
+        for name, far, stays in zip(STATES, self.rest_deviations, self.pair.stability, strict=True):
+            if not stays.stable:
+                found.append(note("the {name} state will not stay: it is in balance, and snaps into another shape, "
+                                  "up to {far} away", severity="warning", name=name, far=Length(far)))  # fmt: skip
+            elif far > REST_SHARE * self.pair.length:
+                found.append(note("the part rests up to {far} from the {name} curve, {percent:.2g} % of its "
+                                  "length, because its forces stretch it; make it thinner (least_thickness, "
+                                  "--least-thickness), or bend the curves more",
+                                  severity="warning", far=Length(far), name=name,
+                                  percent=100 * far / self.pair.length))  # fmt: skip
+        return tuple(found)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Numbers, texts and lists for a report."""
+        low, high = self.thickness_range
+        way, pair = self.travel, self.pair
+        report = {
+            "sheet": self.sheet.name,
+            "length_mm": pair.length,
+            "bistable": self.bistable,
+            "free": pair.free,
+            "ratio": pair.ratio,
+            "depth_mm": self.sheet.thickness,
+            "least_thickness_mm": low,
+            "largest_thickness_mm": high,
+            "bending_stiffness_N_mm2": self.bending_stiffness,
+            "strain": list(self.strain),
+            "strain_on_the_way": self.travel_strain,
+            "max_strain": self.sheet.max_strain,
+            "margin": [one.margin for one in pair.stability],
+            "stable": [one.stable for one in pair.stability],
+            "sideways": [one.word for one in self.sideways],
+            "stretch_mm": self.stretch,
+            "rest_deviation_mm": list(self.rest_deviations),
+            "largest_force_N": way.largest_force,
+            "largest_force_range_N": list(self.force_range),
+            "snap_travel_mm": way.snap,
+            "work_N_mm": way.work,
+            "reaches_second_state": way.reached,
+            "reports": [str(one) for one in self.warnings],
+        }
+        if pair.bistable:
+            at, _ = self.pushed
+            back = self.travel_back
+            report |= {"pushed_at_mm": at}
+            if back is not None:
+                report |= {"largest_force_back_N": back.largest_force, "work_back_N_mm": back.work}
+        return report
+
+
+def _overhang(h: float, r: float) -> float:
+    """`Flexure.overhang` of a part h thick at its root with a fillet of radius r, mm."""
+    x, w = _GAUSS[0] * r / 2 + r / 2, _GAUSS[1] * r / 2
+    wide = h + 2 * (r - np.sqrt(r**2 - x**2)) if r else np.array([h])
+    give = float(w @ (h / wide) ** 3) if r else 0.0
+    root = h + 2 * r
+    return r - give - HALF_PLANE * root * (h / root) ** 3
+
+
+def _distance(positions: FloatArray, others: FloatArray) -> float:
+    return float(np.hypot(*(positions - others).T).max())
+
+
+HALF_PLANE = 0.44
+"""Thicknesses of the strip by which the root of a half-plane gives as much: O'Donnell, J. Appl. Mech. 27 (1960)."""
+
+
+SHARP_MM = 0.1
+"""Radius of a root without a fillet, mm: half the width of a laser's cut."""
+
+
+def root_factors(radius: float) -> tuple[float, float]:
+    """Return the notch factors of a fillet beside a wide pad, of bending and of tension.
+
+    Fitted within 1 % to plane finite elements of a strip that ends in a pad at least three times as wide, for radii
+    of 0.05 to 2.5 times the thickness. Beside narrower pads the factors are too large. Whole parts agree with
+    elements (`tests/validation/test_pushed_parts.py`).
+
+    Parameters
+    ----------
+    radius : float
+        Over the thickness where the fillet begins.
+
+    Examples
+    --------
+    >>> [round(factor, 2) for factor in root_factors(0.5)]
+    [1.27, 1.51]
+    """
+    return 1 + 1 / (4.9 * radius + 1.8 * radius**0.5), 1 + 1 / (3.5 * radius + 0.2)
+
+
+def curved_beam_factor(share: FloatArray) -> FloatArray:
+    """By how much the strain of the inner side exceeds h |kappa - kappa_0| / 2, for h |kappa_0| (n,).
+
+    Winkler's theory of curved beams; about 1 + share / 3.
+
+    Examples
+    --------
+    >>> curved_beam_factor(np.array([0.0, 0.2])).round(4).tolist()
+    [1.0, 1.0711]
+    """
+    x = np.clip(share, 1e-3, 1.8)
+    inner = 1 - x / 2
+    neutral = x / np.log((1 + x / 2) / inner)
+    factor = x * (neutral - inner) / (6 * (1 - neutral) * inner)
+    return np.asarray(np.where(share < 1e-3, 1 + share / 3, factor))
+
+
+@dataclass(frozen=True, eq=False)
+class CentreLine:
+    """A line by arc length, straight on with its end's bend beyond its ends.
+
+    Attributes
+    ----------
+    s, angle : (n,) arrays
+    start : (2,) array
+    """
+
+    s: FloatArray
+    angle: FloatArray
+    start: FloatArray
+
+    @cached_property
+    def _turn(self) -> Any:
+        return spline_through(self.s, self.angle, 3)
+
+    @cached_property
+    def _place(self) -> tuple[Any, FloatArray]:
+        """The position over arc length: the integral of the tangent's spline."""
+        tangent = np.column_stack([np.cos(self.angle), np.sin(self.angle)])
+        place = spline_through(self.s, tangent, 5).antiderivative()
+        return place, np.asarray(place(self.s[:1])[0])
+
+    def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Positions (n, 2) and angles (n,) at arc lengths; beyond the ends straight on."""
+        inside = np.clip(s, self.s[0], self.s[-1])
+        place, zero = self._place
+        angle = np.asarray(self._turn(inside))
+        tangent = np.column_stack([np.cos(angle), np.sin(angle)])
+        return self.start + place(inside) - zero + (s - inside)[:, None] * tangent, angle
+
+
+def _lines(corners: Sequence[FloatArray]) -> list[Line | Arc | Spline]:
+    return [Line(a, b) for a, b in pairwise(corners)]
+
+
+def _distinct(places: FloatArray) -> list[FloatArray]:
+    """The places, each once."""
+    kept: list[FloatArray] = []
+    for place in places:
+        if all(np.hypot(*(place - other)) > 0.01 for other in kept):
+            kept.append(place)
+    return kept

@@ -1,0 +1,126 @@
+"""The request for a part with two rest shapes, whoever asks: two curves, a sheet, and what it may be."""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Annotated, Literal
+
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.pairs.flexure import Flexure, Pad
+from elastica_cad.pairs.matching import MatchedPair, matched_pair, same_way
+from elastica_cad.pairs.two_state_rods import Objective, PairLimits, State, TwoStateRod, two_state_rod
+
+Match = Literal["ends", "shape", "none"]
+
+
+@dataclass(frozen=True, eq=False)
+class FlexureSpec:
+    """A flexure as it is asked for.
+
+    Attributes
+    ----------
+    first, second : PlaneCurve
+        Both states as drawn, mm.
+    sheet : Sheet or str
+    match : "ends", "shape" or "none"
+        How their lengths are made equal: see `matched_pair`.
+    smooth : float, optional
+        As of `StripSpec`: by how many mm the curves may be moved to be fair; unless given pen curves are, slightly.
+    limits : PairLimits
+    free : "first", "second" or None
+        A state that needs no holding.
+    objective : "thickness" or "ratio"
+        The largest least thickness at the sheet's strain, or the least ratio of stiffness.
+    least_thickness, pad, fillet, push_at, printed, label, ignore_limits
+        As of `Flexure`.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> arch = PlaneCurve.spline([(0, 0), (30, 8), (90, 8), (120, 0)], degree=3)
+    >>> spec = FlexureSpec(arch, arch.transformed(np.diag([1.0, -1.0, 1.0])), "pom-2")
+    >>> spec.make().pair.bistable
+    False
+    """
+
+    first: Annotated[PlaneCurve, Asked("The curve of the first state.")]
+    second: Annotated[PlaneCurve, Asked("The curve of the second state.")]
+    sheet: Annotated[
+        Sheet | str, Asked("Material, whose thickness is the depth of the part.", common=True, written=Sheet)
+    ]
+    match: Annotated[
+        Match,
+        Asked(
+            "Make both curves equally long: with their ends where they are, by scaling, or not.", common=True
+        ),
+    ] = "ends"
+    smooth: Annotated[
+        float | None,
+        Asked("Move the curves so far to make their curvature smooth.", "mm", least=0, common=True),
+    ] = None
+    limits: Annotated[PairLimits, Asked("What the strip may have at most.")] = field(
+        default_factory=PairLimits
+    )
+    free: Annotated[State | None, Asked("The state that needs no holding.", common=True)] = None
+    objective: Annotated[
+        Objective, Asked("The thickest part that the strain allows, or the most even one.", common=True)
+    ] = "thickness"
+    least_thickness: Annotated[
+        float | None,
+        Asked(
+            "Thinnest place in the plane, else the most that the sheet's strain allows.",
+            "mm",
+            least=0,
+            common=True,
+        ),
+    ] = None
+    pad: Annotated[Pad, Asked("What holds both ends.")] = field(default_factory=Pad)
+    fillet: Annotated[float, Asked("Radius at the roots of the pads.", "mm", least=0, common=True)] = 1.0
+    push_at: Annotated[
+        float | None,
+        Asked("Where a bistable part is pushed over, else at its middle.", "mm", least=0, common=True),
+    ] = None
+    printed: Annotated[
+        bool, Asked("For a printer: 0.9 mm thick at least, not 0.8 as a laser cuts.", common=True)
+    ] = False
+    label: Annotated[str, Asked("Name of the part, engraved on its first pad.", common=True)] = ""
+    ignore_limits: Annotated[
+        bool, Asked("Make it although it is too thin or touches itself.", common=True)
+    ] = False
+
+    def __post_init__(self) -> None:
+        require_declared(FlexureSpec, vars(self))
+
+    @cached_property
+    def matched(self) -> MatchedPair | None:
+        """Both curves made equally long; None where they are taken as drawn."""
+        return None if self.match == "none" else matched_pair(*self.faired, self.match)
+
+    @cached_property
+    def faired(self) -> tuple[PlaneCurve, PlaneCurve]:
+        """Both curves with a smooth curvature, from the same end on."""
+        first, second = (smooth_curve(one, self.smooth).curve for one in (self.first, self.second))
+        return same_way(first, second)
+
+    @cached_property
+    def pair(self) -> TwoStateRod:
+        """The rod that rests in both."""
+        first, second = self.matched or self.faired
+        return two_state_rod(first, second, limits=self.limits, free=self.free, objective=self.objective)
+
+    def make(self) -> Flexure:
+        """The part.
+
+        Raises
+        ------
+        NotRealizable
+            No strip rests in both curves within the limits.
+        InputError
+            It cannot be cut, or touches itself; the sentence says what would help.
+        """
+        return Flexure(
+            self.pair, Sheet.of(self.sheet), least_thickness=self.least_thickness, pad=self.pad, fillet=self.fillet,
+            push_at=self.push_at, printed=self.printed, label=self.label, ignore_limits=self.ignore_limits,
+        )  # fmt: skip

@@ -1,0 +1,302 @@
+"""Two drawn curves made equally long, with the least change, so that one strip can be both."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import ceil, log, sqrt
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import is_one_of
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.plane_curve import PlaneCurve, integrate_tangents
+from elastica_cad.geometry.polynomials import LEFT, NODES, WEIGHTS, PanelFunction, in_panels, locate_in_panels
+from elastica_cad.mechanics.loads import require_curve
+from elastica_cad.mechanics.theorem1 import require_bendable
+from elastica_cad.refusals import Length, note
+
+Kept: TypeAlias = Literal["ends", "shape"]
+
+ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
+"""Ends this near to each other, as a share of the length, and of this little difference in direction are meant
+to be the same clamps."""
+
+LONGEST_STEP = 0.02  # of the logarithm of the length, for Newton's method
+NEWTON_STEPS = 20
+MET = 1e-13  # in lengths and rad
+
+TANGENT_ERROR = 1e-9
+"""Accuracy of the ends of the changed curve, as a share of the length."""
+
+LARGEST_TURN = 0.5
+"""Largest change of direction, rad, anywhere on the curve."""
+
+EQUAL = 1e-12  # lengths that differ by less of themselves are equal
+
+
+@dataclass(frozen=True, eq=False)
+class MatchedPair:
+    """Two curves of one length; `first, second = matched_pair(...)` takes them apart.
+
+    Attributes
+    ----------
+    first, second : PlaneCurve
+    moved : (float, float)
+        Largest distance of corresponding points from the drawn curves, mm.
+    same_clamps : bool
+        Do both have the same ends and total turning, exactly?
+    """
+
+    first: PlaneCurve
+    second: PlaneCurve
+    moved: tuple[float, float]
+    same_clamps: bool
+
+    def __iter__(self) -> Iterator[PlaneCurve]:
+        return iter((self.first, self.second))
+
+    def __str__(self) -> str:
+        return note(
+            "Both curves are {length} long and held by the same clamps: the first was moved by up to {first}, the "
+            "second by {second}."
+            if self.same_clamps
+            else "Both curves are {length} long: the first was moved by up to {first}, the second by {second}.",
+            length=Length(self.first.length),
+            first=Length(self.moved[0]),
+            second=Length(self.moved[1]),
+        )
+
+
+def same_way(first: PlaneCurve, second: PlaneCurve) -> tuple[PlaneCurve, PlaneCurve]:
+    """Both curves, turned round where only so they begin in one place or have the same clamps.
+
+    A curve is drawn from either of its ends, and curves of a drawing that meet are read as one.
+    """
+    for one in (first, first.reversed()):
+        for other in (second, second.reversed()):
+            drawn = _Drawn.of(one), _Drawn.of(other)
+            apart = float(np.hypot(*(drawn[0].clamps[0] - drawn[1].clamps[0])))
+            if apart <= ALIKE_SHARE * first.length or _are_alike(*drawn):
+                return one, other
+    return first, second
+
+
+def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> MatchedPair:
+    """The two curves with equal lengths, changed as little as can be.
+
+    Parameters
+    ----------
+    first, second : PlaneCurve
+        mm.
+    keep : "ends" or "shape"
+        "ends": each keeps the places and directions of its ends, and takes the new length as an even elastic strip
+        would: its curvature changes by an affine function of the position, the smallest that will do. The common
+        length is that of the least change of both together. Where the ends of both lie alike, wherever they
+        are drawn (to 1 % of the length and 2 degrees, with the same total turning), they become the same clamps
+        exactly.
+        "shape": each is scaled about its start.
+
+    Returns
+    -------
+    MatchedPair
+
+    Raises
+    ------
+    InputError
+        A curve cannot be so long with its ends where they are: it is straight, or the lengths are far apart.
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.spline([(0, 0), (30, 14), (70, 14), (100, 0)], degree=3)
+    >>> flatter = PlaneCurve.spline([(0, 0), (30, -12), (70, -12), (100, 0)], degree=3)
+    >>> one, other = matched_pair(arch, flatter)
+    >>> abs(one.length - other.length) < 1e-6, bool(np.allclose(one.at([one.length]).position, [[100, 0]]))
+    (True, True)
+    """
+    for curve in (first, second):
+        require_curve(curve)
+        require_bendable(curve)
+        if curve.is_closed:
+            raise InputError("a closed curve has no ends to be held: open it somewhere")
+    if not is_one_of(keep, ("ends", "shape")):
+        raise InputError("keep is {keep!r}: give 'ends' or 'shape'", keep=keep)
+    if keep == "shape":
+        return _scaled(first, second)
+    drawn = _Drawn.of(first), _Drawn.of(second)
+    alike = _are_alike(*drawn)
+    if alike:
+        chord = sum((one.chord for one in drawn), np.zeros(2)) / 2
+        angles = sum((one.clamps[2] for one in drawn), np.zeros(2)) / 2
+        first_start, second_start = (one.clamps[0] for one in drawn)
+        drawn = (
+            replace(drawn[0], clamps=(first_start, first_start + chord, angles)),
+            replace(drawn[1], clamps=(second_start, second_start + chord, angles)),
+        )
+    lengths = [curve.length for curve in (first, second)]
+    length = _least_change(drawn, lengths)
+    changed = [one.of_length(length) for one in drawn]
+    moved = [_moved(*both) for both in zip((first, second), changed, strict=True)]
+    return MatchedPair(changed[0], changed[1], (moved[0], moved[1]), alike)
+
+
+def _scaled(first: PlaneCurve, second: PlaneCurve) -> MatchedPair:
+    length = sqrt(first.length * second.length)
+    changed = []
+    for curve in (first, second):
+        start = curve.evaluate(np.array(curve.domain[0]))
+        points = start + (curve.control_points - start) * (length / curve.length)
+        changed.append(curve.with_control_points(points))
+    moved = [_moved(*both) for both in zip((first, second), changed, strict=True)]
+    alike = _are_alike(_Drawn.of(changed[0]), _Drawn.of(changed[1]), EQUAL)
+    return MatchedPair(changed[0], changed[1], (moved[0], moved[1]), alike)
+
+
+def _moved(before: PlaneCurve, after: PlaneCurve) -> float:
+    """Largest distance of points at the same share of the length, mm."""
+    if after is before:
+        return 0.0
+    apart = after.sample(before.survey.s.size).position - before.survey.position
+    return float(np.hypot(*apart.T).max())
+
+
+def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) -> bool:
+    """Whether both are held by the same clamps, wherever they are drawn, to a share of the length."""
+    size = max(first.curve.length, second.curve.length)
+    apart, angles, other_angles = np.hypot(*(first.chord - second.chord)), first.clamps[2], second.clamps[2]
+    return bool(
+        apart <= share * size and np.abs(angles - other_angles).max() <= ALIKE_RAD / ALIKE_SHARE * share
+    )
+
+
+def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float:
+    """The common length for which the sum of both changes of curvature is least."""
+    from scipy.optimize import minimize_scalar
+
+    low, high = sorted(lengths)
+    if high - low <= EQUAL * high:
+        return low
+
+    def change(length: float) -> float:
+        return sum(one.change(length) for one in drawn)
+
+    best = minimize_scalar(
+        change, bounds=(low, high), method="bounded", options={"xatol": 1e-4 * (high - low)}
+    )
+    length = min((float(best.x), low, high), key=change)
+    if not np.isfinite(change(length)):
+        raise InputError(
+            "the curves are {first:.5g} and {second:.5g} long, and with their ends where they are no small change "
+            'makes them equal: draw them closer to the same length, or keep="shape" scales them',
+            first=Length(lengths[0]),
+            second=Length(lengths[1]),
+        )
+    return length
+
+
+@dataclass(frozen=True, eq=False)
+class _Drawn:
+    """A curve and the clamps that it is to have: start (2,), end (2,), both angles (2,).
+
+    With u the share of its length, its angle changes by c + alpha u + <beta, integral of position>; c is what the
+    angle of its start does.
+    """
+
+    curve: PlaneCurve
+    clamps: tuple[FloatArray, FloatArray, FloatArray]
+
+    @classmethod
+    def of(cls, curve: PlaneCurve) -> "_Drawn":
+        ends = curve.at(np.array([0.0, curve.length]))
+        return cls(curve, (ends.position[0], ends.position[1], ends.angle))
+
+    @property
+    def chord(self) -> FloatArray:
+        """From start to end (2,), mm."""
+        return self.clamps[1] - self.clamps[0]
+
+    @cached_property
+    def _nodes(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:
+        """Edges of panels (N + 1,) by u; weights (N p,), angles (N p,) and changes of curvature by the numbers
+        (N p, 3) at their nodes; turns by the numbers (N p + 1, 3), there and at the end.
+        """
+        curve = self.curve
+        edges = curve.arc_length(curve.smooth_panels) / curve.length
+        half = np.diff(edges)[:, None] / 2
+        u = edges[:-1, None] + half * (1 + NODES)
+        at = curve.at((u * curve.length).ravel())
+        middle = at.position.mean(axis=0)
+        functions = np.concatenate([np.ones((at.s.size, 1)), (at.position - middle) / curve.length], axis=1)
+        functions = functions.reshape(*u.shape, 3)
+        inside = in_panels(LEFT, functions * half[..., None])
+        reached = np.cumsum(np.einsum("np,npk->nk", WEIGHTS * half, functions), axis=0)
+        before = np.concatenate([np.zeros((1, 3)), reached[:-1]])
+        turns = np.concatenate([(before[:, None] + inside).reshape(-1, 3), reached[-1:]])
+        return edges, (WEIGHTS * half).ravel(), at.angle, functions.reshape(-1, 3), turns
+
+    def numbers(self, length: float) -> FloatArray | None:
+        """(alpha, beta) (3,) with which the curve has its clamps and the length; None for no small change."""
+        _, weight, angle, _, turns = self._nodes
+        start, end, angles = self.clamps
+        own = self.curve.at(np.array([0.0, self.curve.length]))
+        found = np.zeros(3)
+        steps = max(1, ceil(abs(log(length / self.curve.length)) / LONGEST_STEP))
+        for k in range(1, steps + 1):
+            share = k / steps
+            size = self.curve.length * (length / self.curve.length) ** share
+            held = own.angle + share * (angles - own.angle)
+            chord = own.position[1] - own.position[0]
+            chord = chord + share * (end - start - chord)
+            for _ in range(NEWTON_STEPS):
+                theta = angle + (held[0] - own.angle[0]) + turns[:-1] @ found
+                tangent = np.array([np.cos(theta), np.sin(theta)])
+                normal = np.array([-tangent[1], tangent[0]])
+                missed = np.append(
+                    tangent @ weight - chord / size,
+                    turns[-1] @ found - (held[1] - held[0] - own.angle[1] + own.angle[0]),
+                )
+                if np.abs(missed).max() <= MET:
+                    break
+                slope = np.concatenate([(normal * weight) @ turns[:-1], turns[-1:]])
+                try:
+                    found = found - np.linalg.solve(slope, missed)
+                except np.linalg.LinAlgError:
+                    return None
+                if not np.abs(turns @ found).max() <= LARGEST_TURN:
+                    return None
+            else:
+                return None
+        return found
+
+    def change(self, length: float) -> float:
+        """Integral of the square of the change of curvature times the length; infinite for no small change."""
+        found = self.numbers(length)
+        if found is None:
+            return np.inf
+        _, weight, _, functions, _ = self._nodes
+        return float((functions @ found) ** 2 @ weight)
+
+    def of_length(self, length: float) -> PlaneCurve:
+        """The changed curve."""
+        found = self.numbers(length)
+        if found is None:
+            raise NotConvergedError(
+                "no small change of the curve gives it the length {length}", length=length
+            )
+        start, _, angles = self.clamps
+        curve = self.curve
+        own = curve.at(np.array([0.0]))
+        if not found.any() and np.array_equal(start, own.position[0]) and angles[0] == own.angle[0]:
+            return curve
+        scale = curve.length / length
+        edges, *_, turns = self._nodes
+        turn = PanelFunction.through(turns[:-1].reshape(-1, NODES.size, 3) @ found)
+
+        def tangent(s: FloatArray) -> FloatArray:
+            theta = curve.at(np.minimum(s * scale, curve.length)).angle + (angles[0] - own.angle[0])
+            theta = theta + turn.at(*locate_in_panels(edges, s / length))
+            return np.column_stack([np.cos(theta), np.sin(theta)])
+
+        breaks = [(one.s / scale, one.continuity - 1) for one in curve.breaks]
+        return integrate_tangents(tangent, length, start, tolerance=TANGENT_ERROR, breaks=breaks)

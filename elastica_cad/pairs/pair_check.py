@@ -1,0 +1,427 @@
+"""Theorem 1 for two curves: is there one strip, with a shape of its own before it is bent, that rests in both?
+
+Held by a force and a moment, the strip has moments that are affine in position in both states (paper, Eq. 3),
+
+    K (kappa_1 - kappa_0) = M_1 = a_1 + <b_1, gamma_1>,    K (kappa_2 - kappa_0) = M_2 = a_2 + <b_2, gamma_2>,
+
+so K d = N with d = kappa_1 - kappa_2 and N = M_1 - M_2, a number and two vectors. K > 0 exists if and only if some
+N has the sign of d everywhere and vanishes where d does, as often. Then kappa_0 = kappa_1 - M_1 / K.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._compiled_scipy import svd
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import Change, InputError
+from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve
+from elastica_cad.geometry.polynomials import LEFT, RIGHT, PanelFunction, in_panels
+from elastica_cad.mechanics.loads import CurveOfRest, ExcessCurvature, require_curve
+from elastica_cad.mechanics.moment_conditions import (
+    WIDEST_RATIO,
+    StiffnessFamily,
+    find_violations,
+    least_ratio,
+    null_space,
+    stretches,
+    vanishing_at_zeros,
+)
+from elastica_cad.mechanics.quadrature_panels import Panels, cut_into_panels
+from elastica_cad.mechanics.theorem1 import (
+    AT_END_SHARE,
+    PairCheck,
+    PairZero,
+    faint_places,
+    lengths,
+    require_bendable,
+)
+from elastica_cad.refusals import Length, note
+
+EQUAL_LENGTHS_SHARE = 1e-4
+"""Two curves whose lengths differ by more of themselves are made equal first: see `matched_pair`."""
+
+SAME_CLAMPS = 1e-3
+"""In lengths of the curve and rad: ends that lie and turn alike to this are held by the same clamps."""
+
+CONGRUENT_SHARE = 1e-7
+"""Of the largest curvature: curves whose curvatures differ by less everywhere are congruent."""
+
+FAINT_SHARE = 1e-9
+"""Of the largest difference of curvatures: less is none, in a dip or between two zeros."""
+
+GENTLE_SHARE = 1e-7
+"""The same of its slope in a zero, over the length: the strip would be as many times wider there than elsewhere."""
+
+SHORT_SHARE = 0.01
+"""Of the length: where the difference is next to none for less of it, it has a zero of high order."""
+
+BESIDE_SHARE = 1e-4
+"""Of the length: how far from a zero at an end the sign beside it is looked at."""
+
+DEPENDENT_SHARE = 1e-8
+"""Of the largest: numbers whose stiffness is less make none, as where 1, gamma_1, gamma_2 depend on each other."""
+
+NUMBERS = 6
+"""Of the moments: a_1 - a_2, b_1, b_2, a_1; the first five make the difference N."""
+
+
+def check_pair(first: PlaneCurve, second: PlaneCurve) -> PairCheck:
+    """Can one strip rest in both curves, held at its ends?
+
+    Parameters
+    ----------
+    first, second : PlaneCurve
+        mm; their lengths differ by 1e-4 of themselves at most (`matched_pair` makes them equal). The second is
+        scaled to the length of the first.
+
+    Returns
+    -------
+    PairCheck
+        Its `str` says why not, and where.
+
+    Raises
+    ------
+    InputError
+        Curves with corners, closed ones, or ones of different lengths.
+
+    References
+    ----------
+    Paper, Theorem 1, with the difference of two curvatures in the place of the curvature.
+
+    Examples
+    --------
+    >>> flat = PlaneCurve.spline([(0, 0), (30, 4), (70, 4), (100, 0)], degree=3)
+    >>> check_pair(flat, flat.transformed(np.diag([1.0, -1.0, 1.0]))).realizable
+    True
+    """
+    return examine_pair(first, second)[0]
+
+
+def examine_pair(
+    first: PlaneCurve, second: PlaneCurve
+) -> tuple[PairCheck, "PairedPanels | None", FloatArray | None]:
+    """The check; where it is realizable also the conditioned numbers, and those of the least ratio."""
+    second = _of_equal_length(first, second)
+    difference = ExcessCurvature(first, CurveOfRest.of(second))
+    check = PairCheck(
+        realizable=True, reasons=(), length=first.length, first=first, second=second,
+        bistable=_have_same_clamps(first, second),
+    )  # fmt: skip
+    largest = float(np.abs(difference.survey).max())
+    if largest <= CONGRUENT_SHARE * float(np.abs(first.survey.curvature).max(initial=1 / first.length)):
+        return replace(check, any_stiffness=True), None, None
+    found = difference.zeros
+    flats = tuple((z.s, z.s_end) for z in found if _is_stretch(first, z))
+    zeros = _with_orders(difference, found, largest)
+    unmet = tuple(z for z in zeros if not _can_be_met(first, z))
+    check = replace(check, zeros=zeros, flats=flats, unmet=unmet)
+    if flats or unmet:
+        return _refused(check, *_tell_flats(flats), *_tell_unmet(unmet)), None, None
+    paired = PairedPanels.of(check, difference)
+    if paired.family.freedom == 0:
+        return _refused(replace(check, unmet=paired.beyond), _tell_too_many(check, paired)), None, None
+    answer = paired.least_ratio()
+    if answer is None:
+        against = find_violations(paired.family)
+        reason = note(
+            "The moments of the two states, equal where the curves are bent alike, would have to act against their "
+            "curvatures near {places}, so no positive stiffness balances both: change one of the curves there, or "
+            "bring the two closer to each other."
+            if against.size
+            else "The moments of the two states, equal where the curves are bent alike, would have to act against "
+            "their curvatures, so no positive stiffness balances both: bring the two curves closer to each other.",
+            places=stretches(against, check.length),
+        )
+        return _refused(replace(check, against=tuple(against.tolist())), reason), None, None
+    return check, paired, answer
+
+
+def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
+    """The second curve scaled about its start to the length of the first."""
+    for curve in (first, second):
+        require_curve(curve)
+        require_bendable(curve)
+        if curve.is_closed:
+            raise InputError(
+                "a strip with two states has two ends: a closed curve has none, open it somewhere"
+            )
+    if abs(second.length / first.length - 1) > EQUAL_LENGTHS_SHARE:
+        raise InputError(
+            "the first curve is {first:.6g} long, the second {second:.6g}: one strip has one length; make them "
+            'equal, as matched_pair(first, second, keep="ends") does (match = "ends", --match ends)',
+            first=Length(first.length),
+            second=Length(second.length),
+            changes=[Change("match", "ends")],
+        )
+    start = second.evaluate(np.array(second.domain[0]))
+    return second.with_control_points(
+        start + (second.control_points - start) * (first.length / second.length)
+    )
+
+
+def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
+    """Do both curves have ends that lie alike, seen from the start, and the same total turning?"""
+    (chord, turn), (other, other_turn) = (_clamps_of(curve) for curve in (first, second))
+    return bool(
+        np.hypot(*(chord - other)) <= SAME_CLAMPS * first.length and abs(turn - other_turn) <= SAME_CLAMPS
+    )
+
+
+def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
+    """The end (2,), mm, seen from the start along its tangent, and the total turning, rad."""
+    ends = curve.at(np.array([0.0, curve.length]))
+    x, y = ends.position[1] - ends.position[0]
+    c, s = np.cos(ends.angle[0]), np.sin(ends.angle[0])
+    return np.array([c * x + s * y, c * y - s * x]), float(ends.angle[1] - ends.angle[0])
+
+
+def _is_stretch(curve: PlaneCurve, zero: CurvatureZero) -> bool:
+    """Is it no place, nor a zero of high order, about which the difference is small for a short way?"""
+    return zero.kind == "flat" and zero.s_end - zero.s > SHORT_SHARE * curve.length
+
+
+def _with_orders(
+    difference: ExcessCurvature, found: Sequence[CurvatureZero], largest: float
+) -> tuple[PairZero, ...]:
+    """The zeros with their orders; those next to an end put there, two that are all but one made one."""
+    curve, zeros = difference.curve, list[PairZero]()
+    for z in found:
+        if _is_stretch(curve, z):
+            continue
+        end = min((0.0, curve.length), key=lambda s: abs(s - z.s))
+        if abs(end - z.s) <= AT_END_SHARE * curve.length:
+            zeros.append(_at_end(difference, end, largest))
+            continue
+        slope = min(abs(float(difference.slope_at(z.t, left=left))) for left in (True, False))
+        gentle = slope * curve.length <= GENTLE_SHARE * largest
+        order = {"jump": 0, "touch": 2, "flat": 3 if z.changes_sign else 2}.get(z.kind, 3 if gentle else 1)
+        before = zeros[-1] if zeros else None
+        if before and order == before.order == 1 and before.before:
+            middle = (before.s + z.s) / 2
+            t = float(curve.parameter(np.array(middle)))
+            if abs(float(difference.at(t))) <= FAINT_SHARE * largest:
+                zeros[-1] = PairZero(middle, t, 2, before.before, z.after)
+                continue
+        s = (z.s + z.s_end) / 2
+        zeros.append(PairZero(s, float(curve.parameter(np.array(s))), order, z.before, z.after))
+    for s in faint_places(difference, largest, found, FAINT_SHARE):
+        t = float(curve.parameter(np.array(s)))
+        sign = int(np.sign(difference.at(t)))
+        zeros.append(PairZero(s, t, 2, sign, sign))
+    for end in (0.0, curve.length):  # or a zero as near beyond it
+        if all(z.s != end for z in zeros):
+            t = curve.domain[int(end > 0)]
+            value, slope = (abs(float(along(t))) for along in (difference.at, difference.slope_at))
+            if value <= AT_END_SHARE * min(curve.length * slope, largest):
+                zeros.append(_at_end(difference, end, largest))
+    return tuple(sorted(zeros, key=lambda z: z.s))
+
+
+def _at_end(difference: ExcessCurvature, s: float, largest: float) -> PairZero:
+    """The zero at an end of the curve, s mm along it."""
+    curve = difference.curve
+    t = curve.domain[int(s > 0)]
+    slope = float(difference.slope_at(t, left=s > 0))
+    beside = float(difference.at(curve.parameter(np.array(abs(s - BESIDE_SHARE * curve.length)))))
+    sign = int(np.sign(beside))
+    order = 2 if abs(slope) * curve.length <= GENTLE_SHARE * largest else 1
+    return PairZero(s, t, order, sign if s > 0 else 0, 0 if s > 0 else sign)
+
+
+def _can_be_met(first: PlaneCurve, zero: PairZero) -> bool:
+    """Is there a difference of moments that vanishes as often as the curvatures' difference does?
+
+    N' = <b_1, T_1> - <b_2, T_2>, and where d = 0, N'' = kappa (<b_1, n_1> - <b_2, n_2>) with the common curvature
+    kappa: a double zero is met where the curves are bent. Where N'' vanishes too, N does two orders further than d.
+    """
+    if zero.order == 2:
+        bent = float(first.curvature_at(np.array(zero.t)))
+        return abs(bent) > CONGRUENT_SHARE * float(np.abs(first.survey.curvature).max())
+    return zero.order == 1
+
+
+def _refused(check: PairCheck, *reasons: str) -> PairCheck:
+    return replace(check, realizable=False, reasons=reasons)
+
+
+def _tell_flats(flats: Sequence[tuple[float, float]]) -> Iterable[str]:
+    for start, end in flats:
+        yield note(
+            "Both curves are bent alike from {start} to {end}: there the moments would be equal too, and beside it "
+            "they part so slowly that the strip would have no width; bend one of the curves a little more there, "
+            "or draw it alike throughout.",
+            start=Length(start),
+            end=Length(end),
+        )
+
+
+def _tell_unmet(unmet: Sequence[PairZero]) -> Iterable[str]:
+    what = {
+        0: "At {places} which of the two curves is bent further left changes by a jump, and moments do not jump; "
+        "smooth the curvature there, as a spline does.",
+        2: "At {places} the curvatures touch each other where both curves are straight (a zero of order 2), and "
+        "the moments would touch to order 4; bend both curves there, or neither like the other.",
+        3: "At {places} the curvatures cross without a slope (a zero of order 3), and the moments would cross to "
+        "order 5; let one curve change its bend faster there.",
+    }
+    for order, words in what.items():
+        at = [z.s for z in unmet if z.order == order]
+        if at:
+            yield note(words, places=lengths(at))
+
+
+def _tell_too_many(check: PairCheck, paired: "PairedPanels") -> str:
+    return note(
+        "Both curves are bent alike at {places}, so the moments of the two states would have to be equal in all of "
+        "these places; congruent or mirrored curves meet two as a rule, and these meet none beyond {beyond}: let "
+        "the curvatures of the two curves cross in fewer places."
+        if paired.rank < NUMBERS - 1
+        else "Both curves are bent alike at {places}, so the moments of the two states would have to be equal in "
+        "all of these places; two curves meet four as a rule, and these meet none beyond {beyond}: let the "
+        "curvatures of the two curves cross in fewer places.",
+        places=lengths(z.s for z in check.zeros),
+        beyond=Length(paired.beyond[0].s),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class PairedPanels:
+    """Moments of two states along both curves, as rows over a_1 - a_2, b_1, b_2 (times the length) and a_1.
+
+    Attributes
+    ----------
+    check : PairCheck
+    panels : Panels
+        Of the first curve; their `curvature` is d = kappa_1 - kappa_2.
+    moments : tuple of (N, p, 6) arrays
+        M_1 and M_2 at the nodes.
+    stiffness : (N, p, 5) array
+        K = N / d, in the first five numbers.
+    conditions : (k, 5) array
+        Rows that must vanish: N at the zeros of d, and N' at its double ones.
+    """
+
+    check: PairCheck
+    panels: Panels
+    moments: tuple[FloatArray, FloatArray]
+    stiffness: FloatArray
+    conditions: FloatArray
+
+    @classmethod
+    def of(cls, check: PairCheck, difference: ExcessCurvature) -> "PairedPanels":
+        """The rows of two curves, zeros of d at ends of panels."""
+        zeros, first, second, size = check.zeros, check.first, check.second, check.length
+        panels = cut_into_panels(
+            first, [z.t for z in zeros], cuts=[t for t, _, _ in difference.kinks],
+            natural_curvature=difference.rest, orders=[z.order for z in zeros],
+        )  # fmt: skip
+        stretch = panels.stretch[..., None]
+        s = np.clip(panels.s, 0.0, second.length)
+        tangent = second.derivatives(second.parameter(s).ravel(), 1)[1].reshape(*s.shape, 2)
+        along = tangent / np.hypot(tangent[..., :1], tangent[..., 1:]) * stretch
+        edge = second.evaluate(second.parameter(np.clip(panels.edge_s, 0.0, second.length)))
+        from_left = (panels.from_left, in_panels(LEFT, along))
+        from_right = (panels.from_right, -in_panels(RIGHT, along))
+        edges = [(x - x[len(x) // 2]) / size for x in (panels.edge_position, edge)]
+        rows = _rows(np.ones(edges[0].shape[:1]), *edges)
+        at = np.array([np.abs(panels.edges - z.t).argmin() for z in zeros], dtype=int)
+        double = np.array([z.order == 2 for z in zeros], dtype=bool)
+        turns = [_tangents_at(one, panels.edge_s[at]) for one in (first, second)]
+        conditions = np.concatenate(
+            [rows[at], _rows(np.zeros(int(double.sum())), *(turn[double] for turn in turns))]
+        )
+        # N at a node = N at the panel's near end and the step from there; at a zero the first term vanishes
+        vanishing = vanishing_at_zeros(panels, rows)
+        left = panels.zero_left
+        base = np.where(left[:, None], vanishing[:-1], vanishing[1:])
+        step = [
+            np.where(left[:, None, None], a, b) / size for a, b in zip(from_left, from_right, strict=True)
+        ]
+        far = np.where(left[:, None], panels.stretch @ LEFT.T, -(panels.stretch @ RIGHT.T)) / size
+        near = np.arange(panels.count) + ~left
+        for place, turn in zip(at[double], zip(*(turn[double] for turn in turns), strict=True), strict=True):
+            own = (near == place) & (panels.zero_left | panels.zero_right)
+            for one, tangent_there in zip(step, turn, strict=True):  # a double zero: N' vanishes as well
+                one[own] -= far[own, :, None] * tangent_there
+        difference_rows = base[:, None, :] + _rows(np.zeros(far.shape), *step)
+        nodes = [end[:-1, None] + a / size for end, a in zip(edges, from_left, strict=True)]
+        zero, one = np.zeros((*far.shape, 2)), np.ones((*far.shape, 1))
+        moments = (
+            np.concatenate([0 * one, nodes[0], zero, one], axis=-1),
+            np.concatenate([-one, zero, nodes[1], one], axis=-1),
+        )
+        return cls(check, panels, moments, difference_rows / panels.curvature[..., None], conditions)
+
+    @cached_property
+    def basis(self) -> FloatArray:
+        """Columns (5, q) of numbers that meet the conditions and make stiffness."""
+        return self._split[0]
+
+    @cached_property
+    def idle(self) -> FloatArray:
+        """Columns (6, r) of numbers that meet the conditions and make none: a_1, and what depends on each other."""
+        none = np.zeros((NUMBERS, 1 + self._split[1].shape[1]))
+        none[-1, 0] = 1.0
+        none[:-1, 1:] = self._split[1]
+        return none
+
+    @cached_property
+    def _split(self) -> tuple[FloatArray, FloatArray]:
+        free = null_space(self.conditions)
+        if not free.shape[1]:
+            return free, free
+        rows = PanelFunction.through(self.stiffness @ free).dense
+        _, sigma, vt = svd(rows, full_matrices=False)
+        rank = int(np.count_nonzero(sigma > DEPENDENT_SHARE * sigma[0]))
+        # what is left of a condition is rounding where the conditions meet all that make stiffness
+        made = np.abs(self._difference @ free).max(initial=0.0) > CONGRUENT_SHARE
+        return (free @ vt[:rank].T, free @ vt[rank:].T) if made else (free[:, :0], free)
+
+    @property
+    def _difference(self) -> FloatArray:
+        """N (N p, 5) at the nodes."""
+        return (self.stiffness * self.panels.curvature[..., None]).reshape(-1, NUMBERS - 1)
+
+    @cached_property
+    def rank(self) -> int:
+        """On how many numbers N hangs: five, or three where the curves are congruent or mirrored."""
+        return int(
+            np.linalg.matrix_rank(self._difference, DEPENDENT_SHARE * np.sqrt(self._difference.shape[0]))
+        )
+
+    @cached_property
+    def beyond(self) -> tuple[PairZero, ...]:
+        """The zeros behind the last one that some N meets together with those before it."""
+        for count in range(1, len(self.check.zeros) + 1):
+            free = null_space(self.conditions[:count])
+            if not free.shape[1] or np.abs(self._difference @ free).max() <= CONGRUENT_SHARE:
+                return self.check.zeros[count - 1 :]
+        return self.check.zeros[-1:]
+
+    @cached_property
+    def family(self) -> StiffnessFamily:
+        """All stiffnesses in the free numbers (q,)."""
+        return StiffnessFamily(self.panels, PanelFunction.through(self.stiffness @ self.basis))
+
+    def least_ratio(self, family: StiffnessFamily | None = None) -> FloatArray | None:
+        """The free numbers of the least ratio; None where no stiffness is positive."""
+        family = family or self.family
+        sizes = np.abs(family.dense[0]).sum(axis=1)
+        if not sizes.max() < WIDEST_RATIO * sizes.min():
+            return None
+        found = least_ratio(family)
+        return None if found is None else found[0]
+
+
+def _rows(number: FloatArray, first: FloatArray, second: FloatArray) -> FloatArray:
+    """Rows (..., 5) of N: number + <b_1, first> - <b_2, second>."""
+    return np.concatenate([number[..., None], first, -second], axis=-1)
+
+
+def _tangents_at(curve: PlaneCurve, s: FloatArray) -> FloatArray:
+    """Unit tangents (n, 2)."""
+    d1 = curve.derivatives(curve.parameter(np.clip(s, 0.0, curve.length)), 1)[1]
+    return np.asarray(d1 / np.hypot(d1[:, :1], d1[:, 1:]))

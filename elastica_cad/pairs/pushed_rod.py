@@ -1,0 +1,393 @@
+"""A clamped rod pushed at one of its points, step by step, through the places where it snaps."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import numbers, pair
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.refusals import Length
+
+EDGES = 480
+"""Of the discrete rod (paper, section 7.1): its error, (1 / EDGES)^2 of turns of some radians, is a drawing's."""
+
+STIFF, STIFFEST = 400.0, 1000.0
+"""Length over thickness: of a rod whose thickness is not known, and the largest that is used. A thinner rod hardly
+stretches, and rounding errors would exceed its forces."""
+
+MOST_ITERATIONS = 2000
+CALM = 1e-8
+"""Of the largest force of an edge: nodes that are pulled by less are at rest."""
+
+FIRST_DAMPING, LEAST_DAMPING, DAMPING_STEP = 1e-6, 1e-12, 4.0
+"""Of the largest stiffness of a node: added where the energy is no valley or a step would raise it."""
+
+NOISE = 4e-15
+"""Rounding error of the forces, over the stiffness of an edge times the length over the shortest edge."""
+
+ROUNDING = 1e-11
+"""Of the energy: a step that promises less is taken whatever the sum of so many terms says."""
+
+KICK = 1e-4
+"""Of the length: off a ridge, in a lopsided bow that no symmetry of the rod undoes."""
+
+
+@dataclass(frozen=True, eq=False)
+class RestShape:
+    """A clamped rod at rest, stretched by its own forces.
+
+    Attributes
+    ----------
+    s : (n,) array
+        Arc lengths of the nodes, mm.
+    position : (n, 2) array
+        Nodes, mm.
+    bend : (n,) array
+        kappa - kappa_0 at the nodes, 1/mm.
+    stretch : (n,) array
+        Axial strain at the nodes.
+    """
+
+    s: FloatArray
+    position: FloatArray
+    bend: FloatArray
+    stretch: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class PushPath:
+    """A rod while it is pushed; all arrays run over k steps.
+
+    Attributes
+    ----------
+    travel : (k,) array
+        How far the pushed point has come along the direction, mm.
+    force : (k,) array
+        Push over the least bending stiffness, 1/mm2: times N mm2 newtons; negative where the rod is held back.
+    energy : (k,) array
+        Bending energy over the least bending stiffness, 1/mm.
+    position : (k, n, 2) array
+        Nodes, mm.
+    bend : (k, n) array
+        kappa - kappa_0 at the nodes, 1/mm.
+    stretch : (k, n) array
+        Axial strain at the nodes.
+    released : (n, 2) array
+        Nodes, mm, at rest after the push is taken away at the last step.
+    s : (n,) array
+        Arc lengths of the nodes, mm.
+    at : float
+        Where it is pushed, mm.
+    direction : (2,) array
+    """
+
+    travel: FloatArray
+    force: FloatArray
+    energy: FloatArray
+    position: FloatArray
+    bend: FloatArray
+    stretch: FloatArray
+    released: FloatArray
+    s: FloatArray
+    at: float
+    direction: FloatArray
+
+    @property
+    def largest_force(self) -> float:
+        """The largest push up to the snap, or of the whole travel if the rod does not snap, 1/mm2."""
+        return float(self.force[self.travel <= (self.travel[-1] if self.snap is None else self.snap)].max())
+
+    @property
+    def snap(self) -> float | None:
+        """The travel, mm, behind which the rod goes on by itself: the push falls to zero; None if it never does."""
+        gone = np.flatnonzero((self.force[1:] <= 0) & (self.force[:-1] > 0))
+        if not gone.size:
+            return None
+        i = int(gone[0])
+        share = self.force[i] / (self.force[i] - self.force[i + 1])
+        return float(self.travel[i] + share * (self.travel[i + 1] - self.travel[i]))
+
+    @property
+    def barrier(self) -> float:
+        """The work of the push up to there, 1/mm: times N mm2 it is N mm. No claim of the least."""
+        end = self.travel[-1] if self.snap is None else self.snap
+        return float(np.interp(end, self.travel, self.energy) - self.energy[0])
+
+
+def push_path(
+    rod: Rod, at: float, direction: ArrayLike, travel: ArrayLike, *, thickness: float | None = None
+) -> PushPath:
+    """Push a clamped rod at a place into a direction; across it the place is free.
+
+    At every step the rod takes a shape of least energy that descending from the last one leads to, so it snaps
+    where its branch of shapes ends.
+
+    Parameters
+    ----------
+    rod : Rod
+        Clamped at both ends, weightless, of Hooke's law.
+    at : float
+        Arc length, mm, between the ends.
+    direction : (2,) array_like
+    travel : (k,) array_like
+        mm, from the rod's own shape.
+    thickness : float, optional
+        In the plane where the rod is softest, mm: how much it stretches, its stiffness growing as the cube of the
+        thickness. Unless given a four hundredth of the length.
+
+    Raises
+    ------
+    NotConvergedError
+        The rod finds no rest.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.bending import bend
+    >>> arch = bend(Rod.straight(100.0), end=(95.0, 0.0))
+    >>> path = push_path(arch, 50.0, (0, -1), np.linspace(0, 40, 21))
+    >>> abs(path.force[0]) < 1e-4 < path.largest_force, path.snap is not None
+    (True, True)
+    """
+    if not 0 < at < _require_plain(rod).length:
+        raise InputError("the rod is {length} long: push it between its ends, not at {at}",
+                         length=Length(rod.length), at=Length(at))  # fmt: skip
+    away = pair(direction, "the direction of the push")
+    if not away.any():
+        raise InputError(
+            "the direction of the push is {direction!r}: give two numbers, not both 0", direction=direction
+        )
+    away = away / np.hypot(*away)
+    frame = np.array([away, [-away[1], away[0]]])
+    chain = _Chain.of(rod, at, frame, thickness)
+    x = chain.settled(chain.start)
+    free = x[chain.pushed, 0]
+    steps = numbers(travel, "travel")
+    found = []
+    for u in steps:
+        x = chain.settled(chain.led(x, free + u - x[chain.pushed, 0]), held=True)
+        push = chain.gradient(x)[chain.pushed, 0]
+        found.append((push, chain.energy(x), chain.placed(x), chain.bends(x), chain.stretch(x)))
+    force, energy, position, bend, stretch = (np.array(column) for column in zip(*found, strict=True))
+    released = chain.placed(chain.settled(x))
+    return PushPath(steps, force, energy, position, bend, stretch, released, chain.s, at, away)
+
+
+def rest_shape(rod: Rod, *, thickness: float | None = None) -> RestShape:
+    """Return the rest shape that a clamped rod, which stretches, takes if it is let go in its own shape.
+
+    Parameters
+    ----------
+    rod, thickness
+        As of `push_path`.
+
+    Raises
+    ------
+    NotConvergedError
+        The rod finds no rest.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.bending import bend
+    >>> arch = bend(Rod.straight(100.0), end=(95.0, 0.0))
+    >>> float(rest_shape(arch, thickness=1.0).stretch.max()) < 0
+    True
+    """
+    chain = _Chain.of(_require_plain(rod), rod.length / 2, np.eye(2), thickness)
+    x = chain.settled(chain.start)
+    return RestShape(chain.s, chain.placed(x), chain.bends(x), chain.stretch(x))
+
+
+def _require_plain(rod: Rod) -> Rod:
+    if not (rod.supports.clamped and rod.gravity is None and rod.bending_law is None):
+        raise InputError("a pushed rod is clamped at both ends, without weight and of Hooke's law")
+    return rod
+
+
+@dataclass(frozen=True, eq=False)
+class _Chain:
+    """Nodes (n + 1, 2), from the first on, in a frame whose x axis is the push; edges stretch and turns bend."""
+
+    s: FloatArray
+    edge: FloatArray
+    stiffness: FloatArray
+    natural: FloatArray
+    weight: FloatArray
+    axial: FloatArray
+    clamps: FloatArray
+    start: FloatArray
+    pushed: int
+    frame: FloatArray
+    origin: FloatArray
+
+    @classmethod
+    def of(cls, rod: Rod, at: float, frame: FloatArray, thickness: float | None) -> "_Chain":
+        pushed = int(np.clip(round(EDGES * at / rod.length), 1, EDGES - 1))
+        s = np.append(
+            np.linspace(0.0, at, pushed, endpoint=False), np.linspace(at, rod.length, EDGES - pushed + 1)
+        )
+        edge, h = np.diff(s), max(thickness or rod.length / STIFF, rod.length / STIFFEST)
+        ends = np.column_stack([np.cos(rod.angle[[0, -1]]), np.sin(rod.angle[[0, -1]])])
+        start = np.column_stack([np.interp(s, rod.s, x) for x in (rod.position - rod.position[0]).T])
+        return cls(
+            s=s, edge=edge, stiffness=np.asarray(rod.profile(s)), natural=rod.rest_at(s),
+            weight=(np.append(edge, 0.0) + np.append(0.0, edge)) / 2,
+            axial=12 / h**2 * np.asarray(rod.profile(s[:-1] + edge / 2)) ** (1 / 3), clamps=ends @ frame.T,
+            start=start @ frame.T, pushed=pushed, frame=frame, origin=rod.position[0],
+        )  # fmt: skip
+
+    def placed(self, x: FloatArray) -> FloatArray:
+        """Nodes (n + 1, 2) where the rod is drawn, mm."""
+        return np.asarray(self.origin + x @ self.frame)
+
+    def _edges(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Lengths (n,), directions (n, 2) and turns (n + 1,) at the nodes."""
+        e = np.diff(x, axis=0)
+        r = np.hypot(*e.T)
+        t = e / r[:, None]
+        around = np.concatenate([self.clamps[:1], t, self.clamps[1:]])
+        a, b = around[:-1], around[1:]
+        return r, t, np.arctan2(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], (a * b).sum(axis=1))
+
+    def bends(self, x: FloatArray) -> FloatArray:
+        """kappa - kappa_0 (n + 1,)."""
+        return np.asarray(self._edges(x)[2] / self.weight - self.natural)
+
+    def stretch(self, x: FloatArray) -> FloatArray:
+        """Axial strain (n + 1,)."""
+        strain = self._edges(x)[0] / self.edge - 1
+        return np.asarray((np.append(strain, strain[-1]) + np.append(strain[0], strain)) / 2)
+
+    def energy(self, x: FloatArray) -> float:
+        """Of bending and stretching."""
+        r, _, turn = self._edges(x)
+        bent = self.stiffness * self.weight @ (turn / self.weight - self.natural) ** 2
+        return float(bent + self.axial * self.edge @ (r / self.edge - 1) ** 2) / 2
+
+    def gradient(self, x: FloatArray) -> FloatArray:
+        """Forces (n + 1, 2) that hold the nodes."""
+        force = self._edge_forces(x)
+        return np.asarray(np.pad(force, ((1, 0), (0, 0))) - np.pad(force, ((0, 1), (0, 0))))
+
+    def _edge_forces(self, x: FloatArray) -> FloatArray:
+        r, t, turn = self._edges(x)
+        moment = self.stiffness * (turn / self.weight - self.natural)
+        normal = np.column_stack([-t[:, 1], t[:, 0]])
+        pull = self.axial * (r / self.edge - 1)
+        return np.asarray(((moment[:-1] - moment[1:]) / r)[:, None] * normal + pull[:, None] * t)
+
+    def _band(self, x: FloatArray) -> FloatArray:
+        """The second derivatives by the inner nodes, upper band (6, 2 n - 2).
+
+        By the edges they are blocks A_i on the diagonal and C_i = -K_{i+1} a_i a_{i+1}^t beside it, with a_i the
+        derivative of the angle of edge i; a node moves the end of one edge and the start of the next.
+        """
+        r, t, turn = self._edges(x)
+        n = np.column_stack([-t[:, 1], t[:, 0]])
+        moment = self.stiffness * (turn / self.weight - self.natural)
+        shear, pull = moment[:-1] - moment[1:], self.axial * (r / self.edge - 1)
+        K, a = self.stiffness / self.weight, n / r[:, None]
+
+        def outer(scale: FloatArray, one: FloatArray, other: FloatArray) -> FloatArray:
+            return np.asarray(scale[:, None, None] * one[:, :, None] * other[:, None, :])
+
+        A = outer(self.axial / self.edge, t, t) + outer(pull / r, n, n) + outer(K[:-1] + K[1:], a, a)
+        A -= outer(shear / r**2, n, t) + outer(shear / r**2, t, n)
+        C = -outer(K[1:-1], a[:-1], a[1:])
+        blocks = [A[:-1] + A[1:] - C - C.transpose(0, 2, 1), C[:-1] + C[1:] - A[1:-1], -C[1:-1]]
+        band = np.zeros((6, 2 * r.size - 2))
+        for apart, block in enumerate(blocks):
+            for row in (0, 1):
+                for column in (0, 1):
+                    off = 2 * apart + column - row
+                    if off >= 0:
+                        band[5 - off, 2 * apart + column :: 2] = block[:, row, column]
+        return band
+
+    def led(self, x: FloatArray, by: float) -> FloatArray:
+        """The pushed node moved, and the others with it as they give."""
+        band = self._band(x)
+        row = 2 * (self.pushed - 1)
+        right = np.zeros(band.shape[1])
+        for k in range(1, 6):
+            if row + k < right.size:
+                right[row + k] = -band[5 - k, row + k] * by
+            if row - k >= 0:
+                right[row - k] = -band[5 - k, row] * by
+        right[row] = by
+        step = _solved(self._holding(band), right)
+        moved = x.copy()
+        if step is None:
+            moved[self.pushed, 0] += by
+        else:
+            moved[1:-1] += step.reshape(-1, 2)
+        return moved
+
+    def _holding(self, band: FloatArray) -> FloatArray:
+        """The band with the pushed coordinate taken out."""
+        row, held = 2 * (self.pushed - 1), band.copy()
+        for k in range(1, 6):
+            held[5 - k, row] = 0.0
+            if row + k < held.shape[1]:
+                held[5 - k, row + k] = 0.0
+        held[5, row] = 1.0
+        return held
+
+    def settled(self, x: FloatArray, *, held: bool = False) -> FloatArray:
+        """The nodes of least energy from given ones on, the pushed coordinate staying where it is `held`."""
+        damping, here, kicked = 0.0, self.energy(x), False
+        shortest = self.edge.min()
+        noise = NOISE * self.s[-1] / shortest * (self.axial.max() + self.stiffness.max() / shortest**2)
+        for _ in range(MOST_ITERATIONS):
+            band, slope = self._band(x), self.gradient(x)[1:-1]
+            if held:
+                band = self._holding(band)
+                slope[self.pushed - 1, 0] = 0.0
+            pulls = max(float(np.abs(self._edge_forces(x)).max()), self.s[-1] ** -2)
+            if np.abs(slope).max() <= max(CALM * pulls, noise):
+                if damping == 0.0 or _solved(band, slope.ravel()) is not None:
+                    return x
+                if kicked:
+                    break
+                x, kicked = self._kicked(x, held), True
+                here = self.energy(x)
+                continue
+            size = float(band[5].max())
+            while True:
+                shifted = band.copy()
+                shifted[5] += damping * size
+                step = _solved(shifted, -slope.ravel())
+                if step is not None:
+                    there = x.copy()
+                    there[1:-1] += step.reshape(-1, 2)
+                    energy = self.energy(there)
+                    # near rest the energy falls by less than its rounding
+                    promised = float(-slope.ravel() @ step)
+                    if energy <= here or promised <= ROUNDING * abs(here):
+                        x, here = there, energy
+                        damping = damping / DAMPING_STEP if damping > LEAST_DAMPING else 0.0
+                        break
+                damping = max(damping * DAMPING_STEP, FIRST_DAMPING)
+                if damping > 1e6:
+                    raise NotConvergedError("the pushed rod finds no rest: push it at another place")
+        raise NotConvergedError("the pushed rod finds no rest: push it less far, or at another place")
+
+    def _kicked(self, x: FloatArray, held: bool) -> FloatArray:
+        """The nodes moved off a ridge of the energy."""
+        share = self.s / self.s[-1]
+        bow = KICK * self.s[-1] * np.sin(np.pi * share) ** 2 * (np.sin(2 * np.pi * share) + 0.3)
+        moved = np.asarray(x + bow[:, None] * np.array([0.6, 0.8]))
+        if held:
+            moved[self.pushed, 0] = x[self.pushed, 0]
+        return moved
+
+
+def _solved(band: FloatArray, right: FloatArray) -> FloatArray | None:
+    """The solution of a symmetric positive definite band; None where it is not positive definite."""
+    from scipy.linalg import LinAlgError, solveh_banded
+
+    try:
+        return np.asarray(solveh_banded(band, right, check_finite=False))
+    except LinAlgError:
+        return None

@@ -1,0 +1,494 @@
+"""The rod that rests in two drawn curves: of least ratio and then least bend, or of the largest least thickness."""
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Annotated, Literal, NoReturn, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_one_of, require_positive, require_record
+from elastica_cad.declared import Asked
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve
+from elastica_cad.geometry.polynomials import WEIGHTS, PanelFunction
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.least_ratio import optimal_rod, stiffness_profile
+from elastica_cad.mechanics.loads import CurveOfRest, require_ratio, whole_number
+from elastica_cad.mechanics.minimax_lp import METHOD, MinimaxProgram, unsettled
+from elastica_cad.mechanics.moment_conditions import BOUNDED, BalancedStiffness, StiffnessFamily
+from elastica_cad.mechanics.rod import DEFAULT_SAMPLES, Rod
+from elastica_cad.mechanics.sideways import SidewaysStability, sideways_stability
+from elastica_cad.mechanics.stability import Stability, stability
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, PairCheck
+from elastica_cad.pairs.pair_check import PairedPanels, examine_pair
+
+State: TypeAlias = Literal["first", "second"]
+Objective: TypeAlias = Literal["ratio", "thickness"]
+
+MET_SHARE = 1e-6
+"""By how much, relatively, a rod may exceed a limit: the accuracy of its linear program."""
+
+TANGENTS = 12
+"""Of K^(2/3), from the least stiffness to the largest that a first program may make of it, at each sample."""
+
+WIDEST_TANGENTS = 1e4
+"""The ratio over which they are spread."""
+
+TANGENT_ROUNDS = 30
+SETTLED = 1e-6
+"""Relative change of the least thickness that ends the rounds of tangents."""
+
+SMOOTH = 4
+"""Derivatives of a curve with which the stiffness is as smooth as the cubic spline that it is drawn as."""
+
+THICKNESS_SAMPLES = 301
+"""Of both curves, at which the strain is bounded; a flexure takes the largest strain from its own nodes."""
+
+
+@dataclass(frozen=True)
+class PairLimits:
+    """What a rod with two states may have at most; None for no limit.
+
+    Attributes
+    ----------
+    ratio : float, optional
+        Of largest to least stiffness; 8 is a ratio of 2 in the thickness of a flexure.
+    natural_curvature : float, optional
+        |kappa_0|, 1/mm: how far the strip is curved before it is bent.
+    bend : float, optional
+        |kappa - kappa_0| in either state, 1/mm.
+    """
+
+    ratio: Annotated[
+        float | None,
+        Asked("Largest stiffness ratio; 8 is a ratio of 2 in the thickness.", least=1, common=True),
+    ] = None
+    natural_curvature: Annotated[
+        float | None, Asked("How far the strip is curved at most before it is bent.", "1/mm", least=0)
+    ] = None
+    bend: Annotated[float | None, Asked("How far it is bent at most in either state.", "1/mm", least=0)] = (
+        None
+    )
+
+    def __post_init__(self) -> None:
+        if self.ratio is not None:
+            require_ratio(self.ratio, "ratio")
+        for name in ("natural_curvature", "bend"):
+            if (value := getattr(self, name)) is not None:
+                require_positive(value, name.replace("_", " "), "1/mm")
+
+
+@dataclass(frozen=True, eq=False)
+class TwoStateRod:
+    """One rod that rests in two curves.
+
+    Attributes
+    ----------
+    first, second : Rod
+        Both states on the same n nodes, with the same stiffness and natural curvature.
+    check : PairCheck
+    free : "first", "second" or None
+        The state that needs no holding, where one was asked for.
+    """
+
+    first: Rod
+    second: Rod
+    check: PairCheck = field(repr=False)
+    free: State | None = None
+
+    def __repr__(self) -> str:
+        kind = "bistable" if self.bistable else "two settings"
+        return f"<TwoStateRod of {self.length:.4g} mm, {kind}, ratio {self.ratio:.4g}>"
+
+    @property
+    def states(self) -> tuple[Rod, Rod]:
+        """Both states."""
+        return self.first, self.second
+
+    @property
+    def length(self) -> float:
+        """Arc length, mm."""
+        return self.first.length
+
+    @property
+    def ratio(self) -> float:
+        """Largest over least stiffness."""
+        return self.first.ratio
+
+    @property
+    def natural_curvature(self) -> FloatArray:
+        """kappa_0 (n,), 1/mm, of the strip as it lies without load."""
+        return np.broadcast_to(np.asarray(self.first.natural_curvature, dtype=float), self.first.s.shape)
+
+    @property
+    def bend(self) -> float:
+        """Largest |kappa - kappa_0| of both states, 1/mm."""
+        return max(float(np.abs(rod.curvature - self.natural_curvature).max()) for rod in self.states)
+
+    @property
+    def bistable(self) -> bool:
+        """Do both states have the same clamps?"""
+        return self.check.bistable
+
+    @cached_property
+    def stability(self) -> tuple[Stability, Stability]:
+        """Of both states, in the plane."""
+        return stability(self.first), stability(self.second)
+
+    def sideways(
+        self, depth: float, thickness: Profile | ArrayLike, *, poisson_ratio: float = 0.3
+    ) -> tuple[SidewaysStability, SidewaysStability]:
+        """Of both states, against tipping out of the plane, of a section `depth` deep (mm) across it.
+
+        `thickness`, mm, is in the plane: a profile, a number, or values at equal distances.
+        """
+        first, second = (
+            sideways_stability(rod, depth, thickness, poisson_ratio=poisson_ratio) for rod in self.states
+        )
+        return first, second
+
+
+def two_state_rod(
+    first: PlaneCurve,
+    second: PlaneCurve,
+    *,
+    limits: PairLimits | None = None,
+    free: State | None = None,
+    objective: Objective = "ratio",
+    samples: int | None = None,
+) -> TwoStateRod:
+    """The rod, with a shape of its own before it is bent, that rests in both curves.
+
+    Parameters
+    ----------
+    first, second : PlaneCurve
+        mm; of one length to 1e-4 of it (`matched_pair` makes them so). The second is scaled to the first's.
+    limits : PairLimits, optional
+        Bounds on the ratio, the natural curvature and the bend, which hold all along both curves.
+    free : "first" or "second", optional
+        The state that needs no holding: its curve is the natural shape, and the rod is `optimal_rod` of the other.
+    objective : "ratio" or "thickness"
+        The least ratio of stiffness, and of all rods that have it the one that is bent least; or the largest least
+        thickness of a flexure, whose stiffness grows with the cube of its thickness, at any strain.
+    samples : int, optional
+        Nodes of both states, 601 unless given.
+
+    Returns
+    -------
+    TwoStateRod
+
+    Raises
+    ------
+    NotRealizable
+        No rod rests in both, or none within the limits; `check` of the error says why and where.
+    InputError
+        Curves with corners, closed ones, or ones of different lengths.
+
+    References
+    ----------
+    Paper, Theorem 1 and Eq. 4, with d = kappa_1 - kappa_2 and the difference of two moments: see `check_pair`.
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.spline([(0, 0), (30, 14), (70, 14), (100, 0)], degree=3)
+    >>> clip = two_state_rod(arch, arch.transformed(np.diag([1.0, -1.0, 1.0])))
+    >>> round(clip.ratio / optimal_rod(arch).ratio, 6)
+    1.0
+    """
+    limits = PairLimits() if limits is None else limits
+    require_record(limits, PairLimits, "limits", "a PairLimits record, or None")
+    count = DEFAULT_SAMPLES if samples is None else whole_number(samples, "samples", 3)
+    for name, value, known in (
+        ("free", free, (None, "first", "second")),
+        ("objective", objective, ("ratio", "thickness")),
+    ):
+        if not is_one_of(value, known):
+            raise InputError(
+                "{name} is {given!r}: give one of {known}",
+                name=name,
+                given=value,
+                known=", ".join(map(repr, known)),
+            )
+    check, paired, least = examine_pair(first, second)
+    if free is not None:
+        return _within(limits, _with_free_state(check, free, count))
+    if not check.realizable:
+        raise NotRealizable(check)
+    if paired is None or least is None:
+        return _within(limits, _with_free_state(check, "first", count))
+    if objective == "thickness":
+        numbers = _thickest(paired, limits)
+    else:
+        numbers = _least(paired, least, limits)
+    return _within(limits, _rod_of(paired, numbers, count))
+
+
+def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> FloatArray:
+    """The numbers (6,) of the least ratio within the limits, and of those that have it of the least bend."""
+    numbers = np.append(paired.basis @ least, 0.0)
+    if limits.natural_curvature is not None or limits.bend is not None:
+        basis = np.concatenate([np.pad(paired.basis, ((0, 1), (0, 0))), paired.idle], axis=1)
+        sides = tuple(PanelFunction.through(rows @ basis) for rows in _limit_rows(paired, limits))
+        K = PanelFunction.through(_stiffness_rows(paired) @ basis)
+        found = paired.least_ratio(StiffnessFamily(paired.panels, K, sides=sides))
+        if found is None:
+            _refuse(
+                paired.check, limits, _rod_of(paired, _least_bend(paired, numbers, None), DEFAULT_SAMPLES)
+            )
+        numbers = basis @ found
+    return _least_bend(paired, numbers, limits.natural_curvature)
+
+
+def _stiffness_rows(paired: PairedPanels) -> FloatArray:
+    """K (N, p, 6)."""
+    return np.pad(paired.stiffness, ((0, 0), (0, 0), (0, 1)))
+
+
+def _first_curvature(paired: PairedPanels) -> FloatArray:
+    """kappa_1 (N, p) at the nodes."""
+    t = paired.panels.t
+    return paired.check.first.curvature_at(t.ravel()).reshape(t.shape)
+
+
+def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
+    """Rows (N, p, 6), positive within the limits |kappa_1 K - M_1| <= k K and |M_i| <= c K, over k and c."""
+    K = _stiffness_rows(paired)
+    rows: list[FloatArray] = []
+    if (most := limits.natural_curvature) is not None:
+        natural = _first_curvature(paired)[..., None] * K - paired.moments[0]
+        rows += [K + natural / most, K - natural / most]
+    if (most := limits.bend) is not None:
+        for moment in paired.moments:
+            scaled = moment / most
+            rows += [K + scaled, K - scaled]
+    return rows
+
+
+def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float | None) -> FloatArray:
+    """The numbers (6,) of the same stiffness whose largest |kappa_i - kappa_0| is least.
+
+    What is free is a_1, and more where the curves are congruent or mirrored: there many rods are bent as little,
+    and of them the one is taken whose kappa_0 is nearest to the mean of both curvatures.
+    """
+    panels, size = paired.panels, paired.check.length
+    K = _stiffness_rows(paired) @ numbers
+    idle = paired.idle
+    step = size * (paired.moments[0] @ idle) / K[..., None]
+    d = size * panels.curvature
+    excess = size * (paired.moments[0] @ numbers) / K  # L (kappa_1 - kappa_0)
+    kappa = size * _first_curvature(paired)
+    functions = [(sign * step, sign * (excess - part)) for sign in (1.0, -1.0) for part in (0.0, d)]
+    bounds = [] if most_natural is None else [
+        (sign * step, size * most_natural + sign * (excess - kappa)) for sign in (1.0, -1.0)
+    ]  # fmt: skip
+    found = _least_bound(functions, bounds)
+    if idle.shape[1] > 1:
+        weight = np.sqrt(panels.stretch * WEIGHTS)
+        rows = (step * weight[..., None]).reshape(-1, idle.shape[1])
+        middle = np.asarray(np.linalg.lstsq(rows, ((d / 2 - excess) * weight).ravel(), rcond=None)[0])
+        found = _towards(found, middle, functions, bounds)
+    return numbers + idle @ found
+
+
+Bounded: TypeAlias = "list[tuple[FloatArray, FloatArray]]"
+
+
+def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
+    """The numbers z (r,) of the least largest value of functions rows @ z + offset, with bounds >= 0."""
+    along = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in functions]
+    held = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in bounds]
+    program = MinimaxProgram(along[0][0].dense)
+    none = np.zeros((0, along[0][0].coefficients.shape[2]))
+    for rows, offset in along:
+        program.demand(none, np.zeros(0), rows.dense, offset.dense)
+    for rows, offset in held:
+        program.hold(rows.dense, offset.dense)
+    for _ in range(METHOD.most_rounds):
+        answer = program.solve()
+        if answer is None:  # the given numbers meet the bounds but for rounding, and no others do
+            return np.zeros(none.shape[1])
+        z, most = answer
+        settled = True
+        for (rows, offset), is_bound in [*((one, False) for one in along), *((one, True) for one in held)]:
+            place = PanelFunction(rows.coefficients @ z + offset.coefficients).extreme_places
+            more, beside = rows.at(*place), offset.at(*place)
+            values = more @ z + beside
+            wrong = values < -BOUNDED * most if is_bound else values > most * (1 + BOUNDED)
+            if wrong.any():
+                settled = False
+                if is_bound:
+                    program.hold(more[wrong], beside[wrong])
+                else:
+                    program.demand(none, np.zeros(0), more[wrong], beside[wrong])
+        if settled:
+            return z
+    raise unsettled(most)
+
+
+def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bounded) -> FloatArray:
+    """The numbers as far from start to goal as the largest value of the functions stays, and the bounds hold."""
+    values = [(rows @ start + offset, rows @ (goal - start)) for rows, offset in functions]
+    most = max(float(value.max()) for value, _ in values) * (1 + BOUNDED)
+    room = [(most - value, change) for value, change in values]
+    room += [(np.maximum(rows @ start + offset, 0.0), -(rows @ (goal - start))) for rows, offset in bounds]
+    share = 1.0
+    for left, change in room:
+        rising = change > 0
+        share = min(share, float((left[rising] / change[rising]).min(initial=1.0)))
+    return np.asarray(start + share * (goal - start))
+
+
+def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
+    """The numbers (6,) of the flexure of largest least thickness at a given strain.
+
+    A section of thickness h ~ K^(1/3) is strained by |M| h / (2 K) ~ |M| K^(-2/3). Scaled so that this is at most
+    1, the least K is to be as large as can be: maximise k with K >= k and |M_i| <= K^(2/3), which is convex.
+    The power is replaced by its tangents, new ones at the last answer until k settles.
+    """
+    from scipy.optimize import linprog
+
+    panels, size = paired.panels, paired.check.length
+    basis = np.concatenate([np.pad(paired.basis, ((0, 1), (0, 0))), paired.idle], axis=1)
+    s = np.linspace(0.0, size, THICKNESS_SAMPLES)
+    place = panels.locate(paired.check.first.parameter(s))
+
+    def rows_of(values: FloatArray) -> FloatArray:
+        return PanelFunction.through(values @ basis).at(*place)
+
+    K = rows_of(_stiffness_rows(paired))
+    M = np.concatenate([size * rows_of(moment) for moment in paired.moments])
+    stiff = np.concatenate([K, K])
+    scale = np.abs(K).max(axis=0)
+    scale = np.where(scale > 1e-12 * scale.max(), scale, np.abs(M).max(axis=0))
+    K, M, stiff = K / scale, M / scale, stiff / scale
+    count = K.shape[1]
+
+    def with_least(rows: FloatArray, share: float = 0.0) -> FloatArray:
+        return np.column_stack([rows, np.full(len(rows), share)])
+
+    fixed = [with_least(-K, 1.0)]
+    fixed += [with_least(-rows_of(rows) / scale) for rows in _limit_rows(paired, limits)]
+    if limits.ratio is not None:
+        fixed.append(with_least(K, -limits.ratio))
+
+    def tangents(at: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """|M| <= K_0^(2/3) + 2/3 K_0^(-1/3) (K - K_0), at K_0 (2 n,)."""
+        slope = (2 / 3 * at ** (-1 / 3))[:, None] * stiff
+        offset = at ** (2 / 3) / 3
+        return np.concatenate([with_least(M - slope), with_least(-M - slope)]), np.tile(offset, 2)
+
+    # |M_1 - M_2| = K d <= 2 K^(2/3): K <= (2 / d)^3
+    most = (2 / max(float(np.abs(size * panels.curvature).max()), 1e-12)) ** 3
+    rows = [np.concatenate(fixed)]
+    right = [np.zeros(len(rows[0]))]
+    for k in np.geomspace(most / WIDEST_TANGENTS, most * WIDEST_TANGENTS, TANGENTS):
+        more, offset = tangents(np.full(len(stiff), k))
+        rows.append(more)
+        right.append(offset)
+    before = np.inf
+    for _ in range(TANGENT_ROUNDS):
+        result = linprog(
+            -np.eye(count + 1)[-1],
+            np.concatenate(rows),
+            np.concatenate(right),
+            bounds=(None, None),
+            method="highs",
+        )
+        if result.status != 0 or not result.x[-1] > 0:
+            _refuse(paired.check, limits, None)
+        least, numbers = float(result.x[-1]), result.x[:-1]
+        if abs(before / least - 1) < SETTLED:
+            break
+        before = least
+        more, offset = tangents(np.maximum(stiff @ numbers, least))
+        rows.append(more)
+        right.append(offset)
+    return np.asarray(basis @ (numbers / scale))
+
+
+def _rod_of(paired: PairedPanels, numbers: FloatArray, samples: int) -> TwoStateRod:
+    """Both states of the moments' numbers (6,)."""
+    check, panels, size = paired.check, paired.panels, paired.check.length
+    nodes = check.first.survey if samples == DEFAULT_SAMPLES else check.first.sample(samples)
+    other = check.second.at(np.minimum(nodes.s, check.second.length))
+    place = panels.locate(nodes.t)
+    stiffness = PanelFunction.through(_stiffness_rows(paired) @ numbers)
+    moments = [PanelFunction.through(rows @ numbers) for rows in paired.moments]
+    K = stiffness.at(*place)
+    least = float(K.min())
+    if least <= 0:
+        raise NotRealizable(replace(check, realizable=False, reasons=(DROWNS,)))
+    K = K / least
+    nodal = [moment.at(*place) / least for moment in moments]
+    rest = nodes.curvature - nodal[0] / K
+    curve_check = EquilibriumCheck(
+        realizable=True, reasons=(), warnings=(), length=size, curve=check.first, bent_beforehand=True,
+        zeros=tuple(CurvatureZero(z.s, z.t, "crossing", z.s, z.t, z.before, z.after) for z in check.zeros),
+    )  # fmt: skip
+    kinks = [(one.s, one.continuity - 2) for one in check.second.breaks if one.continuity < SMOOTH]
+    force = [numbers[1:3] / size / least, numbers[3:5] / size / least]
+    balance = BalancedStiffness(panels, stiffness, moments[0], moments[0], kinks=kinks)
+    profile = stiffness_profile(curve_check, balance, 1 / least)
+    states = [
+        Rod(
+            s=nodes.s, position=at.position, angle=at.angle, curvature=at.curvature, stiffness=K, moment=moment,
+            force=np.tile([-b[1], b[0]], (K.size, 1)), profile=profile, natural_curvature=rest, shape=curve,
+            residual=float(np.abs(K * (at.curvature - rest) - moment).max() / max(np.abs(moment).max(), 1e-300)),
+        )
+        for at, moment, b, curve in zip((nodes, other), nodal, force, (check.first, check.second), strict=True)
+    ]  # fmt: skip
+    return TwoStateRod(states[0], states[1], check)
+
+
+DROWNS = "The stiffness would vanish somewhere between two places where the curves are bent alike: move them apart."
+
+
+def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod:
+    """One state without load, and the other as `optimal_rod` has it of a blank of that shape."""
+    natural, held = (check.first, check.second) if free == "first" else (check.second, check.first)
+    count = None if samples == DEFAULT_SAMPLES else samples
+    bent = optimal_rod(held, natural_curvature=CurveOfRest.of(natural), samples=count)
+    at = natural.at(np.minimum(bent.s, natural.length))
+    none = np.zeros(bent.s.size)
+    bent = replace(bent, natural_curvature=at.curvature, check=None)
+    loose = replace(
+        bent, position=at.position, angle=at.angle, curvature=at.curvature, moment=none,
+        force=np.zeros_like(bent.force), residual=0.0, shape=natural, warnings=(), moved=0.0,
+    )  # fmt: skip
+    states = (loose, bent) if free == "first" else (bent, loose)
+    return TwoStateRod(*states, replace(check, realizable=True, reasons=()), free)
+
+
+def _within(limits: PairLimits, pair: TwoStateRod) -> TwoStateRod:
+    """The pair; refused where it exceeds a limit."""
+    found = {
+        "ratio": pair.ratio,
+        "natural_curvature": float(np.abs(pair.natural_curvature).max()),
+        "bend": pair.bend,
+    }
+    for name, value in found.items():
+        most = getattr(limits, name)
+        if most is not None and value > most * (1 + MET_SHARE):
+            _refuse(pair.check, limits, pair)
+    return pair
+
+
+def _refuse(check: PairCheck, limits: PairLimits, pair: TwoStateRod | None) -> NoReturn:
+    """Raise `NotRealizable`, with what the rod has that comes nearest."""
+    asked = {
+        "a ratio": limits.ratio,
+        "a natural curvature (1/mm)": limits.natural_curvature,
+        "a bend (1/mm)": limits.bend,
+    }
+    within = ", ".join(f"{name} of {value:.4g} at most" for name, value in asked.items() if value is not None)
+    reason = f"No strip of both curves keeps within {within or 'bounds'}"
+    if pair is None:
+        reason += ": allow more, or bring the two curves closer to each other."
+    else:
+        natural = float(np.abs(pair.natural_curvature).max())
+        reason += (
+            f": the one of least ratio has {pair.ratio:.4g}, a natural curvature of up to {natural:.4g} and a bend "
+            f"of up to {pair.bend:.4g} 1/mm; allow more, or bring the two curves closer to each other."
+        )
+    raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))

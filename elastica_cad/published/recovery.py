@@ -1,0 +1,229 @@
+"""The paper's two algorithms on control points: smaller ratio (section 7.2), stability (section 6.4)."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+from elastica_cad._values import is_number
+from elastica_cad.errors import InputError
+from elastica_cad.forming.equilibrium_curve import BothEnds, kept
+from elastica_cad.geometry.path import largest_deviation
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import require_curve, require_ratio
+from elastica_cad.published.control_points import Bounds, Route, RouteStep, move_within
+
+
+class RatioStatus(Enum):
+    """How `optimize_ratio` ended."""
+
+    REACHED = "The stiffness ratio is within the target."
+    UNREACHABLE = (
+        "No small move of the control points lowers the stiffness ratio any further: give up the tangents or "
+        "the length, allow a larger ratio, or give the curve more control points."
+    )
+    OUT_OF_STEPS = "The steps were used up before the target ratio was reached: allow more of them."
+
+
+@dataclass(frozen=True, eq=False)
+class OptimizedRatio:
+    """What `optimize_ratio` found.
+
+    Attributes
+    ----------
+    curve : PlaneCurve
+        Same knots, control points moved; a strip can take it.
+    ratio : float
+        R = max K / min K of the continuous curve.
+    deviation : float
+        Largest distance of its points from the drawn curve, mm.
+    status : RatioStatus
+    iterations : int
+        Steps tried.
+    history : tuple of RouteStep
+        Ratio and distance of the start and of every accepted step.
+    """
+
+    curve: PlaneCurve
+    ratio: float
+    deviation: float
+    status: RatioStatus
+    iterations: int
+    history: tuple[RouteStep, ...]
+
+
+def optimize_ratio(
+    curve: PlaneCurve,
+    target: float,
+    *,
+    ends: BothEnds = True,
+    tangents: BothEnds = False,
+    length: bool = False,
+    max_steps: int = 100,
+) -> OptimizedRatio:
+    """Move the control points until the stiffness ratio is at most `target`, and the curve little else.
+
+    Local step: the least total move from the drawn curve that brings R = max K / min K within the target to
+    first order, in a trust region. Global step: the inflection line of least ratio (Eq. 4). The maximum and
+    minimum are those of the continuous curve, so the target is hard.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+        One that a strip can take, or nearly so: inflections off the line are brought onto one first.
+    target : float
+        Largest ratio, at least 1.
+    ends, tangents : bool or (bool, bool)
+        Do end points and end tangents stay as they are drawn? Both, or (start, end).
+    length : bool
+        Does the arc length stay?
+
+    Raises
+    ------
+    NotRealizable
+        The drawn curve is far from all curves that a strip can take: use `nearest_rod` or `split`.
+    InputError
+        A target below 1, a straight, closed or kinked curve.
+
+    References
+    ----------
+    Paper, section 7.2.
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.spline([(0, 0), (0, 90), (50, 120), (100, 90), (100, 0)], degree=4)
+    >>> found = optimize_ratio(arch, 1.2)
+    >>> found.ratio <= 1.2, found.status.name
+    (True, 'REACHED')
+    """
+    require_ratio(target, "target ratio")
+    require_curve(curve)
+    constraints = kept(curve, ends=ends, tangents=tangents, length=length)
+    route = move_within(curve, Bounds(float(target)), constraints, max_steps=max_steps)
+    if route.within:
+        status = RatioStatus.REACHED
+    else:
+        status = RatioStatus.UNREACHABLE if route.settled else RatioStatus.OUT_OF_STEPS
+    found = route.state.curve
+    return OptimizedRatio(
+        found, route.state.ratio, largest_deviation(curve, found), status, route.iterations, route.history
+    )
+
+
+class RecoveryStatus(Enum):
+    """How `recover_stability` ended."""
+
+    STABLE = "The curve is stable with the margin asked for, within the stiffness ratio."
+    BARELY_STABLE = (
+        "The curve is stable, but not with the margin asked for: allow a larger stiffness ratio, or give up "
+        "the tangents or the length."
+    )
+    UNSTABLE = (
+        "The curve cannot be made stable by small moves of its control points: allow a larger stiffness ratio, "
+        "give up the tangents or the length, or support the strip in between."
+    )
+    TOO_STIFF = (
+        "The stiffness ratio cannot be brought within its limit by small moves of the control points: allow a "
+        "larger one, or give up the tangents or the length."
+    )
+    OUT_OF_STEPS = "The steps were used up on the way: allow more of them."
+
+
+@dataclass(frozen=True, eq=False)
+class RecoveredStability:
+    """What `recover_stability` found.
+
+    Attributes
+    ----------
+    curve : PlaneCurve
+        Same knots, control points moved; a strip can take it.
+    margin : float
+        Stability margin, as `stability` has it: positive means stable.
+    ratio : float
+        R = max K / min K of the continuous curve.
+    deviation : float
+        Largest distance of its points from the drawn curve, mm.
+    status : RecoveryStatus
+    iterations : int
+        Steps tried.
+    history : tuple of RouteStep
+        Ratio, margin and distance of the start and of every accepted step.
+    """
+
+    curve: PlaneCurve
+    margin: float
+    ratio: float
+    deviation: float
+    status: RecoveryStatus
+    iterations: int
+    history: tuple[RouteStep, ...]
+
+
+def recover_stability(
+    curve: PlaneCurve,
+    *,
+    R_max: float = 3.0,
+    margin: float = 5.0,
+    ends: BothEnds = True,
+    tangents: BothEnds = True,
+    length: bool = True,
+    max_steps: int = 100,
+) -> RecoveredStability:
+    """Move the control points until the rest shape is stable, and the curve little else.
+
+    The data flow of Algorithm 2, from control points to the stiffness and the force, to stability, without
+    any forward simulation; every curve on the way is an equilibrium. The paper pushes the conjugate point
+    past the end; here the lowest eigenvalue of the second variation rises to `margin`, which is smooth
+    through the threshold, and the ratio is held by its true maximum and minimum.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+        One that a strip can take, or nearly so: inflections off the line are brought onto one first.
+    R_max : float
+        Largest stiffness ratio, at least 1; it keeps the inflections from becoming flat points.
+    margin : float
+        Least stability margin; 0 is the border of stability, 5 is safely stable.
+    ends, tangents : bool or (bool, bool)
+        Do end points and end tangents stay as they are drawn? Both, or (start, end).
+    length : bool
+        Does the arc length stay?
+
+    Raises
+    ------
+    NotRealizable
+        The drawn curve is far from all curves that a strip can take: use `nearest_rod` or `split`.
+    InputError
+        A ratio below 1, a margin that is no number, a straight, closed or kinked curve.
+
+    References
+    ----------
+    Paper, section 6.4.
+
+    Examples
+    --------
+    >>> arch = PlaneCurve.spline([(0, 0), (0, 90), (50, 120), (100, 90), (100, 0)], degree=4)
+    >>> recover_stability(arch).status.name
+    'STABLE'
+    """
+    require_ratio(R_max, "R_max")
+    if not is_number(margin):
+        raise InputError(
+            "margin is {margin!r}: it must be a number; 0 is the border of stability, try 5", margin=margin
+        )
+    require_curve(curve)
+    constraints = kept(curve, ends=ends, tangents=tangents, length=length)
+    route = move_within(curve, Bounds(float(R_max), float(margin)), constraints, max_steps=max_steps)
+    state = route.state
+    return RecoveredStability(
+        state.curve, state.margin, state.ratio, largest_deviation(curve, state.curve), _status(route, R_max),
+        route.iterations, route.history,
+    )  # fmt: skip
+
+
+def _status(route: Route, R_max: float) -> RecoveryStatus:
+    if route.within:
+        return RecoveryStatus.STABLE
+    if not route.settled:
+        return RecoveryStatus.OUT_OF_STEPS
+    if route.state.ratio > R_max:
+        return RecoveryStatus.TOO_STIFF
+    return RecoveryStatus.BARELY_STABLE if route.state.margin > 0 else RecoveryStatus.UNSTABLE

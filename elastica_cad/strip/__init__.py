@@ -1,0 +1,5 @@
+"""Strips as flat parts: styles, outlines, slots, drawings, bodies, and whether they can be made."""
+
+from elastica_cad._exports import exports
+
+__getattr__, __dir__, __all__ = exports(__file__, __name__)

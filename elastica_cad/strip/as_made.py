@@ -1,0 +1,619 @@
+"""A strip as it is made: what changes its stiffness, and the shape that it takes in its holders."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import NotConvergedError
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.laminated_section import LaminateCurl, LaminatedSection
+from elastica_cad.mechanics.loads import Weight
+from elastica_cad.mechanics.rod import CurlingLaw, Rod, as_bent, resample
+from elastica_cad.mechanics.sections import SheetCurl, crack_energy
+from elastica_cad.mechanics.sheets import even_shear_ratio
+from elastica_cad.mechanics.stiffness_law import BendFactor
+from elastica_cad.refusals import Length, note
+from elastica_cad.strip.held_shape import (
+    ANTICLASTIC,
+    LEAF_ENDS,
+    LEAST_TOLD_MM,
+    HeldShape,
+    MakingTolerance,
+    Seats,
+    closes,
+    open_deviation,
+    shape_responses,
+    sheet_effects,
+    strayed,
+)
+from elastica_cad.strip.layers import LapJoint, LapPlates, Layer
+from elastica_cad.strip.outline import Ends, fix_tab_widths
+from elastica_cad.strip.perforation import DiamondPattern
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.styles import Layout
+from elastica_cad.strip.tab_seats import EndPose, TabSeat, rest_in_seats
+
+CUTS = 8
+"""Stations at which the material of each cell of the rod is measured."""
+
+
+def rod_as_built(rod: Rod, layout: Layout, layers: Sequence[Layer]) -> Rod:
+    """The rod with the stiffness and weight of what is really cut: slots, solid ends, rounded tips.
+
+    Each node is softer than designed by as much as the mean compliance of its cell, which is what the angle across
+    the cell feels. Weight follows; a rod whose own weight is in newtons has it scaled with the material, hung
+    masses stay.
+
+    Parameters
+    ----------
+    rod : Rod
+        The design.
+    layout : Layout
+        What the style made of it.
+    layers : sequence of Layer
+        As they are cut.
+
+    Returns
+    -------
+    Rod
+        The design's shape, supports and gravity: out of balance until bent.
+    """
+    if layout.size is not None:  # tapered: nothing is cut out of it
+        return replace(rod, bending_stiffness=layout.bending_stiffness)
+    n, s = rod.s.size, _cell_stations(rod)
+    left = [layer.material(s) for layer in layers]
+    material = left[0]
+    # as drawn, the backing's edge may pass the base's by the tolerance of the drawing
+    backing = np.minimum(left[1], material) if len(left) > 1 else None
+    law = None if layout.section is None else layout.section.bent(rod.bend_at(s), rod.rest_at(s))
+    has = layout.stiffness(material, backing) if law is None else law.bending_stiffness(material)
+    asked = rod.profile(s)
+    softer = layout.bending_stiffness * asked / has
+    EI = layout.bending_stiffness * _stiffness_of_cells(rod, asked) / _cell_means(softer, n)
+    least = float(EI.min())
+    made = replace(rod.with_stiffness(Profile.interpolate(rod.s, EI)), bending_stiffness=least)
+    if rod.gravity is None:
+        return made
+    weight = rod.weight or Weight()
+    newtons = layout.weight_per_length(material, backing) if law is None else law.weight_per_length(material)
+    if newtons is not None:
+        along = Profile.interpolate(rod.s, _cell_means(newtons, n))
+        return replace(made, weight=replace(weight, alpha=along, beta=0.0))
+    if rod.weight is None:
+        return made
+    return replace(made, weight=weight.scaled(beta=least / layout.bending_stiffness))
+
+
+def _stiffness_of_cells(rod: Rod, asked: FloatArray) -> FloatArray:
+    """K (n,) at the nodes; where it jumps inside a cell, that of the cell's mean compliance."""
+    K = rod.stiffness.copy()
+    half = rod.length / (rod.s.size - 1) / 2
+    if rod.profile.steps:
+        jumps = np.array([start for start, _ in rod.profile.steps])
+        near = np.abs(rod.s[:, None] - jumps).min(axis=1) <= half
+        K[near] = 1 / _cell_means(1 / asked, rod.s.size)[near]
+    return K
+
+
+def _cell_stations(rod: Rod) -> FloatArray:
+    """Stations, mm, at the middle of `CUTS` even parts of every edge of a rod."""
+    ends = np.linspace(0.0, rod.length, CUTS * (rod.s.size - 1) + 1)
+    return np.asarray((ends[1:] + ends[:-1]) / 2)
+
+
+def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
+    """Mean (n,) over the cell of each node of values at uniform stations, `CUTS` between neighbouring nodes."""
+    halves = values.reshape(2 * (nodes - 1), CUTS // 2).mean(axis=1)
+    inner = (halves[1:-1:2] + halves[2::2]) / 2
+    return np.concatenate([halves[:1], inner, halves[-1:]])
+
+
+CUT, CUT_GRAIN = 1.15, 0.7
+"""Factor on `crack_energy` of an even sheet for a slot, and the exponent with which that follows sqrt(E / G), over
+that of an even sheet. Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
+
+STEP, TAB, TAB_REACH = 1.08, 0.86, 0.05
+"""Factors on `crack_energy` for a step of the width, and for a tab, which also keeps the strip from deflecting
+there (at nu = 0). Distance from the tab, in widths that it lacks, at which its idle corners act, in an even sheet;
+it follows sqrt(E / G). Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
+
+RESTRAINT, WIDE_TAB = 0.35, 0.4
+"""Length, in widths, along which a clamp keeps a strip from curling across, and the least share of the width for a
+tab that does the same. Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
+
+FREE_EDGE = 0.63
+"""Loss of width, in thicknesses, of a strip that is twisted, at both edges together (Saint-Venant)."""
+
+LEAST_SHARE = 0.01
+"""Of the width: no less is counted as left, for a slot that reaches across."""
+
+PLATES = "plates"
+"""Over joints of pieces, as a cause."""
+
+LEAST_SHEARING = 0.8
+"""Of G / E of a sheet without grain: what shears more easily has a grain."""
+
+KINKS = frozenset({"slots", "narrow tabs", "steps of width"})
+"""Causes that hang on how the sheet shears."""
+
+
+def _softer(kinks: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
+    """Share (n,) of the stiffness that the nodes keep where places, mm, add what lengths, mm, of the strip do.
+
+    Sections that are bent by the same moment are curved alike in the mean, whatever of them is idle; it is at the
+    cut, the tab or the step that their mean slope jumps.
+    """
+    at, lengths = np.array(kinks).T
+    node = np.clip(at / rod.length, 0.0, 1.0) * (rod.s.size - 1)
+    before = np.minimum(node.astype(int), rod.s.size - 2)
+    after = node - before
+    added = np.bincount(before, lengths * (1 - after), rod.s.size)
+    added += np.bincount(before + 1, lengths * after, rod.s.size)
+    return np.asarray(1 / (1 + added / rod.discrete.node_lengths))
+
+
+def stiffness_shares(
+    rod: Rod, layout: Layout, slots: Sequence[Slot], tab_widths: tuple[float | None, float | None]
+) -> dict[str, FloatArray]:
+    """What each cause leaves of, or adds to, the designed stiffness in the drawn shape: factors (n,), by cause.
+
+    "slots": the cuts and the idle corners beside them. "narrow tabs": idle corners at ends that are wider than
+    their tabs. "steps of width": the same of the wider side where a plain strip's width jumps. All three act as
+    kinks. "leaning ligaments": a ligament at the angle theta to the strip keeps cos(theta) of its stiffness when
+    its twist is held by its mirror image, for a Poisson ratio near 0.3: in sheets of 0 to 0.1 it keeps more (up to
+    7 and 4 % at 25 degrees). "anticlastic bending": the stiffening of the width, of a ligament in a perforated
+    strip. "borders that curl": what is left of, or added to, the stiffness of a laminate. Causes that change
+    nothing are left out.
+
+    Parameters
+    ----------
+    rod : Rod
+        The bent design.
+    layout : Layout
+    slots : sequence of Slot
+    tab_widths : pair of float or None
+        mm; None for a tab as wide as the strip's end.
+    """
+    width, nu = layout.width, min(layout.sheet.poisson_ratio, 0.5)
+    grain = float(np.sqrt(even_shear_ratio(nu) / layout.sheet.shear_ratio))
+    curl = _curl_of(rod, layout)
+    free = np.zeros(2)  # share of a plate's stiffening that the ends do not have yet
+    if curl is not None and layout.backing is None and layout.pattern is None:
+        free = 1 / curl.designed[[0, -1]] - 1 + nu**2
+    kinks = {
+        "slots": _beside_slots(slots, width, CUT * crack_energy(nu) * grain**CUT_GRAIN),
+        "narrow tabs": _beside_tabs(layout, tab_widths, grain, RESTRAINT * free),
+        "steps of width": _beside_steps(layout, STEP * crack_energy(nu, grain)),
+    }
+    shares = {cause: _softer(found, rod) for cause, found in kinks.items() if found}
+    s, n = _cell_stations(rod), rod.s.size
+    leaning = _leaning(layout, s)
+    if leaning is not None:  # a cell's angle feels the mean compliance
+        shares["leaning ligaments"] = 1 / _cell_means(1 / leaning, n)
+    if curl is not None and layout.section is None:
+        shares[ANTICLASTIC if layout.backing is None else "borders that curl"] = curl.designed
+    return shares
+
+
+@dataclass(frozen=True, eq=False)
+class Curl:
+    """How the stiffness of a strip's nodes follows their curvature.
+
+    Attributes
+    ----------
+    designed : (n,) array
+        The factor of the nodes where they are bent as designed.
+    factor : BendFactor
+    """
+
+    designed: FloatArray
+    factor: BendFactor
+
+    def on(self, made: Rod) -> Rod:
+        """A rod that is as stiff as made where it is bent as designed, and follows its bend elsewhere."""
+        below = made.law
+        if isinstance(below, CurlingLaw):  # of a design that was led elsewhere, which curls in the same way
+            below = below.below
+        return replace(made, law=CurlingLaw(self.factor, self.designed, made.natural_curvature, below))
+
+
+def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
+    """How the stiffness of a strip's nodes follows their bend, about its design or however it is bent; None where
+    that changes nothing or a section knows its own.
+
+    Where plates lie over joints it curls as without them.
+    """
+    s, rest = rod.s, rod.natural_curvature
+    if layout.backing is not None:
+        section = LaminatedSection(layout.sheet, layout.backing.sheet)
+        return LaminateCurl.of(rod.curvature, layout.width(s), layout.backing.width(s), section, rest)
+    nu = layout.sheet.poisson_ratio
+    if nu == 0 or (layout.section is not None and not layout.section.follows_bend):
+        return None
+    return SheetCurl(_breadth(layout, s), layout.sheet.thickness, nu, rest)
+
+
+def _curl_of(rod: Rod, layout: Layout) -> Curl | None:
+    """How a strip curls about its design."""
+    factor = _curl_factor(rod, layout)
+    return None if factor is None else Curl(factor(rod.curvature), factor)
+
+
+def curling_by_design(made: Rod, design: Rod, layout: Layout) -> Rod:
+    """A rod that follows its bend as its design counts on; where it does not, the rod itself."""
+    curl = _curl_of(design, layout) if design.follows_bend else None
+    return made if curl is None else curl.on(made)
+
+
+def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
+    """A design to be led elsewhere: K stays, and what is cut curls at every place as its bend there makes it.
+
+    Widths that were not made for that leave it out of balance until it is bent; those that are `corrected` are as
+    stiff as K in the design. A sheet whose Poisson ratio is only estimated bends with E.
+    """
+    sheet = layout.section is None and layout.sheet.poisson_known
+    if rod.follows_bend or isinstance(rod.law, CurlingLaw) or not (sheet or layout.backing):
+        return rod
+    factor = _curl_factor(rod, layout)
+    if factor is None:
+        return rod
+    designed = factor(rod.curvature) if corrected else np.ones(rod.s.size)
+    return replace(rod, law=CurlingLaw(factor, designed, rod.natural_curvature, rod.law))
+
+
+def _with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
+    """A rod whose stiffness is changed by factors (n,) while its weight stays: out of balance until bent."""
+    B, K = built.bending_stiffness or 1.0, built.stiffness
+    changed = K * np.prod([np.ones(K.size), *shares], axis=0)
+    made = built.with_stiffness(Profile.interpolate(built.s, changed))
+    if built.bending_stiffness is not None:
+        made = replace(made, bending_stiffness=B * float(changed.min()))
+    if built.gravity is None:
+        return made
+    weight = built.weight or Weight(beta=B / built.gravity.length**3)
+    alpha, beta = weight.along(built.s)
+    newtons = Profile.interpolate(built.s, alpha + beta * K)
+    return replace(made, weight=replace(weight, alpha=newtons, beta=0.0))
+
+
+def _beside_slots(slots: Sequence[Slot], width: Profile, corner: float) -> list[tuple[float, float]]:
+    """Place, mm, and length, mm, of the strip that adds as much, of each cut."""
+    found = []
+    for slot in slots:
+        points, widths = slot.center_line(width)
+        at, depth = float(points[:, 0].mean()), abs(float(points[-1, 1] - points[0, 1]))
+        wide = float(width(min(max(at, 0.0), width.length)))
+        left = max(wide - depth, LEAST_SHARE * wide)
+        found.append((at, corner * depth**2 / wide + float(widths.mean()) * (wide - left) / left))
+    return found
+
+
+def _crowded(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
+    """Places of the first two slots that are nearer to each other than the deeper of them is deep."""
+    points = (slot.center_line(width)[0] for slot in slots)
+    lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
+    return next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ())
+
+
+def idle_length(width: float, narrow: float, thickness: float) -> float:
+    """Length, mm, that idle corners add to a strip which continues `narrow` mm wide, over its `crack_energy`.
+
+    Strips side by side, joined along their edges, are a sheet with a row of cracks between the narrow parts. Its
+    energy is that of a row of collinear cracks in a wide sheet, whose stress intensity follows sqrt(tan(pi a / w))
+    (Westergaard, J. Appl. Mech. 6, 1939; in bending as in tension): depth^2 / width of few and short ones. Twist
+    is lost near free edges, so the narrow part counts as narrower by `FREE_EDGE`.
+    """
+    net = narrow**2 / (narrow + FREE_EDGE * thickness)
+    return float(-2 / np.pi**2 * width * np.log(np.sin(np.pi / 2 * net / width)))
+
+
+def _beside_tabs(
+    layout: Layout, tab_widths: tuple[float | None, float | None], grain: float, restraint: FloatArray
+) -> list[tuple[float, float]]:
+    """The same of ends that are wider than their tabs, at the centroid of what the idle corners add.
+
+    A tab also keeps the strip from curling across beside it, which takes away a length: `restraint` (2,), of the
+    width, at the start and end.
+    """
+    found, h = [], layout.sheet.thickness
+    for end, inwards, tab, stiffer in zip(
+        (0.0, layout.width.length),
+        (TAB_REACH * grain, -TAB_REACH * grain),
+        tab_widths,
+        restraint,
+        strict=True,
+    ):
+        wide = float(layout.width(end))
+        if tab and tab < wide:
+            added = TAB * crack_energy(0.0, grain) * idle_length(wide, tab, h)
+            added -= stiffer * wide * min(1.0, tab / WIDE_TAB / wide) ** 2
+            if added > 0:
+                found.append((end + inwards * (wide - tab), added))
+    return found
+
+
+def _beside_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
+    """The same of steps of a plain strip's width, in the middle of the idle corners on the wider side."""
+    if layout.pattern is not None or layout.backing is not None or layout.size is not None:
+        return []
+    found = []
+    for start, end in layout.width.steps:
+        before, after = layout.width([start, end]).tolist()
+        narrow, wide = sorted((before, after))
+        at = start - (wide - narrow) / 4 if before > after else end + (wide - narrow) / 4
+        found.append((at, corner * idle_length(wide, narrow, layout.sheet.thickness)))
+    return found
+
+
+def _leaning(layout: Layout, s: FloatArray) -> FloatArray | None:
+    pattern = layout.pattern
+    return 1 / np.hypot(1.0, pattern.slopes(s)) if isinstance(pattern, DiamondPattern) else None
+
+
+def _breadth(layout: Layout, s: FloatArray) -> FloatArray:
+    """Width (n,), mm, of each of the parts side by side that curl on their own."""
+    pieces = layout.pattern.ligaments if isinstance(layout.pattern, DiamondPattern) else 1
+    return np.asarray(layout.material(s) / pieces)
+
+
+HELD_NODES = 241
+"""Of the rod that is bent in its holders: its own error is some millionths of the length."""
+
+
+@dataclass(frozen=True, eq=False)
+class StripAsMade:
+    """What is bent when a strip is held.
+
+    Attributes
+    ----------
+    design : Rod
+        In the shape that is wanted, on nodes enough to be bent.
+    layout : Layout
+        What the style made of it.
+    bending_stiffness : float
+        B of the design, N mm2.
+    tab_stiffness : pair of float
+        E I of the tabs at start and end, N mm2.
+    cut : Rod
+        With the stiffness and weight of what is cut, slots apart.
+    shares : mapping of str to (n,) array
+        Factors on that stiffness at the nodes by cause, bent as designed: see `stiffness_shares`; "plates" over
+        joints of pieces.
+    approximated : bool
+        Does the drawing only come near to the stiffness, as holes and backings do?
+    lap : LapJoint, optional
+        The joint of a closed strip.
+    curl : Curl, optional
+        How the stiffness of the nodes follows their curvature.
+    crowded : tuple of float
+        Places, mm, of two slots that are nearer to each other than the deeper of them is deep; empty of others.
+    """
+
+    design: Rod
+    layout: Layout
+    bending_stiffness: float
+    tab_stiffness: tuple[float, float]
+    cut: Rod
+    shares: Mapping[str, FloatArray]
+    approximated: bool
+    lap: LapJoint | None = None
+    curl: Curl | None = None
+    crowded: tuple[float, ...] = ()
+
+    @classmethod
+    def of(
+        cls,
+        rod: Rod,
+        layout: Layout,
+        ends: Ends,
+        slots: Sequence[Slot],
+        plates: LapPlates | None,
+        whole: Callable[[], Sequence[Layer]],
+    ) -> "StripAsMade":
+        """What a rod becomes when its layout is cut with tabs and slots, and joined of pieces by plates.
+
+        `whole` gives its layers without slots, where they are needed.
+        """
+        design = rod if rod.s.size <= HELD_NODES else resample(rod, HELD_NODES)
+        widths = np.array([tab.width for tab in fix_tab_widths(layout.width, ends)])
+        first, last = layout.stiffness(widths, None if layout.backing is None else widths).tolist()
+        if layout.section is not None and layout.size is not None:
+            first, last = layout.section.bending_stiffness(layout.size([0.0, rod.length])).tolist()
+        shares = stiffness_shares(design, layout, slots, (ends[0].width, ends[1].width))
+        if plates is not None:
+            shares[PLATES] = plates.stiffening(design.s, layout, whole())
+        return cls(
+            design,
+            layout,
+            layout.bending_stiffness,
+            (first, last),
+            rod_as_built(design, layout, whole()),
+            shares,
+            layout.pattern is not None or layout.backing is not None,
+            LapJoint.of(design, layout.material(design.s), ends[1].length, float(widths[1]))
+            if ends[1].length and closes(rod)
+            else None,
+            _curl_of(design, layout),
+            _crowded(slots, layout.width),
+        )
+
+    @cached_property
+    def rod(self) -> Rod:
+        """The rod with all causes together, whose stiffness follows its bend: out of balance until bent."""
+        made = _with_shares(self.cut, list(self.shares.values()))
+        made = made if self.lap is None else _lapped(made, self.lap)
+        return made if self.curl is None else self.curl.on(made)
+
+    @property
+    def as_plate(self) -> bool:
+        """Are its widths made by how the strip curls across?"""
+        return self.design.follows_bend
+
+    def tab_ratios(self, rod: Rod) -> tuple[float, float]:
+        """E I of the tabs at start and end over the B of a rod made of the design."""
+        B = rod.bending_stiffness or self.bending_stiffness
+        return self.tab_stiffness[0] / B, self.tab_stiffness[1] / B
+
+    def rest(self, seats: Seats = (None, None)) -> Rod:
+        """The shape that the strip takes, with a law of its nodes where their stiffness follows the bend.
+
+        Raises
+        ------
+        NotConvergedError
+            No rest shape was found.
+        """
+        return rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))[0]
+
+    @cached_property
+    def loaded(self) -> Rod:
+        """The rest shape with both ends held as designed; the design itself where nothing changes it.
+
+        As `rest` has it: stiffness and law are those of the strip before it is bent.
+        """
+        try:
+            return self.rest()
+        except NotConvergedError:
+            return self.design
+
+    def held(self, seats: Seats, asked: "StripAsMade", tolerance: MakingTolerance) -> HeldShape:
+        """Return the shape as held, with what each cause does alone to the strip as requested, before any
+        correction.
+        """
+        rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
+        parts = asked.parts(seats, poses)
+        corrected, holders = (
+            asked is not self,
+            {_cause(k, seat) for k, seat in enumerate(seats) if seat is not None},
+        )
+        made_up_for = tuple(
+            cause
+            for cause, mm in parts.items()
+            if mm >= LEAST_TOLD_MM
+            and ((corrected and cause not in holders) or (self.as_plate and cause == ANTICLASTIC))
+        )
+        if self.as_plate:
+            parts.pop(ANTICLASTIC, None)
+        return HeldShape(
+            as_bent(rod),
+            strayed(self.design, rod.position + self._leaf_ends),
+            parts,
+            *poses,
+            corrected=corrected,
+            as_plate=self.as_plate and ANTICLASTIC in made_up_for,
+            made_up_for=made_up_for,
+            open=open_deviation(
+                rod.length,
+                self.layout.sheet,
+                parts,
+                width=0.0 if self._cut_breadth is None else float(self._cut_breadth.max()),
+                approximated=self.approximated,
+                crowded=bool(self.crowded),
+            ),
+            sheet=sheet_effects(self.loaded, self.design, self.layout.sheet, self._cut_breadth, tolerance),
+            notes=self._notes(seats),
+        )
+
+    @property
+    def _cut_breadth(self) -> FloatArray | None:
+        """Width (n,), mm, of each of the parts that are cut side by side; None of what is planed or turned."""
+        return _breadth(self.layout, self.design.s) if self.layout.size is None else None
+
+    def _notes(self, seats: Seats) -> tuple[str, ...]:
+        """What the model takes for granted."""
+        sheet, found = self.layout.sheet, []
+        if sheet.grain != "none" and sheet.shear_modulus is None and self.shares.keys() & KINKS:
+            found.append(
+                note(
+                    "The shear modulus of {sheet} is not known, so it counts as a sheet without grain: beside "
+                    "slots, tabs and steps it is softer than that",
+                    sheet=sheet.name,
+                )
+            )
+        if self.approximated and sheet.shear_ratio < LEAST_SHEARING * even_shear_ratio(sheet.poisson_ratio):
+            found.append(
+                note(
+                    "Holes and layers count as in a sheet without grain: {sheet} shears more easily, and what that "
+                    "does is left open",
+                    sheet=sheet.name,
+                )
+            )
+        if self.crowded:
+            found.append(
+                note(
+                    "The slots at {first} and {second} lie nearer to each other than they are deep: what they do "
+                    "together is left open",
+                    first=Length(self.crowded[0]),
+                    second=Length(self.crowded[1]),
+                )
+            )
+        if any(seat is not None for seat in seats):
+            found.append(note("Friction in the pockets is not counted"))
+        return tuple(found)
+
+    @cached_property
+    def _leaf_ends(self) -> FloatArray:
+        """How the through leaf (n, 2), mm, moves because the neutral axis jumps where leaves end; zeros of others.
+
+        The through leaf is centred on the curve and held there at its ends. The force that the strip carries acts
+        off the neutral axis of the design by as much as that moves.
+        """
+        design, stack = self.design, self.layout.stack
+        if stack is None:
+            return np.zeros((design.s.size, 2))
+        aside = (stack.counts(design.s) - 1) * stack.sheet.thickness / 2
+        normals = np.column_stack([-np.sin(design.angle), np.cos(design.angle)])
+        between = (normals[1:] + normals[:-1]) / 2
+        off = aside[:, None] * normals
+        axis = off[0] + np.vstack([np.zeros(2), np.cumsum(np.diff(aside)[:, None] * between, axis=0)])
+        force = design.force
+        moments = (force[:, 0] * axis[:, 1] - force[:, 1] * axis[:, 0])[:, None]
+        return np.asarray(axis + shape_responses(design, moments, apart=off[-1:] - axis[-1:])[:, 0] - off)
+
+    def parts(self, seats: Seats, poses: tuple[EndPose, EndPose]) -> dict[str, float]:
+        """How far, mm, each cause alone takes the strip from its design, to first order about the strip as made.
+
+        A cause bends each node by more or less under the designed moment, or moves and turns an end. Of a strip
+        that bends as a plate, anticlastic bending counts as if its widths were not made for it.
+        """
+        design, made = self.design, self.loaded
+        K, elastic, n = design.stiffness, design.moment / design.stiffness, design.s.size
+        curl = {ANTICLASTIC: self.curl.designed} if self.as_plate and self.curl is not None else {}
+        bends = {cause: elastic * (1 / share - 1) for cause, share in {**self.shares, **curl}.items()}
+        if self.approximated:
+            share = self.cut.stiffness * (self.cut.bending_stiffness or 1.0) / (K * self.bending_stiffness)
+            bends["fit of the drawing"] = elastic * (1 / share - 1)
+        if self.lap is not None:
+            bends["lap joint"] = self.lap.rest - design.natural_curvature + elastic * (1 / self.lap.share - 1)
+        shifts = {cause: np.zeros((2, 2)) for cause in bends}  # of the start and the end
+        cells = design.discrete.node_lengths
+        for k, (seat, pose) in enumerate(zip(seats, poses, strict=True)):
+            if seat is not None:
+                cause, angle = _cause(k, seat), float(design.angle[-k])
+                bends[cause], shifts[cause] = np.zeros(n), np.zeros((2, 2))
+                bends[cause][-k] = (-pose.turn if k else pose.turn) / cells[-k]
+                shifts[cause][k] = pose.shift * np.array([-np.sin(angle), np.cos(angle)])
+        jumps = (
+            {LEAF_ENDS: strayed(design, design.position + self._leaf_ends)} if self._leaf_ends.any() else {}
+        )
+        if not bends:
+            return jumps
+        moments = -made.stiffness[:, None] * np.column_stack([*bends.values()])
+        ends = np.array([*shifts.values()])
+        moved = ends[None, :, 0] + shape_responses(made, moments, apart=ends[:, 1] - ends[:, 0])
+        return jumps | {
+            cause: strayed(design, design.position + moved[:, k]) for k, cause in enumerate(bends)
+        }
+
+
+def _cause(end: int, seat: TabSeat) -> str:
+    """Name of a holder as a cause; the end is 0 or 1."""
+    return f"{('start', 'end')[end]}: {seat.name}"
+
+
+def _lapped(made: Rod, lap: LapJoint) -> Rod:
+    """The rod with its joint: stiffer there, and glued in a shape that it keeps in part."""
+    return replace(_with_shares(made, [lap.share]), natural_curvature=lap.rest)

@@ -1,0 +1,648 @@
+"""The boundary of a bent strip in space, free of any CAD kernel."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import pairwise
+from math import hypot
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import numbers_in_groups, turns_along
+from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.splines import clamped_knots, interpolated, interpolation_sites, knot_runs
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.refusals import Length
+from elastica_cad.strip.flat_pattern import Piece, Region, on_segment
+from elastica_cad.strip.outline import graphs, pace
+
+STRAIGHT = np.eye(2)
+QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])
+
+
+@dataclass(frozen=True, eq=False)
+class SpaceCurve:
+    """A B-spline curve in space: full clamped `knots`, `control_points` (m, 3) in mm, `degree`."""
+
+    knots: FloatArray
+    control_points: FloatArray
+    degree: int
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedSegment:
+    """A plane segment put into space by a frame.
+
+    Its parameter is the distance from the start on a `Line`, the angle on an `Arc`, the curve's own on a
+    `Spline`.
+    """
+
+    segment: Segment
+    frame: Frame
+
+
+@dataclass(frozen=True, eq=False)
+class SpaceSurface:
+    """A tensor B-spline surface: knots and degrees for u and v, `control_points` (m, n, 3) in mm."""
+
+    knots: tuple[FloatArray, FloatArray]
+    control_points: FloatArray
+    degree: tuple[int, int]
+
+    def turned(self) -> "SpaceSurface":
+        """Return the same surface, seen from the same side, by the parameters (-v, u)."""
+        u, v = self.knots
+        points = self.control_points[:, ::-1].swapaxes(0, 1)
+        return SpaceSurface((-v[::-1], u), points, self.degree[::-1])
+
+
+@dataclass(frozen=True, eq=False)
+class PlaneSurface:
+    """The plane of a frame; (u, v) are the frame's x and y."""
+
+    frame: Frame
+
+
+@dataclass(frozen=True, eq=False)
+class CylinderSurface:
+    """A cylinder about the frame's z axis; u is the angle from x, v the height, mm."""
+
+    frame: Frame
+    radius: float
+
+
+@dataclass(frozen=True, eq=False)
+class ExtrudedSurface:
+    """A placed segment drawn along its frame's z axis; u is the segment's parameter, v the height, mm."""
+
+    profile: PlacedSegment
+
+
+Surface: TypeAlias = SpaceSurface | PlaneSurface | CylinderSurface | ExtrudedSurface
+
+
+def trace_turn(surface: Surface) -> FloatArray:
+    """(2, 2) matrix that takes traces to the parameters in which a kernel gets the surface.
+
+    OpenCASCADE integrates areas and volumes span by span in v but by a single rule in u: a strip with its length
+    in u would come out with a volume wrong by tenths. Splines are therefore handed over `turned`.
+    """
+    return QUARTER if isinstance(surface, SpaceSurface) else STRAIGHT
+
+
+@dataclass(frozen=True, eq=False)
+class StraightTrace:
+    """An edge in the (u, v) plane of a surface: origin + parameter * direction, the direction of length 1."""
+
+    origin: tuple[float, float]
+    direction: tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Edge:
+    """A piece `first` <= parameter <= `last` of a curve from vertex `start` to vertex `end`."""
+
+    curve: SpaceCurve | PlacedSegment
+    first: float
+    last: float
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, eq=False)
+class EdgeUse:
+    """How a loop runs through an edge, and where the edge lies in the (u, v) plane of the face's surface.
+
+    `trace` is a straight line or a segment (parameters as in `PlacedSegment`, equal to the edge's); None on
+    planes.
+    """
+
+    edge: int
+    forward: bool
+    trace: StraightTrace | Segment | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Face:
+    """A trimmed surface.
+
+    The first loop is the outer one; loops keep the face to their left as seen from the side to which the
+    surface's normal (d/du cross d/dv) points. `outward` is False where that side is the inside of the body.
+    """
+
+    surface: Surface
+    loops: tuple[tuple[EdgeUse, ...], ...]
+    outward: bool = True
+
+
+@dataclass(frozen=True, eq=False)
+class Boundary:
+    """Faces that share edges that share vertices.
+
+    Attributes
+    ----------
+    vertices : (k, 3) array
+        mm.
+    edges, faces
+        Edges name vertices by row, faces name edges by position.
+    """
+
+    vertices: FloatArray
+    edges: tuple[Edge, ...]
+    faces: tuple[Face, ...]
+
+    @property
+    def is_closed(self) -> bool:
+        """True where every edge is used exactly twice, once each way."""
+        ways: list[list[int]] = [[] for _ in self.edges]
+        for face in self.faces:
+            for loop in face.loops:
+                for use in loop:
+                    ways[use.edge].append(1 if use.forward == face.outward else -1)
+        return all(sorted(way) == [-1, 1] for way in ways)
+
+
+DEGREE = 5  # of the bent faces
+POSITION_TOLERANCE = 1e-6  # mm, of the centre line
+SURFACE_TOLERANCE = 5e-8  # mm, of edges drawn on the bent faces
+MOST_SPANS = 4000  # of one face: more mean a curve that cannot be followed
+PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])  # places in a span where the error is measured
+LEAST_SPANS = 3  # of an edge: kernels walk from knot to knot, and fillets of one or two spans break off
+MOST_PARTS = 4  # that a span is cut into at a time
+SPARE = 1.1  # parts for every one that the error asks for
+FIRST_TURN = 0.2  # rad, of the spans that are tried first
+
+Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
+
+
+@dataclass(frozen=True, eq=False)
+class BentMap:
+    """The map (x, y, up) -> space of a stretch of the strip on which the curvature has no jump.
+
+    A flat point goes to C(x) - up N(x) + y Z: C the centre line, N its left normal, Z across. C and N share
+    one B-spline basis, so faces offset by half the thickness and the ruled sides between them are exact.
+
+    Attributes
+    ----------
+    knots : (m + 6,) array
+        Of the B-spline, clamped, of degree 5 over arc length in mm.
+    coefficients : (m, 4) array
+        C (mm) and N in the coordinates of the curve's plane.
+    frame : Frame
+        The plane of the curve in space.
+    """
+
+    knots: FloatArray
+    coefficients: FloatArray
+    frame: Frame
+
+    def frame_at(self, x: float) -> Frame:
+        """The tangent plane at arc length x, with its own x running on as arc length."""
+        row = self._spline(np.array(x))
+        normal = row[2:] / np.hypot(*row[2:])
+        origin = self.frame.point(row[:2])
+        tangent = self.frame.direction([normal[1], -normal[0]])
+        return Frame(origin, tangent, self.frame.z_axis).shifted(x=-x)
+
+    def points(self, flat: FloatArray, heights: Sequence[float]) -> FloatArray:
+        """Points in space (k, levels, 3) of flat points (k, 2) at several heights above the middle, mm."""
+        rows = self._spline(flat[:, 0])
+        local = np.empty((len(flat), len(heights), 3))
+        for level, up in enumerate(heights):
+            local[:, level, :2] = rows[:, :2] - up * rows[:, 2:]
+        local[:, :, 2] = flat[:, 1:]
+        return self.frame.point(local.reshape(-1, 3)).reshape(local.shape)
+
+    def curves(
+        self, parts: Sequence[tuple[Segment, float, float]], heights: Sequence[float]
+    ) -> list[list[SpaceCurve]]:
+        """What becomes of flat segments between two parameters, of each at several heights in one basis.
+
+        Exact where x runs evenly along the segment (long sides, lines); others are fitted to 5e-8 mm.
+        """
+        found = []
+        for segment, first, last in parts:
+            even = pace(segment)
+
+            def values(t: FloatArray, segment: Segment = segment) -> FloatArray:
+                return self.points(on_segment(segment, t), heights).reshape(len(t), -1)
+
+            if even is None:
+                spans, degree = np.linspace(first, last, 9), DEGREE
+                knots, rows = _fitted(values, spans, {}, np.full(3 * len(heights), SURFACE_TOLERANCE))
+            else:
+                knots, degree = self._common_knots(segment, even, (first, last))
+                sites = interpolation_sites(knots, degree)
+                rows = interpolated(sites, values(sites), knots, degree)
+            found.append(
+                [SpaceCurve(knots, rows[:, k : k + 3], degree) for k in range(0, 3 * len(heights), 3)]
+            )
+        return found
+
+    def surface(self, low: float, high: float, up: float) -> SpaceSurface:
+        """The bent face at the height `up`, from y = `low` to `high`; (u, v) are the flat (x, y)."""
+        plane = self.coefficients[:, :2] - up * self.coefficients[:, 2:]
+        local = np.empty((len(plane), 2, 3))
+        local[:, :, :2] = plane[:, None]
+        local[:, :, 2] = low, high
+        points = self.frame.point(local.reshape(-1, 3)).reshape(local.shape)
+        return SpaceSurface((self.knots, np.array([low, low, high, high])), points, (DEGREE, 1))
+
+    @property
+    def curvature(self) -> tuple[FloatArray, FloatArray]:
+        """Arc lengths and curvature of the centre line, nine to a span."""
+        edges = np.unique(self.knots)
+        s = np.linspace(edges[:-1], edges[1:], 9).ravel()
+        along, turn = np.split(self._spline(s, 1), 2, axis=1)
+        return s, -(turn * along).sum(axis=1) / (along**2).sum(axis=1)
+
+    @cached_property
+    def _smoothness(self) -> tuple[FloatArray, IntArray]:
+        """Interior knots with the continuity there."""
+        knots, counts = knot_runs(self.knots)
+        return knots[1:-1], DEGREE - counts[1:-1]
+
+    @cached_property
+    def _rows(self) -> Any:
+        from scipy.interpolate import BSpline
+
+        return BSpline.construct_fast(self.knots, self.coefficients, DEGREE)  # made of numbers that are sound
+
+    def _spline(self, s: FloatArray, derivative: int = 0) -> FloatArray:
+        return np.asarray(self._rows(s, derivative), dtype=float)
+
+    def _common_knots(
+        self, segment: Segment, even: tuple[float, float], limits: tuple[float, float]
+    ) -> tuple[FloatArray, int]:
+        """Knots in the parameter of a segment with even x in which both its shape and the map are splines."""
+        (offset, speed), (first, last) = even, limits
+        t, continuity = self._smoothness
+        t, degree = (t - offset) / speed, DEGREE
+        if isinstance(segment, Spline):
+            knots, counts = knot_runs(segment.curve.knots)
+            degree = max(degree, segment.curve.degree)
+            t = np.concatenate([t, knots])
+            continuity = np.concatenate([continuity, segment.curve.degree - counts])
+        near = 1e-9 * (last - first)
+        order = np.argsort(t)
+        order = order[(t[order] > first + near) & (t[order] < last - near)]
+        t, continuity = t[order], continuity[order]
+        if t.size:
+            apart = np.flatnonzero(np.diff(t, prepend=first) >= near)
+            t, continuity = t[apart], np.minimum.reduceat(continuity, apart)
+        if t.size < LEAST_SPANS - 1:
+            t, continuity = _in_thirds(np.array([first, *t, last]), continuity, degree)
+        inner = np.repeat(t, np.minimum(degree - continuity, degree))
+        return np.concatenate([np.full(degree + 1, first), inner, np.full(degree + 1, last)]), degree
+
+
+def _in_thirds(edges: FloatArray, continuity: IntArray, degree: int) -> tuple[FloatArray, IntArray]:
+    """Interior knots with their continuity where every span is cut into three, smoothly."""
+    thirds = edges[:-1, None] + np.diff(edges)[:, None] * [0, 1 / 3, 2 / 3]
+    smoothness = np.full(thirds.shape, degree - 1)
+    smoothness[1:, 0] = continuity
+    return thirds.ravel()[1:], smoothness.ravel()[1:]
+
+
+def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
+    """Maps of the stretches between jumps of curvature, from the start of the rod to its end.
+
+    `reach` is how far faces lie off the centre line, mm.
+
+    Raises
+    ------
+    InputError
+        The radius is smaller than the reach somewhere.
+    NotConvergedError
+        The curve is too wild to be followed to 1e-6 mm.
+    """
+    shape, breaks = _shape_of(rod)
+    cuts = [0.0, *(s for s, continuity in breaks if continuity < 2), rod.length]
+    tolerance = np.array([POSITION_TOLERANCE] * 2 + [SURFACE_TOLERANCE / reach] * 2)
+
+    def values(s: FloatArray) -> FloatArray:
+        position, tangent = shape(s)
+        return np.column_stack([position, -tangent[:, 1], tangent[:, 0]])
+
+    maps = []
+    for a, b in pairwise(cuts):
+        inner = {s: min(c, DEGREE) for s, c in breaks if a < s < b}
+        spans = _first_spans(rod, np.array([a, *inner, b]))
+        knots, rows = _fitted(values, spans, {s: c - 1 for s, c in inner.items()}, tolerance)
+        maps.append(BentMap(knots, rows, frame))
+    _refuse_tight(maps, reach)
+    return tuple(maps)
+
+
+def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
+    for bent in maps:
+        s, kappa = bent.curvature
+        i = int(np.argmax(np.abs(kappa)))
+        if abs(kappa[i]) * reach >= 1:
+            raise InputError(
+                "the radius at {s:.4g} is {given:.4g}, but the strip's face lies {reach:g} off the "
+                "curve and would fold over: take a thinner sheet or a gentler curve",
+                s=Length(s[i]),
+                given=Length(1 / abs(kappa[i])),
+                reach=Length(reach),
+            )
+
+
+def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
+    """Position and unit tangent over the rod's arc length, and the breaks of the curve as (s, continuity)."""
+    curve = rod.curve
+    scale = curve.length / rod.length
+
+    def drawn(s: FloatArray) -> tuple[FloatArray, FloatArray]:
+        position, velocity = curve.derivatives(curve.parameter(s * scale), 1)
+        return position, velocity / np.hypot(velocity[:, 0], velocity[:, 1])[:, None]
+
+    breaks = [(b.s / scale, _smoothness(curve, b.t, b.continuity)) for b in curve.breaks]
+    return drawn, [(float(s), c) for s, c in breaks if 0 < s < rod.length and c < DEGREE - 1]
+
+
+def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
+    """Continuity of the shape at a knot, which a curve's parameter may understate (an arc made of pieces)."""
+    if continuity >= 2:
+        return continuity
+    t0, t1 = curve.domain
+    sides = np.array([t - 1e-9 * (t1 - t0), t + 1e-9 * (t1 - t0)])
+    kappa, slope = curve.curvature_at(sides), curve.curvature_slope_at(sides)
+    reach = 1e-6 * curve.length
+    if abs(np.diff(kappa)[0]) > 1e-6 * max(np.abs(kappa).max(), 1 / curve.length):
+        return 1
+    return 2 if abs(np.diff(slope)[0]) * reach > 1e-9 * max(np.abs(kappa).max(), 1 / curve.length) else 3
+
+
+def _first_spans(rod: Rod, edges: FloatArray) -> FloatArray:
+    """Every stretch divided so that no span turns by much more than 0.2 rad."""
+    at = np.interp(edges, rod.s, turns_along(rod.angle))
+    rows = [
+        np.linspace(a, b, 1 + max(2, int(np.ceil((v - u) / FIRST_TURN))))[:-1]
+        for a, b, u, v in zip(edges[:-1], edges[1:], at[:-1], at[1:], strict=True)
+    ]
+    return np.concatenate([*rows, edges[-1:]])
+
+
+def _fitted(
+    function: Callable[[FloatArray], FloatArray],
+    edges: FloatArray,
+    smooth: Mapping[float, int],
+    tolerance: FloatArray,
+) -> tuple[FloatArray, FloatArray]:
+    """Knots and coefficients of a degree-5 spline through `function`, spans divided to meet `tolerance`."""
+    from scipy.interpolate import BSpline
+
+    while True:
+        knots = clamped_knots(edges, smooth, DEGREE)
+        sites = interpolation_sites(knots, DEGREE)
+        probes = (edges[:-1, None] + np.diff(edges)[:, None] * PROBES).ravel()
+        values = function(np.concatenate([sites, probes]))
+        rows = interpolated(sites, values[: sites.size], knots, DEGREE)
+        excess = (
+            np.abs(BSpline.construct_fast(knots, rows, DEGREE)(probes) - values[sites.size :]) / tolerance
+        )
+        excess = excess.reshape(edges.size - 1, -1).max(axis=1)
+        bad = excess > 1
+        if not bad.any():
+            return knots, rows
+        if edges.size > MOST_SPANS:
+            at = float(edges[:-1][bad][0])
+            raise NotConvergedError(
+                "the bent strip cannot follow its curve near {at:.6g}: the curve changes too fast "
+                "there; smooth it",
+                at=Length(at),
+            )
+        # the error falls with the power degree + 1 of the width
+        parts = np.where(bad, np.clip(np.ceil(SPARE * excess ** (1 / (DEGREE + 1))), 2, MOST_PARTS), 1)
+        edges = _divided(edges, parts.astype(int))
+
+
+def _divided(edges: FloatArray, parts: IntArray) -> FloatArray:
+    """The edges (n + 1,) with every span cut into as many equal parts as `parts` (n,) says."""
+    width = np.repeat(np.diff(edges) / parts, parts)
+    return np.append(np.repeat(edges[:-1], parts) + numbers_in_groups(parts) * width, edges[-1])
+
+
+ROUNDED_MM = 1e-12
+"""Difference between the x of both ends of a line across the strip that counts as 0, mm."""
+
+Map: TypeAlias = Frame | BentMap  # a tab lies in its tangent plane, the free part is bent
+
+
+@dataclass
+class BoundaryMaker:
+    """Builds vertices, edges and faces of the flat pattern's regions at one or two heights."""
+
+    corners: FloatArray
+    maps: Sequence[Map]
+    heights: tuple[float, ...]
+    vertices: list[FloatArray] = field(default_factory=list)
+    edges: list[Edge] = field(default_factory=list)
+    faces: list[Face] = field(default_factory=list)
+    at_corner: dict[int, int] = field(default_factory=dict)
+    at_piece: dict[int, int] = field(default_factory=dict)
+    posts: dict[int, int] = field(default_factory=dict)
+
+    def sheet(self, regions: Sequence[Region]) -> Boundary:
+        """The face of every region at the first height."""
+        for region in regions:
+            self._add_edges(region)
+            self._add_faces(region)
+        return self._boundary()
+
+    def solid(self, regions: Sequence[Region]) -> Boundary:
+        """The closed skin between the two heights."""
+        for region in regions:
+            self._add_edges(region)
+            self._add_faces(region)
+            for loop in region.loops:
+                for piece in loop:
+                    if not piece.seam:
+                        self._add_side(piece, self.maps[region.interval])
+        return self._boundary()
+
+    def _boundary(self) -> Boundary:
+        return Boundary(np.array(self.vertices), tuple(self.edges), tuple(self.faces))
+
+    def _add_edges(self, region: Region) -> None:
+        """Vertices and edges at every height, in the order of the heights."""
+        shape = self.maps[region.interval]
+        pieces = [piece for loop in region.loops for piece in loop]
+        fresh = [piece.start for piece in pieces if piece.start not in self.at_corner]
+        if fresh:
+            for corner, rows in zip(fresh, _points(shape, self.corners[fresh], self.heights), strict=True):
+                self.at_corner[corner] = len(self.vertices)
+                self.vertices += list(rows)
+        new = {piece.number: piece for piece in pieces if piece.number not in self.at_piece}
+        for piece, curves in zip(new.values(), _curves(shape, [*new.values()], self.heights), strict=True):
+            self.at_piece[piece.number] = len(self.edges)
+            start, end = (self.at_corner[i] for i in _ends(piece))
+            self.edges += [
+                Edge(curve, piece.first, piece.last, start + level, end + level)
+                for level, curve in enumerate(curves)
+            ]
+
+    def _add_faces(self, region: Region) -> None:
+        """The region's face at every height: seen from above it lies to the left of its loops."""
+        shape = self.maps[region.interval]
+        surfaces: list[Surface]
+        if isinstance(shape, Frame):
+            surfaces = [PlaneSurface(frame) for frame in _levels(shape, self.heights)]
+        else:
+            low, high = zip(*(_across(piece.segment) for loop in region.loops for piece in loop), strict=True)
+            surfaces = [shape.surface(min(low), max(high), up) for up in self.heights]
+        traces = [[_trace_on(shape, piece.segment) for piece in loop] for loop in region.loops]
+        for level, surface in enumerate(surfaces):
+            loops = tuple(
+                tuple(
+                    EdgeUse(self.at_piece[piece.number] + level, piece.forward, trace)
+                    for piece, trace in zip(loop, along, strict=True)
+                )
+                for loop, along in zip(region.loops, traces, strict=True)
+            )
+            self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
+
+    def _add_side(self, piece: Piece, shape: Map) -> None:
+        """The wall over one piece of a loop; u follows the piece's parameter, v goes up."""
+        low = self.at_piece[piece.number]
+        surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
+        height = self.heights[1] - self.heights[0]
+        start, end = (self._post(i, shape) for i in _ends(piece))
+        traces: list[StraightTrace | Segment | None] = [None] * 4
+        if not isinstance(surface, PlaneSurface):
+            below, above = _along(surface, (0.0, height))
+            last, first = (StraightTrace((t, 0.0), (0.0, 1.0)) for t in (piece.last, piece.first))
+            traces = [below, last, above, first]
+        uses = zip((low, end, low + 1, start), (True, True, False, False), traces, strict=True)
+        self.faces.append(Face(surface, (tuple(EdgeUse(*use) for use in uses),), outward=piece.forward))
+
+    def _wall(self, piece: Piece, shape: Map, low: Edge, high: Edge) -> Surface:
+        segment, up = piece.segment, self.heights[0]
+        straight = isinstance(segment, Line)
+        if isinstance(shape, BentMap) and not _is_across(segment):
+            if straight and segment.start[1] == segment.end[1]:
+                side = -1.0 if segment.end[0] > segment.start[0] else 1.0
+                frame = shape.frame.shifted(z=float(segment.start[1]))
+                return PlaneSurface(Frame(frame.origin, frame.x_axis, side * frame.y_axis))
+            if not (isinstance(low.curve, SpaceCurve) and isinstance(high.curve, SpaceCurve)):
+                raise TypeError("edges of a bent face are splines")
+            return self._ruled(low.curve, high.curve)
+        if straight:
+            a, b = self.vertices[low.start], self.vertices[low.end]
+            return PlaneSurface(_plane_through(a, b - a, self.vertices[high.start] - a))
+        if isinstance(shape, BentMap):
+            raise TypeError("only lines across stay plane on a bent strip")
+        if isinstance(segment, Arc):
+            base = shape.shifted(float(segment.center[0]), float(segment.center[1]), up)
+            return CylinderSurface(base, segment.radius)
+        placed = PlacedSegment(segment, shape.shifted(z=up))
+        if not isinstance(segment, Spline) or segment.curve.is_rational:
+            return ExtrudedSurface(placed)
+        curve, rise = segment.curve, (self.heights[1] - up) * shape.z_axis
+        points = placed.frame.point(curve.control_points)
+        low_side, high_side = (
+            SpaceCurve(curve.knots, rows, curve.degree) for rows in (points, points + rise)
+        )
+        return self._ruled(low_side, high_side)
+
+    def _ruled(self, low: SpaceCurve, high: SpaceCurve) -> SpaceSurface:
+        """Straight across between two splines over the same knots."""
+        h = self.heights[1] - self.heights[0]
+        points = np.stack([low.control_points, high.control_points], axis=1)
+        return SpaceSurface((low.knots, np.array([0.0, 0.0, h, h])), points, (low.degree, 1))
+
+    def _post(self, corner: int, shape: Map) -> int:
+        """The straight edge through the thickness at a corner."""
+        if corner not in self.posts:
+            low = self.at_corner[corner]
+            rise = self.vertices[low + 1] - self.vertices[low]
+            height = hypot(*rise.tolist())
+            across = shape.frame.z_axis if isinstance(shape, BentMap) else shape.y_axis
+            upright = Frame(self.vertices[low], rise / height, across)
+            line = PlacedSegment(Line(np.zeros(2), np.array([height, 0.0])), upright)
+            self.posts[corner] = len(self.edges)
+            self.edges.append(Edge(line, 0.0, height, low, low + 1))
+        return self.posts[corner]
+
+
+def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace | Segment]:
+    """The traces of a wall's edges at these heights.
+
+    On a spline they have the spline's knots: kernels measure a face from knot to knot of its traces, and miss what
+    bends between.
+    """
+    if not isinstance(wall, SpaceSurface):
+        return [StraightTrace((0.0, height), (1.0, 0.0)) for height in heights]
+    edges, _ = knot_runs(wall.knots[0])
+    knots = np.concatenate([edges[:1], edges[:1], edges, edges[-1:], edges[-1:]])
+    return graphs(knots, np.repeat(heights, edges.size + 1).reshape(len(heights), -1), degree=2)
+
+
+def _trace_on(shape: Map, segment: Segment) -> StraightTrace | Segment | None:
+    """A segment on the face that its pattern becomes: on a bent one it is itself, planes ask for none."""
+    if isinstance(shape, Frame):
+        return None
+    if not isinstance(segment, Line):
+        return segment
+    x, y = segment.start.tolist()
+    return StraightTrace((x, y), segment.direction)
+
+
+def _levels(frame: Frame, heights: Sequence[float]) -> list[Frame]:
+    """The frame at every height."""
+    return [frame.shifted(z=up) for up in heights]
+
+
+def _plane_through(origin: FloatArray, along: FloatArray, up: FloatArray) -> Frame:
+    """The plane of a wall, which stands upright on what it runs along."""
+    return Frame(origin, along / hypot(*along.tolist()), up / hypot(*up.tolist()))
+
+
+def _across(segment: Segment) -> tuple[float, float]:
+    """Bounds of y along a segment; of a spline those of its control points."""
+    if isinstance(segment, Line):
+        (_, y), (_, to_y) = segment.start.tolist(), segment.end.tolist()
+        return min(y, to_y), max(y, to_y)
+    rows = segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
+    return float(rows[:, 1].min()), float(rows[:, 1].max())
+
+
+def _ends(piece: Piece) -> tuple[int, int]:
+    """Corners in the direction of the parameter."""
+    return (piece.start, piece.end) if piece.forward else (piece.end, piece.start)
+
+
+def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArray:
+    """Points in space (k, levels, 3) of flat points (k, 2) at several heights."""
+    if isinstance(shape, BentMap):
+        return shape.points(flat, heights)
+    return shape.point(flat)[:, None] + np.outer(heights, shape.z_axis)
+
+
+def _curves(
+    shape: Map, pieces: Sequence[Piece], heights: Sequence[float]
+) -> Iterator[Sequence[SpaceCurve | PlacedSegment]]:
+    """The segment of each piece in space at every height."""
+    if not isinstance(shape, BentMap):
+        frames = _levels(shape, heights)
+        yield from ([PlacedSegment(piece.segment, frame) for frame in frames] for piece in pieces)
+        return
+    along = [(p.segment, p.first, p.last) for p in pieces if not _is_across(p.segment)]
+    curves = iter(shape.curves(along, heights))
+    for segment in (piece.segment for piece in pieces):
+        if _is_across(segment):
+            frames = _levels(shape.frame_at(float(segment.start[0])), heights)
+            yield [PlacedSegment(segment, frame) for frame in frames]
+        else:
+            yield next(curves)
+
+
+def _is_across(segment: Segment) -> bool:
+    """Whether it is a line across the strip, which stays straight on a bent strip."""
+    return isinstance(segment, Line) and abs(float(segment.start[0] - segment.end[0])) < ROUNDED_MM

@@ -1,0 +1,234 @@
+"""Rounded corners: arcs of a given radius in place of the corners of closed paths."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import BoolArray, FloatArray, IntArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.nurbs_curve import cross, norm, turn_between
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.segments import (
+    Arc,
+    Segment,
+    SegmentTable,
+    Spline,
+    chord_points,
+    place,
+    trim_segment,
+)
+from elastica_cad.refusals import Length
+
+SMOOTH_RAD = 0.02
+"""Corners that turn by less than this, rad, stay; fitted sides meet with such angles."""
+
+MOST_STEPS = 40
+"""Largest number of steps of the search for an arc's ends."""
+
+MOST_TURNED_BACK = 6
+"""Number of steps beyond the end of a side that are shortened, before the side counts as too short."""
+
+CLOSE_MM = 1e-9
+"""Accuracy, mm, to which the two centres of the arc agree."""
+
+PARALLEL = 1e-200
+"""Replacement for a zero divisor: between parallel sides the ends of the arc leave the sides."""
+
+CLOSE_SHARE = 1e-3
+"""Share of the radius by which an arc may cross a side that it replaces, and the flatness of its points."""
+
+
+def round_corners(path: Path, radius: float) -> Path:
+    """The closed path with an arc of `radius` mm, tangent to both sides, in place of every corner.
+
+    Raises
+    ------
+    InputError
+        The sides at a corner are too short for the radius; says where.
+
+    Examples
+    --------
+    >>> plate = round_corners(Path.rectangle(10, 6), 1.0)
+    >>> round(plate.area - (60 - 4), 6)  # four squares less, four quarter circles more
+    3.141593
+    """
+    (rounded,) = rounded_where_they_fit([path], radius)
+    if rounded is None:
+        raise too_small_for(radius, path)
+    return rounded
+
+
+def too_small_for(radius: float, path: Path) -> InputError:
+    """The refusal of a path that the radius does not fit."""
+    return InputError(
+        "a corner radius of {radius:g} does not fit at {place}: make it smaller",
+        radius=Length(radius),
+        place=place(path.bounds.mean(axis=0)),
+    )
+
+
+def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | None]:
+    """Return paths with rounded corners; None for each path that the radius does not fit.
+
+    A side too short for the arcs at both its ends is left out where one arc fits the sides before and behind it:
+    the blunt end of a hole that is cut off near its tip is rounded as the tip would be.
+    """
+    segments = [segment for path in paths for segment in path.segments]
+    if not segments:
+        return []
+    sizes, table = _sizes(segments), SegmentTable(segments)
+    ends = np.cumsum([len(path.segments) for path in paths])
+    rings = [
+        list(range(end - len(path.segments), end)) for path, end in zip(paths, ends.tolist(), strict=True)
+    ]
+    rounded: list[Path | None] = [None] * len(paths)
+    left = {i: _Ring(ring, [()] * len(ring)) for i, ring in enumerate(rings)}
+    while left:
+        before = np.array([k for ring in left.values() for k in ring.sides])
+        after = np.array([k for ring in left.values() for k in (*ring.sides[1:], ring.sides[0])])
+        gaps = [gap for ring in left.values() for gap in ring.gaps]
+        corners = _corners(table, before, after, np.array([bool(gap) for gap in gaps]), radius)
+        first, last = np.zeros(len(segments)), np.ones(len(segments))
+        last[corners.before], first[corners.after] = corners.leaving, corners.entering
+        beyond = np.maximum(-first, last - 1) * sizes > CLOSE_MM
+        short = set(np.flatnonzero((first > last) | beyond).tolist())
+        last = np.where((last - first) * sizes > CLOSE_MM, last, first)
+        parts = [
+            trim_segment(segment, a, b) if a < b else None
+            for segment, a, b in zip(segments, *np.clip([first, last], 0, 1).tolist(), strict=True)
+        ]
+        arcs = dict(zip(corners.before.tolist(), corners.arcs, strict=True))
+        following: dict[int, _Ring] = {}
+        for i, ring in left.items():
+            if not short.isdisjoint(ring.sides):
+                if (smaller := ring.without(short)) is not None:
+                    following[i] = smaller
+                continue
+            turns = [arcs.get(k) for k in ring.sides]
+            if all(_is_inside(arc, gap, segments) for arc, gap in zip(turns, ring.gaps, strict=True)):
+                chain = [one for k, arc in zip(ring.sides, turns, strict=True) for one in (parts[k], arc)]
+                # ends of arcs were found where the sides are left
+                rounded[i] = Path([one for one in chain if one is not None], closed=True)
+        left = following
+    return rounded
+
+
+@dataclass(frozen=True)
+class _Ring:
+    """Numbers of the sides of a loop that are left, and of those left out behind each of them."""
+
+    sides: list[int]
+    gaps: list[tuple[int, ...]]
+
+    def without(self, short: set[int]) -> "_Ring | None":
+        """None where fewer than two are left."""
+        kept = [j for j, k in enumerate(self.sides) if k not in short]
+        if len(kept) < 2:
+            return None
+        gaps = []
+        for j, following in zip(kept, [*kept[1:], kept[0] + len(self.sides)], strict=True):
+            gap = self.gaps[j]
+            for m in range(j + 1, following):
+                k = m % len(self.sides)
+                gap = (*gap, self.sides[k], *self.gaps[k])
+            gaps.append(gap)
+        return _Ring([self.sides[j] for j in kept], gaps)
+
+
+def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment]) -> bool:
+    """Whether the arc cuts off the sides that it replaces and does not cross them."""
+    if not gap:
+        return True
+    if arc is None:
+        return False
+    points = np.concatenate([chord_points(segments[k], CLOSE_SHARE * arc.radius) for k in gap])
+    chord, bulge = arc.end - arc.start, arc.at(0.5) - arc.start
+    way = np.sign(chord[0] * bulge[1] - chord[1] * bulge[0])
+    x, y = (points - arc.start).T
+    clear = norm(points - arc.center) >= (1 - CLOSE_SHARE) * arc.radius
+    return bool(np.all(clear & (way * (chord[0] * y - chord[1] * x) > 0)))
+
+
+@dataclass(frozen=True, eq=False)
+class _Corners:
+    """Sides (k,) that end in a corner, those behind it, where the arc leaves and enters them, and the arcs.
+
+    Where no arc fits, a side that is too short is entered behind its end, or left before its start.
+    """
+
+    before: IntArray
+    after: IntArray
+    leaving: FloatArray
+    entering: FloatArray
+    arcs: list[Arc | None]
+
+
+def _corners(
+    table: SegmentTable, before: IntArray, after: IntArray, gaps: BoolArray, radius: float
+) -> _Corners:
+    """Arcs where sides (n,) turn into those behind them, at the end of one or over a gap."""
+    s = table.at(before, np.ones(before.size), 1)
+    t = table.at(after, np.zeros(after.size), 1)
+    turn = turn_between(s, t)
+    sharp = (np.abs(turn) >= SMOOTH_RAD) | gaps
+    before, after, turn, s, t = before[sharp], after[sharp], turn[sharp], s[sharp], t[sharp]
+    side = (radius * np.sign(turn))[:, None]
+    reach = radius * np.tan(np.abs(turn) / 2)
+    x = np.column_stack([1 - reach / norm(s), reach / norm(t)])
+    x = np.minimum(np.maximum(x, 0.0), 1.0)
+    open_ = np.arange(before.size)
+    ends = np.zeros((4, before.size, 2))
+    fits, turned_back = np.zeros(before.size, dtype=bool), np.zeros(before.size, dtype=int)
+    for _ in range(MOST_STEPS):
+        near, far = (
+            (table.at(sides[open_], x[open_, k]), table.at(sides[open_], x[open_, k], 1))
+            for k, sides in enumerate((before, after))
+        )
+        ends[:, open_] = *near, *far
+        gap = _beside(*near, side[open_]) - _beside(*far, side[open_])
+        apart = np.abs(gap).max(axis=1) >= CLOSE_MM
+        fits[open_[~apart]] = True
+        # the sides bend so little that their tangents serve for the Jacobian
+        v, w, gap = near[1][apart], far[1][apart], gap[apart]
+        open_ = open_[apart]
+        determinant = cross(w, v)
+        determinant[determinant == 0] = PARALLEL
+        step = np.column_stack([cross(gap, w), cross(gap, v)])
+        asked = x[open_] + step / determinant[:, None]
+        outside = (asked < 0) | (asked > 1)
+        turned_back[open_] += outside.any(axis=1)
+        halfway = (x[open_] + np.clip(asked, 0.0, 1.0)) / 2
+        given_up = turned_back[open_] > MOST_TURNED_BACK
+        x[open_] = np.where(outside & ~given_up[:, None], halfway, asked)
+        open_ = open_[~given_up]
+        if not open_.size:
+            break
+    x[open_] = -1.0, 2.0
+    start, leaving, end, entering = ends
+    bulges = np.tan(turn_between(leaving, entering) / 4)
+    arcs = [
+        Arc.from_bulge(first, last, bulge) if fit else None
+        for first, last, bulge, fit in zip(start, end, bulges.tolist(), fits.tolist(), strict=True)
+    ]
+    return _Corners(before, after, x[:, 0], x[:, 1], arcs)
+
+
+def _beside(points: FloatArray, velocities: FloatArray, distance: FloatArray) -> FloatArray:
+    """Points (n, 2) moved to the left of their velocities by distances (n, 1)."""
+    left = np.column_stack([-velocities[:, 1], velocities[:, 0]])
+    return np.asarray(points + distance * left / norm(velocities)[:, None], dtype=float)
+
+
+def _sizes(segments: Sequence[Segment]) -> FloatArray:
+    """mm (n,), of splines not less than their lengths."""
+    sizes = np.array([0.0 if isinstance(segment, Spline) else segment.length for segment in segments])
+    splines = [(i, segment.curve) for i, segment in enumerate(segments) if isinstance(segment, Spline)]
+    if splines:
+        counts = np.array([len(curve.control_points) for _, curve in splines])
+        begins = np.cumsum(counts) - counts
+        sides = norm(np.diff(np.concatenate([curve.control_points for _, curve in splines]), axis=0))
+        sides = np.append(sides, 0.0)
+        sides[begins[1:] - 1] = 0.0  # from one curve to the next
+        sizes[[i for i, _ in splines]] = np.add.reduceat(sides, begins)
+    return sizes

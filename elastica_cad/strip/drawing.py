@@ -1,0 +1,478 @@
+"""Drawings: paths and engraved texts on named layers, and what cutters need of them."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Annotated
+
+import numpy as np
+
+from elastica_cad._notebook import BLUE, GREY, INK, RED, svg_of_lines
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import is_number, numbers, require_number, require_record, several
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.nurbs_curve import turn_between
+from elastica_cad.geometry.offset import offset_path
+from elastica_cad.geometry.path import Path, distances
+from elastica_cad.geometry.path_intersections import encloses, polylines_cross
+from elastica_cad.geometry.plane_points import box_around, is_similarity, similarity_of, transform_points
+from elastica_cad.geometry.segments import Segment, Spline, place, trim_segment
+from elastica_cad.mechanics.sheets import require_printable
+from elastica_cad.refusals import Length as Mm
+from elastica_cad.strip.lettering import Text, text_strokes
+
+CUT_OUTER = "CUT_OUTER"
+CUT_INNER = "CUT_INNER"
+ENGRAVE = "ENGRAVE"
+MARK = "MARK"
+SHEET = "SHEET"
+
+LAYERS = (SHEET, ENGRAVE, MARK, CUT_INNER, CUT_OUTER)
+"""All layers in the order in which a machine should work: a part comes loose last. The border of the sheet is for
+people, and no machine follows it."""
+
+SAME_MM = 1e-6
+"""Paths nearer to each other than this everywhere are one: files keep six digits behind the point."""
+
+CHORD_SHARE = 1e-4  # of the diagonal: how closely a notebook's picture follows splines
+LAYER_INK = {CUT_OUTER: RED, CUT_INNER: BLUE, ENGRAVE: INK, MARK: GREY, SHEET: GREY}
+
+
+@dataclass(frozen=True, eq=False)
+class LayeredPath:
+    """A path on a layer, one of `LAYERS`."""
+
+    layer: str
+    path: Path
+
+    def __post_init__(self) -> None:
+        _check_layer(self.layer)
+        require_record(self.path, Path, "the path on a layer", "a Path")
+
+
+@dataclass(frozen=True, eq=False)
+class Drawing:
+    """A flat drawing, mm.
+
+    Parameters
+    ----------
+    name : str
+        What it shows; titles and file names come from it.
+    paths : sequence of LayeredPath
+    texts : sequence of Text
+
+    Examples
+    --------
+    >>> plate = Drawing("plate", [LayeredPath(CUT_OUTER, Path.rectangle(40, 10))])
+    >>> plate.bounds.tolist()
+    [[0.0, 0.0], [40.0, 10.0]]
+    """
+
+    name: str
+    paths: tuple[LayeredPath, ...] = ()
+    texts: tuple[Text, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "paths", several("paths", self.paths, LayeredPath, "LayeredPath"))
+        object.__setattr__(self, "texts", several("texts", self.texts, Text, "Text"))
+        require_printable(self.name, "the drawing's name")
+        for text in self.texts:
+            _check_layer(text.layer)
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.name!r}, {len(self.paths)} paths, {len(self.texts)} texts>"
+
+    def _repr_svg_(self) -> str:
+        low, high = self.bounds
+        chord = float(np.hypot(*(high - low))) * CHORD_SHARE
+        lines = [(one.path.points(chord), LAYER_INK[one.layer], one.path.closed) for one in self.strokes]
+        return svg_of_lines(lines, repr(self))
+
+    @cached_property
+    def strokes(self) -> tuple[LayeredPath, ...]:
+        """Everything as paths in working order: texts as strokes, inner cuts before outer, nothing twice."""
+        written = [LayeredPath(text.layer, stroke) for text in self.texts for stroke in text_strokes(text)]
+        everything = [*written, *self.paths]
+        return _without_twins([item for layer in LAYERS for item in everything if item.layer == layer])
+
+    @property
+    def layers(self) -> tuple[str, ...]:
+        """The layers that files of it have: all but the sheet's, and that where it is drawn."""
+        return LAYERS if self.on(SHEET) else tuple(layer for layer in LAYERS if layer != SHEET)
+
+    @cached_property
+    def bounds(self) -> FloatArray:
+        """[[x_min, y_min], [x_max, y_max]], mm.
+
+        Raises
+        ------
+        InputError
+            The drawing is empty.
+        """
+        if not self.strokes:
+            raise InputError("the drawing {name!r} is empty: it has neither paths nor texts", name=self.name)
+        return box_around(np.array([item.path.bounds for item in self.strokes]))
+
+    def on(self, *layers: str) -> tuple[Path, ...]:
+        """The paths (without texts) on the named layers."""
+        for layer in layers:
+            _check_layer(layer)
+        return tuple(item.path for item in self.paths if item.layer in layers)
+
+    def only(self, *layers: str) -> "Drawing":
+        """The drawing without paths and texts of other layers."""
+        texts = tuple(text for text in self.texts if text.layer in layers)
+        return Drawing(self.name, tuple(item for item in self.paths if item.layer in layers), texts)
+
+    def transformed(self, matrix: ArrayLike) -> "Drawing":
+        """The drawing moved by a 3x3 affine matrix; texts that would be mirrored or skewed become paths."""
+        m = numbers(matrix, "the matrix that a drawing is moved by")
+        even = is_similarity(m)
+        paths = [LayeredPath(item.layer, item.path.transformed(m)) for item in self.paths]
+        if even and np.linalg.det(m[:2, :2]) > 0:
+            scale, turn, _ = similarity_of(m)
+            texts = []
+            for text in self.texts:
+                x, y = transform_points(m, text.position)
+                texts.append(
+                    Text((float(x), float(y)), text.text, text.height * scale, text.angle + turn, text.layer)
+                )
+            return Drawing(self.name, tuple(paths), tuple(texts))
+        for text in self.texts:
+            paths.extend(LayeredPath(text.layer, stroke.transformed(m)) for stroke in text_strokes(text))
+        return Drawing(self.name, tuple(paths))
+
+    @classmethod
+    def merged(cls, name: str, drawings: Iterable["Drawing"]) -> "Drawing":
+        """All drawings in one."""
+        parts = several("drawings", drawings, Drawing, "Drawing")
+        return cls(name, tuple(p for d in parts for p in d.paths), tuple(t for d in parts for t in d.texts))
+
+
+def _check_layer(layer: str) -> None:
+    if not isinstance(layer, str) or layer not in LAYERS:
+        raise InputError(
+            "there is no layer {layer!r}: use one of {layers}", layer=layer, layers=", ".join(LAYERS)
+        )
+
+
+def _without_twins(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
+    """The paths in order, without those that run where an earlier one of their layer, or a cut, runs."""
+    if not items:
+        return ()
+    from scipy.spatial import cKDTree
+
+    boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
+    alike = cKDTree(boxes).query_pairs(SAME_MM, p=np.inf, output_type="ndarray")
+    dropped: set[int] = set()
+    for i, j in sorted(alike.tolist()):
+        if not {i, j} & dropped and _twins(items[i], items[j]):
+            dropped.add(j)
+    return tuple(item for i, item in enumerate(items) if i not in dropped)
+
+
+def _twins(a: LayeredPath, b: LayeredPath) -> bool:
+    cut = (CUT_INNER, CUT_OUTER)
+    if a.layer != b.layer and not (a.layer in cut and b.layer in cut):
+        return False
+    if abs(a.path.length - b.path.length) > 10 * SAME_MM:
+        return False
+    samples = np.concatenate([s.at(np.array([0.0, 0.3, 0.7, 1.0])) for s in b.path.segments])
+    near = np.min([distances(segment, samples) for segment in a.path.segments], axis=0)
+    return bool(near.max() <= SAME_MM)
+
+
+DEFAULT_KERF_MM = 0.0
+"""Kerf that cutting files and nests are corrected for unless one is given: none, as many cutting services correct
+for their own. The kerf of a material is `Sheet.kerf`; it is used on request."""
+
+FINEST_KERF_MM, COARSEST_KERF_MM = 1e-5, 10.0
+"""Errors of a moved spline, mm: no machine cuts more finely, and no kerf is wider than the coarsest."""
+
+WIDEST_KERF_MM = 15.0
+"""Largest kerf, mm; a router's bit of half an inch is 12.7 mm wide."""
+
+
+def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -> Drawing:
+    """The drawing as the tool must run so that the parts come out as drawn.
+
+    Closed loops on CUT_OUTER move outward by kerf / 2, those on CUT_INNER inward; a negative kerf moves them
+    the other way. Open cuts, engraving and marks stay.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    kerf : float
+        Width of the cut, mm.
+    tolerance : float
+        Largest error of a moved spline, mm; lines and arcs are exact.
+
+    Raises
+    ------
+    InputError
+        A kerf wider than that of any tool; a loop is swallowed by the cut, or moved loops cross or touch each
+        other.
+
+    Examples
+    --------
+    >>> plate = Drawing("plate", [LayeredPath(CUT_OUTER, Path.circle((0, 0), 10))])
+    >>> compensate_kerf(plate, 0.2).paths[0].path.segments[0].radius
+    10.1
+    """
+    require_number(kerf, "the kerf", "mm")
+    require_record(drawing, Drawing, "what is cut", "a Drawing record")
+    if abs(kerf) > WIDEST_KERF_MM:
+        raise InputError(
+            "the kerf is {kerf:g}, wider than the cut of any tool: give the width of the cut in "
+            "mm, such as 0.15 for a laser",
+            kerf=Mm(kerf),
+        )
+    if kerf == 0:
+        return drawing
+    if not (is_number(tolerance) and FINEST_KERF_MM <= tolerance <= COARSEST_KERF_MM):
+        raise InputError(
+            "the tolerance is {tolerance}: give {finest:g} to {coarsest:g} mm",
+            tolerance=tolerance, finest=FINEST_KERF_MM, coarsest=COARSEST_KERF_MM,
+        )  # fmt: skip
+    sides = {CUT_OUTER: kerf / 2, CUT_INNER: -kerf / 2}
+    moved = []
+    loops = []
+    for item in drawing.paths:
+        if item.layer in sides and item.path.closed:
+            loops.append(_moved(item, sides[item.layer], kerf, tolerance))
+            moved.append(LayeredPath(item.layer, loops[-1]))
+        else:
+            moved.append(item)
+    _refuse_overlaps(loops, kerf, tolerance)
+    return Drawing(drawing.name, tuple(moved), drawing.texts)
+
+
+def _moved(item: LayeredPath, distance: float, kerf: float, tolerance: float) -> Path:
+    try:
+        return offset_path(item.path, distance, tolerance=tolerance)
+    except InputError as error:
+        raise InputError(
+            "a kerf of {kerf:g} is too wide for a loop on {layer}: {error}",
+            kerf=Mm(kerf),
+            layer=item.layer,
+            error=error,
+        ) from error
+
+
+def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
+    if len(loops) < 2:
+        return
+    bounds = np.array([loop.bounds for loop in loops])
+    low, high = bounds[:, 0], bounds[:, 1]
+    order = np.argsort(low[:, 0], kind="stable")
+    outlines: dict[int, np.ndarray] = {}
+
+    def outline(i: int) -> np.ndarray:
+        if i not in outlines:
+            points = loops[i].points(tolerance)
+            outlines[i] = np.concatenate([points, points[:1]])
+        return outlines[i]
+
+    for k, i in enumerate(order):
+        rest = order[k + 1 :]
+        rest = rest[: np.searchsorted(low[rest, 0], high[i, 0], side="right")]
+        for j in rest[(low[rest, 1] <= high[i, 1]) & (high[rest, 1] >= low[i, 1])]:
+            crossing = polylines_cross(outline(int(i)), outline(int(j)))
+            if crossing is not None:
+                raise InputError(
+                    "with a kerf of {kerf:g} two cut loops meet at {crossing}: move them apart there or "
+                    "use a smaller kerf",
+                    kerf=Mm(kerf),
+                    crossing=place(crossing),
+                )
+
+
+CORNER_RAD = 0.05
+"""Angle between two segments, rad, from which on bridges avoid the corner; smaller ones come from fitting."""
+
+SAME_PLACE_MM = 1e-9
+"""Arc lengths nearer to each other than this are the same."""
+
+
+@dataclass(frozen=True)
+class HoldingTabs:
+    """Bridges that interrupt closed cuts.
+
+    Parameters
+    ----------
+    width : float
+        Length of cut that each leaves out, mm.
+    spacing : float
+        Largest distance between two of them along the cut, mm.
+    least : int
+        How many each loop has at least.
+    inner : bool
+        Interrupt inner cuts too, those longer than `spacing`.
+    """
+
+    width: Annotated[float, Asked("Width of a bridge.", "mm", above=0)] = 0.5
+    spacing: Annotated[float, Asked("Largest distance between two bridges.", "mm", least=1)] = 100.0
+    least: Annotated[int, Asked("How many bridges each loop has at least.", least=1, most=1000)] = 2
+    inner: Annotated[bool, Asked("Interrupt inner cuts too.")] = False
+
+    def __post_init__(self) -> None:
+        require_declared(HoldingTabs, vars(self), "holding tabs:")
+
+
+def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawing:
+    """The drawing with bridges in its closed outer cuts: each loop becomes open cuts, in its order.
+
+    Bridges are spread evenly and moved off corners. The last step of all: kerf moves closed loops only.
+
+    Parameters
+    ----------
+    drawing : Drawing
+    tabs : HoldingTabs, optional
+        The default ones unless given.
+
+    Raises
+    ------
+    InputError
+        A loop too short for its bridges.
+
+    Examples
+    --------
+    >>> plate = Drawing("plate", [LayeredPath(CUT_OUTER, Path.rectangle(40, 10))])
+    >>> held = add_holding_tabs(plate, HoldingTabs(width=1.0, spacing=60.0))
+    >>> [round(item.path.length, 6) for item in held.paths]
+    [49.0, 49.0]
+    """
+    require_record(drawing, Drawing, "what gets holding tabs", "a Drawing")
+    tabs = HoldingTabs() if tabs is None else tabs
+    require_record(tabs, HoldingTabs, "tabs", "a HoldingTabs record")
+    found: list[LayeredPath] = []
+    for item in drawing.paths:
+        inner = item.layer == CUT_INNER and tabs.inner and item.path.length > tabs.spacing
+        if item.path.closed and (item.layer == CUT_OUTER or inner):
+            found += [LayeredPath(item.layer, piece) for piece in _Loop(item.path).opened(tabs)]
+        else:
+            found.append(item)
+    return Drawing(drawing.name, tuple(found), drawing.texts)
+
+
+FLAT_MM = 0.02
+"""Flatness of outlines when the holes inside them are found."""
+
+
+def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
+    """Return a drawing for each closed outer cut, with the inner cuts inside it, without engraving and marks.
+
+    Cutting services cut every line, so nothing else may be in their files.
+
+    Parameters
+    ----------
+    drawing : Drawing
+
+    Raises
+    ------
+    InputError
+        A cut that is not closed.
+
+    Examples
+    --------
+    >>> plates = [Path.rectangle(40, 10), Path.rectangle(40, 10, corner=(0, 20))]
+    >>> hole = LayeredPath(CUT_INNER, Path.circle((20, 25), 3))
+    >>> parts = separate_parts(Drawing("plates", [*(LayeredPath(CUT_OUTER, one) for one in plates), hole]))
+    >>> [(part.name, len(part.paths)) for part in parts]
+    [('plates', 1), ('plates-2', 2)]
+    """
+    require_record(drawing, Drawing, "what is separated", "a Drawing")
+    cuts = drawing.only(CUT_INNER, CUT_OUTER).strokes
+    for item in cuts:
+        if not item.path.closed:
+            raise InputError(
+                "{name}: the cut from {start} is open, and a cutting service cuts closed outlines and holes "
+                "only; close it or leave it out",
+                name=drawing.name,
+                start=place(item.path.start),
+            )
+    holes = [item for item in cuts if item.layer == CUT_INNER]
+    outlines = [item for item in cuts if item.layer == CUT_OUTER]
+    parts = []
+    for number, outline in enumerate(outlines, start=1):
+        rim = outline.path.points(FLAT_MM)
+        inside = holes if len(outlines) == 1 else [one for one in holes if encloses(rim, one.path.start)]
+        name = drawing.name if number == 1 else f"{drawing.name}-{number}"
+        parts.append(Drawing(name, (*inside, outline)))
+    return tuple(parts)
+
+
+class _Loop:
+    """A closed path by arc length."""
+
+    def __init__(self, path: Path) -> None:
+        self.segments = path.segments
+        self.ends = np.cumsum([segment.length for segment in path.segments])
+        self.length = float(self.ends[-1])
+        self.corners = np.array(
+            [
+                end
+                for end, before, after in zip(
+                    self.ends, self.segments, (*self.segments[1:], self.segments[0]), strict=True
+                )
+                if _turn(before, after) > CORNER_RAD
+            ]
+        )
+
+    def opened(self, tabs: HoldingTabs) -> list[Path]:
+        """The cuts between the bridges."""
+        count = max(tabs.least, int(np.ceil(self.length / tabs.spacing)))
+        if self.length < 4 * count * tabs.width:
+            raise InputError(
+                "the loop at {start} is {length:.4g} around: too short for {count} holding tabs of "
+                "{width:g}; use fewer or narrower ones",
+                start=place(self.segments[0].start),
+                length=Mm(self.length),
+                count=count,
+                width=Mm(tabs.width),
+            )
+        step = self.length / count
+        middles = [self._off_corners((i + 0.5) * step, tabs.width, step / 4) for i in range(count)]
+        starts = [middle + tabs.width / 2 for middle in middles]
+        stops = [
+            *(middle - tabs.width / 2 for middle in middles[1:]),
+            middles[0] - tabs.width / 2 + self.length,
+        ]
+        return [Path(self._between(a, b)) for a, b in zip(starts, stops, strict=True)]
+
+    def _off_corners(self, middle: float, width: float, reach: float) -> float:
+        """The nearest place whose bridge, with as much again on both sides, meets no corner."""
+        for shift in np.linspace(0.0, reach, 41):
+            for at in (middle + shift, middle - shift):
+                away = np.abs((self.corners - at + self.length / 2) % self.length - self.length / 2)
+                if not np.any(away < width):
+                    return float(at)
+        return middle
+
+    def _between(self, a: float, b: float) -> list[Segment]:
+        """The segments from one arc length to a later one, around the start where need be."""
+        pieces: list[Segment] = []
+        for turn in (0.0, self.length):
+            for segment, end in zip(self.segments, self.ends + turn, strict=True):
+                start = end - segment.length
+                first, last = max(a, start), min(b, end)
+                if last - first > SAME_PLACE_MM:
+                    pieces.append(_part(segment, first - start, last - start))
+        return pieces
+
+
+def _part(segment: Segment, a: float, b: float) -> Segment:
+    """The segment between two of its arc lengths."""
+    length = segment.length
+    if a <= SAME_PLACE_MM and b >= length - SAME_PLACE_MM:
+        return segment
+    if not isinstance(segment, Spline):
+        return trim_segment(segment, max(a / length, 0.0), min(b / length, 1.0))
+    t0, t1 = segment.curve.domain
+    u: FloatArray = (segment.curve.parameter(np.clip([a, b], 0.0, length)) - t0) / (t1 - t0)
+    return trim_segment(segment, float(max(u[0], 0.0)), float(min(u[1], 1.0)))
+
+
+def _turn(before: Segment, after: Segment) -> float:
+    return abs(float(turn_between(before.tangent_at(1.0), after.tangent_at(0.0))))

@@ -1,0 +1,445 @@
+"""A flat pattern for kernels: loops with an edge for every smooth piece, cut across at given stations."""
+
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import groupby, islice, pairwise
+from operator import itemgetter
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path_intersections import encloses
+from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends, line_crossings
+from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.splines import interpolated, interpolation_sites, knot_runs
+from elastica_cad.refusals import Length
+from elastica_cad.strip.outline import pace
+
+SMOOTH = 2
+"""Continuous derivatives inside an edge: kernels offset faces, which takes one of them away."""
+
+RAMP = 2e-5
+"""A piece between two kinks that is shorter than this share of the loop is the ramp of a step in width."""
+
+NO_JUMP = 1e-4
+"""mm: a jump of the second derivative worth less than this over a span is smoothed, which costs a hundredth."""
+
+NO_STEP = 1e-5
+"""mm: sides that end nearer than this to each other are made to meet."""
+
+
+def in_smooth_pieces(path: Path) -> Path:
+    """The loop with its splines cut where they kink, and a line straight across for every step of the width.
+
+    A drawn side is one spline, which a laser follows in one go: it may have corners at its knots, and ramps over
+    which a width that jumps gets from one value to the other. Kernels fillet, offset and hollow only what is
+    smooth inside its edges. No point moves by more than half a ramp, 5e-6 of the length, and areas stay.
+
+    Examples
+    --------
+    >>> knots = [0, 0, 0, 20, 20, 40, 40, 40]
+    >>> side = Spline(PlaneCurve(knots, [(0, 0), (10, 0), (20, 0), (30, 2), (40, 4)], 2))
+    >>> loop = Path([side, Line((40, 4), (0, 9)), Line((0, 9), (0, 0))], closed=True)
+    >>> len(in_smooth_pieces(loop).segments)
+    4
+    """
+    if not any(_kinks(segment).size for segment in path.segments):
+        return path
+    ramp = RAMP * _reach(path)
+    smooth = [_smoothed(segment) for segment in path.segments]
+    cuts = [_cut(segment, ramp) for segment in smooth]
+    parts = iter([cut.curve.trimmed(*ends) for cut in cuts if cut is not None for ends in cut.kept])
+    pieces: list[Segment] = []
+    for segment, cut in zip(smooth, cuts, strict=True):
+        pieces += [segment] if cut is None else cut.pieces(list(islice(parts, len(cut.kept))))
+    return Path(pieces, path.closed)
+
+
+def _reach(path: Path) -> float:
+    """Extent of the loop along the strip, mm; for splines that of their control points."""
+    rows = [
+        segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
+        for segment in path.segments
+    ]
+    return float(np.ptp(np.concatenate(rows)[:, 0]))
+
+
+def _kinks(segment: Segment) -> FloatArray:
+    """Parameters (k,) inside a segment where its tangent may turn or its curvature jump."""
+    if not isinstance(segment, Spline):
+        return np.empty(0)
+    curve = segment.curve
+    knots, counts = knot_runs(curve.knots)
+    first, last = curve.domain
+    return np.asarray(knots[(counts > curve.degree - SMOOTH) & (knots > first) & (knots < last)], dtype=float)
+
+
+def _smoothed(segment: Segment) -> Segment:
+    """The segment with single knots in place of double ones at which its curvature does not really jump."""
+    if not isinstance(segment, Spline) or segment.curve.weights is not None:
+        return segment
+    from scipy.interpolate import BSpline
+
+    curve = clamp_ends(segment.curve)
+    degree, first, last = curve.degree, *curve.domain
+    knots, counts = knot_runs(curve.knots)
+    double = (counts == degree + 1 - SMOOTH) & (knots > first) & (knots < last)
+    if not double.any():
+        return segment
+    rows = BSpline.construct_fast(np.array(curve.knots), np.array(curve.control_points), degree)
+    at, gaps = double.nonzero()[0], knots[1:] - knots[:-1]
+    reach = np.minimum(gaps[at - 1], gaps[at])
+    before, after = rows(np.array([knots[at] - 1e-6 * reach, knots[at] + 1e-6 * reach]), SMOOTH)
+    jump = np.abs(after - before).max(axis=1)
+    slight = jump * reach**2 < NO_JUMP
+    if not slight.any():
+        return segment
+    counts[double] -= slight
+    whole = np.repeat(knots, counts)
+    sites = interpolation_sites(whole, degree)
+    points = interpolated(sites, rows(sites), whole, degree)
+    points[[0, -1]] = curve.control_points[[0, -1]]
+    return Spline(PlaneCurve(whole, points, degree, None))
+
+
+@dataclass(frozen=True, eq=False)
+class _Cut:
+    """A spline, the ranges of its parameter that are kept, and those that the pieces made of them are over."""
+
+    curve: PlaneCurve
+    kept: list[tuple[float, float]]
+    over: list[tuple[float, float]] | None
+
+    def pieces(self, parts: Sequence[PlaneCurve]) -> list[Segment]:
+        """The trimmed parts, of a graph with lines across in place of ramps."""
+        if self.over is None:
+            return [Spline(part) for part in parts]
+        parts = [_extended(part, *ends) for part, ends in zip(parts, self.over, strict=True)]
+        pieces: list[Segment] = [Spline(parts[0])]
+        for part in parts[1:]:
+            meeting = pieces[-1].end
+            step = float(np.hypot(*(part.control_points[0] - meeting)))
+            if step > NO_STEP:
+                pieces += [Line(meeting, part.control_points[0]), Spline(part)]
+            else:
+                met = np.vstack([meeting, part.control_points[1:]])
+                pieces.append(Spline(PlaneCurve(part.knots, met, part.degree, part.weights)))
+        return pieces
+
+
+def _cut(segment: Segment, ramp: float) -> _Cut | None:
+    """Cut a segment into its smooth parts; None where it has no kink."""
+    kinks = _kinks(segment).tolist()
+    if not isinstance(segment, Spline) or not kinks:
+        return None
+    curve = clamp_ends(segment.curve)
+    first, last = curve.domain
+    if pace(segment) is None:
+        return _Cut(curve, list(pairwise([first, *kinks, last])), None)
+    joints = [(first, first, first), *_joints(curve, kinks, ramp), (last, last, last)]
+    kept = [(low, high) for (_, _, low), (_, high, _) in pairwise(joints)]
+    return _Cut(curve, kept, [(a, b) for (a, _, _), (b, _, _) in pairwise(joints)])
+
+
+def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
+    """Places where smooth parts of a graph meet, each with the end of the part before and the start of the part
+    after."""
+    speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
+    while kinks:
+        first = last = kinks.pop(0)
+        while kinks and (kinks[0] - last) * speed < ramp:
+            last = kinks.pop(0)
+        yield (first + last) / 2, first, last
+
+
+def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:
+    """A clamped graph with its end spans carried on, or cut back, to a domain that differs a little."""
+    if (first, last) == curve.domain:
+        return curve
+    from scipy.interpolate import BSpline
+
+    degree, knots = curve.degree, curve.knots.copy()
+    knots[: degree + 1], knots[-degree - 1 :] = first, last
+    sites = interpolation_sites(knots, degree)
+    values = BSpline(np.array(curve.knots), np.array(curve.control_points), degree)(sites)
+    return PlaneCurve(knots, interpolated(sites, values, knots, degree), degree, None)
+
+
+ON_SEAM = 1e-7  # mm
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A part of one segment as a loop runs through it.
+
+    Attributes
+    ----------
+    segment : Segment
+        Arcs run anticlockwise.
+    first, last : float
+        Range of the segment's parameter: distance on lines, angle on arcs, the curve's own on splines.
+    forward : bool
+        True where the loop runs with the parameter.
+    start, end : int
+        Corners in the direction of the loop.
+    number : int
+        Two pieces with the same number are the two sides of one seam.
+    seam : bool
+        True for a piece that only exists because the pattern was cut there.
+    """
+
+    segment: Segment
+    first: float
+    last: float
+    forward: bool
+    start: int
+    end: int
+    number: int
+    seam: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Region:
+    """A connected part of the pattern between two stations; `interval` 0 lies before the first station."""
+
+    interval: int
+    loops: tuple[tuple[Piece, ...], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class CutPattern:
+    """`points` (k, 2), mm, are the corners that the pieces name by row."""
+
+    points: FloatArray
+    regions: tuple[Region, ...]
+
+
+def on_segment(segment: Segment, t: FloatArray) -> FloatArray:
+    """Points (..., 2) of a segment at its parameters `t` (see `Piece`)."""
+    if isinstance(segment, Spline):
+        return segment.curve.evaluate(t)
+    if isinstance(segment, Arc):
+        return segment.at((t - segment.start_angle) / segment.sweep)
+    return segment.at(t / segment.length)
+
+
+def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) -> CutPattern:
+    """Cut the flat pattern at the lines x = station.
+
+    Parameters
+    ----------
+    outline, holes : Path
+        Closed loops, the holes inside the outline.
+    stations : sequence of float
+        Increasing, mm.
+
+    Raises
+    ------
+    InputError
+        The loops cross or touch each other on a station.
+    """
+    cutter = _Cutter(list(map(float, stations)))
+    cutter.add(outline, backward=outline.area < 0)
+    cutter.rim = cutter.count
+    for hole in holes:
+        cutter.add(hole, backward=hole.area > 0)
+    return cutter.result()
+
+
+@dataclass
+class _Cutter:
+    """Collects loops, then closes each region along the seams."""
+
+    stations: list[float]
+    points: list[FloatArray] = field(default_factory=list)
+    loops: dict[int, list[list[Piece]]] = field(default_factory=dict)
+    chains: dict[int, list[list[Piece]]] = field(default_factory=dict)
+    seams: dict[tuple[int, int], tuple[int, Line]] = field(default_factory=dict)
+    count: int = 0
+    rim: int = 0
+    """Pieces with numbers below this belong to the outline."""
+
+    def add(self, path: Path, *, backward: bool) -> None:
+        """Split one closed loop, perhaps run backward, at the stations; sort its pieces into intervals."""
+        parts = [part for segment in path.segments for part in self._split(segment, len(path.segments) == 1)]
+        if backward:
+            parts = [(segment, a, b, not forward) for segment, a, b, forward in reversed(parts)]
+        first = len(self.points)
+        corners = [*range(first, first + len(parts)), first]
+        pieces: list[tuple[int, Piece]] = []
+        for (segment, a, b, forward), i, j in zip(parts, corners[:-1], corners[1:], strict=True):
+            self.points.append(on_segment(segment, np.array(a if forward else b)))
+            piece = Piece(segment, a, b, forward, i, j, self._next())
+            pieces.append((self._interval(piece), piece))
+        intervals = [interval for interval, _ in pieces]
+        if len(set(intervals)) == 1:
+            self.loops.setdefault(intervals[0], []).append([piece for _, piece in pieces])
+            return
+        turn = next(k for k in range(len(pieces)) if intervals[k] != intervals[k - 1])
+        for interval, run in groupby(pieces[turn:] + pieces[:turn], key=itemgetter(0)):
+            self.chains.setdefault(interval, []).append([piece for _, piece in run])
+
+    def result(self) -> CutPattern:
+        """All regions, closed along the seams."""
+        on_seam = [self._corners_on(x) for x in self.stations]
+        regions: list[Region] = []
+        for interval in sorted({*self.loops, *self.chains}):
+            loops = [*self.loops.get(interval, []), *self._closed(interval, on_seam)]
+            regions += [Region(interval, tuple(map(tuple, group))) for group in self._grouped(loops)]
+        used = [piece.number for region in regions for loop in region.loops for piece in loop if piece.seam]
+        if len(used) != 2 * len(set(used)):
+            raise InputError(
+                "loops of the flat pattern cross or touch where the strip's ends begin: move them apart"
+            )
+        return CutPattern(np.array(self.points), tuple(regions))
+
+    def _next(self) -> int:
+        self.count += 1
+        return self.count - 1
+
+    def _split(self, segment: Segment, alone: bool) -> Iterator[tuple[Segment, float, float, bool]]:
+        """Parameter ranges between the stations, in the loop's direction; a lone segment in two at least."""
+        forward = True
+        if isinstance(segment, Arc):
+            forward = segment.sweep > 0
+            segment = segment if forward else segment.reversed()
+            a, b = segment.start_angle, segment.end_angle
+        elif isinstance(segment, Spline):
+            a, b = segment.curve.domain
+        else:
+            a, b = 0.0, segment.length
+        cuts = sorted({t for x in self.stations for t in _crossings(segment, x) if a < t < b})
+        if alone and not cuts:
+            cuts = [(a + b) / 2]
+        ranges = list(zip([a, *cuts], [*cuts, b], strict=True))
+        for low, high in ranges if forward else reversed(ranges):
+            yield segment, low, high, forward
+
+    def _interval(self, piece: Piece) -> int:
+        """Which interval a piece lies in; one along a station belongs to the side on its left."""
+        segment, stations = piece.segment, self.stations
+        if not isinstance(segment, Line):
+            middle = float(on_segment(segment, np.array((piece.first + piece.last) / 2))[0])
+        else:
+            (x, y), (to_x, to_y) = segment.start.tolist(), segment.end.tolist()
+            middle = x + (to_x - x) * (piece.first + piece.last) / 2 / segment.length
+            rises = (to_y > y) == piece.forward
+            for k, station in enumerate(stations):
+                if abs(station - middle) < ON_SEAM:
+                    return k + (0 if rises else 1)
+        return bisect_left(stations, middle)
+
+    def _corners_on(self, x: float) -> list[int]:
+        """Corners on the line at x, from low y to high y."""
+        found = [i for i, p in enumerate(self.points) if abs(p[0] - x) < ON_SEAM]
+        return sorted(found, key=lambda i: float(self.points[i][1]))
+
+    def _closed(self, interval: int, on_seam: list[list[int]]) -> list[list[Piece]]:
+        """Loops made of the interval's open chains and the seams between them."""
+        chains = list(self.chains.get(interval, []))
+        loops: list[list[Piece]] = []
+        while chains:
+            loop = chains.pop(0)
+            while loop[-1].end != loop[0].start:
+                row, step = self._run(loop[-1].end, interval, on_seam)
+                starts = {chain[0].start: chain for chain in chains} | {loop[0].start: []}
+                k = row.index(loop[-1].end)
+                while row[k] not in starts:
+                    k += step
+                    if not 0 <= k < len(row):
+                        raise InputError(
+                            "the flat pattern does not close at x = {points:.6g}: its loops cross there",
+                            points=Length(self.points[loop[-1].end][0]),
+                        )
+                    loop.append(self._seam(row[k - step], row[k], step > 0))
+                chain = starts[row[k]]
+                if chain:
+                    chains.remove(chain)
+                    loop += chain
+            loops += _parted(loop)
+        return loops
+
+    def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
+        """Corners on the seam that a chain ends on, and which way along it keeps the region to the left."""
+        for row, step in ((interval, 1), (interval - 1, -1)):
+            if 0 <= row < len(on_seam) and corner in on_seam[row]:
+                return on_seam[row], step
+        raise InputError(
+            "the flat pattern has an open loop at x = {points:.6g}", points=Length(self.points[corner][0])
+        )
+
+    def _seam(self, start: int, end: int, upward: bool) -> Piece:
+        low, high = (start, end) if upward else (end, start)
+        if (low, high) not in self.seams:
+            self.seams[low, high] = self._next(), Line(self.points[low], self.points[high])
+        number, line = self.seams[low, high]
+        return Piece(line, 0.0, line.length, upward, start, end, number, seam=True)
+
+    def _grouped(self, loops: list[list[Piece]]) -> list[list[list[Piece]]]:
+        """Every outer loop with the holes inside it."""
+        if len(loops) == 1 and any(piece.number < self.rim for piece in loops[0]):
+            return [loops]
+        polygons = [_polygon(loop) for loop in loops]
+        outer = [k for k, polygon in enumerate(polygons) if _area(polygon) > 0]
+        groups = {k: [loops[k]] for k in outer}
+        for k, polygon in enumerate(polygons):
+            if k not in groups:
+                home = next((o for o in outer if encloses(polygons[o], polygon[0])), outer[0])
+                groups[home].append(loops[k])
+        return list(groups.values())
+
+
+def _parted(loop: Sequence[Piece]) -> Iterator[list[Piece]]:
+    """A loop as loops that come to each corner once: holes may have a tip on a station and reach past the next."""
+    walk: list[Piece] = []
+    for piece in loop:
+        walk.append(piece)
+        back = next((k for k, one in enumerate(walk) if one.start == piece.end), None)
+        if back is not None:
+            yield walk[back:]
+            del walk[back:]
+
+
+def _crossings(segment: Segment, x: float) -> list[float]:
+    """Parameters strictly inside a segment where it passes from one side of the line at x to the other."""
+    if isinstance(segment, Line):
+        a, b = float(segment.start[0]) - x, float(segment.end[0]) - x
+        apart = min(abs(a), abs(b)) > ON_SEAM and a * b < 0
+        return [segment.length * a / (a - b)] if apart else []
+    if isinstance(segment, Arc):
+        ratio = (x - segment.center[0]) / segment.radius
+        if abs(ratio) >= 1 - 1e-12:
+            return []
+        turn = float(np.arccos(ratio))
+        whole = 2 * np.pi * np.arange(-2, 3)
+        angles = np.concatenate([turn + whole, -turn + whole])
+        margin = ON_SEAM / segment.radius
+        return [float(t) for t in angles if segment.start_angle + margin < t < segment.end_angle - margin]
+    across = segment.curve.control_points[:, 0] - x
+    if across.min() > -ON_SEAM or across.max() < ON_SEAM:
+        return []
+    roots = line_crossings(segment.curve, -x, (1.0, 0.0))
+    ends = np.array([segment.start, segment.end])
+    found = [float(root.t) for root in roots if root.kind == "crossing"]
+    points = [on_segment(segment, np.array(t)) for t in found]
+    return [t for t, p in zip(found, points, strict=True) if np.hypot(*(ends - p).T).min() > ON_SEAM]
+
+
+def _polygon(loop: Sequence[Piece]) -> FloatArray:
+    """Points along a loop, dense enough to tell inside from outside."""
+    rows = []
+    for piece in loop:
+        count = 2 if isinstance(piece.segment, Line) else 33
+        t = np.linspace(piece.first, piece.last, count)[:-1] if piece.forward else np.linspace(
+            piece.last, piece.first, count
+        )[:-1]  # fmt: skip
+        rows.append(on_segment(piece.segment, t))
+    return np.concatenate(rows)
+
+
+def _area(polygon: FloatArray) -> float:
+    x, y = polygon.T
+    return 0.5 * float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))

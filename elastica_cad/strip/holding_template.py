@@ -1,0 +1,198 @@
+"""Where the two ends of a strip are held, in numbers and as a drawing at full size to screw the strip on by."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import require_record
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.segments import Line, Spline
+from elastica_cad.mechanics.loads import End
+from elastica_cad.refusals import Length, Refusal, note
+from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
+from elastica_cad.strip.lettering import Text, engravable
+from elastica_cad.strip.outline import Hole
+from elastica_cad.strip.strip import Strip
+
+LETTERS_MM = 4.0
+"""Height of the template's letters."""
+
+CROSS_MM = 8.0
+"""Length of the short lines that mark an end and the axis of a hole."""
+
+
+@dataclass(frozen=True, eq=False)
+class HeldEnd:
+    """One end of the bent part of a strip, as it is held.
+
+    Attributes
+    ----------
+    position : (2,) array
+        Where the strip begins to bend, mm, in the plane of the curve.
+    angle : float
+        Direction in which the strip runs on there, from start to end, degrees from the x axis.
+    tilt : float
+        The same from the line between both ends, degrees.
+    support : End
+        What of it is held.
+    tab, thickness : float
+        Length of the tab, and how thick it is, mm.
+    holes : tuple of Hole
+        In the tab.
+    outward : (2,) array
+        Unit vector along the tab.
+    """
+
+    position: FloatArray
+    angle: float
+    tilt: float
+    support: End
+    tab: float
+    thickness: float
+    holes: tuple[Hole, ...]
+    outward: FloatArray
+
+    @property
+    def tip(self) -> FloatArray:
+        """End point of the tab (2,), mm."""
+        return self.position + self.tab * self.outward
+
+
+def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:
+    """Places and directions of both ends of an open strip, in the plane of its curve.
+
+    Examples
+    --------
+    >>> from elastica_cad.strip.strip_spec import make_strip
+    >>> from elastica_cad.geometry.plane_curve import PlaneCurve
+    >>> arch = make_strip(PlaneCurve.arc((0, 0), 100, np.pi, 0), "card-200gsm", max_width=20)
+    >>> first, last = held_ends(arch)
+    >>> first.position.round(6).tolist(), round(first.angle, 6), round(last.tilt, 6)
+    ([-100.0, 0.0], 90.0, -90.0)
+    """
+    require_record(strip, Strip, "what is held", "a Strip, as make_strip makes one")
+    rod = strip.rod
+    chord = rod.position[-1] - rod.position[0]
+    line = np.degrees(np.arctan2(chord[1], chord[0]))
+    first, last = (
+        HeldEnd(
+            np.array(rod.position[k]),
+            _turned(np.degrees(rod.angle[k])),
+            _turned(np.degrees(rod.angle[k]) - line),
+            support,
+            tab.length,
+            thickness,
+            tab.holes,
+            way * np.array([np.cos(rod.angle[k]), np.sin(rod.angle[k])]),
+        )
+        for k, way, support, tab, thickness in zip(
+            (0, -1), (-1, 1), rod.supports.ends, strip.ends, strip.end_thicknesses, strict=True
+        )
+    )
+    return first, last
+
+
+def _turned(degrees: float) -> float:
+    """The angle in (-180, 180], without a trace of rounding."""
+    return 180.0 - (180.0 - round(float(degrees), 6)) % 360.0
+
+
+def distance_between(ends: Sequence[HeldEnd]) -> float:
+    """Distance of the two ends, mm."""
+    return float(np.linalg.norm(ends[1].position - ends[0].position))
+
+
+def distance_of_tips(ends: Sequence[HeldEnd]) -> float:
+    """Distance of the end points of both tabs, mm."""
+    return float(np.linalg.norm(ends[1].tip - ends[0].tip))
+
+
+def hole_places(ends: Sequence[HeldEnd]) -> tuple[FloatArray, FloatArray]:
+    """Middles (n, 2) of the holes of either end, mm, from the start of the line between the ends: along it, and
+    to its left.
+
+    Examples
+    --------
+    >>> from elastica_cad.strip.outline import Hole, Tab
+    >>> from elastica_cad.strip.strip_spec import make_strip
+    >>> from elastica_cad.geometry.plane_curve import PlaneCurve
+    >>> tabs = Tab(20, holes=(Hole(10, 3),)), Tab(20)
+    >>> arch = make_strip(PlaneCurve.arc((0, 0), 100, np.pi, 0), "card-200gsm", max_width=20, ends=tabs)
+    >>> [places.round(6).tolist() for places in hole_places(held_ends(arch))]
+    [[[0.0, -10.0]], []]
+    """
+    first, last = (end.position for end in ends)
+    x, y = (last - first) / (np.linalg.norm(last - first) or 1.0)
+    aside = np.array([[x, -y], [y, x]])
+    start, end = (
+        np.reshape([one.position + hole.at * one.outward - first for hole in one.holes], (-1, 2)) @ aside
+        for one in ends
+    )
+    return start, end
+
+
+def tell_ends(strip: Strip) -> Refusal:
+    """One sentence that says where and in which direction to hold the ends."""
+    ends = held_ends(strip)
+    far: dict[str, Any] = {"apart": Length(distance_between(ends)), "tips": Length(distance_of_tips(ends))}
+    if all(end.support.angle for end in ends):
+        return note(
+            "hold the ends {apart:.1f} apart where the bend begins ({tips:.1f} from tip to tip); against the line "
+            "between them the strip starts at {start:.1f} degrees and arrives at {end:.1f} degrees",
+            start=ends[0].tilt,
+            end=ends[1].tilt,
+            **far,
+        )
+    return note("hold the ends {apart:.1f} apart where the bend begins ({tips:.1f} from tip to tip)", **far)
+
+
+def holding_template(strip: Strip) -> Drawing:
+    """The side view of a strip at full size: line between the ends, tabs with the axes of their holes, the curve.
+
+    Lay it under the strip, or engrave it into the board that the strip is screwed on. The curve and the tabs are
+    drawn on ENGRAVE, what only guides on MARK; nothing is cut.
+    """
+    ends, rod = held_ends(strip), strip.rod
+    first, last = ends
+    lines = [(MARK, [first.position, last.position])]
+    for end in ends:
+        aside = np.array([-end.outward[1], end.outward[0]])
+        lines.append((MARK, [end.position - CROSS_MM * aside, end.position + CROSS_MM * aside]))
+        if end.tab:
+            tip, half = end.tip, 0.5 * end.thickness * aside
+            rim = [end.position - half, tip - half, tip + half, end.position + half]
+            lines.append((ENGRAVE, rim))
+        for hole in end.holes:
+            middle = end.position + hole.at * end.outward
+            lines.append((MARK, [middle - CROSS_MM * aside, middle + CROSS_MM * aside]))
+    paths = [LayeredPath(ENGRAVE, Path([Spline(rod.curve)]))]
+    paths += [LayeredPath(layer, Path([Line(p, q) for p, q in pairwise(points)])) for layer, points in lines]
+    low = min(path.path.bounds[0, 1] for path in paths) - 3 * LETTERS_MM
+    left = float(min(first.position[0], last.position[0]))
+    told = [
+        f"{engravable(strip.label or 'strip')}: its first letter points to end 1",
+        f"bend lines {distance_between(ends):.1f} mm apart, tips {distance_of_tips(ends):.1f} mm",
+        *(
+            f"end {name}: "
+            + (f"{abs(end.tilt):.1f} degrees from the line" if end.support.angle else "free to turn")
+            + "".join(f", hole at x {x:z.1f}, y {y:z.1f}" for x, y in holes)
+            for name, end, holes in zip((1, 2), ends, hole_places(ends), strict=True)
+        ),
+        *(["mm; x along the line from its start"] if first.holes or last.holes else []),
+    ]
+    texts = [
+        Text((left, float(low - 1.8 * LETTERS_MM * row)), line, LETTERS_MM, 0.0, MARK)
+        for row, line in enumerate(told)
+    ]
+    texts += [_number(str(name), end) for name, end in zip((1, 2), ends, strict=True)]
+    return Drawing(f"{strip.label or 'strip'} template", tuple(paths), tuple(texts))
+
+
+def _number(name: str, end: HeldEnd) -> Text:
+    """What an end is called, beyond its tip."""
+    x, y = end.tip + LETTERS_MM * end.outward
+    return Text((float(x) - LETTERS_MM / 4, float(y) - LETTERS_MM / 2), name, LETTERS_MM, 0.0, MARK)

@@ -1,0 +1,208 @@
+"""Laminated strips: an outline of any width, and a narrower strip glued on that gives it its stiffness."""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.errors import InputError, rounded_up
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.laminated_section import BoundedBacking, LaminatedSection
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.section_limits import ScaleRange
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.refusals import Either, Length, Refusal, note
+from elastica_cad.strip.styles import (
+    Backing,
+    Layout,
+    Width,
+    refine_stations,
+    require_laid_out,
+    stations_of,
+    width_profile,
+)
+
+SLACK = 3e-4
+"""Relative amount by which the stiffness of a rod, fitted at fewer stations, may exceed the largest possible
+one; it is reduced to that."""
+
+FIT_MM = 1e-5
+"""Largest error of the backing's width, mm."""
+
+
+@dataclass(frozen=True, eq=False)
+class Laminated:
+    """A base of its own width and a narrower backing glued on, solved from the exact two-layer section.
+
+    The backing runs on into both tabs, as wide as the base there, so that holes in the tabs register both. Without
+    `max_width` the backing is as wide as the base somewhere, as in the paper (section 8.1). A laminate's weight is
+    not proportional to its stiffness: rods that feel it come from `optimal_laminate`.
+
+    Parameters
+    ----------
+    width : float, Profile or callable
+        Of the base, mm: one number, or a profile or function of arc length (`touching_widths` gives such).
+    backing : Sheet
+        What is glued on; the name of one is taken too.
+    least_backing : float
+        Narrowest backing that can be cut and glued, mm.
+    dots : float
+        Diameter, mm, of the alignment holes in the middle of both tabs; 0 for none.
+
+    Examples
+    --------
+    >>> from elastica_cad.strip.strip import Strip
+    >>> card = Sheet.named("card-200gsm")
+    >>> style = Laminated(width=20.0, backing=card)
+    >>> strip = Strip(Rod.straight(120.0, [1, 2, 1]), card, style=style)
+    >>> round(strip.layout.backing.width.extremes[1], 4)
+    20.0
+    """
+
+    width: Annotated[Width, Asked("Width of the base.", "mm", least=0, common=True, written=float)]
+    backing: Annotated[Sheet, Asked("Sheet that is glued on.")]
+    least_backing: Annotated[float, Asked("Narrowest backing that can be cut and glued.", "mm", above=0)] = (
+        1.0
+    )
+    dots: Annotated[
+        float, Asked("Diameter of the holes in the tabs that align the layers; 0 for none.", "mm", least=0)
+    ] = 1.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "backing", Sheet.of(self.backing))
+        require_declared(Laminated, vars(self))
+
+    def laid_out(
+        self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
+    ) -> Layout:
+        """Outline and backing for a rod.
+
+        Parameters
+        ----------
+        max_width, min_width : float, optional
+            Bounds of the backing's width, mm.
+
+        Raises
+        ------
+        InputError
+            No scale keeps the backing within the base: says where, and which thickness would do.
+        """
+        require_laid_out(rod, sheet, max_width, min_width)
+        base = width_profile(self.width, rod.length, "the width of the base")
+        section = LaminatedSection(sheet, self.backing)
+        least = max(self.least_backing, min_width or 0.0)
+        scale = self._scale(rod, section, base, least, max_width)
+        backing = Backing(self.backing, _backing_width(rod, section, base, scale))
+        told: tuple[str, ...] = ()
+        if rod.gravity is not None and rod.weight is None:
+            told = (
+                "the rod was designed for a weight proportional to its stiffness, and a laminate's is not: "
+                "use optimal_laminate, or see how far it strays (deviation_as_built)",
+            )
+        return Layout(sheet, base, base, scale, backing=backing, dots=self.dots, warnings=told)
+
+    def bounded(
+        self, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
+    ) -> BoundedBacking | None:
+        """Bounds of the stiffness and the strain at them; None for a base whose width varies."""
+        if not is_number(self.width):
+            return None
+        width = float(self.width)
+        least, most = max(self.least_backing, min_width or 0.0), min(width, max_width or width)
+        if least >= most:  # refused where it is laid out
+            return None
+        section = LaminatedSection(sheet, self.backing)
+        return BoundedBacking(section, np.asarray(width), (least, most))
+
+    def _scale(
+        self, rod: Rod, section: LaminatedSection, base: Profile, least: float, most: float | None
+    ) -> float:
+        """c, N mm2: the rod's own, or the largest whose backing fits."""
+        s = stations_of(rod.length, base, rod.profile)
+        w1 = base(s)
+        s = refine_stations(s, section.bending_stiffness(w1, w1) / rod.profile(s), w1 / rod.profile(s))
+        K, w1 = rod.profile(s), base(s)
+        i = int(np.argmin(w1))
+        if w1[i] < least:
+            raise InputError(
+                "the base is {w1:.4g} wide at {s:.1f}, narrower than the least backing of {least:g}: "
+                "widen it there",
+                w1=Length(w1[i]),
+                s=Length(s[i]),
+                least=Length(least),
+            )
+        fits = section.scale_range(w1, K, least_backing=least)
+        if not fits.feasible:
+            raise InputError(_infeasible(section, fits, s, K, w1, least))
+        if most is not None:
+            widest = section.bending_stiffness(w1, np.minimum(w1, most))
+            fits = ScaleRange.of(section.bending_stiffness(w1, least), widest, K)
+        low, high = float(s[fits.lowest_at]), float(s[fits.highest_at])
+        if not fits.feasible:
+            raise InputError(
+                "a backing of at least {least:g} at {low:.1f} is wider than max_width {most:g} at "
+                "{high:.1f}: raise max_width",
+                least=Length(least),
+                low=Length(low),
+                most=Length(most or 0.0),
+                high=Length(high),
+            )
+        scale = rod.bending_stiffness or fits.highest
+        if scale > fits.highest * (1 + SLACK):
+            raise InputError(
+                "the rod's bending stiffness of {scale:.4g} N mm2 asks for a backing wider than fits "
+                "at {high:.1f}, where {highest:.4g} N mm2 is the most: use thicker or stiffer "
+                "sheets, or widen the base",
+                scale=scale,
+                high=Length(high),
+                highest=fits.highest,
+            )
+        if scale < fits.lowest * (1 - SLACK):
+            raise InputError(
+                "the rod's bending stiffness of {scale:.4g} N mm2 leaves a backing narrower than "
+                "{least:g} at {low:.1f}, where {lowest:.4g} N mm2 is the least: use thinner sheets, "
+                "or narrow the base",
+                scale=scale,
+                least=Length(least),
+                low=Length(low),
+                lowest=fits.lowest,
+            )
+        return float(np.clip(scale, fits.lowest, fits.highest))
+
+
+def _infeasible(
+    section: LaminatedSection, fits: ScaleRange, s: FloatArray, K: FloatArray, w1: FloatArray, least: float
+) -> str:
+    """Why no scale fits, where, and which thickness or stiffness ratio would do."""
+    i, j = fits.lowest_at, fits.highest_at
+    ways: list[Refusal] = []
+    try:
+        ratio = section.thickness_ratio(w1, K, least_backing=least)
+    except InputError as error:
+        ways = [note("choose other widths ({why})", why=error.refusal)]
+    else:
+        ways = [note(
+            "make the backing {least:g} times as thick as the base or more (now {now:.3g} times)",
+            least=rounded_up(1 / ratio, 3), now=section.backing.thickness / section.base.thickness,
+        )]  # fmt: skip
+    ways[1:1] = [note("narrow the base at {s}", s=Length(s[i])), note("widen it at {s}", s=Length(s[j]))]
+    return note(
+        "the laminate cannot be as soft as it should at {soft} (base {soft_width}, K {soft_stiffness:.3g}) "
+        "and as stiff at {stiff} (base {stiff_width}, K {stiff_stiffness:.3g}): {ways}",
+        soft=Length(s[i]), soft_width=Length(w1[i]), soft_stiffness=K[i],
+        stiff=Length(s[j]), stiff_width=Length(w1[j]), stiff_stiffness=K[j], ways=Either(ways),
+    )  # fmt: skip
+
+
+def _backing_width(rod: Rod, section: LaminatedSection, base: Profile, scale: float) -> Profile:
+    """w2 along the free part, with knots where K or the base have less than two derivatives."""
+
+    def width(s: FloatArray) -> FloatArray:
+        return section.backing_width(base(s), scale * rod.profile(s))
+
+    breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < 2]
+    # where the backing fills the base its width is cut off there, with a kink too small to be declared
+    return Profile.fit(width, rod.length, breaks=breaks, tolerance=FIT_MM)

@@ -1,0 +1,389 @@
+"""The layers of a strip, and the places where it lies double."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray, IntArray
+from elastica_cad._values import numbers
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path_intersections import trim_off
+from elastica_cad.geometry.plane_points import numbers_in_groups
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.segments import Line, chords_of_all
+from elastica_cad.mechanics.laminated_section import stack_stiffness
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import LaidLeaves
+from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
+from elastica_cad.strip.lettering import Text, fit_label
+from elastica_cad.strip.outline import Ends, add_register_holes, end_holes, fix_tab_widths, flat_rim
+from elastica_cad.strip.slots import (
+    Cuts,
+    Slot,
+    cut_slots,
+    label_off_cuts,
+    label_on_tabs,
+    mating_marks,
+    slot_cut,
+)
+from elastica_cad.strip.styles import Layout
+
+TICK_SHARE = 0.3
+"""Length of a mark across, as a share of the width on each side of the middle: it ends before the edges, where
+it would be a notch."""
+
+
+FLAT_MM = 1e-4
+"""Distance of the chords, with which widths are measured, from the cuts, mm."""
+
+
+@dataclass(frozen=True, eq=False)
+class Layer:
+    """One sheet of a strip as it is cut, in the flat frame of the strip.
+
+    Attributes
+    ----------
+    sheet : Sheet
+    outline : Path
+        Closed, anticlockwise.
+    holes : tuple of Path
+        Closed inner loops.
+    name : str
+        What is added to the strip's name; empty for the base.
+    low : float
+        Height of its lower face over the base's, mm.
+    """
+
+    sheet: Sheet
+    outline: Path
+    holes: tuple[Path, ...] = ()
+    name: str = ""
+    low: float = 0.0
+
+    def __repr__(self) -> str:
+        return f"<Layer {self.name or 'base'!r} of {self.sheet.name}, {len(self.holes)} holes>"
+
+    @property
+    def high(self) -> float:
+        """Height of its upper face, mm."""
+        return self.low + self.sheet.thickness
+
+    def called(self, strip: str) -> str:
+        """Return the layer's name in files: the strip's, and which layer it is."""
+        return f"{strip}-{self.name.replace(' ', '-')}" if self.name else strip
+
+    @cached_property
+    def area(self) -> float:
+        """mm2."""
+        return abs(self.outline.area) - sum(abs(hole.area) for hole in self.holes)
+
+    @property
+    def mass(self) -> float:
+        """g."""
+        return self.area * self.sheet.thickness * self.sheet.density * 1e-6
+
+    def material(self, s: ArrayLike) -> FloatArray:
+        """Summed width (n,), mm, that is really left at stations `s` (n,).
+
+        At a station where a loop has an edge straight across, the side beyond it counts.
+
+        Examples
+        --------
+        >>> sheet, hole = Sheet.named("card-200gsm"), Path.rectangle(10, 4, corner=(5, 3))
+        >>> Layer(sheet, Path.rectangle(40, 10), (hole,)).material([2.0, 8.0]).round(6).tolist()
+        [10.0, 6.0]
+        """
+        if (stations := numbers(s, "stations")).ndim > 1:
+            raise InputError("stations are numbers (n,) in mm, not of shape {shape}", shape=stations.shape)
+        stations = np.atleast_1d(stations)
+        order = np.argsort(stations, kind="stable")
+        at = stations[order]
+        loop, (x, y), (x1, y1) = self._chords
+        # which chord meets which of the sorted stations: min <= s < max
+        first = np.searchsorted(at, np.minimum(x, x1), side="left")
+        count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
+        line = np.repeat(np.arange(x.size), count)
+        station = numbers_in_groups(count) + np.repeat(first, count)
+        u = (at[station] - x[line]) / (x1 - x)[line]
+        crossing = np.sign(x - x1)[line] * (y[line] * (1 - u) + y1[line] * u)
+        # a loop is run round either way
+        sign = np.sign(np.bincount(loop[line], crossing, minlength=len(self.holes) + 1))
+        sign[1:] *= -1
+        left = np.empty(at.size)
+        left[order] = np.bincount(station, sign[loop[line]] * crossing, minlength=at.size)
+        return left
+
+    @cached_property
+    def _chords(self) -> tuple[IntArray, FloatArray, FloatArray]:
+        """Of all cuts, the outline first: the numbers (m,) of their loops, where they start and end (2, m)."""
+        loops = self.outline, *self.holes
+        which, points = chords_of_all([one for loop in loops for one in loop.segments], FLAT_MM)
+        # each segment goes on to where the next one starts
+        kept = np.append(which[1:] == which[:-1], False)
+        loop = np.repeat(np.arange(len(loops)), [len(one.segments) for one in loops])[which[kept]]
+        begins, points = np.searchsorted(loop, np.arange(len(loops))), points[kept]
+        ends = np.roll(points, -1, axis=0)
+        ends[np.append(begins[1:], loop.size) - 1] = points[begins]
+        return loop, points.T, ends.T
+
+
+def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) -> tuple[Layer, ...]:
+    """What is cut of each sheet, the base first, with tabs and slots.
+
+    Raises
+    ------
+    InputError
+        A slot meets an end, a hole or another slot; `name` is what the message calls the strip.
+    """
+    width = layout.width
+    if layout.stack is not None:
+        return _cut_leaves(layout.stack, width.length, ends)
+    # the layers of a laminate are aligned by holes in their tabs
+    ends_held = add_register_holes(width, ends, layout.dots) if layout.dots else ends
+    holes = (*end_holes(width, ends_held), *layout.hole_paths(ends, slots))
+    outline = cut_slots(flat_rim(width, ends), holes, slots, width, name=name)
+    base = Layer(layout.sheet, outline, holes)
+    if layout.backing is None:
+        return (base,)
+    drawn = layout.backing.width
+    held = fix_tab_widths(width, ends_held)
+    reaching = [slot for slot in slots if _reaches(slot, width, drawn)]
+    holes = end_holes(drawn, held)
+    rim = cut_slots(flat_rim(drawn, held), holes, reaching, width, name=f"{name}, backing")
+    return base, Layer(layout.backing.sheet, rim, holes, "backing", layout.sheet.thickness)
+
+
+def _cut_leaves(section: LaidLeaves, length: float, ends: Ends) -> tuple[Layer, ...]:
+    """Rectangles, the through leaf first; those that reach an end go on through its tab."""
+    h, half = section.sheet.thickness, section.width / 2
+    layers: list[Layer] = []
+    for leaf, name in zip(section.leaves, section.names, strict=True):
+        start = leaf.start - (ends[0].length if leaf.start <= 0 else 0.0)
+        end = leaf.end + (ends[1].length if leaf.end >= length else 0.0)
+        corners = [(start, -half), (end, -half), (end, half), (start, half)]
+        sides = tuple(Line(a, b) for a, b in zip(corners, corners[1:] + corners[:1], strict=True))
+        called = f"leaf {name}" if layers else ""
+        layers.append(Layer(section.sheet, Path(sides, closed=True), (), called, (leaf.number - 1) * h))
+    return tuple(layers)
+
+
+def draw_layers(
+    layout: Layout,
+    layers: Sequence[Layer],
+    ends: Ends,
+    slots: Sequence[Slot],
+    engraved: str,
+    name: str,
+    *,
+    lap: float = 0.0,
+) -> tuple[Drawing, ...]:
+    """The cut pattern of each layer, called by `name`: engraved text, marks, inner cuts, outer cut.
+
+    `lap` mm from the start a mark is drawn where the lap of a closed strip ends.
+    """
+    name = name or "strip"
+    drawn = []
+    for i, layer in enumerate(layers):
+        width = layout.width if i == 0 or layout.backing is None else layout.backing.width
+        marks = (*_ticks(layout, width, ends, lap), *(() if i else _off_slots(layout.guides, layout, slots)))
+        if layout.stack is not None:
+            marks = _leaf_marks(layer, layers)
+        paths = (
+            *(LayeredPath(MARK, mark) for mark in marks),
+            *(LayeredPath(CUT_INNER, hole) for hole in layer.holes),
+            LayeredPath(CUT_OUTER, layer.outline),
+        )
+        texts = _label_texts(engraved, layout, width, ends, layer, slotted=bool(slots)) if engraved else ()
+        if layout.stack is not None:
+            texts = (_leaf_text(name, layer),)
+        elif i == 0:
+            texts += mating_marks(slots, layout.width, layer.holes, marks, texts)
+        drawn.append(Drawing(name=layer.called(name), paths=paths, texts=texts))
+    return tuple(drawn)
+
+
+def _off_slots(guides: Sequence[Path], layout: Layout, slots: Sequence[Slot]) -> tuple[Path, ...]:
+    """The parts of lines that lie beside slots, where there is material to mark."""
+    if not guides:
+        return ()
+    open_cuts = [slot_cut(slot, layout.width, beyond=slot.width) for slot in slots]
+    loops = [
+        Path((*cut.segments, Line(cut.segments[-1].end, cut.segments[0].start)), closed=True)
+        for cut in open_cuts
+    ]
+    return tuple(part for guide in guides for part in trim_off(guide, loops))
+
+
+def _leaf_marks(layer: Layer, layers: Sequence[Layer]) -> tuple[Path, ...]:
+    """Lines across a leaf where the leaves that are glued on it begin and end."""
+    (left, low), (right, high) = layer.outline.bounds
+    above = [one for one in layers if abs(one.low - layer.high) < layer.sheet.thickness / 2]
+    places = [float(x) for one in above for x in one.outline.bounds[:, 0] if left < x < right]
+    return tuple(Path((Line((x, float(low)), (x, float(high))),)) for x in places)
+
+
+def _leaf_text(name: str, layer: Layer) -> Text:
+    """The name of a leaf and where it lies along the stack, mm."""
+    (left, low), (right, high) = layer.outline.bounds
+    said = f"{layer.called(name)}: {left:.0f} - {right:.0f}"
+    return fit_label(
+        said,
+        ((left + right) / 2, (low + high) / 2),
+        angle=0.0,
+        room=float(right - left),
+        across=float(high - low),
+    )
+
+
+def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
+    """Whether a slot of a strip of one width is deep enough to cut a narrower strip."""
+    points, _ = slot.center_line(outer)
+    return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
+
+
+def _ticks(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:
+    """Marks across where tabs begin, and the lap; not along the flat ends of the first and last holes."""
+    if layout.pattern is not None:
+        return ()
+    starts = ((0.0, ends[0]), (width.length, ends[1]))
+    heights = [(x, min(float(width(x)), tab.width or np.inf)) for x, tab in starts if tab.length > 0]
+    if lap:
+        heights.insert(0, (lap, float(width(lap))))
+    return tuple(
+        Path((Line((x, -TICK_SHARE * wide), (x, TICK_SHARE * wide)),), closed=False) for x, wide in heights
+    )
+
+
+def _label_texts(
+    label: str, layout: Layout, width: Profile, ends: Ends, layer: Layer, *, slotted: bool
+) -> tuple[Text, ...]:
+    """The label, off cuts: along the middle; where there are holes across a tab, the first if there is room."""
+    if layout.pattern is None:
+        return (label_off_cuts(label, width, Cuts(outline=layer.outline if slotted else None)),)
+    length = width.length
+    spans = ((-ends[0].length, 0.0), (length, length + ends[1].length))
+    tabs = [
+        (*span, tab.width or float(width(end)))
+        for span, end, tab in zip(spans, (0.0, length), ends, strict=True)
+        if span[0] < span[1]
+    ]
+    near = [hole for hole in layer.holes if hole.bounds[0, 0] < 0 or hole.bounds[1, 0] > length]
+    return (label_on_tabs(label, tabs, Cuts(near, outline=layer.outline)),) if tabs else ()
+
+
+END_MM = 1e-6
+"""Material is measured this far inside the free part: across a bare end itself there is none."""
+
+PLATE_END, PLATE_CUT = 0.25, 0.82
+"""Thicknesses of a glued plate that carry nothing at each of its ends, and over the joint, where the strip is cut
+half through. The first is fitted to the strips of `docs/finite_elements.md`; the second is that of an edge crack in
+bending (Tada, Paris and Irwin 1973), in whose place 5.7 thicknesses of the stack would turn as much."""
+
+
+@dataclass(frozen=True, eq=False)
+class LapJoint:
+    """What a lap does to the strip that it covers.
+
+    Two layers of widths w and v, bent together to the drawn curvature kappa and glued there, push back with
+    (w + v) kappa, where w kappa is asked for; glued they bend as one section of c w, with
+    c w = w + v + 12 w v / (w + v) for layers of equal thickness. So the lap bends as c times the strip, from the
+    rest curvature kappa - (w + v) / (c w) (kappa - kappa_0), and stays straighter than drawn.
+
+    Attributes
+    ----------
+    share : (n,) array
+        Factor on the stiffness of the rod's cells.
+    rest : (n,) array
+        Curvature of its cells without moment, 1/mm.
+    """
+
+    share: FloatArray
+    rest: FloatArray
+
+    @classmethod
+    def of(cls, rod: Rod, width: FloatArray, length: float, lap_width: float) -> "LapJoint":
+        """The lap of a closed rod.
+
+        Parameters
+        ----------
+        rod : Rod
+            The design.
+        width : (n,) array
+            Of the material at its nodes, mm.
+        length, lap_width : float
+            Of the tab, mm.
+        """
+        # cells reach half an edge to either side of their node
+        edges = np.concatenate([[0.0], (rod.s[1:] + rod.s[:-1]) / 2, [rod.length]])
+        covered = np.clip((length - edges[:-1]) / np.diff(edges), 0.0, 1.0)
+        both = width + lap_width
+        stiffer = (both + 12 * width * lap_width / both) / width
+        natural = rod.natural_curvature
+        lapped = rod.curvature - both / width / stiffer * (rod.curvature - natural)
+        return cls(1 / (covered / stiffer + 1 - covered), natural + covered * (lapped - natural))
+
+
+@dataclass(frozen=True)
+class LapPlates:
+    """Plates of the strip's own sheet, as wide as the strip and solid, glued over joints of its pieces on one side.
+
+    Attributes
+    ----------
+    joints : tuple of float
+        Where the strip is cut, mm along it; of a laminate its base.
+    lap : float
+        Length of the plates, half of it on either piece, mm.
+    backing_joints : tuple of float
+        Where the backing of a laminate is cut, mm along it.
+    """
+
+    joints: tuple[float, ...]
+    lap: float
+    backing_joints: tuple[float, ...] = ()
+
+    def clear_holes(self, holes: Sequence[Path]) -> tuple[Path, ...]:
+        """Return those of a base's holes that no plate covers; the others are not cut."""
+        half = self.lap / 2
+        spans = [(hole, hole.bounds[:, 0]) for hole in holes]
+        return tuple(
+            hole
+            for hole, (low, high) in spans
+            if not any(low < at + half and high > at - half for at in self.joints)
+        )
+
+    def stiffening(self, s: FloatArray, layout: Layout, layers: Sequence[Layer]) -> FloatArray:
+        """Factor (n,) on the stiffness of what is cut, in the cell of each of the nodes s (n,), mm.
+
+        Over a plate the strip is a sheet thicker and as stiff as that, but for its ends and over the joint itself.
+        """
+        base, *more = layers
+        at = np.clip(s, END_MM, layout.width.length - END_MM)
+        wide, cut = layout.width(at), base.material(at)
+        left = np.minimum(replace(base, holes=self.clear_holes(base.holes)).material(at), wide)
+        glued = [(layer.sheet, np.minimum(layer.material(at), cut)) for layer in more]
+        designed = stack_stiffness([(base.sheet, cut), *glued])
+        compliance = np.zeros(s.size)
+        on_base = self._covered(s, self.joints, base.sheet.thickness)
+        on_backing = self._covered(s, self.backing_joints, layers[-1].sheet.thickness)
+        for share, stack in (
+            (1 - on_base - on_backing, [(base.sheet, left), *glued]),
+            (on_base, [(base.sheet, wide), (base.sheet, left), *glued]),
+            (on_backing, [(base.sheet, left), *glued, *glued]),
+        ):
+            compliance += share * designed / stack_stiffness(stack)
+        return np.asarray(1 / compliance)
+
+    def _covered(self, s: FloatArray, joints: Sequence[float], thickness: float) -> FloatArray:
+        """Share (n,) of each node's cell that lies under a plate which carries."""
+        ends = np.concatenate([s[:1], (s[1:] + s[:-1]) / 2, s[-1:]])
+        near = PLATE_CUT / 2 * thickness
+        far = max(near, self.lap / 2 - PLATE_END * thickness)
+        under = np.zeros(s.size)
+        for at in joints:
+            for low, high in ((at - far, at - near), (at + near, at + far)):
+                under += np.diff(np.clip(ends, low, high))
+        return under / np.diff(ends)

@@ -1,0 +1,212 @@
+"""A single-stroke alphabet for engraving: every letter is a few lines and arcs that the tool runs once."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path as FilePath
+from unicodedata import combining, normalize
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number, is_series, require_record
+from elastica_cad.errors import InputError, quoted
+from elastica_cad.geometry.path import Path
+
+CAP_HEIGHT = 6.0  # of the alphabet as it is drawn, in its own units
+LABEL_MM = 5.0  # height of a strip's label, where there is room
+LABEL_SHARE = 0.4  # of the room across it, at most
+_GAP = 1.6  # between two letters, in the same units
+_QUARTER, _EIGHTH = float(np.tan(np.pi / 8)), float(np.tan(np.pi / 16))
+_BULGES = {"q": _QUARTER, "Q": -_QUARTER, "h": 1.0, "H": -1.0, "e": _EIGHTH, "E": -_EIGHTH}
+
+
+@dataclass(frozen=True)
+class Text:
+    """One line of engraved text.
+
+    Parameters
+    ----------
+    position : pair of float
+        Left end of the base line, mm.
+    text : str
+        Letters A-Z, a-z, digits and common punctuation.
+    height : float
+        Height of capitals, mm.
+    angle : float
+        Direction of the base line, rad.
+    layer : str
+        Name of the layer, "ENGRAVE" by default.
+
+    Raises
+    ------
+    InputError
+        The height is not positive, or the alphabet lacks a character.
+    """
+
+    position: tuple[float, float]
+    text: str
+    height: float
+    angle: float = 0.0
+    layer: str = "ENGRAVE"
+
+    def __post_init__(self) -> None:
+        place = tuple(self.position) if is_series(self.position) else ()
+        sizes = (*place, self.height, self.angle)
+        if len(place) != 2 or not all(map(is_number, sizes)) or self.height <= 0:
+            raise InputError(
+                "text {typed!r} needs a finite position and angle, and a positive height in mm",
+                typed=self.text,
+            )
+        object.__setattr__(self, "position", tuple(map(float, place)))
+        require_engravable(self.text)
+
+    @property
+    def length(self) -> float:
+        """Along the base line, mm."""
+        widths = [_glyphs()[c][0] for c in self.text]
+        return (sum(widths) + _GAP * max(0, len(widths) - 1)) * self.height / CAP_HEIGHT
+
+
+def require_engravable(text: object) -> None:
+    """Refuse what is no text, or holds letters that cannot be engraved."""
+    if not isinstance(text, str):
+        raise InputError("the text to engrave is {typed}: give a text", typed=quoted(text))
+    missing = sorted(set(text) - _glyphs().keys())
+    if missing:
+        raise InputError(
+            "text {typed!r}: the engraving alphabet has no {names}; use A-Z, a-z, 0-9 and common punctuation",
+            typed=text,
+            names=", ".join(map(repr, missing)),
+        )
+
+
+def engravable(text: str) -> str:
+    """The text in letters that can be engraved: accents are left out, unknown letters become underscores.
+
+    Examples
+    --------
+    >>> engravable("Träger")
+    'Trager'
+    """
+    plain = normalize("NFKD", text.replace("ß", "ss"))
+    return "".join(c if c in _glyphs() else "_" for c in plain if not combining(c))
+
+
+def text_width(text: str, height: float) -> float:
+    """Length of a line of text, mm, whose capitals are `height` mm high.
+
+    Examples
+    --------
+    >>> text_width("H", 6.0)
+    4.0
+    """
+    return Text((0.0, 0.0), text, height).length
+
+
+def text_span(text: str, height: float) -> tuple[float, float]:
+    """How far (mm) the strokes of a text reach over its base line: the lowest is below 0 for letters like g.
+
+    Examples
+    --------
+    >>> text_span("H", 6.0), text_span("g", 6.0)
+    ((0.0, 6.0), (-2.0, 6.0))
+    """
+    spans = [_span(c) for c in text]
+    low = min([0.0, *(below for below, _ in spans)])
+    high = max([CAP_HEIGHT, *(above for _, above in spans)])
+    return low * height / CAP_HEIGHT, high * height / CAP_HEIGHT
+
+
+def text_strokes(text: Text) -> tuple[Path, ...]:
+    """The strokes of a text as open paths of lines and arcs, mm.
+
+    Examples
+    --------
+    >>> strokes = text_strokes(Text((10, 0), "AL", 5.0))
+    >>> len(strokes), round(float(max(path.bounds[1, 1] for path in strokes)), 9)
+    (3, 5.0)
+    """
+    require_record(text, Text, "what is engraved", "a Text")
+    scale, strokes = text.height / CAP_HEIGHT, list[Path]()
+    c, s = scale * np.cos(text.angle), scale * np.sin(text.angle)
+    (x, y), advance = text.position, 0.0
+    for character in text.text:
+        place = [[c, -s, x + c * advance], [s, c, y + s * advance], [0.0, 0.0, 1.0]]
+        strokes += [stroke.transformed(place) for stroke in _glyph(character)]
+        advance += _glyphs()[character][0] + _GAP
+    return tuple(strokes)
+
+
+def fit_label(text: str, center: tuple[float, float], *, angle: float, room: float, across: float) -> Text:
+    """A label about a point, as large as fits up to 5 mm: a share of the `room` along it, and of the width across.
+
+    Parameters
+    ----------
+    center : pair of float
+        Middle of the label, mm.
+    angle : float
+        Direction of its base line, rad.
+    room, across : float
+        What there is along and across the base line, mm.
+
+    Examples
+    --------
+    >>> fit_label("A1", (50.0, 0.0), angle=0.0, room=100.0, across=20.0).height
+    5.0
+    >>> fit_label("A1", (50.0, 0.0), angle=0.0, room=100.0, across=5.0).height
+    2.0
+    """
+    return centred_text(text, center, min(LABEL_MM, LABEL_SHARE * across), 0.8 * room, angle=angle)
+
+
+def centred_text(
+    text: str, center: Sequence[float] | FloatArray, height: float, room: float, *, angle: float = 0.0
+) -> Text:
+    """A text in letters that can be engraved, about a point (2,), so high, or lower where it would be longer than
+    the room, mm.
+
+    Examples
+    --------
+    >>> centred_text("H", (10.0, 0.0), 6.0, 2.0).position
+    (9.0, -1.5)
+    """
+    text = engravable(text)
+    long = text_width(text, height)
+    height *= min(1.0, room / long) if long > 0 else 1.0
+    along, up = text_width(text, height) / 2, height / 2
+    c, s = np.cos(angle), np.sin(angle)
+    corner = (center[0] - c * along + s * up, center[1] - s * along - c * up)
+    return Text(corner, text, height, float(angle))
+
+
+@lru_cache(maxsize=1)
+def _glyphs() -> dict[str, tuple[float, str]]:
+    """Width and code of every letter."""
+    import tomllib
+
+    text = FilePath(__file__).with_name("glyphs.toml").read_text(encoding="utf-8")
+    return {character: (width, code) for character, (width, code) in tomllib.loads(text).items()}
+
+
+@lru_cache(maxsize=256)
+def _glyph(character: str) -> tuple[Path, ...]:
+    return tuple(_strokes(_glyphs()[character][1]))
+
+
+@lru_cache(maxsize=256)
+def _span(character: str) -> tuple[float, float]:
+    """Least and largest height of a letter's strokes over the base line, in the alphabet's units."""
+    bounds = [stroke.bounds[:, 1] for stroke in _glyph(character)]
+    if not bounds:
+        return 0.0, 0.0
+    low, high = np.array(bounds).T
+    return float(low.min()), float(high.max())
+
+
+def _strokes(code: str) -> Iterator[Path]:
+    for stroke in filter(None, code.split(";")):
+        tokens = stroke.split()
+        bulges = [_BULGES.get(token[-1], 0.0) for token in tokens]
+        points = [[float(v) for v in token.rstrip("".join(_BULGES)).split(",")] for token in tokens]
+        yield Path.polyline(points, bulges)

@@ -1,0 +1,548 @@
+"""A strip as a workshop can make it: pieces, lap plates, widths compensated for what makes it softer or stiffer."""
+
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import is_one_of, require_flag, require_positive, require_record
+from elastica_cad.errors import Change, InputError, NotConvergedError, StrainError
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path_intersections import clip_across, trim_across
+from elastica_cad.geometry.plane_points import turns_along
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.splines import bezier_spans
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.section_limits import thinner_for
+from elastica_cad.refusals import Length as Mm
+from elastica_cad.refusals import Listed, note, sentences
+from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
+from elastica_cad.strip.held_shape import LEAST_TOLD_MM, closes, shape_responses, strayed
+from elastica_cad.strip.layers import LapPlates, Layer
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.pieces import Piece
+from elastica_cad.strip.slots import Cuts, Slot, end_numbers, label_off_cuts, mating_marks, slot_cut
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults, find_strip_faults
+
+SPACING_SHARE = 1 / 24  # of the length: between knots of a correction, so that outlines stay smooth
+SMOOTHING = 5e-3  # weight of the second differences of the coefficients against the drift that is left
+SIZE = 7e-3  # the same of the coefficients themselves: of many changes that serve, the smallest
+
+
+def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
+    """Cubic B-splines (n, m) at even stations s (n,) of a strip; of a closed one both ends share theirs."""
+    pieces = round(1 / SPACING_SHARE)
+    knots = np.concatenate([np.zeros(3), np.linspace(0.0, s[-1], pieces + 1), np.full(3, s[-1])])
+    one = np.eye(pieces + 3)
+    if closed:
+        one[0, -1] = 1.0
+        one = one[:, 1:]
+    return np.asarray(bezier_spans(knots, 3).basis(s) @ one)
+
+
+def _correct_widths(
+    made: Rod, drift: FloatArray, basis: FloatArray, kept: FloatArray, *, largest: float
+) -> FloatArray:
+    """Coefficients (m,) of the change of width that takes a drift back, to first order.
+
+    A change f of the width changes moment and weight by M f and p f at the same shape. Many changes leave the shape
+    alone (all that keep K kappa = M0 + <b, gamma>); the smallest and smoothest one is taken.
+
+    Parameters
+    ----------
+    made : Rod
+        As made and held, in balance.
+    drift : (n, 2) array
+        Of its nodes from the design, mm.
+    basis : (n, m) array
+        Of the changes: see `_width_basis`. Of a closed strip only its shape counts, not where it lies.
+    kept : (m,) array
+        Coefficients of the change that the rod has already.
+    largest : float
+        No coefficient goes beyond it.
+    """
+    moved = shape_responses(
+        made, made.moment[:, None] * basis, made.nodal_load[:, None, :] * basis[:, :, None]
+    )
+    A, left = np.moveaxis(moved[1:], 1, 2).reshape(-1, basis.shape[1]), drift[1:].ravel()
+    if closes(made):
+        A, left = _without_motion(made.position[1:], A), _without_motion(made.position[1:], left)
+    scale = float(np.abs(A).max()) * np.sqrt(len(A))
+    one = np.eye(basis.shape[1])
+    # the whole change is to be small and smooth
+    whole = scale * np.concatenate([SMOOTHING * np.diff(one, n=2, axis=0), SIZE * one])
+    system, wanted = np.concatenate([A, whole]), np.concatenate([-left, -whole @ kept])
+    from scipy.optimize import lsq_linear
+
+    return np.asarray(kept + lsq_linear(system, wanted, (-largest - kept, largest - kept), method="bvls").x)
+
+
+def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
+    """Moves (2 n, ...) of points (n, 2) without what shifts and turns them all."""
+    x, y = (position - position.mean(axis=0)).T
+    one, none = np.ones(x.size), np.zeros(x.size)
+    rigid = np.array([np.column_stack(row).ravel() for row in ((one, none), (none, one), (-y, x))])
+    rigid /= np.linalg.norm(rigid, axis=1)[:, None]
+    return np.asarray(moves - rigid.T @ (rigid @ moves))
+
+
+ROUNDS = 8
+LEAST_GAIN = 0.97  # of what is left in one round: a round that leaves more is the last
+LARGEST_GUESS = 0.5  # of the logarithm of a width's change
+ENOUGH_SHARE = 1e-5  # of the length: a deviation that needs no correction
+
+
+def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
+    """The strip with widths that bring it, as it is made and held as designed, back to its design.
+
+    Bent forward as made (`Strip.held`) it strays; its widths are changed smoothly, to first order, and that is
+    repeated as long as it helps. What is left is `Strip.held().deviation`.
+
+    Parameters
+    ----------
+    strip : Strip
+    largest : float
+        Of the logarithm of a width's change, against the mean: ends flare where a slot lies beside a narrow tab,
+        and a strip as wide as before at its ends is narrower elsewhere.
+
+    Returns
+    -------
+    Strip
+        The same rod with another `correction`; the strip itself where nothing helps.
+
+    Examples
+    --------
+    >>> from elastica_cad.strip.outline import Tab
+    >>> from elastica_cad.strip.strip_spec import make_strip
+    >>> from elastica_cad.geometry.plane_curve import PlaneCurve
+    >>> arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+    >>> tabs = (Tab(10, width=10), Tab(10, width=10))
+    >>> strip = make_strip(arch, "birch-plywood-0.8", max_width=30, ends=tabs)
+    >>> better = compensate_widths(strip)
+    >>> bool(better.held_deviation < strip.held_deviation / 5)
+    True
+    """
+    require_record(strip, Strip, "what is compensated", "a Strip")
+    if not is_one_of(largest, [np.inf]):
+        require_positive(largest, "the largest change of width", "shares of it")
+    strip = replace(strip, correction=None) if strip.correction is not None else strip
+    design = strip.as_made.design
+    basis = _width_basis(design.s, closed=strip.is_closed)
+    # a first guess: as much wider as each place is softer, evened out along the strip
+    softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.shares.values()], axis=0))
+    clip = min(LARGEST_GUESS, largest)
+    guess = np.clip(np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -clip, clip)
+    drawn, guessed = (_held(strip, basis, start) for start in (np.zeros(basis.shape[1]), guess))
+    best = min(filter(None, (drawn, guessed)), key=lambda one: one.strayed, default=None)
+    if best is None:
+        return strip
+    step = 1.0
+    for _ in range(ROUNDS):
+        if best.strayed <= ENOUGH_SHARE * design.length:
+            break
+        drift = best.rod.position - design.position
+        wanted = _correct_widths(best.rod, drift, basis, best.coefficients, largest=largest)
+        coefficients = best.coefficients + step * (wanted - best.coefficients)
+        found = _held(strip, basis, coefficients)
+        if found is None or found.strayed >= best.strayed:
+            step /= 2
+            continue
+        gain, best, step = found.strayed / best.strayed, found, min(1.0, 2 * step)
+        if gain > LEAST_GAIN:
+            break
+    gained = np.inf if drawn is None else drawn.strayed - best.strayed
+    return best.strip if gained >= LEAST_TOLD_MM else strip
+
+
+class _Held(NamedTuple):
+    """A strip with corrected widths, its shape as held, and how far that strays from the design, mm."""
+
+    strip: Strip
+    coefficients: FloatArray
+    rod: Rod
+    strayed: float
+
+
+def _held(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _Held | None:
+    """A strip with its widths changed by a basis (n, m), held; None where the style or the rest refuses it."""
+    design, change = strip.as_made.design, basis @ coefficients
+    try:
+        if change.any():
+            strip = replace(strip, correction=Profile.interpolate(design.s, np.exp(change)))
+        rod = strip.as_made.rest()
+    except (InputError, NotConvergedError):
+        return None
+    return _Held(strip, coefficients, rod, strayed(design, rod.position))
+
+
+PLACES = 400
+"""Number of places along a strip at which a joint is tried."""
+
+APART_MM = 5.0
+"""Distance between the pieces in one drawing, mm."""
+
+
+@dataclass(frozen=True, eq=False)
+class Splice:
+    """A strip in pieces, butt to butt, with a plate of the same sheet glued over each joint on one side.
+
+    Plates are solid and as wide as the strip; holes that would come to lie under one are not cut. Each layer of a
+    laminate has joints of its own, staggered, with plates on its free face.
+
+    Attributes
+    ----------
+    strip : Strip
+    joints : tuple of float
+        Where it is cut, mm along it; of a laminate its base.
+    lap : float
+        Length of the plates, half of it on either piece, mm.
+    backing_joints : tuple of float
+        Where the backing of a laminate is cut, mm along it.
+    ends : (str, str)
+        What is engraved at the start and at the end of the strip's base, empty for nothing.
+    """
+
+    strip: Strip
+    joints: tuple[float, ...]
+    lap: float
+    backing_joints: tuple[float, ...] = ()
+    ends: tuple[str, str] = ("", "")
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """The pieces of every layer in order, where the plates come to lie marked on them, each with its plates."""
+        return tuple(piece for layer in self.layer_pieces.values() for piece in layer)
+
+    @cached_property
+    def layer_pieces(self) -> dict[str, tuple[Piece, ...]]:
+        """The pieces by the name of the layer that they are cut of, the base first."""
+        strip, layout = self.strip, self.strip.layout
+        name, base = strip.label or "strip", strip.layers[0]
+        marks = [drawing.on(MARK) for drawing in strip.drawings()]
+        cut = replace(base, holes=self._holes)
+        whole = [_Whole(name, cut, strip.width, marks[0], self.joints, strip.slots, self.ends)]
+        if layout.backing is not None:
+            glued = strip.layers[1]
+            whole.append(
+                _Whole(f"{name}-backing", glued, layout.backing.width, marks[1], self.backing_joints)
+            )
+        return {one.name: self._cut(one) for one in whole}
+
+    @cached_property
+    def drawings(self) -> tuple[Drawing, ...]:
+        """One drawing for each layer, with all its pieces and plates, one above the other."""
+        drawn = []
+        for name, pieces in self.layer_pieces.items():
+            placed, y = [], 0.0
+            for piece in pieces:
+                (x0, y0), (_, y1) = piece.bounds
+                placed.append(piece.drawing.transformed([[1, 0, -x0], [0, 1, y - y0], [0, 0, 1]]))
+                y += float(y1 - y0) + APART_MM
+            drawn.append(Drawing.merged(name, placed))
+        return tuple(drawn)
+
+    @cached_property
+    def deviation(self) -> float:
+        """How far the plates move the shape, bent and held as designed, mm; their weight is left out.
+
+        Of a strip whose widths make up for them, what is left.
+        """
+        held = replace(self.strip, plates=self.plates).held()
+        return held.deviation if held.corrected else held.parts["plates"]
+
+    def __str__(self) -> str:
+        """One sentence."""
+        if len(self.strip.layers) > 1:
+            joints = zip(self.layer_pieces, (self.joints, self.backing_joints), strict=True)
+            pieces = Listed(
+                note("{pieces} at {places}", pieces=name, places=Listed(map(Mm, at)))
+                for name, at in joints
+                if at
+            )
+            return note(
+                "cut in pieces: {pieces}, joined by plates of {lap:g} on the free face of each layer, which "
+                "are stiffer and move the shape by {far:.2g}",
+                pieces=pieces, lap=Mm(self.lap), far=Mm(self.deviation), severity="warning",
+            )  # fmt: skip
+        said = (
+            "cut in {count} pieces at {places}, joined by plates of {lap:g}, without the {lost} holes that "
+            "lie under them; they are stiffer and move the shape by {far:.2g}"
+            if (lost := len(self.strip.holes) - len(self._holes))
+            else "cut in {count} pieces at {places}, joined by plates of {lap:g}, which are stiffer and "
+            "move the shape by {far:.2g}"
+        )
+        places = Listed(map(Mm, self.joints))
+        return note(
+            said,
+            count=len(self.joints) + 1,
+            places=places,
+            lap=Mm(self.lap),
+            lost=lost,
+            far=Mm(self.deviation),
+            severity="warning",
+        )
+
+    @property
+    def plates(self) -> LapPlates:
+        """Plates that join the pieces."""
+        return LapPlates(self.joints, self.lap, self.backing_joints)
+
+    @cached_property
+    def _holes(self) -> tuple[Path, ...]:
+        """Holes of the base that are cut: those clear of the plates."""
+        return self.plates.clear_holes(self.strip.holes)
+
+    def _cut(self, whole: "_Whole") -> tuple[Piece, ...]:
+        """The pieces of one layer in order, then its plates."""
+        (first, _), (last, _) = whole.layer.outline.bounds
+        ends = [float(first), *whole.joints, float(last)]
+        pieces = [
+            self._piece(whole, f"{whole.name}-{k}", low, high)
+            for k, (low, high) in enumerate(pairwise(ends), start=1)
+        ]
+        plates = [
+            self._piece(whole, f"{whole.name}-lap-{k}", at - self.lap / 2, at + self.lap / 2, plate=True)
+            for k, at in enumerate(whole.joints, start=1)
+        ]
+        return (*pieces, *plates)
+
+    def _piece(self, whole: "_Whole", name: str, low: float, high: float, *, plate: bool = False) -> Piece:
+        layer = whole.layer
+        outline = clip_across(layer.outline, low, high)
+        marks: list[Path] = []
+        holes: list[Path] = []
+        slots: list[Slot] = []
+        if not plate:
+            edges = [at + side * self.lap / 2 for at in whole.joints for side in (-1, 1)]
+            marks = [_tick(whole, x) for x in edges if low < x < high]
+            marks += [part for mark in whole.marks for part in trim_across(mark, low, high)]
+            holes = [hole for hole in layer.holes if low < float(hole.bounds.mean(axis=0)[0]) < high]
+            slots = [slot for slot in whole.slots if low < slot.at < high]
+        span = max(low, 0.0), min(high, self.strip.rod.length)
+        if isinstance(self.strip.style, Perforated) and not plate:
+            span = self._clear_of_holes(whole, low, high)
+        cuts = Cuts(holes, marks, outline=outline)
+        called = self.strip.label or "strip"
+        text = f"{called if self.strip.engrave is None else self.strip.engrave}{name.removeprefix(called)}"
+        label = label_off_cuts(text.lstrip("-"), whole.width, cuts, span)
+        ends = [_tick(whole, x) for x in (low, high) if 0.0 < x < self.strip.rod.length]
+        mates = mating_marks(slots, whole.width, holes, (*marks, *ends), (label,))
+        known = whole.ends[0] if low <= 0.0 else "", whole.ends[1] if high >= self.strip.rod.length else ""
+        numbers = end_numbers(whole.width, cuts, (label, *mates), known)
+        paths = (
+            *(LayeredPath(MARK, mark) for mark in marks),
+            *(LayeredPath(CUT_INNER, hole) for hole in holes),
+            LayeredPath(CUT_OUTER, outline),
+        )
+        return Piece(name, Drawing(name, paths, (label, *mates, *numbers)), layer.sheet)
+
+    def _clear_of_holes(self, whole: "_Whole", low: float, high: float) -> tuple[float, float]:
+        """The part of a perforated piece that comes to lie under a plate, where no hole is."""
+        joint = next(at for at in whole.joints if at in (low, high))
+        return (joint, joint + self.lap / 2) if joint == low else (joint - self.lap / 2, joint)
+
+
+@dataclass(frozen=True, eq=False)
+class _Whole:
+    """A layer before it is cut: its name, width, lines marked on it, joints, mm along it, slots, names of ends."""
+
+    name: str
+    layer: Layer
+    width: Profile
+    marks: tuple[Path, ...]
+    joints: tuple[float, ...]
+    slots: tuple[Slot, ...] = ()
+    ends: tuple[str, str] = ("", "")
+
+
+def _tick(whole: _Whole, x: float) -> Path:
+    half = 0.4 * float(whole.width(x))
+    return Path.polyline([(x, -half), (x, half)])
+
+
+def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | None = None) -> Splice:
+    """Cut a strip into as few pieces as the stock allows, where plates change its shape least.
+
+    Joints keep off slots, tabs and each other, those of a backing off those of its base; of the places left those
+    are taken where the strip turns least under the plates, in the sum of squares (dynamic programming).
+
+    Parameters
+    ----------
+    strip : Strip
+    stock : float
+        Length of the longest piece, mm.
+    lap : float
+        Length of the plates, mm.
+    backing_stock : float, optional
+        Length of the longest piece of a laminate's backing, mm; that of the base where not given.
+
+    Raises
+    ------
+    InputError
+        A strip of varying thickness, a lap that is not possible, or no places for the joints.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.sheets import Sheet
+    >>> from elastica_cad.mechanics.rod import Rod
+    >>> long = Strip(Rod.straight(1000), Sheet.named("birch-plywood-3"), max_width=40, label="A")
+    >>> [piece.name for piece in splice(long, 600, 60).pieces]
+    ['A-1', 'A-2', 'A-lap-1']
+    """
+    name = strip.label or "strip"
+    if strip.layout.size is not None:
+        raise InputError(
+            "{name}: strips of a law are not cut in pieces, for their plates would have to taper "
+            "too: take a larger stock, or a strip of one sheet",
+            name=name,
+        )
+    longest = (stock, backing_stock or stock)[: len(strip.layers)]
+    if not (np.isfinite(lap) and 0 < lap < min(longest) / 3):
+        raise InputError(
+            "{name}: a lap of {lap:g}: give a length above 0 and below a third of {longest:g}",
+            name=name,
+            lap=Mm(lap),
+            longest=Mm(min(longest)),
+        )
+    s = np.linspace(lap / 2, strip.rod.length - lap / 2, PLACES)
+    clear = np.ones(PLACES, dtype=bool)
+    for slot in strip.slots:
+        clear &= _keeps_off(slot, strip.width, s, lap)
+    rod = strip.rod
+    turned = turns_along(rod.angle)
+    turn = np.interp(s + lap / 2, rod.s, turned) - np.interp(s - lap / 2, rod.s, turned)
+    found: list[tuple[float, ...]] = []
+    for layer, most in zip(strip.layers, longest, strict=True):
+        for taken in (at for joints in found for at in joints):
+            clear &= np.abs(s - taken) >= lap
+        (first, _), (last, _) = layer.outline.bounds
+        count = int(np.ceil(float(last - first) / most * (1 - 1e-12))) - 1
+        joints = _placed(s, np.where(clear, turn**2, np.inf), count, float(first), float(last), most, lap)
+        if joints is None:
+            raise InputError(
+                "{name}: there is no room for {count} joints of {lap:g} between its slots: take a "
+                "shorter lap or a larger stock",
+                name=name,
+                count=count,
+                lap=Mm(lap),
+            )
+        found.append(joints)
+    return Splice(strip, found[0], lap, found[1] if len(found) > 1 else ())
+
+
+def spliced(strip: Strip, shop: FabricationLimits) -> Splice | None:
+    """The strip in pieces, where the shop joins pieces and the strip is longer than its stock."""
+    if shop.lap is None:
+        return None
+    stocks = [shop.stock_for(layer.sheet)[0] for layer in strip.layers]
+    lengths = [float(np.ptp(layer.outline.bounds, axis=0)[0]) for layer in strip.layers]
+    if all(length <= stock for length, stock in zip(lengths, stocks, strict=True)):
+        return None
+    return splice(strip, stocks[0], shop.lap, backing_stock=stocks[-1])
+
+
+def joined_within(strip: Strip, shop: FabricationLimits) -> Strip:
+    """The strip with the plates that join its pieces, where the shop cuts it in pieces; else without any."""
+    joined = spliced(strip, shop)
+    plates = None if joined is None else joined.plates
+    return strip if strip.plates == plates else replace(strip, plates=plates)
+
+
+def _keeps_off(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
+    """Whether a plate at these places along the strip leaves the slot free, with half the slot's width beside
+    it."""
+    low, high = slot_cut(slot, width, beyond=slot.width).bounds[:, 0]
+    middle, reach = (high + low) / 2, (high - low) / 2
+    return np.abs(at - middle) > lap / 2 + reach + slot.width / 2
+
+
+def _placed(
+    s: FloatArray, cost: FloatArray, count: int, first: float, last: float, stock: float, lap: float
+) -> tuple[float, ...] | None:
+    """Places of the joints with the least sum of costs, no piece longer than the stock or shorter than two laps."""
+    if count < 1:
+        return ()
+    gap = s[:, None] - s[None, :]
+    allowed = (gap <= stock) & (gap >= 2 * lap)
+    best = np.where(s - first <= stock, cost, np.inf)
+    came: list[FloatArray] = []
+    for _ in range(count - 1):
+        total = np.where(allowed, best[None, :], np.inf)
+        came.append(np.argmin(total, axis=1))
+        best = cost + total.min(axis=1)
+    best = np.where(last - s <= stock, best, np.inf)
+    at = int(np.argmin(best))
+    if not np.isfinite(best[at]):
+        return None
+    chosen = [at]
+    for back in reversed(came):
+        chosen.append(int(back[chosen[-1]]))
+    return tuple(float(s[k]) for k in reversed(chosen))
+
+
+def make_within(
+    strip: Strip, shop: FabricationLimits, *, compensate: bool, ignore_limits: bool, wavers: bool
+) -> Strip:
+    """The strip joined of pieces where it is longer than the stock, with compensated widths where asked.
+
+    `wavers`: as in `find_strip_faults`.
+
+    Raises
+    ------
+    InputError
+        It cannot be cut or handled, with place and cure of each fault, unless `ignore_limits`.
+    StrainError
+        It would break, unless `ignore_limits`.
+    """
+    refuse_broken(strip, ignore_limits)
+    with suppress(InputError):  # no room for joints is told with what else cannot be cut
+        strip = joined_within(strip, shop)
+    if compensate:
+        strip = compensate_within(strip, shop)
+    told = accept_faults(find_strip_faults(strip, shop, wavers=wavers), ignore_limits)
+    joined = spliced(strip, shop)
+    told += () if joined is None else (str(joined),)
+    if not told:
+        return strip
+    return replace(strip, rod=replace(strip.rod, warnings=(*strip.rod.warnings, *told)))
+
+
+def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
+    """Refuse a strip that would break.
+
+    Raises
+    ------
+    StrainError
+        With the place, the radius there and the least one; not with `ignore_limits`, where the strip warns of it.
+    """
+    judged = strip.strain_verdict
+    if require_flag(ignore_limits, "ignore_limits") or not judged.refused:
+        return
+    thinner = thinner_for(strip.sheet, judged.used * strip.strain_limit)
+    raise StrainError(
+        "{strains} To make it all the same, set ignore_limits (--ignore-limits).",
+        strains=sentences(strip.strain_warnings, ". ", "."),
+        percent=judged.percent,
+        where={"at": judged.at},
+        changes=[*([] if thinner is None else [Change("thickness", thinner)]), Change("nearest", True)],
+    )
+
+
+def compensate_within(strip: Strip, shop: FabricationLimits) -> Strip:
+    """The strip with compensated widths; as it is, with a warning, where those could not be cut and handled."""
+    better = compensate_widths(strip)
+    faults = find_strip_faults(better, shop)
+    if not faults or find_strip_faults(strip, shop):
+        return better
+    told = note(
+        "its widths do not make up for how it is made, since it would then be {fault}; give it "
+        "tabs as wide as its ends, or shallower slots",
+        fault=faults[0].what,
+        severity="warning",
+    )
+    return replace(strip, rod=replace(strip.rod, warnings=(*strip.rod.warnings, told)))

@@ -1,0 +1,196 @@
+"""What can be measured on a bent strip with ruler and protractor, what is expected, and what differences mean."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import require_record
+from elastica_cad.errors import InputError
+from elastica_cad.refusals import Refusal, note
+from elastica_cad.strip.held_shape import shape_responses
+from elastica_cad.strip.strip import Strip
+
+MARKS = (0.25, 0.5, 0.75)
+"""Of the length: where heights are measured."""
+
+LENGTHS, ANGLES = ("chord", "height_1", "height_2", "height_3"), ("start_angle", "end_angle")
+"""What is measured: mm from end to end, mm from that line to the marks, degrees between it and the tabs."""
+
+SKETCHED = 60
+"""Points of the curve, about, that a page needs."""
+
+UNEVEN_SHARE = 0.02
+"""By which the stiffness at equal distances from both ends must differ, or end for end is the same."""
+
+EXPLAINED = 0.6
+"""Of the differences: a cause that explains less is not named."""
+
+MEANINGS: Mapping[str, str] = {
+    "clamp at the start": "the clamp at the start lets the strip turn by {amount:.2g} degrees: tighten it",
+    "clamp at the end": "the clamp at the end lets the strip turn by {amount:.2g} degrees: tighten it",
+    "ends apart": "the ends are {amount:.2g} mm off their distance: a tab slips, or the holder is not as drawn",
+    "thinner sheet": "the sheet is {amount:.2g} % off its thickness, so it sags otherwise: measure its thickness",
+    "thickness": "the sheet is thicker at one place than at another, by {amount:.2g} %: measure it along the strip",
+    "end for end": "it is mounted end for end: turn it round",
+    "wrong side": "its backing lies on the wrong side of the bend: turn it over",
+}
+"""What each cause means for a maker."""
+
+ONCE = ("end for end", "wrong side")
+"""Causes that are there or not."""
+
+THICKEST_PERCENT = 6.0
+"""A wave of thickness that a sheet may have."""
+
+
+@dataclass(frozen=True)
+class Measuring:
+    """What to measure on a strip, and how that answers to what may be wrong.
+
+    Attributes
+    ----------
+    marks : tuple of float
+        Where heights are measured, mm along the free part.
+    expected : mapping of str to float
+        "chord", "height_1" to "height_3" in mm, "start_angle" and "end_angle" in degrees.
+    uncertain : mapping of str to float
+        What model, sheet, cut and clamps leave open of each.
+    causes : mapping of str to tuple of mapping
+        By how much each of `MEANINGS` changes what is measured, for one degree, millimetre, percent, or at all; a
+        wave has two such changes.
+    shape : tuple of (float, float)
+        Points of the curve, evenly along it, mm.
+
+    Examples
+    --------
+    >>> measuring = Measuring((), {"chord": 100.0}, {"chord": 0.5}, {"ends apart": ({"chord": 1.0},)})
+    >>> print(*measuring.compare({"chord": 100.4}), sep="; ")
+    chord: 100.4 measured, 100 expected, give or take 0.5; all of it lies within what sheet, cut, clamps and model \
+leave open
+    """
+
+    marks: tuple[float, ...]
+    expected: Mapping[str, float]
+    uncertain: Mapping[str, float]
+    causes: Mapping[str, Sequence[Mapping[str, float]]]
+    shape: tuple[tuple[float, float], ...] = ()
+
+    @classmethod
+    def of(cls, strip: Strip) -> "Measuring":
+        """Return what to measure on a strip whose ends are held as designed.
+
+        Raises
+        ------
+        InputError
+            The strip is closed.
+        NotConvergedError
+            It finds no rest shape.
+        """
+        require_record(strip, Strip, "the strip", "a Strip")
+        if strip.is_closed:
+            raise InputError("a closed strip has no ends to measure from: measure its widths across")
+        made, held = strip.as_made, strip.held()
+        design, loaded = made.design, made.loaded
+        n, M, s = design.s.size, loaded.moment, design.s
+        phases = 2 * np.pi * s / design.length
+        columns: dict[str, list[FloatArray]] = {
+            "thickness": [0.03 * M * np.cos(phases), 0.03 * M * np.sin(phases)]
+        }
+        for k, name in enumerate(("start", "end")):
+            turned = np.zeros(n)
+            turned[-k] = np.radians(1.0) * loaded.stiffness[-k] / loaded.discrete.node_lengths[-k]
+            columns[f"clamp at the {name}"] = [turned]
+        reversed_share = design.stiffness[::-1] / design.stiffness - 1
+        if np.abs(reversed_share).max() > UNEVEN_SHARE:
+            columns["end for end"] = [M * reversed_share]
+        if made.curl is not None and strip.layout.backing is not None:
+            over = made.curl.factor(-design.curvature) / made.curl.factor(design.curvature) - 1
+            columns["wrong side"] = [M * over]
+        columns["ends apart"] = [np.zeros(n)]
+        if loaded.gravity is not None:
+            columns["thinner sheet"] = [np.zeros(n)]
+        owners = [cause for cause, own in columns.items() for _ in own]
+        chord = design.position[-1] - design.position[0]
+        apart, loads = np.zeros((len(owners), 2)), np.zeros((n, len(owners), 2))
+        apart[owners.index("ends apart")] = chord / np.hypot(*chord)
+        if "thinner sheet" in owners:  # E I ~ h^3, weight ~ h
+            loads[:, owners.index("thinner sheet")] = 0.02 * loaded.nodal_load
+        moments = np.column_stack([column for own in columns.values() for column in own])
+        moved = shape_responses(loaded, moments, loads, apart)
+        expected = _measured(design.position)
+        causes: dict[str, list[dict[str, float]]] = {}
+        for k, cause in enumerate(owners):
+            found = _measured(design.position + moved[:, k])
+            causes.setdefault(cause, []).append({name: found[name] - expected[name] for name in expected})
+        off = np.degrees(strip.tolerance.clamps + held.expected / design.length)
+        uncertain = dict.fromkeys(LENGTHS, held.expected) | dict.fromkeys(ANGLES, float(off))
+        return cls(
+            tuple(share * design.length for share in MARKS),
+            expected,
+            uncertain,
+            {cause: tuple(own) for cause, own in causes.items()},
+            tuple(map(tuple, design.position[:: max(1, n // SKETCHED)].tolist())),
+        )
+
+    def compare(self, measured: Mapping[str, float]) -> tuple[Refusal, ...]:
+        """What was measured beside what is expected, and what the difference means.
+
+        Raises
+        ------
+        InputError
+            Nothing was measured that is expected here.
+        """
+        require_record(measured, Mapping, "what was measured", "a mapping from names to numbers")
+        names = [name for name in self.expected if name in measured]
+        unknown = [name for name in measured if name not in self.expected]
+        if unknown or not names:
+            raise InputError(
+                "{unknown} is nothing that was to be measured: give some of {names}",
+                unknown=", ".join(unknown) or "an empty file",
+                names=", ".join(self.expected),
+            )
+        said = [
+            note(
+                "{name}: {measured:.4g} measured, {expected:.4g} expected, give or take {uncertain:.2g}",
+                name=name, measured=measured[name], expected=self.expected[name], uncertain=self.uncertain[name],
+            )
+            for name in names
+        ]  # fmt: skip
+        weights = np.array([1 / self.uncertain[name] for name in names])
+        off = weights * np.array([measured[name] - self.expected[name] for name in names])
+        if np.abs(off).max() <= 1.0:
+            return (*said, note("all of it lies within what sheet, cut, clamps and model leave open"))
+        best, amount, left = "", 0.0, 1.0
+        for cause, changes in self.causes.items():
+            G = weights[:, None] * np.array([[change[name] for change in changes] for name in names])
+            answer = np.linalg.lstsq(G, off, rcond=None)[0]
+            rest = float(np.linalg.norm(off - G @ answer) / np.linalg.norm(off))
+            size = float(np.linalg.norm(answer))
+            far = (cause in ONCE and not 0.5 < answer[0] < 1.5) or (
+                cause == "thickness" and size > THICKEST_PERCENT
+            )
+            if len(names) > len(changes) and not far and rest < left:
+                best, amount, left = cause, size, rest
+        if left > 1 - EXPLAINED:
+            return (
+                *said,
+                note("no single cause explains the difference: measure again, and check sheet and side"),
+            )
+        return (*said, note(MEANINGS[best], amount=amount))
+
+
+def _measured(position: FloatArray) -> dict[str, float]:
+    """What is measured of a shape (n, 2) on even nodes: heights to the side of the largest."""
+    chord = position[-1] - position[0]
+    length = float(np.hypot(*chord))
+    along = chord / length
+    at = np.array(MARKS) * (len(position) - 1)
+    x, y = (np.interp(at, np.arange(len(position)), column) for column in (position - position[0]).T)
+    heights = along[0] * y - along[1] * x
+    side = float(np.sign(heights[np.abs(heights).argmax()]))
+    first, last = position[1] - position[0], position[-1] - position[-2]
+    angles = [np.degrees(np.arctan2(along[0] * d[1] - along[1] * d[0], along @ d)) for d in (first, last)]
+    values = (length, *(side * heights), side * angles[0], -side * angles[1])
+    return dict(zip((*LENGTHS, *ANGLES), map(float, values), strict=True))

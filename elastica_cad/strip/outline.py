@@ -1,0 +1,447 @@
+"""The rim of a flat part: two long sides from a width, and the tabs at both ends."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations, pairwise
+from math import dist, hypot, sqrt
+from typing import Annotated, Literal, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import counted, several
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
+from elastica_cad.geometry.splines import greville, knot_runs
+from elastica_cad.refusals import Length
+
+StripEnd: TypeAlias = Literal["start", "end"]
+ENDS: tuple[StripEnd, StripEnd] = ("start", "end")
+
+SHORTEST_MM = 1e-3
+"""Shortest tab, mm; the corners of a shorter one would be one point in solids."""
+
+
+@dataclass(frozen=True)
+class Hole:
+    """A round hole in a tab.
+
+    Parameters
+    ----------
+    at : float
+        Distance of the centre from the end of the free part, mm, outward into the tab.
+    diameter : float
+        mm.
+    across : float
+        Distance from the centre line, mm, towards positive y.
+    """
+
+    at: Annotated[float, Asked("Distance from where the tab begins.", "mm")]
+    diameter: Annotated[float, Asked("Diameter of the hole.", "mm", above=0)]
+    across: Annotated[float, Asked("Distance from the centre line.", "mm")] = 0.0
+
+    def __post_init__(self) -> None:
+        require_declared(Hole, vars(self), "hole")
+
+
+@dataclass(frozen=True)
+class TSlot:
+    """A slot from the middle of the tab's outer edge for a screw, with a pocket that holds its nut.
+
+    Parameters
+    ----------
+    depth : float
+        From the outer edge inward, mm: the screw's length beyond what it holds.
+    screw : float
+        Width of the slot, mm; 3.2 for M3.
+    nut : (width, height)
+        Of the pocket, across and along the screw, mm; 5.6 by 2.6 for M3.
+    wall : float
+        Between the outer edge and the nut, mm.
+
+    Raises
+    ------
+    InputError
+        Sizes that are not positive, a nut narrower than the screw, a depth that ends before the nut.
+    """
+
+    depth: Annotated[float, Asked("From the outer edge inward.", "mm", above=0)]
+    screw: Annotated[float, Asked("Width of the slot.", "mm", above=0)] = 3.2
+    nut: Annotated[tuple[float, float], Asked("Pocket across and along the screw.", "mm", above=0)] = (
+        5.6,
+        2.6,
+    )
+    wall: Annotated[float, Asked("Between the outer edge and the nut.", "mm", above=0)] = 4.0
+
+    def __post_init__(self) -> None:
+        require_declared(TSlot, vars(self), "T-slot")
+        if self.nut[0] <= self.screw:
+            raise InputError(
+                "a nut of {nut:g} is held by nothing in a slot of {screw:g}: make it wider",
+                nut=Length(self.nut[0]),
+                screw=Length(self.screw),
+            )
+        if self.depth < self.wall + self.nut[1]:
+            raise InputError(
+                "a T-slot of {depth:g} ends before its nut is in, at {wall:g}: make it deeper",
+                depth=Length(self.depth),
+                wall=Length(self.wall + self.nut[1]),
+            )
+
+    def side(self, edge: float) -> list[tuple[float, float]]:
+        """Corners (x, y) from the outer edge at x = `edge` inward, at negative y."""
+        y, n, a = -self.screw / 2, -self.nut[0] / 2, edge - self.wall
+        deep = edge - self.depth
+        points = [(edge, y), (a, y), (a, n), (a - self.nut[1], n), (a - self.nut[1], y), (deep, y)]
+        return points if deep < a - self.nut[1] else points[:-1]
+
+
+@dataclass(frozen=True)
+class Tab:
+    """A straight piece beyond the free part of the strip, by which the end is held.
+
+    Parameters
+    ----------
+    length : float
+        mm; 0 ends the strip square, without a tab.
+    width : float, optional
+        mm; the strip's own width at that end where not given.
+    corner_radius, chamfer : float
+        Rounding or chamfer of the two outer corners, mm (one or the other).
+    holes : Hole or tuple of Hole
+        Round holes.
+    t_slot : TSlot, optional
+        A slot for a screw with its nut.
+    taper : float
+        How much the tab narrows towards its outer edge on either side, mm, as a flap that is glued on.
+
+    Raises
+    ------
+    InputError
+        Sizes negative, corners larger than the tab, or holes that leave it.
+
+    Examples
+    --------
+    >>> Tab(12, holes=(Hole(6, 3.2),)).length
+    12
+    """
+
+    length: Annotated[
+        float, Asked("Length of the tab; 0 for none.", "mm", least=0, most=10_000, common=True)
+    ] = 10.0
+    width: Annotated[
+        float | None, Asked("Width of the tab; that of the strip unless given.", "mm", above=0)
+    ] = None
+    corner_radius: Annotated[float, Asked("Rounding of the outer corners.", "mm", least=0)] = 0.0
+    chamfer: Annotated[float, Asked("Chamfer of the outer corners.", "mm", least=0)] = 0.0
+    holes: Annotated[tuple[Hole, ...], Asked("Round holes.")] = ()
+    t_slot: Annotated[TSlot | None, Asked("Slot for a screw with its nut.")] = None
+    taper: Annotated[float, Asked("How much the tab narrows on either side.", "mm", least=0)] = 0.0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "holes", several("holes", self.holes, Hole, "Hole"))
+        require_declared(Tab, vars(self), "tab")
+        if 0 < self.length < SHORTEST_MM:
+            raise InputError(
+                "tab length is {length!r}: use 0 for no tab, or {shortest_mm:g} or more",
+                length=self.length,
+                shortest_mm=Length(SHORTEST_MM),
+            )
+        if self.corner_radius and self.chamfer:
+            raise InputError("a tab has either a corner radius or a chamfer, not both")
+        if self.taper and (self.corner_radius or self.chamfer):
+            raise InputError("a tab that tapers has neither corner radius nor chamfer")
+        if self.t_slot is not None and self.t_slot.depth >= self.length:
+            raise InputError(
+                "a T-slot of {depth:g} does not fit a tab of {length:g}: lengthen the tab",
+                depth=Length(self.t_slot.depth),
+                length=Length(self.length),
+            )
+        for hole in self.holes:
+            r = hole.diameter / 2
+            if hole.at - r <= 0 or hole.at + r >= self.length:
+                raise InputError(
+                    "a {diameter:g} hole {at:g} into the tab does not fit its length of {length:g}: move "
+                    "it or lengthen the tab",
+                    diameter=Length(hole.diameter),
+                    at=Length(hole.at),
+                    length=Length(self.length),
+                )
+        for one, other in combinations(self.holes, 2):
+            if hypot(one.at - other.at, one.across - other.across) <= (one.diameter + other.diameter) / 2:
+                raise InputError(
+                    "holes of {diameter:g} and {diameter_2:g}, {at:g} and {at_2:g} into the tab, meet: "
+                    "move one of them",
+                    diameter=Length(one.diameter),
+                    diameter_2=Length(other.diameter),
+                    at=one.at,
+                    at_2=Length(other.at),
+                )
+
+    def mirrored(self) -> "Tab":
+        """The tab of the strip turned over about its centre line."""
+        return replace(self, holes=tuple(replace(hole, across=-hole.across) for hole in self.holes))
+
+    def corners(self, width: float) -> tuple[Line | Arc, ...]:
+        """The tab's rim seen from its free part, run outward, across and back (local frame: x outward).
+
+        Goes from (0, -w/2) to (0, w/2), where w is the tab's width (`width`, the strip's, unless the tab has one).
+        """
+        w, length = self.width or width, self.length
+        cut = self.corner_radius or self.chamfer
+        if cut > length or 2 * cut > w:
+            raise InputError(
+                "tab corners of {cut:g} do not fit a tab of {length:g} by {w:g}: make them smaller",
+                cut=Length(cut),
+                length=length,
+                w=Length(w),
+            )
+        if 2 * self.taper >= w:
+            raise InputError(
+                "a taper of {taper:g} leaves nothing of a tab {w:.4g} wide: make it smaller",
+                taper=Length(self.taper),
+                w=Length(w),
+            )
+        if length == 0:
+            return lines_through([(0.0, -w / 2), (0.0, w / 2)])
+        near, far = length - cut, w / 2 - max(cut, self.taper)
+        edge = self._outer_edge(far)
+        if not cut:
+            return lines_through([(0.0, -w / 2), *edge, (0.0, w / 2)])
+        if self.chamfer:
+            return lines_through([(0.0, -w / 2), (near, -w / 2), *edge, (near, w / 2), (0.0, w / 2)])
+        return (
+            *lines_through([(0.0, -w / 2), (near, -w / 2)]),
+            Arc((near, -far), cut, -np.pi / 2, 0.0),
+            *lines_through(edge),
+            Arc((near, far), cut, 0.0, np.pi / 2),
+            *lines_through([(near, w / 2), (0.0, w / 2)]),
+        )
+
+    def _outer_edge(self, far: float) -> list[tuple[float, float]]:
+        """Points of the outer edge from y = -far to far, about the T-slot where there is one."""
+        ends = (self.length, -far), (self.length, far)
+        if self.t_slot is None:
+            return list(ends)
+        if self.t_slot.nut[0] / 2 >= far:
+            raise InputError(
+                "the nut of a T-slot, {nut:g}, is wider than the tab's outer edge of {far:.4g}: make "
+                "the tab wider",
+                nut=Length(self.t_slot.nut[0]),
+                far=Length(2 * far),
+            )
+        side = self.t_slot.side(self.length)
+        return [ends[0], *side, *((x, -y) for x, y in reversed(side)), ends[1]]
+
+    def depth_at(self, at: float, across: float, width: float) -> float:
+        """Least distance, mm, of a place in the tab from its sides and outer corners; `width` as in `corners`."""
+        x, y, w = at, abs(across), self.width or width
+        near, far = self.length - self.corner_radius, w / 2 - self.corner_radius
+        if self.corner_radius and x > near and y > far:
+            return self.corner_radius - hypot(x - near, y - far)
+        side = ((w / 2 - y) * self.length - self.taper * x) / hypot(self.length, self.taper)
+        corner = (self.length - x + w / 2 - y - self.chamfer) / sqrt(2.0) if self.chamfer else side
+        return min(side, corner)
+
+    def hole_paths(self, width: float) -> tuple[Path, ...]:
+        """The holes as closed circles in the tab's frame; `width` as in `corners`."""
+        w = self.width or width
+        for hole in self.holes:
+            if self.depth_at(hole.at, hole.across, w) <= hole.diameter / 2:
+                raise InputError(
+                    "a {diameter:g} hole {across:g} off the centre line breaks the edge of a {w:.4g} "
+                    "wide tab: make it smaller or the tab wider",
+                    diameter=Length(hole.diameter),
+                    across=Length(hole.across),
+                    w=Length(w),
+                )
+            slot = self.t_slot
+            if slot is not None and (
+                abs(hole.across) - hole.diameter / 2 < slot.nut[0] / 2
+                and hole.at + hole.diameter / 2 > self.length - slot.depth
+            ):
+                raise InputError(
+                    "a {diameter:g} hole {at:g} into the tab meets its T-slot: move it aside",
+                    diameter=Length(hole.diameter),
+                    at=Length(hole.at),
+                )
+        return tuple(Path.circle((hole.at, hole.across), hole.diameter / 2) for hole in self.holes)
+
+
+def lines_through(points: Sequence[tuple[float, float] | FloatArray]) -> tuple[Line, ...]:
+    """Lines that join successive points (2,), mm; a point that repeats the one before it makes no line."""
+    rows: list[FloatArray] = [np.array(p) for p in points]
+    return tuple(Line(p, q) for p, q in pairwise(rows) if np.any(p != q))
+
+
+def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
+    """The tabs of both ends; one alone is that of both.
+
+    Raises
+    ------
+    InputError
+        Something else, or not two of them.
+    """
+    found = several("ends", tabs, Tab, "Tab") * (2 if isinstance(tabs, Tab) else 1)
+    if len(found) != 2:
+        raise InputError(
+            "ends are {counted}: give two, for the start and the end; Tab(0) is none",
+            counted=counted(len(found), "tab"),
+        )
+    return found[0], found[1]
+
+
+Ends = tuple[Tab, Tab]
+
+SHOULDER_MM = 1e-3
+"""A tab whose width differs by less is as wide as the strip: no tool cuts such shoulders, and kernels fail on
+them."""
+
+MEETING_MM = 1e-9
+"""Ends nearer to each other than this meet."""
+
+EVEN = 1e-10
+"""Relative deviation from an even x along a spline that counts as rounding."""
+
+
+def flat_rim(width: Profile, ends: Ends) -> Path:
+    """The closed outer loop, anticlockwise, of a strip of full width `width` (mm) with its tabs.
+
+    Its long sides are B-splines whose x control points are the Greville abscissae of the knots, so that y(x)
+    is exactly half the width.
+    """
+    pieces = _pieces(width)
+    lower = [_side(piece, -0.5) for piece in pieces]
+    upper = [_side(piece, 0.5, backward=True) for piece in reversed(pieces)]
+    start, end = _end_widths(width)
+    near_tab, far_tab = (_flush(tab, at) for tab, at in zip(ends, (start, end), strict=True))
+    far, near = _placed(far_tab.corners(end), width.length, 1), _placed(near_tab.corners(start), 0.0, -1)
+    return Path(close_chain([*lower, *far, *upper, *near]), closed=True)
+
+
+def long_sides(width: Profile) -> tuple[list[Spline], list[Spline]]:
+    """The lower and the upper long side from start to end, each in the pieces between the width's jumps."""
+    pieces = _pieces(width)
+    lower, upper = ([_side(piece, factor) for piece in pieces] for factor in (-0.5, 0.5))
+    return lower, upper
+
+
+def end_holes(width: Profile, ends: Ends) -> tuple[Path, ...]:
+    """The round holes of both tabs as closed loops in the frame of the strip."""
+    start, end = _end_widths(width)
+    first = [path.transformed(_frame(0.0, -1)) for path in ends[0].hole_paths(start)]
+    last = [path.transformed(_frame(width.length, 1)) for path in ends[1].hole_paths(end)]
+    return (*first, *last)
+
+
+def fix_tab_widths(width: Profile, ends: Ends) -> Ends:
+    """The tabs with the width that they have on a strip of full width `width`, written into them."""
+    start, end = ends
+    first, last = _end_widths(width)
+    return replace(start, width=start.width or first), replace(end, width=end.width or last)
+
+
+def add_register_holes(width: Profile, ends: Ends, diameter: float) -> Ends:
+    """The tabs with a hole in the middle of each that has none and is long and wide enough for it."""
+    start, end = (
+        tab
+        if tab.holes or tab.length < 2 * diameter or tab.depth_at(tab.length / 2, 0.0, wide) < diameter
+        else replace(tab, holes=(Hole(tab.length / 2, diameter),))
+        for tab, wide in zip(ends, _end_widths(width), strict=True)
+    )
+    return start, end
+
+
+def graph(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: bool = False) -> Spline:
+    """Return the spline function with coefficients (m,) as a curve over x, run from its start or from its end."""
+    return graphs(knots, values[None], degree, backward=backward)[0]
+
+
+def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: bool = False) -> list[Spline]:
+    """The spline functions with these rows (n, m) of coefficients over clamped knots, each as `graph`."""
+    points = np.empty((*values.shape, 2))
+    points[..., 0], points[..., 1] = greville(knots, degree), values
+    if backward:
+        knots, points = knots[0] + knots[-1] - knots[::-1], points[:, ::-1]
+    first = PlaneCurve(knots, points[0], degree)
+    return [Spline(curve) for curve in first.siblings(points)]  # all run along x
+
+
+def pace(segment: Segment) -> tuple[float, float] | None:
+    """(offset, speed) where x = offset + speed * parameter along the whole segment, else None."""
+    if isinstance(segment, Line):
+        return float(segment.start[0]), float((segment.end[0] - segment.start[0]) / segment.length)
+    if not isinstance(segment, Spline) or segment.curve.is_rational:
+        return None
+    x, sites = segment.curve.control_points[:, 0], greville(segment.curve.knots, segment.curve.degree)
+    speed = float((x[-1] - x[0]) / (sites[-1] - sites[0]))
+    offset = float(x[0] - speed * sites[0])
+    stray = np.abs(offset + speed * sites - x).max()
+    return (offset, speed) if speed and stray <= EVEN * max(1.0, np.abs(x).max()) else None
+
+
+def close_chain(segments: Iterable[Segment]) -> tuple[Segment, ...]:
+    """The closed chain, with a line wherever two neighbours do not meet, as at a step of the width."""
+    chain: list[Segment] = []
+    for segment in segments:
+        if chain and not _meet(chain[-1], segment):
+            chain.append(Line(chain[-1].end, segment.start))
+        chain.append(segment)
+    if not _meet(chain[-1], chain[0]):
+        chain.append(Line(chain[-1].end, chain[0].start))
+    return tuple(chain)
+
+
+def _meet(before: Segment, after: Segment) -> bool:
+    return dist(before.end.tolist(), after.start.tolist()) <= MEETING_MM
+
+
+def _pieces(width: Profile) -> list[Profile]:
+    """The profile cut at its jumps (interior knots of multiplicity degree + 1)."""
+    k = width.degree
+    knots, counts = knot_runs(width.knots)
+    cuts = knots[(counts > k) & (knots > knots[0]) & (knots < knots[-1])]
+    if not cuts.size:
+        return [width]
+    pieces, first = [], 0
+    for cut in [*cuts, None]:
+        last = width.coefficients.size if cut is None else int(np.searchsorted(width.knots, cut))
+        pieces.append(Profile(width.knots[first : last + k + 1], width.coefficients[first:last], k))
+        first = last
+    return pieces
+
+
+def _side(width: Profile, factor: float, *, backward: bool = False) -> Spline:
+    """One long side: the graph of `factor` times the width."""
+    return graph(width.knots, factor * width.coefficients, width.degree, backward=backward)
+
+
+def _flush(tab: Tab, width: float) -> Tab:
+    """The tab without shoulders too small to cut (their ends would be one point in a file), or of no length."""
+    small = tab.width is not None and min(abs(tab.width - width), tab.length) < SHOULDER_MM
+    return replace(tab, width=None) if small else tab
+
+
+def _end_widths(width: Profile) -> tuple[float, float]:
+    return float(width.coefficients[0]), float(width.coefficients[-1])  # clamped
+
+
+def _placed(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line | Arc]:
+    """A tab's rim in the frame of the strip, as `_frame` has it."""
+    placed: list[Line | Arc] = []
+    for segment in rim:
+        if isinstance(segment, Line):
+            ends = direction * np.array([segment.start, segment.end]) + (x, 0.0)
+            placed.append(Line(*ends))
+        else:
+            placed.append(segment.transformed(_frame(x, direction)))
+    return placed
+
+
+def _frame(x: float, direction: int) -> FloatArray:
+    """A tab's frame in that of the strip: at the end as it is, at the start turned by half a turn."""
+    return np.array([[direction, 0.0, x], [0.0, direction, 0.0], [0.0, 0.0, 1.0]])

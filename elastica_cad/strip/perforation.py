@@ -1,0 +1,586 @@
+"""Perforated strips: diamonds between ligaments that leave as much material as the stiffness asks for."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Annotated, Literal
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import counted
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.errors import InputError, rounded_down, rounded_up
+from elastica_cad.geometry.approximations import as_arcs
+from elastica_cad.geometry.path import JOIN, Path, distances
+from elastica_cad.geometry.path_intersections import encloses, polylines_cross
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.segments import Segment, Spline
+from elastica_cad.geometry.splines import adaptive_spline, bezier_spans, greville
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.section_limits import ScaleRange
+from elastica_cad.mechanics.sections import PerforatedSection
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.refusals import Either, note
+from elastica_cad.refusals import Length as Mm
+from elastica_cad.strip.corner_rounding import rounded_where_they_fit, too_small_for
+from elastica_cad.strip.outline import Ends, Tab, close_chain, graphs
+from elastica_cad.strip.slots import Slot, slot_cut
+from elastica_cad.strip.styles import (
+    Layout,
+    Width,
+    refine_stations,
+    require_laid_out,
+    stations_of,
+    width_profile,
+)
+
+FIT_MM = 2e-5
+"""Largest error of width, material and full diamond along the strip: of the sums of ligaments some 1e-4 mm."""
+
+FIT_ROUNDING = 1e-12
+"""Relative error of the widths that are fitted."""
+
+INSET = 1e-9
+"""Share of a stretch by which its spline begins and ends inside it, so that jumps are not crossed."""
+
+CLEAR_OF_SLOTS_MM = 0.02
+"""Flatness of the polylines with which the distance of holes from slots is measured."""
+
+
+@dataclass(frozen=True, eq=False)
+class DiamondPattern:
+    """Full diamonds in `rows` along and `columns` across, others in the gaps between them, halves at the edges.
+
+    With H = width - material, T(s) rising from 0 to 1 over half a row and falling again, n = `columns` and
+    t = material / (2 n + 2): full diamonds are T H / n wide across, those in the gaps (1 - T) H / n, halves along
+    both edges half of that. Every station meets holes of H in all, and every ligament is t wide across, 2 t where
+    two of them join. T rests at 0 and at 1 for a `bridge` between two rows, which keeps tips apart.
+
+    Parameters
+    ----------
+    width, material : Profile
+        Of the outline, and what is to be left of it, mm.
+    columns, rows : int
+        Full diamonds across and along.
+    bridge : float
+        Solid length along the strip between the tips of two holes, mm.
+    corner_radius : float
+        Of the holes' corners, mm; 0 leaves them sharp.
+    clearance : float
+        What holes keep from a slot, mm: those in its way end before it and begin anew behind it; where a tab is
+        narrower than the strip they keep it from the end, too.
+    arcs : float, optional
+        Sides as arcs within this distance, mm, of the true ones; splines unless given.
+    """
+
+    width: Profile
+    material: Profile
+    columns: int
+    rows: int
+    bridge: float
+    corner_radius: float = 0.0
+    clearance: float = 0.5
+    arcs: float | None = None
+
+    @property
+    def ligaments(self) -> int:
+        """Number of ligaments side by side, counting those that have joined."""
+        return 2 * self.columns + 2
+
+    @property
+    def row_length(self) -> float:
+        """Length of a row along the strip, mm."""
+        return self.width.length / self.rows
+
+    @property
+    def side_length(self) -> float:
+        """Length along the strip, mm, over which a diamond opens from its tip to its whole width."""
+        return self.row_length / 2 - self.bridge
+
+    def slopes(self, s: FloatArray) -> FloatArray:
+        """Slope (n,) of the diamonds' sides against the strip at stations `s` (n,)."""
+        holes = self.width(s) - self.material(s)
+        return np.asarray(holes / (2 * self.columns * self.side_length), dtype=float)
+
+    @cached_property
+    def joints(self) -> FloatArray:
+        """Stations (2 rows + 1,), mm, where diamonds end in a tip and others are widest."""
+        return np.linspace(0.0, self.width.length, 2 * self.rows + 1)
+
+    def __post_init__(self) -> None:
+        if self.side_length <= self.bridge:
+            raise InputError(
+                "{rows} rows are {row_length} long each: diamonds with bridges of {bridge:g} between "
+                "their tips need more than {bridge_2:g}; use fewer rows",
+                rows=self.rows,
+                row_length=Mm(self.row_length),
+                bridge=Mm(self.bridge),
+                bridge_2=Mm(4 * self.bridge),
+            )
+
+    def paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
+        """The holes as closed anticlockwise loops in the order of the strip, clear of tabs and slots.
+
+        What a slot leaves of a hole, less than half of it, is not cut where the corner radius does not fit it.
+        """
+        cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
+        clear = [
+            (part, part.loop(j))
+            for row in self._rows_within(ends)
+            for j in range(row.across)
+            for part in self._clear(row, j, cuts)
+        ]
+        loops = [loop for _, loop in clear]
+        if self.corner_radius > 0:
+            rounded = rounded_where_they_fit(loops, self.corner_radius)
+            for (part, loop), found in zip(clear, rounded, strict=True):
+                if found is None and part.lost < part.length:
+                    raise too_small_for(self.corner_radius, loop)
+            loops = [found for found in rounded if found is not None]
+        if self.arcs is not None:
+            loops = [as_arcs(loop, self.arcs) for loop in loops]
+        return tuple(loops)
+
+    def _rows_within(self, ends: Ends) -> list["_Row"]:
+        """Rows of holes between the tabs."""
+        length = self.width.length
+        within = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
+        return [row for whole in self._rows if (row := whole.within(*within)) is not None]
+
+    def _margin(self, tab: Tab, s: float) -> float:
+        held = tab.width is None or tab.width >= float(self.width(s))
+        return 0.0 if held and tab.length > 0 else self.clearance
+
+    def _clear(self, row: "_Row", j: int, cuts: Sequence[Path]) -> list["_Row"]:
+        """The row for its j-th hole, or what slots leave of it on both sides of them."""
+        left = [row]
+        for cut in cuts:
+            left = [part for one in left for part in self._beside(one, j, cut)]
+        return left
+
+    def _beside(self, row: "_Row", j: int, cut: Path) -> list["_Row"]:
+        """The row where the slot leaves its j-th hole alone, else its parts on both sides."""
+        if self._apart(row.loop(j), cut):
+            return [row]
+        (low, _), (high, _) = cut.bounds
+        sides = row.within(-np.inf, low - self.clearance), row.within(high + self.clearance, np.inf)
+        return [side for side in sides if side is not None and side.length > 2 * self.clearance]
+
+    def _apart(self, loop: Path, cut: Path) -> bool:
+        low, high = cut.bounds + np.array([[-self.clearance], [self.clearance]])
+        if np.any(loop.bounds[0] >= high) or np.any(loop.bounds[1] <= low):
+            return True
+        points, line = loop.points(CLEAR_OF_SLOTS_MM), cut.points(CLEAR_OF_SLOTS_MM)
+        if polylines_cross(np.concatenate([points, points[:1]]), line) is not None:
+            return False
+        if encloses(line, points[0]):
+            return False
+        near = min(float(distances(segment, points).min()) for segment in cut.segments)
+        back = min(float(distances(segment, line).min()) for segment in loop.segments)
+        return min(near, back) >= self.clearance
+
+    @cached_property
+    def _rows(self) -> list["_Row"]:
+        """Rows of full diamonds and of the ones in the gaps between them, in turn."""
+        first, last = self.joints[:-1] + self.bridge / 2, self.joints[1:] - self.bridge / 2
+        first[0], last[-1] = self.joints[0], self.joints[-1]
+        stretches = self._stretches
+        middles = np.array([(one.knots[0] + one.knots[-1]) / 2 for one in stretches])
+        begins = np.searchsorted(middles, np.append(first[:1], first), side="right").tolist()
+        ends = np.searchsorted(middles, np.append(last, last[-1:]), side="left").tolist()
+        return [
+            _Row(tuple(stretches[begin:end]), self.columns, full=i % 2 == 1)
+            for i, (begin, end) in enumerate(zip(begins, ends, strict=True))
+        ]
+
+    @property
+    def _stretches(self) -> list["_Stretch"]:
+        """The strip between joints and jumps: width, material and T H / columns as splines over the same knots."""
+        breaks = [*self.width.breaks, *self.material.breaks]
+        jumps = np.array([s for s, continuity in breaks if continuity < 0])
+        inner = self.joints[1:-1]
+        tips = np.concatenate([inner - self.bridge / 2, inner + self.bridge / 2])
+        cuts = np.unique(np.concatenate([self.joints[[0, -1]], tips, jumps]))
+        low, high = cuts[:-1], cuts[1:]
+        inset = INSET * (high - low)
+        starts = self._values(np.where(np.isin(low, jumps), low + inset, low))
+        ends = self._values(np.where(np.isin(high, jumps), high - inset, high))
+        rough = [(s, continuity) for s, continuity in breaks if continuity < 2]
+        splines = [
+            adaptive_spline(
+                self._values, ends, degree=3, tolerance=FIT_MM, breaks=rough, rounding=FIT_ROUNDING
+            )
+            for ends in np.column_stack([low + inset, high - inset]).tolist()
+        ]
+        for i, (knots, values) in enumerate(splines):
+            knots[:4], knots[-4:] = low[i], high[i]
+            values[0], values[-1] = starts[i], ends[i]
+        return [_Stretch(knots, values) for knots, values in splines]
+
+    def _values(self, s: FloatArray) -> FloatArray:
+        """Width, material, and the width of a full diamond (n, 3), mm."""
+        w, m = self.width(s), self.material(s)
+        half, last = self.row_length / 2, 2 * self.rows - 1
+        k = np.clip(np.floor(s / half), 0, last)
+        before, after = np.where(k > 0, self.bridge / 2, 0.0), np.where(k < last, self.bridge / 2, 0.0)
+        rise = np.clip((s - k * half - before) / (half - before - after), 0.0, 1.0)
+        T = np.where(k % 2 == 0, rise, 1 - rise)
+        return np.column_stack([w, m, T * (w - m) / self.columns])
+
+
+@dataclass(frozen=True, eq=False)
+class _Row:
+    """The holes side by side over some stretches: full diamonds, or those in the gaps (first and last: halves)."""
+
+    stretches: tuple["_Stretch", ...]
+    columns: int
+    full: bool
+    lost: float = 0.0  # of the length, mm, to ends and slots
+
+    @property
+    def across(self) -> int:
+        """Number of holes."""
+        return self.columns if self.full else self.columns + 1
+
+    @property
+    def length(self) -> float:
+        """Along the strip, mm."""
+        return float(self.stretches[-1].knots[-1] - self.stretches[0].knots[0])
+
+    def within(self, low: float, high: float) -> "_Row | None":
+        """The part between two stations; None where there is none."""
+        if low <= self.stretches[0].knots[0] and self.stretches[-1].knots[-1] <= high:
+            return self
+        kept = tuple(part for one in self.stretches if (part := one.within(low, high)) is not None)
+        if not kept:
+            return None
+        lost = self.length - float(kept[-1].knots[-1] - kept[0].knots[0])
+        return replace(self, stretches=kept, lost=self.lost + lost)
+
+    @cached_property
+    def sides(self) -> list[list[tuple[Spline, Spline]]]:
+        """Of every stretch those of the holes: the lower from its start, the upper from its end."""
+        return [one.sides(self.columns, self.across, full=self.full) for one in self.stretches]
+
+    def loop(self, j: int) -> Path:
+        """The j-th hole, anticlockwise."""
+        sides = [of_stretch[j] for of_stretch in self.sides]
+        lower: list[Segment] = [side for side, _ in sides]
+        upper: list[Segment] = [side for _, side in reversed(sides)]
+        return Path(close_chain([*lower, *upper]), closed=True)
+
+
+@dataclass(frozen=True, eq=False)
+class _Stretch:
+    """Knots and coefficients (m, 3) of width, material and full diamond; cubic."""
+
+    knots: FloatArray
+    values: FloatArray
+
+    def within(self, low: float, high: float) -> "_Stretch | None":
+        """The part between two stations; None where there is none."""
+        a, b = max(low, float(self.knots[0])), min(high, float(self.knots[-1]))
+        if b - a <= JOIN:
+            return None
+        if (a, b) == (self.knots[0], self.knots[-1]):
+            return self
+        inner = self.knots[(self.knots > a) & (self.knots < b)]
+        knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
+        sites = np.clip(greville(knots, 3), a, b)  # a mean of equal knots may be off by rounding
+        values = bezier_spans(self.knots, 3).basis(sites) @ self.values
+        solved = np.linalg.solve(bezier_spans(knots, 3).basis(sites), values)
+        return _Stretch(knots, np.asarray(solved, dtype=float))
+
+    def sides(self, columns: int, across: int, *, full: bool) -> list[tuple[Spline, Spline]]:
+        """Of each of the holes `across` the lower side from its start, and the upper side from its end."""
+        w, m, diamond = self.values.T
+        t, pitch = m / (2 * columns + 2), (w - m) / columns
+        gap = pitch - diamond
+        step = 2 * t + pitch
+        j = np.arange(across)[:, None]
+        if full:
+            center, half = -w / 2 + 2 * t + pitch / 2 + j * step, diamond / 2
+            lower, upper = center - half, center + half
+        else:
+            center = -w / 2 + t + j * step
+            lower = center - np.where(j > 0, gap / 2, 0.0)
+            upper = center + np.where(j < columns, gap / 2, 0.0)
+        return list(zip(graphs(self.knots, lower), graphs(self.knots, upper, backward=True), strict=True))
+
+
+SLACK = 1e-7
+"""Relative amount by which a design may exceed an active limit."""
+
+STEEP_RAD = np.radians(30.0)
+"""Ligaments that lean more than this are reported, as they are stiffer than their width suggests."""
+
+TIP_SHARE = 0.03
+"""Share of extra material at rounded tips from which on it is reported."""
+
+SLENDERNESS = 3.0
+"""Length divided by pitch of the diamonds if no number of rows is given."""
+
+
+@dataclass(frozen=True, eq=False)
+class Perforated:
+    """An outline of its own width with diamond holes; the ligaments' summed width is ~ K (paper, section 8.1).
+
+    Sums are taken straight across the strip and hold at every station, from one end of the free part to the
+    other; only corners that are rounded leave more, over the short zone of `tip_zone` about the tips. The strip
+    then weighs ~ K like a plain one. Without `max_width` as much material is left as the holes allow.
+
+    Parameters
+    ----------
+    width : float, Profile or callable
+        Of the outline, mm: one number, or a profile or function of arc length (`touching_widths` gives such).
+    columns, rows : int
+        Full diamonds across and along; between them come the ones in the gaps, halves at edges and ends. Without
+        `rows` diamonds are three times as long as their columns are apart.
+    hole_ratio : float
+        Largest share of the width that holes may take at any station.
+    least_ligament, least_hole : float
+        Widths, mm, that no ligament and no widest place of a hole may fall below.
+    corner_radius : float
+        Of the holes' corners, against tearing, mm; 0 leaves them sharp.
+    sides : "spline" or "arc"
+        What the sides of holes are made of.
+
+    Examples
+    --------
+    >>> from elastica_cad.strip.strip import Strip
+    >>> style = Perforated(width=24.0, columns=2, rows=4)
+    >>> strip = Strip(Rod.straight(120.0, [1, 2, 1]), Sheet.named("card-200gsm"), style=style)
+    >>> len(strip.holes)  # four rows of two, five of three
+    23
+    >>> left, asked = strip.layers[0].material([13.7, 60.0]), strip.layout.material([13.7, 60.0])
+    >>> bool(abs(left / asked - 1).max() < 1e-4)
+    True
+    """
+
+    width: Annotated[Width, Asked("Width of the outline.", "mm", least=0, common=True, written=float)]
+    columns: Annotated[int, Asked("Diamond holes side by side.", least=1)] = 2
+    rows: Annotated[int | None, Asked("Diamond holes one after the other; chosen unless given.", least=1)] = (
+        None
+    )
+    hole_ratio: Annotated[float, Asked("Largest share of the width that holes take.", above=0, most=1)] = 0.85
+    least_ligament: Annotated[float, Asked("Narrowest ligament between holes.", "mm", above=0)] = 0.5
+    least_hole: Annotated[float, Asked("Widest place of the narrowest hole.", "mm", above=0)] = 1.0
+    corner_radius: Annotated[float, Asked("Rounding of the corners of the holes.", "mm", least=0)] = 0.0
+    sides: Annotated[Literal["spline", "arc"], Asked("What the sides of holes are made of.")] = "spline"
+
+    def __post_init__(self) -> None:
+        require_declared(Perforated, vars(self))
+
+    @property
+    def ligaments(self) -> int:
+        """Number of ligaments side by side."""
+        return 2 * self.columns + 2
+
+    def laid_out(
+        self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
+    ) -> Layout:
+        """Outline, material and holes for a rod.
+
+        Parameters
+        ----------
+        max_width, min_width : float, optional
+            Bounds of the ligaments' sum, mm.
+
+        Raises
+        ------
+        InputError
+            No scale keeps ligaments and holes wide enough: says where, and what would do.
+        """
+        require_laid_out(rod, sheet, max_width, min_width)
+        outer = width_profile(self.width, rod.length, "the width of the outline")
+        fit = _Fit(self, rod, sheet, outer)
+        scale = fit.scale(max_width, min_width)
+        material = rod.profile.scaled(scale / fit.section.rigidity)
+        rows = self.rows or max(1, round(rod.length * self.columns / (SLENDERNESS * float(fit.w.mean()))))
+        pattern = DiamondPattern(
+            outer, material, self.columns, rows, self.least_ligament, self.corner_radius, self.least_ligament,
+            arcs=None if self.sides == "spline" else 5e-4 * material.extremes[0] / self.ligaments,
+        )  # fmt: skip
+        told = self._warnings(pattern, fit.s)
+        return Layout(sheet, outer, material, scale, pattern=pattern, warnings=told)
+
+    def tip_zone(self, layout: Layout) -> float:
+        """Half the length, mm, of the zones about `layout.pattern.joints` in which rounded corners leave more."""
+        if self.corner_radius == 0 or not isinstance(layout.pattern, DiamondPattern):
+            return 0.0
+        s = stations_of(layout.width.length, layout.width, layout.material)
+        # the halves at the edges are the sharpest
+        return layout.pattern.bridge / 2 + float(2 * self.corner_radius / layout.pattern.slopes(s).min())
+
+    def _warnings(self, pattern: DiamondPattern, s: FloatArray) -> tuple[str, ...]:
+        told = []
+        slopes = pattern.slopes(s)
+        i = int(np.argmax(slopes))
+        if slopes[i] > np.tan(STEEP_RAD):
+            long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
+            told.append(note(
+                "ligaments lean {angle:.0f} degrees off the strip at {s}: use fewer rows, {long} long or "
+                "longer",
+                angle=np.degrees(np.arctan(slopes[i])), s=Mm(s[i]), long=Mm(np.ceil(long)),
+            ))  # fmt: skip
+        missing = self._excess(pattern) / pattern.material(pattern.joints)
+        i = int(np.argmax(missing))
+        if missing[i] > TIP_SHARE:
+            told.append(note(
+                "a corner radius of {radius:g} leaves {percent:.2g} % too much material at the tips at {s}: "
+                "{least:.2g} or less keeps it within {allowed:.0f} %",
+                radius=Mm(self.corner_radius), percent=100 * missing[i], s=Mm(pattern.joints[i]),
+                least=Mm(self.corner_radius * TIP_SHARE / missing[i]), allowed=100 * TIP_SHARE,
+            ))  # fmt: skip
+        return tuple(told)
+
+    def _excess(self, pattern: DiamondPattern) -> FloatArray:
+        """Width (n,), mm, that rounded tips at the joints leave too much, at the worst station beside them.
+
+        A circle in a corner of half angle a ends where the corner is 2 r (sec a - tan a) wide. Halves have half the
+        angle of the others, end farther from the joint, and miss half as much where the others end.
+        """
+        slope = pattern.slopes(pattern.joints)
+        others, halves = (
+            2 * self.corner_radius * (np.hypot(1.0, tan) - tan)
+            for tan in (slope, np.tan(np.arctan(slope) / 2))
+        )
+        at_gaps = np.arange(slope.size) % 2 == 1
+        return np.maximum(self.columns * others, np.where(at_gaps, 2 * halves, 0.0))
+
+
+class _Fit:
+    """Widths, section, and the scales of stiffness with which all limits are kept."""
+
+    def __init__(self, style: Perforated, rod: Rod, sheet: Sheet, outer: Profile) -> None:
+        self.style, self.rod = style, rod
+        self.holes = 2 * style.columns * style.least_hole
+        s = stations_of(rod.length, outer, rod.profile)
+        self.s = refine_stations(s, outer(s) / rod.profile(s), (outer(s) - self.holes) / rod.profile(s))
+        self.w, self.K = outer(self.s), rod.profile(self.s)
+        self.section = PerforatedSection(
+            sheet, ligaments=style.ligaments, least_ligament=style.least_ligament
+        )
+        room = self.w - self.holes
+        i = int(np.argmin(room))
+        if room[i] <= style.ligaments * style.least_ligament:
+            raise InputError(
+                "the outline is {w:.4g} wide at {s:.1f}: {ligaments} ligaments of {least_ligament:g} "
+                "and {columns} columns of holes need more than {holes:.4g}; widen it or use fewer "
+                "columns",
+                w=Mm(self.w[i]),
+                s=Mm(self.s[i]),
+                ligaments=style.ligaments,
+                least_ligament=Mm(style.least_ligament),
+                columns=style.columns,
+                holes=Mm(self.holes + style.ligaments * style.least_ligament),
+            )
+        self.by_ligaments = self.section.scale_range(room, self.K)
+        most = self.section.bending_stiffness(room)
+        least = self.section.bending_stiffness((1 - style.hole_ratio) * self.w)
+        self.by_ratio = ScaleRange.of(least, most, self.K)
+        self.lowest = max(self.by_ligaments.lowest, self.by_ratio.lowest)
+        self.highest = self.by_ligaments.highest
+
+    def scale(self, max_width: float | None, min_width: float | None) -> float:
+        """c, N mm2: the rod's own, or as much as fits under `max_width`."""
+        if self.lowest > self.highest * (1 + SLACK):
+            raise InputError(self._infeasible())
+        rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes
+        scale = self.highest if max_width is None else min(self.highest, rigidity * max_width / high)
+        if self.rod.bending_stiffness is not None:
+            asked = self.rod.bending_stiffness
+            if asked > scale * (1 + SLACK):
+                i = self.by_ligaments.highest_at
+                raise InputError(
+                    "the rod's bending stiffness asks for {needed:.4g} of material at {s:.1f}, "
+                    "{given:.4g} fit: widen the outline or raise max_width",
+                    needed=Mm(asked * self.K[i] / rigidity),
+                    s=Mm(self.s[i]),
+                    given=Mm(scale * self.K[i] / rigidity),
+                )
+            scale = asked
+        if scale < self.lowest * (1 - SLACK):
+            way = note(
+                "raise max_width" if self.rod.bending_stiffness is None else "use a thinner or softer sheet"
+            )
+            raise InputError(
+                "{too_little}: the ligaments need {needed:.4g} in all where they are widest, not "
+                "{given:.4g}; {way}",
+                too_little=self._too_little(scale),
+                needed=Mm(self.lowest * high / rigidity),
+                given=Mm(scale * high / rigidity),
+                way=way,
+            )
+        if min_width is not None and scale * low / rigidity < min_width * (1 - SLACK):
+            raise InputError(
+                "the ligaments are {ligaments:.4g} in all at the narrowest place, below min_width "
+                "{min_width:g}: widen the outline or lower the stiffness ratio",
+                ligaments=Mm(scale * low / rigidity),
+                min_width=Mm(min_width),
+            )
+        return scale
+
+    def _infeasible(self) -> str:
+        """Why nothing fits, where, and what would do."""
+        style, rigidity = self.style, self.section.rigidity
+        i, need = self._least_outline()
+        ways = []
+        if np.isfinite(need):
+            ways.append(note(
+                "make the outline {least:g} or more wide there (now {now:.4g})",
+                least=Mm(rounded_up(need)), now=Mm(self.w[i]),
+            ))  # fmt: skip
+        fewer = [n for n in range(style.columns - 1, 0, -1) if self._would_do(n)]
+        if self.by_ratio.lowest > self.by_ligaments.lowest:
+            share = 1 - float((self.highest * self.K / (rigidity * self.w)).min())
+            ways.append(note("allow a hole_ratio of {share:.3f}", share=np.ceil(1000 * share) / 1000))
+        elif fewer:
+            ways.append(note("use {columns}", columns=counted(fewer[0], "column")))
+        ratio = self.rod.ratio * self.highest / self.lowest
+        if ratio > 1:
+            ways.append(note(
+                "lower the stiffness ratio from {now:.3g} to {most:g}",
+                now=self.rod.ratio, most=rounded_down(ratio, 3),
+            ))  # fmt: skip
+        return note(
+            "{too_little}, when holes still fit at {s}: {ways}",
+            too_little=self._too_little(self.highest), s=Mm(self.s[i]), ways=Either(ways),
+        )  # fmt: skip
+
+    def _least_outline(self) -> tuple[int, float]:
+        """Where the outline is too narrow, and the width that would do, mm: infinite where none does.
+
+        An outline of one width grows everywhere, and what holes must leave of it grows with it.
+        """
+        rigidity = self.section.rigidity
+        need = self.lowest * self.K / rigidity + self.holes
+        i = int(np.argmax(need / self.w))
+        if np.ptp(self.w) > SLACK * self.w[i]:
+            return i, float(need[i])
+        left = 1 - (1 - self.style.hole_ratio) * float(self.K.max() / self.K.min())
+        by_ligaments = self.by_ligaments.lowest * float(self.K.max()) / rigidity + self.holes
+        return i, max(by_ligaments, self.holes / left) if left > 0 else np.inf
+
+    def _would_do(self, columns: int) -> bool:
+        section = PerforatedSection(
+            self.section.sheet, ligaments=2 * columns + 2, least_ligament=self.style.least_ligament
+        )
+        return section.scale_range(self.w - 2 * columns * self.style.least_hole, self.K).feasible
+
+    def _too_little(self, scale: float) -> str:
+        """The limit that a scale breaks, and where."""
+        if self.by_ratio.lowest > self.by_ligaments.lowest:
+            i = self.by_ratio.lowest_at
+            share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])
+            return note(
+                "holes would take {percent:.3g} % of the width at {s}, more than {most:.3g} %",
+                percent=100 * share, s=Mm(self.s[i]), most=100 * self.style.hole_ratio,
+            )  # fmt: skip
+        i = self.by_ligaments.lowest_at
+        each = scale * self.K[i] / self.section.rigidity / self.style.ligaments
+        return note(
+            "ligaments would be {each} wide at {s}, below {least:g}",
+            each=Mm(each), s=Mm(self.s[i]), least=Mm(self.style.least_ligament),
+        )  # fmt: skip

@@ -1,0 +1,602 @@
+"""Slots that let strips interlock, and engraved marks where there is room."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import product
+from typing import Annotated, Literal
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import numbers
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path_intersections import Chords, chord_crossings, encloses, polylines_cross
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import box_about, boxes_meet, lengths_along
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, left_of, place, trim_segment
+from elastica_cad.geometry.splines import spline_through
+from elastica_cad.refusals import Length, note
+from elastica_cad.strip.drawing import ENGRAVE, MARK
+from elastica_cad.strip.lettering import (
+    LABEL_MM,
+    LABEL_SHARE,
+    Text,
+    engravable,
+    fit_label,
+    text_span,
+    text_width,
+)
+
+STRAIGHT_MM = 1e-7
+"""Sides that bend less than this are lines."""
+
+CLEARANCE_MM = 0.1
+"""Default clearance of a slot, mm: a laser-cut sheet then slides in and stays."""
+
+Side = Literal["upper", "lower"]
+Relief = Literal["square", "round"]
+
+
+def _center_line(path: object, widths: object, here: str) -> tuple[FloatArray, FloatArray]:
+    rows, across = numbers(path, f"{here}: path"), numbers(widths, f"{here}: widths")
+    if rows.ndim != 2 or rows.shape[1] != 2 or len(rows) < 2 or across.shape != (len(rows),):
+        raise InputError("{here}: path has two or more rows (x, y), widths one number for each", here=here)
+    return rows, across
+
+
+@dataclass(frozen=True, eq=False)
+class Slot:
+    """A slot from inside the strip to its edge.
+
+    Parameters
+    ----------
+    at : float
+        Arc length of the inner end of its centre line, mm.
+    width : float
+        Across the slot, mm; of a slot along a `path` the width at the inner end.
+    depth : float, optional
+        From the edge of the strip to the inner end, measured across the strip, mm; to the centre line of the
+        strip where not given.
+    side : "upper" or "lower"
+        The edge on which it opens: y > 0 or y < 0 of the flat pattern.
+    lean : float
+        Angle of the centre line to the strip's ruling, rad: outward it moves towards larger x where positive.
+    relief : "square" or "round"
+        The inner end: straight across, or a half circle beyond it.
+    mate : str
+        What goes in here; written beside the slot.
+    path : (k, 2) array, optional
+        Centre line in the flat pattern from the inner end to the edge, mm, in place of depth and lean.
+    widths : (k,) array, optional
+        Width at every point of `path`, mm.
+
+    Raises
+    ------
+    InputError
+        Sizes that are not positive, a path without its widths.
+
+    Examples
+    --------
+    >>> Slot(40.0, width=1.2, depth=5.0, side="lower").mirrored().side
+    'upper'
+    """
+
+    at: Annotated[float, Asked("Place along the strip.", "mm")]
+    width: Annotated[float, Asked("Width of the slot.", "mm", above=0)]
+    depth: Annotated[
+        float | None, Asked("Depth from the edge; to the centre line unless given.", "mm", above=0)
+    ] = None
+    side: Annotated[Side, Asked("The edge on which it opens.")] = "upper"
+    lean: Annotated[float, Asked("Angle to the ruling of the strip.", "rad")] = 0.0
+    relief: Annotated[Relief, Asked("Its inner end.")] = "square"
+    mate: Annotated[str, Asked("What goes in; written beside it.")] = ""
+    path: FloatArray | None = None
+    widths: FloatArray | None = None
+
+    def __post_init__(self) -> None:
+        require_declared(Slot, vars(self), "slot")
+        here = note("slot at {at}", at=Length(self.at))
+        if abs(self.lean) >= np.pi / 2:
+            raise InputError(
+                "{here}: lean is {lean:g} rad: it must stay within a quarter turn", here=here, lean=self.lean
+            )
+        if (self.path is None) != (self.widths is None):
+            raise InputError("{here}: path and widths go together", here=here)
+        if self.path is not None:
+            path, widths = (array.copy() for array in _center_line(self.path, self.widths, here))
+            if not np.all(np.isfinite(path)) or not np.all(widths > 0):
+                raise InputError("{here}: path and widths must be finite, widths positive, in mm", here=here)
+            for name, array in (("path", path), ("widths", widths)):
+                array.setflags(write=False)
+                object.__setattr__(self, name, array)
+
+    @classmethod
+    def along(
+        cls, path: ArrayLike, widths: ArrayLike, *, side: Side, relief: Relief = "square", mate: str = ""
+    ) -> "Slot":
+        """A slot along a centre line (k, 2) from its inner end to the edge, as wide as `widths` (k,) say."""
+        rows, across = _center_line(path, widths, "slot along a path")
+        return cls(
+            float(rows[0, 0]), float(across[0]), side=side, relief=relief, mate=mate, path=rows, widths=across
+        )
+
+    def mirrored(self) -> "Slot":
+        """The slot of the strip turned over about its centre line (y to -y)."""
+        path = None if self.path is None else self.path * (1.0, -1.0)
+        return replace(self, side="lower" if self.side == "upper" else "upper", path=path)
+
+    def center_line(self, width: Profile) -> tuple[FloatArray, FloatArray]:
+        """Points (k, 2) from the inner end to the edge and widths (k,), in a strip of that width, mm."""
+        if self.path is not None and self.widths is not None:
+            return self.path, self.widths
+        sign = 1.0 if self.side == "upper" else -1.0
+        half = float(width(np.clip(self.at, 0.0, width.length))) / 2
+        depth = half if self.depth is None else self.depth
+        outward = np.array([np.sin(self.lean), sign * np.cos(self.lean)])
+        inner = np.array([self.at, sign * (half - depth)])
+        return np.array([inner, inner + outward * depth / np.cos(self.lean)]), np.full(2, self.width)
+
+
+def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
+    """The open path that a cutter follows: from outside the edge inward, about the inner end, and out again.
+
+    Parameters
+    ----------
+    slot : Slot
+    width : Profile
+        Full width of the strip.
+    beyond : float
+        How far the sides run on, straight, beyond the end of the centre line, mm.
+    """
+    right, left = _sides(slot, width)
+    first, last = right.points[0], left.points[0]
+    end = Arc.from_bulge(first, last, -1.0) if slot.relief == "round" else Line(first, last)
+    inward = [segment.reversed() for segment in reversed(right.drawn(beyond))]
+    return Path([*inward, end, *left.drawn(beyond)])
+
+
+def _left_of(tangents: FloatArray) -> FloatArray:
+    """Unit normals (k, 2) to the left of tangents (k, 2)."""
+    normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
+    return np.asarray(normals / np.hypot(*tangents.T)[:, None], dtype=float)
+
+
+@dataclass(frozen=True, eq=False)
+class _Side:
+    """A side of a slot from its inner end: points (n, 2), their spline where it is bent, the way on at its end."""
+
+    points: FloatArray
+    direction: FloatArray
+    bent: Spline | None = None
+
+    def drawn(self, beyond: float) -> list[Segment]:
+        """The side, and straight on by `beyond` mm."""
+        onward = self.points[-1] + self.direction * beyond / np.hypot(*self.direction)
+        if self.bent is None:
+            return [Line(self.points[0], onward)]
+        return [self.bent, Line(self.points[-1], onward)]
+
+
+def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
+    """The right and the left side, seen outward."""
+    points, widths = slot.center_line(width)
+    t = lengths_along(points)
+    degree = min(3, len(points) - 1)  # of a spline through them
+    tangents = spline_through(t, points, degree)(t, 1)
+    normals = _left_of(tangents)
+    right, left = (points + sign * widths[:, None] / 2 * normals for sign in (-1, 1))
+    sides = spline_through(t, np.hstack([right, left]), degree)
+    return _side(right, sides.t, sides.c[:, :2]), _side(left, sides.t, sides.c[:, 2:])
+
+
+def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
+    """A side through points in order: straight where they lie on a line."""
+    chord = points[-1] - points[0]
+    off = (points - points[0]) @ left_of(chord) / np.hypot(*chord)
+    if len(points) == 2 or np.abs(off).max() < STRAIGHT_MM:
+        return _Side(points, chord)
+    if len(points) < 4:
+        raise InputError("a bent slot needs four points or more along its centre line")
+    return _Side(points, controls[-1] - controls[-2], Spline(PlaneCurve(knots, controls, 3)))
+
+
+FLAT_MM = 1e-3
+"""Flatness of the polylines with which loops are compared, mm: finer than any machine."""
+
+SAME_POINT_MM = 1e-9
+"""Points nearer to each other than this are the same."""
+
+SAME_PARAMETER = 1e-6
+"""Parameters nearer to each other than this may be the same place; the distance decides."""
+
+REACHES = (1.0, 4.0, 16.0)
+"""Lengths, in widths of the slot, by which its sides are extended until they meet the edge."""
+
+
+@dataclass(frozen=True)
+class _Place:
+    """A place on a chain: segment and its u in [0, 1]."""
+
+    segment: int
+    u: float
+
+
+@dataclass(frozen=True, eq=False)
+class _Opening:
+    """Opening of a slot: where its cut leaves the outline and returns, the cut in between, and points along it."""
+
+    slot: Slot
+    out: _Place
+    back: _Place
+    cut: tuple[Segment, ...]
+    points: FloatArray
+
+
+def cut_slots(
+    outline: Path, holes: Sequence[Path], slots: Sequence[Slot], width: Profile, *, name: str = "strip"
+) -> Path:
+    """The outline with its slots.
+
+    Parameters
+    ----------
+    outline, holes : Path
+        Closed loops of the flat pattern, the outline anticlockwise.
+    slots : sequence of Slot
+    width : Profile
+        Full width of the strip.
+    name : str
+        What messages call the part.
+
+    Raises
+    ------
+    InputError
+        A slot that does not open at the edge, cuts the strip through, or meets a hole or another slot.
+    """
+    if not slots:
+        return outline
+    edge = _Edge(outline)
+    openings = sorted(
+        (edge.opening(slot, width, name) for slot in slots), key=lambda o: (o.out.segment, o.out.u)
+    )
+    _refuse_meetings(openings, holes, name)
+    for before, after in zip(openings, [*openings[1:], openings[0]], strict=True):
+        wraps = after is openings[0]
+        if not wraps and (after.out.segment, after.out.u) < (before.back.segment, before.back.u):
+            raise InputError(_meeting(name, before.slot, after.slot))
+    return Path(edge.spliced(openings), closed=True)
+
+
+class _Edge:
+    """The outline, ready to be crossed by many slots."""
+
+    def __init__(self, outline: Path) -> None:
+        self.segments = outline.segments
+        self.chords = [Chords.of(segment) for segment in self.segments]
+        begins, ends = (
+            np.concatenate([c.points[part] for c in self.chords]) for part in (slice(-1), slice(1, None))
+        )
+        self.low, self.high = np.minimum(begins, ends) - FLAT_MM, np.maximum(begins, ends) + FLAT_MM
+        self.owner = np.repeat(np.arange(len(self.chords)), [len(c.points) - 1 for c in self.chords])
+
+    def opening(self, slot: Slot, width: Profile, name: str) -> _Opening:
+        """Find where the slot meets the edge; its sides are extended until they do."""
+        crossings: list[tuple[_Place, _Place]] = []
+        chords: list[Chords] = []
+        for reach in REACHES:
+            chords = [Chords.of(part) for part in slot_cut(slot, width, beyond=reach * slot.width).segments]
+            crossings = self._crossings(chords)
+            if len(crossings) > 1:
+                break
+        if len(crossings) != 2:
+            low, high = float(self.low[:, 0].min()), float(self.high[:, 0].max())
+            if not low < slot.at < high:
+                raise InputError(
+                    "{name}: the slot at {at:.6g} is not on the strip, which goes from {low:.4g} to "
+                    "{high:.4g} with its tabs: move it",
+                    name=name,
+                    at=Length(slot.at),
+                    low=low,
+                    high=Length(high),
+                )
+            raise InputError(
+                "{strip}: the slot at {at} does not open at the edge: make it deeper or move it"
+                if len(crossings) < 2
+                else "{strip}: the slot at {at} cuts through to another edge: make it shallower or narrower "
+                "or move it",
+                strip=name,
+                at=Length(slot.at),
+            )
+        (first, a), (second, b) = sorted(crossings, key=lambda pair: (pair[1].segment, pair[1].u))
+        points = np.concatenate([c.points for c in chords[a.segment : b.segment + 1]])
+        cut = _between([c.segment for c in chords], a, b)
+        return _Opening(slot, first, second, tuple(cut), points)
+
+    def _crossings(self, cut: Sequence[Chords]) -> list[tuple[_Place, _Place]]:
+        found: list[tuple[_Place, _Place]] = []
+        for k, chords in enumerate(cut):
+            low, high = chords.points.min(axis=0) - FLAT_MM, chords.points.max(axis=0) + FLAT_MM
+            near = ((self.low <= high) & (self.high >= low)).all(axis=1)
+            # chords of a segment follow one another
+            for i in dict.fromkeys(self.owner[near].tolist()):
+                for u, v in chord_crossings(self.chords[i], chords):
+                    point = chords.segment.at(v)
+                    if all(
+                        np.hypot(*(cut[p.segment].segment.at(p.u) - point)) > SAME_POINT_MM for _, p in found
+                    ):
+                        found.append((_Place(i, u), _Place(k, v)))
+        return found
+
+    def spliced(self, openings: Sequence[_Opening]) -> list[Segment]:
+        """The whole loop: edge from the end of each slot to the start of the next, then that slot's cut."""
+        chain: list[Segment] = []
+        for before, after in zip([openings[-1], *openings[:-1]], openings, strict=True):
+            chain += _between(self.segments, before.back, after.out)
+            chain += after.cut
+        return chain
+
+
+def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segment]:
+    """The part of a chain from one place on to another, past its end and on from its start if need be."""
+    if start.segment == end.segment and start.u <= end.u:
+        return _piece(chain[start.segment], start.u, end.u)
+    following = range(start.segment + 1, end.segment + (len(chain) if end.segment <= start.segment else 0))
+    middle = [chain[i % len(chain)] for i in following]
+    return [*_piece(chain[start.segment], start.u, 1.0), *middle, *_piece(chain[end.segment], 0.0, end.u)]
+
+
+def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
+    """The segment between two parameters; nothing where they differ by rounding only."""
+    if u1 - u0 < SAME_PARAMETER and np.hypot(*(segment.at(u1) - segment.at(u0))) < SAME_POINT_MM:
+        return []
+    return [trim_segment(segment, u0, u1)]
+
+
+def _refuse_meetings(openings: Sequence[_Opening], holes: Sequence[Path], name: str) -> None:
+    cuts = [opening.points for opening in openings]
+    boxes = [box_about(cut) for cut in cuts]
+    for i, opening in enumerate(openings):
+        for j in range(i):
+            if not boxes_meet(boxes[i], boxes[j]):
+                continue
+            if polylines_cross(cuts[i], cuts[j]) is not None:
+                raise InputError(_meeting(name, openings[j].slot, opening.slot))
+        for hole in holes:
+            if not boxes_meet(boxes[i], hole.bounds):
+                continue
+            loop = hole.points(FLAT_MM)
+            at = polylines_cross(cuts[i], np.concatenate([loop, loop[:1]]))
+            if at is not None:
+                raise InputError(
+                    "{name}: the slot at {at:.6g} meets a hole at {at_2}: move one of them",
+                    name=name,
+                    at=Length(opening.slot.at),
+                    at_2=place(at),
+                )
+
+
+def _meeting(name: str, a: Slot, b: Slot) -> str:
+    return note(
+        "{strip}: the slots at {one} and {other} meet: move them apart, or make them narrower or shallower",
+        strip=name, one=Length(a.at), other=Length(b.at),
+    )  # fmt: skip
+
+
+TEXT_DISTANCE_MM = 0.5
+"""Distance of letters from every cut, mm, so that no stroke is a notch."""
+
+COARSE_MM = 0.02
+"""Flatness of the cuts when letters are placed; it is small beside their distance."""
+
+
+def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:
+    """Corners (4, 2) of all strokes of a text, moved out by `distance` mm, anticlockwise."""
+    long = text.length
+    low, high = text_span(text.text, text.height)
+    flat = np.array([[0, low], [long, low], [long, high], [0, high]])
+    flat = flat + distance * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    c, s = np.cos(text.angle), np.sin(text.angle)
+    return np.asarray(text.position + flat @ np.array([[c, s], [-s, c]]), dtype=float)
+
+
+def _on_free_part(box: FloatArray, width: Profile) -> bool:
+    """Whether a box lies on the free part of a strip."""
+    x = np.linspace(box[:, 0].min(), box[:, 0].max(), 9)
+    if x[0] < 0 or x[-1] > width.length:
+        return False
+    return bool(np.abs(box[:, 1]).max() < float(width(x).min()) / 2)
+
+
+class _Cut:
+    """A line that letters keep off; of a loop also the side where no material is, "inside" or "outside"."""
+
+    def __init__(self, line: Path, gone: str = "") -> None:
+        self.line, self.gone = line, gone
+
+    @cached_property
+    def points(self) -> FloatArray:
+        """Along the line, of a loop back to the first."""
+        points = self.line.points(COARSE_MM)
+        return _around(points) if self.gone or self.line.closed else points
+
+    def reaches(self, box: FloatArray, rim: FloatArray) -> bool:
+        """Whether the cut runs through a box, or leaves no material there."""
+        low, high = box_about(box)
+        if bool(np.any(np.all((self.points > low) & (self.points < high), axis=1))):
+            return True
+        if polylines_cross(rim, self.points) is not None:
+            return True
+        return bool(self.gone) and encloses(self.points, box[0]) == (self.gone == "inside")
+
+
+class Cuts:
+    """Places that letters avoid: loops and slots whose inside is cut out, lines, and all that is outside the
+    outline."""
+
+    def __init__(
+        self,
+        holes: Sequence[Path] = (),
+        lines: Sequence[Path] = (),
+        *,
+        outline: Path | None = None,
+        slots: Sequence[Path] = (),
+    ) -> None:
+        self._outline = None if outline is None else _Cut(outline, "outside")
+        self._cuts = [] if self._outline is None else [self._outline]
+        self._cuts += [_Cut(hole, "inside") for hole in (*holes, *slots)]
+        self._cuts += [_Cut(line) for line in lines]
+        self._bounds = np.array([cut.line.bounds for cut in self._cuts]).reshape(-1, 2, 2)
+
+    def clear_of(self, box: FloatArray) -> bool:
+        """Whether a box avoids all of them."""
+        bounds = box_about(box)
+        if self._outline and not boxes_meet(self._outline.line.bounds, bounds):
+            return False
+        rim = _around(box)
+        met = np.flatnonzero(boxes_meet(self._bounds, bounds)).tolist()
+        return not any(self._cuts[k].reaches(box, rim) for k in met)
+
+
+def _around(points: FloatArray) -> FloatArray:
+    return np.concatenate([points, points[:1]])
+
+
+LETTER_HEIGHTS_MM = (2.0, 1.5, 1.0)
+"""Heights of letters that are tried in this order; below 1 mm engraved letters run together."""
+
+NUMBER_PLACES_MM = (2.0, 4.0, 7.0, 11.0)
+"""Distances of a number from the end of the free part, tried in this order, so that it can be seen beside the
+holder."""
+
+LABEL_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25)
+"""Shares of the usual height of a label, tried in this order where cuts are in its way."""
+
+LABEL_STEP_MM, LABEL_STEPS = 2.0, 100
+"""Distance between the places that are tried for a label, and their number to either side; with more, the
+distance is larger."""
+
+LABEL_DISTANCES_MM = (TEXT_DISTANCE_MM, 0.0)
+"""Clearances that are tried in this order: on a very narrow strip any label is near the edges."""
+
+
+def mating_marks(
+    slots: Sequence[Slot],
+    width: Profile,
+    holes: Sequence[Path],
+    marks: Sequence[Path] = (),
+    taken: Sequence[Text] = (),
+) -> tuple[Text, ...]:
+    """The names of the mates, on the MARK layer, clear of all slots, holes, `marks` and of other texts.
+
+    Each stands at the inner end of its slot, or else beside the slot, as large as fits; where nothing fits the
+    slot stays without.
+    """
+    rims = [slot_cut(slot, width, beyond=slot.width) for slot in slots]
+    cuts = Cuts(holes, marks, slots=rims)
+    boxes = [box_about(_text_box(text)) for text in taken]
+    found = []
+    for slot, rim in zip(slots, rims, strict=True):
+        for text in _choices(slot, rim.points(COARSE_MM), width) if slot.mate else ():
+            box = _text_box(text)
+            if _clear(box, width, boxes, cuts):
+                found.append(text)
+                boxes.append(box_about(box))
+                break
+    return tuple(found)
+
+
+def end_numbers(
+    width: Profile, cuts: Cuts, taken: Sequence[Text] = (), names: tuple[str, str] = ("1", "2")
+) -> tuple[Text, ...]:
+    """ "1" where the free part starts and "2" where it ends, as slots of bases call them, clear of cuts and texts.
+
+    Other `names` stand for joints; an empty one, or one that finds no room, is left out.
+    """
+    boxes, numbers = [box_about(_text_box(text)) for text in taken], []
+    for number, end, way in ((names[0], 0.0, 1.0), (names[1], width.length, -1.0)):
+        for height, off in product(LETTER_HEIGHTS_MM, NUMBER_PLACES_MM) if number else ():
+            long = text_width(number, height)
+            x = end + way * (off + max(height, long) / 2) - long / 2
+            text = Text((float(x), -height / 2), number, height, layer=ENGRAVE)
+            if _clear(_text_box(text), width, boxes, cuts):
+                numbers.append(text)
+                break
+    return tuple(numbers)
+
+
+def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, float] | None = None) -> Text:
+    """The label of a strip, along its middle line: as near to the middle as it lies on the strip and off all cuts.
+
+    Smaller where it must be; in the middle where there is no such place. `span` is where it may stand, mm along the
+    strip; the whole free part unless given.
+    """
+    low, high = span or (0.0, width.length)
+    length = high - low
+    step = max(LABEL_STEP_MM, length / 2 / LABEL_STEPS)
+    steps = step * np.arange(1, max(int(length / 2 / step), 1))
+    ways = [0.0, *(float(v) for off in steps for v in (off, -off))]
+
+    def text(off: float, share: float) -> Text:
+        x = low + length / 2 + off
+        across = share * min(float(width(x)), LABEL_MM / LABEL_SHARE)
+        return fit_label(label, (x, 0.0), angle=0.0, room=share * length, across=across)
+
+    tried = (
+        (text(off, share), near) for near in LABEL_DISTANCES_MM for share in LABEL_SHARES for off in ways
+    )
+    clear = (one for one, near in tried if _clear(_text_box(one, near), width, (), cuts))
+    return next(clear, text(0.0, 1.0))
+
+
+def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: Cuts) -> Text:
+    """The label across one of the `tabs`, each the x where it begins, where it ends, and its width, off all cuts.
+
+    Smaller or beside the middle where it must be; in the middle of the first where there is no such place.
+    """
+
+    def text(tab: tuple[float, float, float], share: float, place: float, side: float) -> Text:
+        low, high, wide = tab
+        across = 2 * min(place, 1 - place) * (high - low)
+        center = (low + place * (high - low), side * wide / 4)
+        room = wide / 2 if side else wide
+        return fit_label(label, center, angle=np.pi / 2, room=share * room, across=share * across)
+
+    places = ((0.5, 0.0), (0.5, 1.0), (0.5, -1.0), (0.25, 0.0), (0.75, 0.0))
+    tried = (
+        (text(tab, share, *at), near)
+        for near in LABEL_DISTANCES_MM
+        for share in LABEL_SHARES
+        for tab in tabs
+        for at in places
+    )
+    clear = (one for one, near in tried if cuts.clear_of(_text_box(one, near)))
+    return next(clear, text(tabs[0], 1.0, 0.5, 0.0))
+
+
+def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: Cuts) -> bool:
+    """Whether a box, given by its corners, lies on the free part and avoids other boxes (2, 2) and cuts."""
+    if not _on_free_part(box, width) or (taken and boxes_meet(np.array(taken), box_about(box)).any()):
+        return False
+    return cuts.clear_of(box)
+
+
+def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
+    """Texts beyond the inner end, then on either side of the slot, the largest first."""
+    points, _ = slot.center_line(width)
+    inward = -1.0 if slot.side == "upper" else 1.0
+    end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()
+    inside = np.abs(cut[:, 1]) < float(width(np.clip(slot.at, 0.0, width.length))) / 2
+    low, high = cut[inside, 0].min(), cut[inside, 0].max()
+    middle, mate = points[:, 1].mean(), engravable(slot.mate)
+    for height in LETTER_HEIGHTS_MM:
+        long, room = text_width(mate, height), TEXT_DISTANCE_MM + height / 2
+        for x, y in (
+            (points[0, 0], end + inward * 1.5 * room),
+            (high + TEXT_DISTANCE_MM + 0.6 * long, middle),
+            (low - TEXT_DISTANCE_MM - 0.6 * long, middle),
+        ):
+            corner = (float(x - long / 2), float(y - height / 2))
+            yield Text(position=corner, text=mate, height=height, layer=MARK)

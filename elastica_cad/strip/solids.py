@@ -1,0 +1,490 @@
+"""Solid records that a CAD kernel only translates: flat parts, bent strips, and blocks made of prisms."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import product
+from typing import TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import numbers, require_positive, require_record, several
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.frame import Frame, frame_or_plain
+from elastica_cad.geometry.nurbs_curve import cross
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path_intersections import clip_across
+from elastica_cad.geometry.segments import Spline
+from elastica_cad.geometry.splines import knot_runs
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import RoundLaw
+from elastica_cad.strip.bent_boundary import BentMap, Boundary, BoundaryMaker, Map, bent_maps
+from elastica_cad.strip.flat_pattern import CutPattern, cut_across, in_smooth_pieces
+from elastica_cad.strip.outline import Tab, close_chain, fix_tab_widths
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.tapered_solids import RoundSolid, side_view
+
+
+def centred_thickness(strip: Strip) -> float:
+    """Thickness, mm, of the layers that are centred on the curve: all, but of glued leaves the through one."""
+    return strip.layers[-1 if strip.layout.stack is None else 0].high
+
+
+def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
+    """Flat place (x, y) of every joint, and +1 where its x axis runs along the strip, -1 against it."""
+    places = {"start": (0.0, 0.0, -1), "end": (strip.rod.length, 0.0, 1)}
+    for number, hole in enumerate(strip.holes, start=1):
+        x, y = map(float, hole.bounds.mean(axis=0))
+        places[f"hole{number}"] = (x, y, 1)
+    return places
+
+
+def _with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Frame]:
+    """The joints, and of every hole one on each face of the strip: "hole1:top", "hole1:bottom", z outward."""
+    found = dict(joints)
+    for name, frame in joints.items():
+        if name.startswith("hole"):
+            found[f"{name}:top"] = frame.shifted(z=thickness / 2)
+            below = frame.shifted(z=-thickness / 2)
+            found[f"{name}:bottom"] = Frame(below.origin, below.x_axis, -below.y_axis)
+    return found
+
+
+def turned(frame: Frame, way: int) -> Frame:
+    """The frame, half a turn about its z axis where `way` is -1."""
+    return frame if way == 1 else Frame(frame.origin, -frame.x_axis, -frame.y_axis)
+
+
+GLUE_MM = 5e-4
+"""Gap between the sheets of one body, mm: kernels lose parts of solids that touch, and misjudge one of 1e-4 mm."""
+
+JOINT_GAP_MM = 0.01
+"""Gap between the ends of a closed strip, mm: far above the tolerance of kernels."""
+
+FEW_SPANS = 8
+"""Number of spans up to which the wall of a spline is extruded without a check; sides of holes have one."""
+
+EVEN_SHARE = 1e-4
+"""Largest error of the area below a wall in a kernel, as a share of the part's area."""
+
+RULE = np.polynomial.legendre.leggauss(16)
+"""Points in -1..1 and weights of the rule that OpenCASCADE uses along an extruded wall, however many its spans."""
+
+BESIDE_MM = 20.0  # between the flat and the bent strip of a file
+
+
+@dataclass(frozen=True, eq=False)
+class FlatSolid:
+    """A plate: closed outline with holes, drawn in a frame and extruded along its z axis.
+
+    Parameters
+    ----------
+    outline : Path
+        Closed, mm.
+    holes : tuple of Path
+        Closed, inside the outline.
+    thickness : float
+        mm, from z = 0 to z = thickness of the frame.
+    frame : Frame
+        Where the drawing's plane lies in space.
+    joints : mapping of str to Frame
+        Places to join other parts to.
+
+    Raises
+    ------
+    InputError
+        An open loop or a thickness that is not positive.
+
+    Examples
+    --------
+    >>> plate = FlatSolid(Path.rectangle(30, 20), (), 2.0)
+    >>> plate.volume
+    1200.0
+    """
+
+    outline: Path
+    holes: tuple[Path, ...] = ()
+    thickness: float = 1.0
+    frame: Frame = field(default_factory=Frame)
+    joints: Mapping[str, Frame] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        require_positive(self.thickness, "plate thickness")
+        require_record(self.outline, Path, "the outline of a plate", "a Path")
+        if not all(path.closed for path in (self.outline, *several("holes", self.holes, Path, "Path"))):
+            raise InputError("a plate is made of closed loops: one of the paths given is open")
+
+    @classmethod
+    def of(cls, strip: Strip, frame: Frame | None = None) -> "FlatSolid | RoundSolid":
+        """The strip as cut, of a laminate its base: x runs from the start of the free part, z = 0 is below.
+
+        Its joints are called as those of `BentSolid`.
+        """
+        return cls.layers(strip, frame)[0]
+
+    @classmethod
+    def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["FlatSolid | RoundSolid", ...]:
+        """Every sheet of the strip as glued flat, one on the other; the base has the joints."""
+        require_record(strip, Strip, "what lies flat", "a Strip")
+        frame = frame_or_plain(frame)
+        if strip.layout.worked_size is not None:
+            return (_tapered_solid(strip, frame, bent=False),)
+        thick = centred_thickness(strip)
+        middle = frame.shifted(z=thick / 2)
+        places = _joint_places(strip).items()
+        on_middle = {name: turned(middle.shifted(x, y), way) for name, (x, y, way) in places}
+        joints = _with_faces(on_middle, thick)
+        return tuple(
+            cls(
+                in_smooth_pieces(layer.outline),
+                tuple(map(in_smooth_pieces, layer.holes)),
+                layer.sheet.thickness,
+                frame.shifted(z=layer.low),
+                {} if layer.name else joints,
+            )
+            for layer in strip.layers
+        )
+
+    @property
+    def area(self) -> float:
+        """mm2."""
+        return abs(self.outline.area) - sum(abs(hole.area) for hole in self.holes)
+
+    @property
+    def volume(self) -> float:
+        """mm3."""
+        return self.area * self.thickness
+
+    @property
+    def is_prism(self) -> bool:
+        """May a kernel extrude its face? Programs would misread walls along splines that go up and down often."""
+        segments = (segment for loop in (self.outline, *self.holes) for segment in loop.segments)
+        splines = [one for one in segments if isinstance(one, Spline) and not one.curve.is_rational]
+        many = [one for one in splines if knot_runs(one.curve.knots)[0].size > FEW_SPANS + 1]
+        return not many or _misread_area(many) <= EVEN_SHARE * self.area
+
+    @cached_property
+    def boundary(self) -> Boundary:
+        """The closed skin: planes, cylinders, and a ruled B-spline face along each spline of its loops."""
+        pattern = cut_across(self.outline, self.holes, ())
+        return BoundaryMaker(pattern.points, (self.frame,), (0.0, self.thickness)).solid(pattern.regions)
+
+
+def _misread_area(sides: Sequence[Spline]) -> float:
+    """Error of one rule for all spans of a side for the area below it, mm2, summed over sides."""
+    from scipy.interpolate import BSpline
+
+    points, weights = RULE
+    off = 0.0
+    for side in sides:
+        curve, (first, last) = side.curve, side.curve.domain
+        rows = BSpline.construct_fast(np.array(curve.knots), np.array(curve.control_points), curve.degree)
+        half = (last - first) / 2
+        t = first + half * (points + 1)
+        swept = cross(rows(t) - side.start, rows(t, 1)) @ weights * half / 2
+        off += abs(float(swept) - side.swept_area(side.start))
+    return off
+
+
+def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | RoundSolid":
+    """A tapered strip or a round rod: flat on the frame's xy plane as cut, or bent with its curve in that plane.
+
+    Raises
+    ------
+    InputError
+        A radius below half the thickness.
+    """
+    section, size, width = strip.layout.section, strip.layout.size, strip.layout.width
+    assert size is not None
+    view = side_view(strip, bent=bent)
+    upright, across = frame, frame.z_axis
+    places = [np.array([0.0, 0.0]), np.array([strip.rod.length, 0.0])]
+    angles = [0.0, 0.0]
+    if bent:
+        nodes = strip.rod.curve.at(np.array([0.0, strip.rod.curve.length]))
+        places, angles = list(nodes.position), nodes.angle.tolist()
+    else:
+        lowest = float(view.bounds[0, 1])
+        upright, across = Frame(frame.shifted(z=-lowest).origin, frame.x_axis, frame.z_axis), frame.y_axis
+    joints = {
+        name: turned(
+            Frame(upright.point(place), upright.direction((np.cos(angle), np.sin(angle))), across), way
+        )
+        for name, place, angle, way in zip(("start", "end"), places, angles, (-1, 1), strict=True)
+    }
+    if isinstance(section, RoundLaw):
+        return RoundSolid(strip, upright, bent, section.bore, joints)
+    wide = float(width.extremes[1])
+    return FlatSolid(view, (), wide, upright.shifted(z=-wide / 2), joints)
+
+
+@dataclass(frozen=True, eq=False)
+class BentSolid:
+    """A strip bent into its rod's curve, with its thickness half to either side of the curve.
+
+    The flat pattern's x follows the curve, its y stands across (the frame's z), and its upper side turns to
+    the right of the curve. Tabs go on straight along the end tangents.
+
+    Attributes
+    ----------
+    pattern : CutPattern
+        The flat pattern cut where tabs begin and where the curvature jumps.
+    maps : tuple
+        How each interval of it gets into space: a `BentMap`, or the plane of a tab as a `Frame`.
+    heights : (lower, upper)
+        Where the two faces lie over the curve, mm.
+    frame : Frame
+        The plane in which the curve is drawn.
+    places : mapping of str to (x, y, way)
+        Flat places of the joints, on the curve's own height; way is 1 where x runs along the strip, else -1.
+    between : float
+        Thickness of the strip, mm, where its holes have joints on both faces; else 0.
+    """
+
+    pattern: CutPattern
+    maps: tuple[Map, ...]
+    heights: tuple[float, float]
+    frame: Frame
+    places: Mapping[str, tuple[float, float, int]]
+    between: float = 0.0
+
+    @cached_property
+    def joints(self) -> Mapping[str, Frame]:
+        """Frames by name.
+
+        "start" and "end" of the free part, "hole1", "hole2", ...: half way through the thickness, z off the strip's
+        upper side, x along the strip (outward at the ends); "hole1:top" and "hole1:bottom" lie on the strip's
+        faces, z outward.
+        """
+        stations = [0.0, *(float(part.knots[-1]) for part in self.maps if isinstance(part, BentMap))]
+        found = {}
+        for name, (x, y, way) in self.places.items():
+            shape = self.maps[int(np.searchsorted(stations, x))]
+            tangent = shape.frame_at(x) if isinstance(shape, BentMap) else shape
+            found[name] = turned(tangent.shifted(x, y), way)
+        return _with_faces(found, self.between) if self.between else found
+
+    @cached_property
+    def boundary(self) -> Boundary:
+        """The closed skin: B-spline faces on the free part, planes and cylinders on the tabs."""
+        return BoundaryMaker(self.pattern.points, self.maps, self.heights).solid(self.pattern.regions)
+
+    @cached_property
+    def middle(self) -> Boundary:
+        """The open sheet half way through the thickness; its area is the flat area."""
+        half_way = (self.heights[0] + self.heights[1]) / 2
+        return BoundaryMaker(self.pattern.points, self.maps, (half_way,)).sheet(self.pattern.regions)
+
+    @classmethod
+    def of(cls, strip: Strip, frame: Frame | None = None) -> "BentSolid":
+        """Bend a strip, of a laminate its base; the curve is drawn in `frame` (the xy plane unless told).
+
+        Raises
+        ------
+        InputError
+            A radius below half the thickness, or loops of the flat pattern that cross.
+        NotConvergedError
+            A curve too wild to be followed to 1e-6 mm.
+        """
+        require_record(strip, Strip, "what is bent", "a Strip")
+        return next(cls._layers(strip, frame_or_plain(frame)))
+
+    @classmethod
+    def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["BodyRecord", ...]:
+        """Every sheet of the strip, the whole centred on the curve; the base has the joints. Errors as `of`.
+
+        Of glued leaves the through one is centred on the curve, the others lie on its upper side.
+        A strip that is tapered in thickness is its side view, extruded by its width; a rod is round. Of a closed
+        strip the lap is a body of its own, on the inside, where it is glued.
+        """
+        require_record(strip, Strip, "what is bent", "a Strip")
+        frame = frame_or_plain(frame)
+        if strip.layout.worked_size is not None:
+            return (_tapered_solid(strip, frame, bent=True),)
+        return tuple(cls._layers(strip, frame))
+
+    @classmethod
+    def _layers(cls, strip: Strip, frame: Frame | None) -> Iterator["BentSolid"]:
+        if strip.is_closed:
+            yield cls._ring(replace(strip, ends=(Tab(0.0), Tab(0.0))), frame)
+            if strip.ends[1].length:
+                yield cls._lap(strip, frame)
+            return
+        joints: Mapping[str, tuple[float, float, int]] = _joint_places(strip)
+        thick = centred_thickness(strip)
+        for layer in strip.layers:
+            faces = (layer.low - thick / 2, layer.high - thick / 2)
+            yield cls.wrapped(
+                strip.rod,
+                layer.outline,
+                layer.holes,
+                heights=faces,
+                frame=frame,
+                joints=joints,
+                between=thick,
+            )
+            joints = {}
+
+    @classmethod
+    def _ring(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
+        """A closed strip without its lap, its ends a hair apart: kernels cannot cut a body that touches itself."""
+        half, layer = strip.sheet.thickness / 2, strip.layers[0]
+        outline = clip_across(layer.outline, 0.0, strip.rod.length - JOINT_GAP_MM)
+        return cls.wrapped(
+            strip.rod,
+            outline,
+            layer.holes,
+            heights=(-half, half),
+            frame=frame,
+            joints=_joint_places(strip),
+            between=2 * half,
+        )
+
+    @classmethod
+    def _lap(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
+        """The tab that closes a strip, behind its start."""
+        width, thickness = strip.end_widths[1], strip.sheet.thickness
+        tab = fix_tab_widths(strip.width, strip.ends)[1]
+        inside = -1.0 if strip.rod.curvature[0] > 0 else 1.0
+        low, high = sorted((inside * thickness / 2, inside * 1.5 * thickness))
+        outline = Path(close_chain(tab.corners(width)), closed=True)
+        return cls.wrapped(strip.rod, outline, tab.hole_paths(width), heights=(low, high), frame=frame)
+
+    @classmethod
+    def wrapped(
+        cls,
+        rod: Rod,
+        outline: Path,
+        holes: Sequence[Path] = (),
+        *,
+        heights: tuple[float, float],
+        frame: Frame | None = None,
+        joints: Mapping[str, tuple[float, float, int]] | None = None,
+        between: float = 0.0,
+    ) -> "BentSolid":
+        """Wrap any flat pattern onto a rod's curve.
+
+        Parameters
+        ----------
+        rod : Rod
+            Its curve carries y = 0 of the pattern, x being arc length; beyond its ends the pattern is plane.
+        outline, holes : Path
+            Closed loops, mm.
+        heights : (lower, upper)
+            Where the two faces lie over the curve, mm, upward being its right side.
+        frame : Frame, optional
+            The plane of the curve.
+        joints : mapping of str to (x, y, way), optional
+            Flat places, on the curve's own height; the x axis of a joint runs along the strip where way is 1,
+            against it where it is -1.
+        between : float
+            Thickness of the strip, mm: holes get joints on both its faces too; 0 for none.
+
+        Raises
+        ------
+        InputError, NotConvergedError
+            As `of`.
+        """
+        frame = frame_or_plain(frame)
+        require_record(rod, Rod, "what a pattern is wrapped on", "a Rod")
+        both = numbers(heights, "heights of a wrapped pattern")
+        if both.shape != (2,):
+            raise InputError(
+                "heights are {heights!r}: give the lower and the upper of the record, mm", heights=heights
+            )
+        lower, upper = both.tolist()
+        bent = bent_maps(rod, frame, max(abs(lower), abs(upper)))
+        stations = [0.0, *(float(part.knots[-1]) for part in bent[:-1]), rod.length]
+        require_record(outline, Path, "the outline of a pattern", "a Path")
+        loops = [in_smooth_pieces(loop) for loop in (outline, *several("holes", holes, Path, "Path"))]
+        pattern = cut_across(loops[0], loops[1:], stations)
+        maps: tuple[Map, ...] = (bent[0].frame_at(0.0), *bent, bent[-1].frame_at(rod.length))
+        made = cls(pattern, maps, (lower, upper), frame, {} if joints is None else joints, between)
+        if not made.boundary.is_closed:
+            raise InputError("the flat pattern's loops cross or touch: the bent strip has no closed skin")
+        return made
+
+
+def glued(records: Sequence["BodyRecord | PrismSolid"]) -> "tuple[BodyRecord | PrismSolid, ...]":
+    """Return the sheets of a strip for one body, each `GLUE_MM` farther from the base than the sheet before it.
+
+    Booleans of OpenCASCADE expect that solids of one shape share faces or do not touch. A shared face cannot be
+    computed reliably, because the side of the backing touches the side of the base where both are equally wide.
+    """
+    return tuple(_lifted(record, number * GLUE_MM) for number, record in enumerate(records))
+
+
+def _lifted(record: "BodyRecord | PrismSolid", gap: float) -> "BodyRecord | PrismSolid":
+    """Return a sheet `gap` mm farther from the curve, or above the plane on which it lies."""
+    if not gap or isinstance(record, PrismSolid):
+        return record
+    if isinstance(record, BentSolid):
+        low, high = record.heights
+        away = float(np.copysign(gap, low + high))
+        return replace(record, heights=(low + away, high + away))
+    return replace(record, frame=record.frame.shifted(z=gap))
+
+
+def bent_sheets(strip: Strip) -> tuple[Sheet, ...]:
+    """Sheet from which each body of `BentSolid.layers` is cut."""
+    lap = (strip.sheet,) if strip.is_closed and strip.ends[1].length else ()
+    return (*(layer.sheet for layer in strip.layers), *lap)
+
+
+BodyRecord: TypeAlias = FlatSolid | BentSolid | RoundSolid
+"""A body of a strip: a plate or an extruded side view, a bent sheet, a round rod."""
+
+
+def frame_beside(strip: Strip, frame: Frame) -> Frame:
+    """Frame of the flat strip on the xy plane, beside the one that is bent in `frame`."""
+    outline = strip.outline.bounds
+    reach = max(tab.length for tab in strip.ends) + sum(layer.sheet.thickness for layer in strip.layers)
+    low, high = strip.rod.position.min(axis=0) - reach, strip.rod.position.max(axis=0) + reach
+    corners = product((low[0], high[0]), (low[1], high[1]), outline[:, 1])
+    lowest = float(frame.point(np.array(list(corners)))[:, 1].min())
+    return Frame((0.0, lowest - BESIDE_MM - float(outline[1, 1]), 0.0))
+
+
+@dataclass(frozen=True, eq=False)
+class PrismSolid:
+    """The union of the prisms `added`, less the prisms `removed`.
+
+    Attributes
+    ----------
+    added, removed : tuple of FlatSolid
+        Closed outlines with holes and thickness, each in its own frame.
+    joints : mapping of str to Frame
+        Places to join other parts to.
+
+    Raises
+    ------
+    InputError
+        Nothing added.
+    """
+
+    added: tuple[FlatSolid, ...]
+    removed: tuple[FlatSolid, ...] = ()
+    joints: Mapping[str, Frame] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name in ("added", "removed"):
+            found = several(f"the {name} prisms", getattr(self, name), FlatSolid, "FlatSolid")
+            object.__setattr__(self, name, found)
+        if not self.added:
+            raise InputError("a body of prisms needs at least one prism")
+
+
+def convex_corners(points: FloatArray) -> FloatArray:
+    """Corners (n, 2), anticlockwise from the leftmost, of the least convex polygon around points (m, 2) of an area.
+
+    Examples
+    --------
+    >>> convex_corners(np.array([[0.0, 0.0], [1.0, 0.5], [2.0, 0.0], [1.0, 0.0], [1.0, 2.0]])).tolist()
+    [[0.0, 0.0], [2.0, 0.0], [1.0, 2.0]]
+    """
+    from scipy.spatial import ConvexHull
+
+    corners = np.asarray(points, dtype=float)[ConvexHull(points).vertices]
+    return np.roll(corners, -int(np.lexsort(corners.T[::-1])[0]), axis=0)

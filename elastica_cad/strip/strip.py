@@ -1,0 +1,838 @@
+"""A strip: the flat part whose width gives a rod its stiffness, its shoulders, its summary, its place in space."""
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._values import numbers, require_positive, require_record, several, three, told_apart
+from elastica_cad.errors import InputError, NotConvergedError, rounded_up
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.measured_points import Provenance
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.creep_study import Creep, creep, require_creep
+from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2
+from elastica_cad.mechanics.rod import Rod, as_bent, csv_text, resample
+from elastica_cad.mechanics.section_limits import (
+    BRITTLE,
+    STRAIN_SLACK,
+    LayerStrain,
+    StrainState,
+    StrainVerdict,
+    judge_strain,
+)
+from elastica_cad.mechanics.sheets import PLYWOOD_SOURCE, TOLD_TO, Sheet, even_shear_ratio, require_printable
+from elastica_cad.mechanics.sideways import (
+    SidewaysSection,
+    SidewaysStability,
+    sideways_stability,
+    sideways_stability_of,
+    stations_of_sideways,
+)
+from elastica_cad.mechanics.stiffness_law import RoundLaw
+from elastica_cad.refusals import Length, Span, note
+from elastica_cad.strip.drawing import Drawing
+from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance, Reactions, closes
+from elastica_cad.strip.layers import Layer, cut_layers, draw_layers
+from elastica_cad.strip.lettering import require_engravable
+from elastica_cad.strip.outline import SHOULDER_MM, Ends, Tab, pair_of_tabs
+from elastica_cad.strip.perforation import DiamondPattern
+from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.styles import (
+    PLAIN,
+    Bends,
+    Layout,
+    Style,
+    bends_along,
+    correct_layout,
+    require_style,
+    stations_of,
+)
+from elastica_cad.strip.tab_seats import TabSeat
+
+if TYPE_CHECKING:
+    from elastica_cad.strip.as_made import StripAsMade
+    from elastica_cad.strip.held_shape import HeldShape
+    from elastica_cad.strip.layers import LapPlates
+
+
+FILLETS = (
+    (1.020, 1.009, -0.048),
+    (-0.065, -0.165, -0.007),
+    (-3.459, 1.266, -0.016),
+    (3.505, -2.109, 0.069),
+)
+DEEPEST, GRAIN = 20.0, 0.7
+"""Of `corner_factor`: row i times (2 t / width)^i, column j times (t / r)^(j / 2); largest t / r of the chart;
+power with which the peak follows sqrt(E / G), over that of a sheet without grain, fitted to finite elements
+(`tests/campaign/finite_elements/shoulders.py`)."""
+
+
+def corner_factor(sheet: Sheet, width: float, tab: float) -> float:
+    """Strain in the corners beside a tab, over its mean across the tab, where both are bent by one moment.
+
+    That of a flat bar with shoulders t deep and fillets of radius r in tension (Pilkey, Peterson's Stress
+    Concentration Factors, chart 3.1), whose excess over 1 is smaller by (1 + nu) / (3 + nu) in a plate that is
+    bent, as beside an elliptic hole (Goodier, Phil. Mag. 22, 1936). A corner counts as rounded by the thickness of
+    the sheet: a sharp one is strained about as much in the mean over the nearest quarter of the thickness, and less
+    where the tab is gripped up to its mouth. Solids in CalculiX agree within 15 %.
+
+    Parameters
+    ----------
+    width, tab : float
+        Of the strip's end and of its tab, mm.
+
+    Examples
+    --------
+    >>> round(corner_factor(Sheet("even", 1.0, 12.0, density=1000.0, max_strain=0.01), 30, 15), 2)
+    1.75
+    """
+    depth, nu = (width - tab) / 2, min(sheet.poisson_ratio, 0.5)
+    sharp = np.sqrt(min(depth / sheet.thickness, DEEPEST))
+    tension = float(np.polynomial.polynomial.polyval2d(2 * depth / width, sharp, FILLETS))
+    grain = np.sqrt(even_shear_ratio(nu) / sheet.shear_ratio)
+    return float(1 + (1 + nu) / (3 + nu) * grain**GRAIN * max(tension - 1, 0.0))
+
+
+@dataclass(frozen=True)
+class Shoulder:
+    """An end of a strip, `at` mm along it and `width` mm wide, with its `tab`, mm, whose mean strain of the skin is
+    `strain`."""
+
+    at: float
+    width: float
+    tab: float
+    sheet: Sheet
+    strain: float
+
+    @property
+    def verdict(self) -> StrainVerdict:
+        """Result of the strain rule: tabs break by their mean strain, brittle ones may crack in the corners before.
+
+        Where a sheet yields or creeps, the peak in a corner evens out.
+        """
+        mean = judge_strain(self.sheet, self.strain, self.at)
+        if mean.refused or self.sheet.kind not in BRITTLE:
+            return mean
+        peak = self.strain * corner_factor(self.sheet, self.width, self.tab)
+        judged = judge_strain(self.sheet, peak, self.at)
+        return replace(judged, state=min(judged.state, StrainState.WARNED))
+
+    @property
+    def least_tab(self) -> float:
+        """The narrowest tab, mm, that is not strained beyond the limit; else the width of the strip."""
+        wider = np.linspace(self.tab, self.width, 100)[1:-1]
+        tried = (replace(self, tab=float(one), strain=self.strain * self.tab / float(one)) for one in wider)
+        return next((rounded_up(one.tab, 3) for one in tried if one.verdict.allowed), self.width)
+
+    def __str__(self) -> str:
+        """One sentence."""
+        judged, bears = self.verdict, self.sheet.max_strain
+        peak = judged.used * bears
+        strain, limit = told_apart(100 * peak, 100 * bears, ".2g")
+        place = note("in the corners beside it" if peak > self.strain * (1 + STRAIN_SLACK) else "across it")
+        return note(
+            "at {at} from the start the strip is {width} wide and its tab {tab}: {place} the strain is "
+            "{strain:g} %, beyond the {limit:g} % that {sheet} bears; {outcome}; make the tab {least} wide, or "
+            "the curve gentler there",
+            at=Length(self.at), width=Length(self.width), tab=Length(self.tab), place=place, strain=strain,
+            limit=limit, sheet=self.sheet.name, outcome=note(judged.outcome), least=Length(self.least_tab),
+            severity="warning",
+        )  # fmt: skip
+
+
+def _find_shoulders(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) -> tuple[Shoulder, ...]:
+    """The ends of a strip, with its strains, whose tabs are too narrow for the moment there."""
+    if layout.size is not None:  # not cut from a sheet: a tab is as wide as the strip
+        return ()
+    found = []
+    for at, tab, station in zip((0.0, layout.width.length), ends, (0, -1), strict=True):
+        width = float(layout.width(at))
+        if not tab.length or tab.width is None or tab.width > width - SHOULDER_MM:
+            continue
+        widths = np.array([layout.material(at), tab.width])
+        glued = None if layout.backing is None else np.array([layout.backing.width(at), tab.width])
+        own, narrow = layout.stiffness(widths, glued).tolist()
+        found += [
+            Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * own / narrow)
+            for layer in strains
+            if layer.strain[station] <= layer.limit  # else the end itself is told of, which no tab helps
+        ]
+    return tuple(one for one in found if not one.verdict.allowed)
+
+
+LINEAR_CREEP_SHARE = 0.5
+"""Share of the strain limit above which creep grows faster than the stress."""
+
+STRAIGHT_SHARE = 1e-6
+"""Curvature, as a share of the largest, below which the strip counts as not bent."""
+
+UNEVEN_JOINT_MM = 0.05
+"""Difference between the widths of a closed strip's ends, mm, from which on it is reported."""
+
+
+def _tell_breadth(width: Profile, tapered: dict[str, Profile], digits: str) -> str:
+    """Width of a strip in words, with the thickness if it varies."""
+    told: dict[str, Any] = {
+        name: Span.of(*size.extremes, digits) for name, size in {"width": width, **tapered}.items()
+    }
+    if "diameter" in told:
+        return note("{diameter} in diameter", diameter=told["diameter"])
+    return note("{width} wide, {thickness} thick" if "thickness" in told else "{width} wide", **told)
+
+
+def _mark_on_backing(curvature: FloatArray) -> str:
+    """The word engraved on both sheets of a laminate: where their engraved faces look when it is bent.
+
+    The backing lies on the right of the curve as it runs from its start, so outside where it bends to the left.
+    Where the sense of bending changes the word is that of the first bend, with the end named.
+    """
+    small = STRAIGHT_SHARE * float(np.abs(curvature).max(initial=0.0))
+    bent = curvature[np.abs(curvature) > small]
+    if not bent.size:
+        return ""
+    word = "OUTSIDE" if bent[0] > 0 else "INSIDE"
+    return word if np.all(np.sign(bent) == np.sign(bent[0])) else f"{word} AT START"
+
+
+def _tell_backing(mark: str) -> str:
+    """Return a sentence on which side of the bend the backing lies; empty of a straight strip."""
+    if not mark:
+        return ""
+    said = {
+        "INSIDE": "bent, the backing lies inside: {mark} is engraved on both sheets, on the faces that look "
+        "there",
+        "OUTSIDE": "bent, the backing lies outside: {mark} is engraved on both sheets, on the faces that "
+        "look there",
+        "INSIDE AT START": "bent, the backing lies inside at the start (the end at x = 0 of the cutting "
+        "files), on the other side of the bend beyond each inflection: {mark} is "
+        "engraved on both sheets",
+        "OUTSIDE AT START": "bent, the backing lies outside at the start (the end at x = 0 of the cutting "
+        "files), on the other side of the bend beyond each inflection: {mark} is "
+        "engraved on both sheets",
+    }
+    return note(said[mark], mark=mark)
+
+
+def _tell_joint(lap: float, width: float, held: Reactions, place: str) -> str:
+    """Sentence on how a closed strip is joined at a place of this width, mm, and what the joint carries."""
+    how = (
+        note("glue its tab of {lap}, bent as drawn, behind its start", lap=Length(lap))
+        if lap
+        else note("join its ends butt to butt")
+    )
+    return note(
+        "closed: {how} at {place}, where it is {width} wide; the joint carries {moment:.3g} N mm and "
+        "{force:.2g} N",
+        how=how, place=place, width=Length(width), moment=abs(held.end_moment), force=np.hypot(*held.end_force),
+    )  # fmt: skip
+
+
+def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
+    """Layers strained beyond what their sheets bear."""
+    bend = bends.amount
+    for layer in strains:
+        at = layer.station
+        judged = layer.judged(bends.place(at))
+        if not judged.allowed:
+            bearable = bend[at] * layer.limit / layer.largest
+            strain, limit = told_apart(100 * layer.largest, 100 * layer.limit, ".2g")
+            radius, least = told_apart(1 / bend[at], 1 / bearable, ".3g")
+            yield note(
+                "strain {strain:g} % at {at} from the start is beyond the {limit:g} % that {sheet} bears: "
+                "its radius there is {radius:g}, the least advisable {least:g}; {outcome}; use a thinner "
+                "sheet or a gentler curve",
+                strain=strain, at=Length(judged.at or 0.0), limit=limit, sheet=layer.name, radius=Length(radius),
+                least=Length(least), outcome=note(judged.outcome), severity="warning",
+            )  # fmt: skip
+
+
+def _warn_of_width(width: Profile, length: float, *, closed: bool) -> Iterator[str]:
+    """Ends that do not match where a strip closes, and strips wider than long."""
+    start, end = width([0.0, length]).tolist()
+    if closed and abs(end - start) > UNEVEN_JOINT_MM:
+        yield note(
+            "its ends are {start:.3g} and {end} wide where it closes: choose another joint, leave out "
+            "gravity, or make the curvature continuous there",
+            start=start, end=Length(end), severity="warning",
+        )  # fmt: skip
+    widest = float(width.extremes[1])
+    if widest > length:
+        yield note(
+            "it is {width} wide and {length} long: what is wider than long bends as a plate, not as a "
+            "strip; give a smaller max_width, and look at its unit",
+            width=Length(widest), length=Length(length), severity="warning",
+        )  # fmt: skip
+
+
+def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
+    """Plywood bent sharper than its published radii, where its strain has not told so."""
+    bend = bends.amount
+    tightest = int(np.argmax(bend))
+    for one, layer in zip(layers, strains, strict=False):
+        least = one.sheet.published_radius
+        if least is not None and layer.judged().allowed and bend[tightest] * least > 1 + TOLD_TO:
+            at = bends.place(tightest)
+            yield note(
+                "it bends to a radius of {radius} at {at} from the start, but plywood of {thickness:g} "
+                "bends to {least} at least {grain} the face grain ({source}); use a thinner sheet or a "
+                "gentler curve",
+                radius=Length(1 / bend[tightest]), at=Length(at), thickness=Length(one.sheet.thickness),
+                least=Length(least), grain=note(one.sheet.grain), source=PLYWOOD_SOURCE, severity="warning",
+            )  # fmt: skip
+
+
+def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Creep | None]) -> Iterator[str]:
+    """Warn of places where creep of the most strained layer is not linear, and of a strip that does not stay."""
+    if strained.largest > LINEAR_CREEP_SHARE * strained.limit:
+        yield note(
+            "strain {strain:.2f} % is more than {share:.0f} % of what the sheet bears: creep is not linear "
+            "there, and more than said; use a thinner sheet or a gentler curve",
+            strain=100 * strained.largest, share=100 * LINEAR_CREEP_SHARE, severity="warning",
+        )  # fmt: skip
+    try:
+        later = crept()
+    except NotConvergedError as problem:
+        yield str(problem)
+        return
+    if later is not None and not later.stays:
+        yield note(
+            "with a creep factor of {factor:g} it will not stay in the long run: it snaps into another "
+            "shape; use a stiffer sheet or support it",
+            factor=factor, severity="warning",
+        )  # fmt: skip
+
+
+def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
+    """The verdict on a rod that is made by a layout; its slots are left out."""
+    sheet, ratio = layout.sheet, layout.sheet.shear_ratio
+    s = stations_of_sideways(rod)
+    K, width = np.interp(s, rod.s, rod.flat_stiffness), layout.width(s)
+    if isinstance(layout.section, RoundLaw):
+        thickest = float(layout.width.extremes[1])
+        return sideways_stability_of(rod, SidewaysSection.round(K, thickest, ratio))
+    if isinstance(layout.pattern, DiamondPattern):
+        between = SidewaysSection.perforated(
+            K, width, layout.material(s), layout.pattern.slopes(s), ligaments=layout.pattern.ligaments,
+            thickness=sheet.thickness, shear_ratio=ratio,
+        )  # fmt: skip
+        return sideways_stability_of(rod, *between)
+    if layout.backing is not None:
+        section = LaminatedSection(sheet, layout.backing.sheet)
+        backing = np.clip(layout.backing.width(s), 0.0, width)
+        laminate = SidewaysSection.laminated(K, layout.bending_stiffness, width, backing, section)
+        return sideways_stability_of(rod, laminate)
+    thickness = sheet.thickness if layout.size is None else layout.size
+    return sideways_stability(rod, layout.width, thickness, shear_ratio=ratio)
+
+
+FINE_EDGES = 1600
+"""Least number of edges of the rod that is bent as built, so that its own error is negligible."""
+
+
+@dataclass(frozen=True, eq=False)
+class Strip:
+    """A flat strip that takes the shape of `rod` when its ends are held as the rod's are.
+
+    Parameters
+    ----------
+    rod : Rod
+        From `optimal_rod`, `nearest_rod` or `bend`.
+    sheet : Sheet
+        The material it is cut from.
+    max_width, min_width : float, optional
+        Width of the widest, of the narrowest place, mm; one of them sets the scale. With both, `max_width` sets
+        it and a strip that would be narrower than `min_width` is refused. A rod that knows its bending stiffness
+        in N mm2 (a weight in newtons) fixes its own width; the two are then limits.
+    style : Plain, Perforated or Laminated
+        How stiffness becomes material. The last two give the strip a width of its own; `max_width` and `min_width`
+        then limit the material: the ligaments' sum, the backing.
+    ends : pair of Tab
+        Tabs at the start and at the end. Of a strip that closes the second is its lap, the first is left out.
+    slots : tuple of Slot
+        Cuts for other strips; they become part of the outline.
+    label : str
+        Its name in messages, files and assemblies; empty for none.
+    engrave : str, optional
+        Text engraved on the strip; empty for none. Unless given its label, in letters that can be engraved.
+    creep : float
+        Creep factor phi of the sheet in the long run, 0 for none: see `crept`.
+    correction : Profile, optional
+        Factor on the stiffness from which widths are made, to make up for what else changes it: see
+        `compensate_widths`.
+    plates : LapPlates, optional
+        What joins the pieces of a strip that is longer than the stock.
+
+    tolerance : MakingTolerance
+        What is assumed to be off in sheet, cut and clamps: see `held`.
+
+    Raises
+    ------
+    InputError
+        No width given, a width that is not positive, or limits that cannot be kept.
+
+    Notes
+    -----
+    Flat pattern: x is arc length from the start of the free part, y = 0 the centre line. The long sides are cubic
+    B-splines whose x control points are the Greville abscissae of the knots, so that y(x) is exactly half the
+    spline width.
+
+    Examples
+    --------
+    >>> strip = Strip(Rod.straight(100, [1, 2, 1]), Sheet.named("card-200gsm"), max_width=20)
+    >>> round(strip.outline.length, 1) > 200
+    True
+    """
+
+    rod: Rod
+    sheet: Sheet
+    max_width: float | None = None
+    min_width: float | None = None
+    style: Style = PLAIN
+    ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
+    slots: tuple[Slot, ...] = ()
+    label: str = ""
+    engrave: str | None = None
+    creep: float = 0.0
+    correction: Profile | None = None
+    plates: "LapPlates | None" = None
+    tolerance: MakingTolerance = USUAL_TOLERANCE
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.rod, Rod):
+            raise InputError(
+                "the rod is a {name}: give a Rod, as optimal_rod makes one", name=type(self.rod).__name__
+            )
+        if self.rod.follows_bend:  # its widths are those that make it as stiff as it is in this shape
+            object.__setattr__(self, "rod", as_bent(self.rod))
+        object.__setattr__(self, "sheet", Sheet.of(self.sheet))
+        require_style(self.style)
+        for name in ("max_width", "min_width"):
+            value = getattr(self, name)
+            if value is not None:
+                require_positive(value, name)
+        require_printable(self.label, "the label")
+        if self.engrave is not None:
+            require_engravable(self.engrave)
+        require_record(self.tolerance, MakingTolerance, "the tolerance", "a MakingTolerance")
+        if self.correction is not None:
+            require_record(self.correction, Profile, "the correction", "a Profile, or None")
+        object.__setattr__(self, "ends", pair_of_tabs(self.ends))
+        object.__setattr__(self, "slots", several("slots", self.slots, Slot, "Slot"))
+        object.__setattr__(self, "creep", require_creep(self.creep))
+        if self.is_closed:
+            object.__setattr__(self, "ends", (Tab(0.0), self.ends[1]))
+            if self.layout.backing is not None or self.layout.size is not None:
+                raise InputError(
+                    "a closed strip is of one sheet of even thickness, which its lap can join: take a plain or "
+                    "perforated strip, or leave a gap between its ends"
+                )
+        _ = self.layout
+
+    def __repr__(self) -> str:
+        called = f" {self.label!r}" if self.label else ""
+        size = f"{self.rod.length:.4g} mm long, {self.breadth('.3g')}"
+        strain = f"strain {self.max_strain:.2%} of {self.strain_limit:.2%}"
+        return f"<Strip{called} of {self.sheet.name}, {size}, {strain}>"
+
+    def _repr_svg_(self) -> str:
+        return self.drawing()._repr_svg_()
+
+    def table(self) -> dict[str, FloatArray]:
+        """Columns (n,) by name with their unit: those of `Rod.table`, with moments and forces in N mm and N, widths
+        in mm and the strain of the most strained skin.
+        """
+        columns, B = self.rod.table(), self.bending_stiffness
+        for name, physical in {
+            "moment_1_per_mm": "moment_Nmm", "force_x_1_per_mm2": "force_x_N", "force_y_1_per_mm2": "force_y_N",
+        }.items():  # fmt: skip
+            columns[physical] = B * columns.pop(name)
+        bent = np.abs(self.rod.curvature - self.rod.natural_curvature)
+        worst = max(
+            self.layout.strains(Bends(bent, self.rod.s)),
+            key=lambda layer: layer.largest / layer.limit,
+        )
+        section, size = self.layout.section, self.layout.size
+        more = {} if section is None or size is None else {f"{section.quantity}_mm": size(self.rod.s)}
+        return columns | {"width_mm": self.width(self.rod.s)} | more | {"strain": worst.strain}
+
+    def csv(self) -> str:
+        """The table as comma-separated text with a header."""
+        return csv_text(self.table())
+
+    @property
+    def tapered(self) -> dict[str, Profile]:
+        """Profile of the quantity that varies instead of the width, "thickness" or "diameter", mm along the
+        free part."""
+        section, size = self.layout.section, self.layout.size
+        if section is None or size is None or section.quantity not in ("thickness", "diameter"):
+            return {}  # leaves are counted
+        return {section.quantity: size}
+
+    def breadth(self, digits: str = ".2f") -> str:
+        """Width in words, with the thickness if it varies: "20.00 mm wide, 2.00 to 3.00 mm thick"."""
+        return _tell_breadth(self.width, self.tapered, digits)
+
+    @cached_property
+    def layout(self) -> Layout:
+        """Layout that the style makes of the rod."""
+        widths = {"max_width": self.max_width, "min_width": self.min_width}
+        if self.correction is None:
+            return self.style.laid_out(self.rod, self.sheet, **widths)
+        return correct_layout(self.style, self.rod, self.sheet, self.correction, **widths)
+
+    @property
+    def width(self) -> Profile:
+        """Full width (mm) along the free part [0, length]."""
+        return self.layout.width
+
+    @cached_property
+    def layers(self) -> tuple[Layer, ...]:
+        """The sheets that the strip is made of, the base first."""
+        return cut_layers(self.layout, self.ends, self.slots, name=self.label or "strip")
+
+    @property
+    def outline(self) -> Path:
+        """The closed outer loop with its slots, anticlockwise; its long sides are B-splines."""
+        return self.layers[0].outline
+
+    @property
+    def _begins_at(self) -> str:
+        """Its start as the program shows it in which the curve was drawn."""
+        return (self.rod.curve.provenance or Provenance()).shown(self.rod.position[0])
+
+    @property
+    def mass_told(self) -> str:
+        """The mass in words: in grams, from a thousand of them on in kilograms."""
+        return f"{self.mass:.3g} g" if self.mass < 1000 else f"{self.mass / 1000:.3g} kg"
+
+    @property
+    def holes(self) -> tuple[Path, ...]:
+        """Closed inner loops."""
+        return self.layers[0].holes
+
+    def labelled(self, label: str) -> "Strip":
+        """The strip under another name; itself where it has it, with all that was worked out."""
+        return self if label == self.label else replace(self, label=label)
+
+    def mirrored(self) -> "Strip":
+        """The strip turned over about its centre line (y to -y), bent into the same curve; itself if it is even."""
+        start, end = (tab.mirrored() for tab in self.ends)
+        if not self.slots and (start, end) == self.ends:
+            return self
+        return replace(self, ends=(start, end), slots=tuple(slot.mirrored() for slot in self.slots))
+
+    @cached_property
+    def is_closed(self) -> bool:
+        """Whether the strip is closed. Its second tab is then glued behind its start, and it has no first tab."""
+        return closes(self.rod)
+
+    @property
+    def joint(self) -> str:
+        """Sentence on how a closed strip is joined and what the joint carries; empty for an open one."""
+        if not self.is_closed:
+            return ""
+        return _tell_joint(self.ends[1].length, self.end_widths[1], self.reactions(), self._begins_at)
+
+    @cached_property
+    def end_widths(self) -> tuple[float, float]:
+        """Width of the free part at its start and end, mm."""
+        return float(self.width(0.0)), float(self.width(self.rod.length))
+
+    @property
+    def max_strain(self) -> float:
+        """Largest strain of the skin (dimensionless): of the layer that comes nearest to its limit."""
+        return self.most_strained.largest
+
+    @property
+    def max_strain_at(self) -> float:
+        """Arc length of the largest strain, mm."""
+        return self._bends.place(self.most_strained.station)
+
+    @property
+    def strain_limit(self) -> float:
+        """Largest strain that the sheet of the most strained layer bears."""
+        return self.most_strained.limit
+
+    @property
+    def most_strained(self) -> LayerStrain:
+        """The layer that comes nearest to what its sheet bears."""
+        return max(self.strains, key=lambda layer: layer.largest / layer.limit)
+
+    @cached_property
+    def strain_verdict(self) -> StrainVerdict:
+        """Result of the strain rule for the worst of the strip's layers, and of tabs too narrow for their ends."""
+        judged = [layer.judged(self._bends.place(layer.station)) for layer in self.strains]
+        judged += [shoulder.verdict for shoulder in self._shoulders]
+        return max(judged, key=lambda one: (one.state, one.used))
+
+    @property
+    def strain_warnings(self) -> tuple[str, ...]:
+        """A sentence for each layer or tab strained beyond what its sheet bears: where, and what happens there."""
+        return (*_warn_of_strains(self.strains, self._bends), *map(str, self._shoulders))
+
+    @cached_property
+    def _shoulders(self) -> tuple[Shoulder, ...]:
+        return _find_shoulders(self.layout, self.ends, self.strains)
+
+    @cached_property
+    def strains(self) -> tuple[LayerStrain, ...]:
+        """Skin strain of each layer at stations along the strip, with the limit of its sheet."""
+        return self.layout.strains(self._bends)
+
+    @cached_property
+    def _bends(self) -> Bends:
+        if self.layout.stack is None:
+            return bends_along(self.rod)
+        from elastica_cad.forming.leaf_ends import leaf_bends
+
+        s, bend = leaf_bends(self.rod, self.layout.stack)
+        return Bends(bend, s)
+
+    @cached_property
+    def warnings(self) -> tuple[str, ...]:
+        """Warnings of the rod and the style, and strains beyond a limit."""
+        found = (
+            *self.rod.warnings,
+            *self.layout.warnings,
+            *self.strain_warnings,
+            *_warn_of_width(self.width, self.rod.length, closed=self.is_closed),
+        )
+        if self.layout.size is not None:
+            return found
+        creeps = _warn_of_creep(self.creep, self.most_strained, lambda: self.crept) if self.creep else ()
+        return (*found, *_warn_of_plywood(self.layers, self.strains, self._bends), *creeps)
+
+    @cached_property
+    def crept(self) -> Creep | None:
+        """The strip in the long run, held the same all the time; None without a creep factor.
+
+        Raises
+        ------
+        NotConvergedError
+            It collapses under its weight as it creeps.
+        """
+        if not self.creep:
+            return None
+        found = creep(self.rod, self.creep)
+        sheets = {layer.sheet for layer in self.layers}
+        return found if len(sheets) == 1 else replace(found, exact=False)
+
+    @property
+    def area(self) -> float:
+        """Area of the flat part (the base of a laminate), mm2."""
+        return self.layers[0].area
+
+    @property
+    def mass(self) -> float:
+        """Mass in g, of all layers."""
+        section, size = self.layout.section, self.layout.size
+        if section is None or size is None or section.stack is not None:
+            return sum(layer.mass for layer in self.layers)
+        newtons = section.weight_per_length(size(stations_of(self.rod.length)))
+        newtons = (newtons[1:] + newtons[:-1]) / 2
+        ends = section.weight_per_length(size([0.0, self.rod.length])) @ [tab.length for tab in self.ends]
+        free = float(newtons.mean()) * self.rod.length
+        return (free + float(ends)) / STANDARD_GRAVITY_M_S2 * 1e3
+
+    @property
+    def end_thicknesses(self) -> tuple[float, float]:
+        """Thickness at the start and end of the free part, of all layers there, mm."""
+        if self.layout.size is not None:
+            start, end = self.layout.size([0.0, self.rod.length]).tolist()
+            return start, end
+        return (self.layers[-1].high,) * 2
+
+    @property
+    def bending_stiffness(self) -> float:
+        """B, the E I where K = 1, N mm2; the rod's numbers times B are newtons."""
+        return self.layout.bending_stiffness
+
+    @cached_property
+    def as_built(self) -> Rod:
+        """The rod with the stiffness and weight of what is really cut, to be bent: see `rod_as_built`."""
+        from elastica_cad.strip.as_made import rod_as_built
+
+        return rod_as_built(self.rod, self.layout, self.layers)
+
+    @cached_property
+    def deviation_as_built(self) -> float:
+        """How far the strip as built, bent and held as designed, strays from the design, mm.
+
+        Bent on finer nodes than the design's, which may be too coarse for its own stiffness.
+        """
+        edges = self.rod.s.size - 1
+        finer = -(-FINE_EDGES // edges)
+        from elastica_cad.strip.as_made import curling_by_design
+
+        built, design = (resample(rod, finer * edges + 1) for rod in (self.as_built, self.rod))
+        bent = bend(curling_by_design(built, design, self.layout), end=self.rod.position[-1])
+        return float(np.hypot(*(bent.position[::finer] - self.rod.position).T).max())
+
+    @cached_property
+    def rod_to_bend(self) -> Rod:
+        """The rod to be led elsewhere, where what is cut curls as its bend there makes it: see `bend_strip`."""
+        from elastica_cad.strip.as_made import rod_to_bend
+
+        return rod_to_bend(self.rod, self.layout, corrected=self.correction is not None)
+
+    @cached_property
+    def as_made(self) -> "StripAsMade":
+        """The strip with all that changes its stiffness, to be held: see `held`."""
+        from elastica_cad.strip.as_made import StripAsMade
+
+        return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates, self.whole)
+
+    def whole(self) -> tuple[Layer, ...]:
+        """Return the layers without slots."""
+        return cut_layers(self.layout, self.ends, (), name="strip") if self.slots else self.layers
+
+    def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> "HeldShape":
+        """The shape of the strip as it is made, in its holders; without one an end is held as designed.
+
+        Raises
+        ------
+        NotConvergedError
+            No rest shape was found.
+        """
+        for seat in (start, end):
+            if seat is not None:
+                require_record(seat, TabSeat, "a holder", "a TabSeat, or None")
+        asked = self.as_made if self.correction is None else replace(self, correction=None).as_made
+        return self.as_made.held((start, end), asked, self.tolerance)
+
+    @cached_property
+    def held_deviation(self) -> float:
+        """Largest distance, mm, of the strip as made, with its ends held as designed, from its design; see
+        `held`."""
+        return self.held().deviation
+
+    @cached_property
+    def sideways(self) -> SidewaysStability:
+        """Stability against leaving the plane of the curve."""
+        return strip_sideways(self.rod, self.layout)
+
+    def reactions(self) -> Reactions:
+        """Forces (N) and moments (N mm) that the supports exert on the strip.
+
+        The internal force is -lambda B (Eq. 2), so the start is pushed by lambda(0) B and the end by -lambda(L) B.
+        """
+        B, force, moment = self.bending_stiffness, self.rod.force, self.rod.moment
+        return Reactions(B * force[0], float(-B * moment[0]), -B * force[-1], float(B * moment[-1]))
+
+    def drawing(self) -> Drawing:
+        """The cut pattern on its layers: text, marks, inner cuts, outer cut; of a laminate that of the base."""
+        return self.drawings()[0]
+
+    def drawings(self) -> tuple[Drawing, ...]:
+        """The cut pattern of each layer, the base first; they register: same frame, same holes in the tabs.
+
+        Where the backing of a laminate comes to lie is marked on the base, and on both which side of the bend
+        their engraved faces are on.
+        """
+        lap = self.ends[1].length if self.is_closed else 0.0
+        engraved = f"{self.engraved} {self._backing_mark}".strip()
+        return draw_layers(self.layout, self.layers, self.ends, self.slots, engraved, self.label, lap=lap)
+
+    @property
+    def engraved(self) -> str:
+        """The text that is engraved on the strip."""
+        return self.label if self.engrave is None else self.engrave
+
+    @property
+    def backing_side(self) -> str:
+        """A sentence on which side of the bend the backing of a laminate lies; empty of other strips."""
+        return _tell_backing(self._backing_mark)
+
+    @property
+    def _backing_mark(self) -> str:
+        return "" if self.layout.backing is None else _mark_on_backing(self.rod.curvature)
+
+
+@dataclass(frozen=True, eq=False)
+class Placed:
+    """A strip in space: its curve is drawn in the plane of x_axis and y_axis, its width stands across.
+
+    Parameters
+    ----------
+    strip : Strip
+    origin : (3,) array_like
+        Where the origin of the curve's plane lies, mm.
+    x_axis, y_axis : (3,) array_like
+        Directions of the curve's plane, at right angles; the rulings follow x_axis cross y_axis.
+
+    Raises
+    ------
+    InputError
+        Axes that are not at right angles.
+    """
+
+    strip: Strip
+    origin: FloatArray
+    x_axis: FloatArray
+    y_axis: FloatArray
+
+    def __init__(
+        self,
+        strip: Strip,
+        origin: ArrayLike = (0.0, 0.0, 0.0),
+        x_axis: ArrayLike = (1.0, 0.0, 0.0),
+        y_axis: ArrayLike = (0.0, 1.0, 0.0),
+    ) -> None:
+        frame = Frame(origin, x_axis, y_axis)
+        object.__setattr__(self, "strip", strip)
+        for name in ("origin", "x_axis", "y_axis"):
+            object.__setattr__(self, name, getattr(frame, name))
+
+    @property
+    def frame(self) -> Frame:
+        """The plane of the curve."""
+        return Frame(self.origin, self.x_axis, self.y_axis)
+
+    def with_strip(self, strip: Strip) -> "Placed":
+        """Another strip in the same place."""
+        return Placed(strip, self.origin, self.x_axis, self.y_axis)
+
+    def moved(self, turn: ArrayLike, shift: ArrayLike = (0.0, 0.0, 0.0)) -> "Placed":
+        """The placed strip after x -> turn @ x + shift; a mirror (determinant -1) turns the flat part over.
+
+        Raises
+        ------
+        InputError
+            `turn` is no 3x3 rotation or mirror.
+        """
+        m = numbers(turn, "the turn of a strip")
+        if m.shape != (3, 3) or not np.allclose(m @ m.T, np.eye(3), rtol=0, atol=1e-9):
+            raise InputError(
+                "a strip is moved by a 3x3 rotation or mirror and a shift: others would deform it"
+            )
+        strip = self.strip if np.linalg.det(m) > 0 else self.strip.mirrored()
+        origin = m @ self.origin + three(shift, "the shift of a strip")
+        return Placed(strip, origin, m @ self.x_axis, m @ self.y_axis)
+
+
+PLACED_BY = "of a strip ec.Placed(strip), of a body in CAD its `placed`"
+
+
+def require_placed(placed: object) -> tuple[Placed, ...]:
+    """Placed strips as a tuple; refuses what is none."""
+    return several("placed", placed, Placed, "Placed", PLACED_BY)
+
+
+def strip_names(placed: Sequence[Placed]) -> tuple[str, ...]:
+    """What messages call each strip: its label, or its place counted from 1."""
+    return tuple(one.strip.label or f"strip {i}" for i, one in enumerate(placed, start=1))
+
+
+def distinct_names(placed: Sequence[Placed]) -> tuple[str, ...]:
+    """The names, with the place behind those that several strips share."""
+    names = strip_names(placed)
+    count = Counter(names)
+    return tuple(f"{name} (strip {i})" if count[name] > 1 else name for i, name in enumerate(names, start=1))

@@ -1,0 +1,402 @@
+"""Styles: how stiffness becomes material. The plain one, and what a style answers."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from typing import Protocol, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import require_number, require_positive, require_record
+from elastica_cad.errors import InputError, rounded_up
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.section_limits import LayerStrain
+from elastica_cad.mechanics.sections import PlainSection
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import (
+    SAME_SCALE,
+    BoundedLaw,
+    LaidLeaves,
+    StiffnessLaw,
+    ThicknessLaw,
+    scale_within,
+)
+from elastica_cad.refusals import Length
+from elastica_cad.strip.outline import Ends, long_sides
+from elastica_cad.strip.slots import Slot
+
+Width: TypeAlias = float | Profile | Callable[[FloatArray], FloatArray]
+"""An outer width: one number, or a profile or function of arc length, all in mm."""
+
+WIDTH_MM = 1e-6
+"""Largest error, mm, of a width given as a function."""
+
+
+SIZE_SHARE = 3e-6
+"""Relative error of a section's size: about that of the stiffness from which it is computed."""
+
+CORRECTION_TOLERANCE = 1e-6
+"""Error of the corrected stiffness, relative to its largest value."""
+
+CURVATURE_STATIONS = 2001
+"""Number of places, spread over the curve's smooth panels, at which the strain is computed."""
+
+_RODS = 64  # whose bends are kept: equal strips of a model share theirs
+
+MOST_EXTREMES = 200
+"""Largest number of local extremes at which finer stations are set; more of them come from rounding."""
+
+GUIDE_MM = 0.5
+"""A backing that is nearer than this to the base's edge everywhere is not marked on the base."""
+
+
+NO_WIDTH = "a strip needs max_width or min_width, in mm: its curve fixes only how widths compare"
+"""Message of a plain strip without a width; other styles have their own outline."""
+
+
+@dataclass(frozen=True, eq=False)
+class Bends:
+    """How sharply a strip is bent at stations along it.
+
+    Attributes
+    ----------
+    amount : (n,) array
+        |kappa - kappa_0|, 1/mm.
+    places : (n,) array
+        Arc lengths, mm, or parameters of `curve`.
+    curve : PlaneCurve, optional
+        Its arc lengths are found where a place is told, or a size there counts.
+    """
+
+    amount: FloatArray
+    places: FloatArray
+    curve: PlaneCurve | None = None
+
+    def arc_length(self, stations: int | slice) -> FloatArray:
+        """Arc length of stations by number or slice, mm."""
+        places = np.asarray(self.places[stations])
+        return places if self.curve is None else self.curve.arc_length(places)
+
+    @cached_property
+    def s(self) -> FloatArray:
+        """Arc lengths of all stations (n,), mm."""
+        return self.arc_length(slice(None))
+
+    def place(self, station: int) -> float:
+        """Arc length of one of them, mm."""
+        return float(self.arc_length(station))
+
+
+class Pattern(Protocol):
+    """Holes in the free part of a strip."""
+
+    def paths(self, ends: Ends, slots: Sequence[Slot]) -> tuple[Path, ...]:
+        """The holes as closed loops, clear of the slots."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class Backing:
+    """A narrower strip that is glued on.
+
+    Attributes
+    ----------
+    sheet : Sheet
+    width : Profile
+        mm along the free part.
+    """
+
+    sheet: Sheet
+    width: Profile
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """What a style makes of a rod and a sheet.
+
+    Attributes
+    ----------
+    sheet : Sheet
+        The sheet that makes the outline.
+    width : Profile
+        Full width of the outline along the free part, mm.
+    material : Profile
+        Summed width that the style means to leave of the sheet, mm.
+    bending_stiffness : float
+        B, N mm2: the E I where K = 1.
+    pattern : Pattern or None
+        Holes.
+    backing : Backing or None
+        What is glued on.
+    dots : float
+        Diameter of holes that register base and backing, mm; 0 for none.
+    warnings : tuple of str
+        What a maker should know.
+    section : BoundedLaw or None
+        What the stiffness is made of, where that is not the width of a strip that bends with E.
+    size : Profile or None
+        The section's thickness or diameter along the free part, mm, where that varies.
+    """
+
+    sheet: Sheet
+    width: Profile
+    material: Profile
+    bending_stiffness: float
+    pattern: Pattern | None = None
+    backing: Backing | None = None
+    dots: float = 0.0
+    warnings: tuple[str, ...] = ()
+    section: BoundedLaw | None = None
+    size: Profile | None = None
+
+    @property
+    def stack(self) -> LaidLeaves | None:
+        """The glued leaves that it is cut as; None for one piece."""
+        return None if self.section is None else self.section.stack
+
+    @property
+    def worked_size(self) -> Profile | None:
+        """The thickness or diameter, mm, to which it is planed or turned; None for what is cut, and for leaves."""
+        return self.size if self.stack is None else None
+
+    def hole_paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
+        """Closed loops cut out of the free part, clear of the slots."""
+        return () if self.pattern is None else self.pattern.paths(ends, slots)
+
+    @property
+    def guides(self) -> tuple[Path, ...]:
+        """Lines marked on the base where the edges of the backing come to lie, unless the base's own show it."""
+        if self.backing is None:
+            return ()
+        s = stations_of(self.width.length, count=201)
+        if float((self.width(s) - self.backing.width(s)).max()) < GUIDE_MM:
+            return ()
+        return tuple(Path([side]) for sides in long_sides(self.backing.width) for side in sides)
+
+    def law(self, material: FloatArray, backing: FloatArray | None) -> tuple[StiffnessLaw, FloatArray]:
+        """The law where the sheet is `material` (n,) mm wide, and its parameter (n,)."""
+        if self.backing is None or backing is None:
+            return PlainSection(self.sheet), material
+        return LaminatedSection(self.sheet, self.backing.sheet).on(material), backing
+
+    def strains(self, bends: Bends) -> tuple[LayerStrain, ...]:
+        """Skin strain of each layer at stations along the strip."""
+        if self.section is not None and self.size is not None:
+            return self.section.strains(bends.amount, self.size(bends.s))
+        if self.backing is None:  # the strain of a solid sheet does not depend on its width
+            return PlainSection(self.sheet).strains(bends.amount)
+        outer = self.width(bends.s)
+        # where it fills the base, the backing's fit may pass the base's by its tolerance
+        law, parameter = self.law(outer, np.minimum(self.backing.width(bends.s), outer))
+        return law.strains(bends.amount, parameter)
+
+    def stiffness(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray:
+        """E I (n,), N mm2, of widths (n,), mm, that are really there of the sheet and of the backing."""
+        law, parameter = self.law(material, backing)
+        return law.bending_stiffness(parameter)
+
+    def weight_per_length(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray | None:
+        """N/mm (n,) of such widths; None for a single sheet, whose weight is proportional to its stiffness."""
+        law, parameter = self.law(material, backing)
+        return None if backing is None or self.backing is None else law.weight_per_length(parameter)
+
+
+class Style(Protocol):
+    """Interface of a style, which turns stiffness into material."""
+
+    def laid_out(
+        self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
+    ) -> Layout:
+        """Widths for a rod; refuses what can't be made and says where."""
+        ...
+
+
+@dataclass(frozen=True)
+class Plain:
+    """A solid strip of one sheet: the width is proportional to the stiffness (paper, section 8.1)."""
+
+    def laid_out(
+        self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
+    ) -> Layout:
+        """One of the widths sets the scale; a rod that knows its bending stiffness sets it itself."""
+        require_laid_out(rod, sheet, max_width, min_width)
+        if rod.section is not None:
+            sized = _of_section(rod, rod.section, sheet)
+            _within(sized.width, rod, min_width, max_width, slack=SAME_SCALE)
+            return sized
+        if max_width is None and min_width is None and rod.bending_stiffness is None:
+            raise InputError(NO_WIDTH)
+        rigidity = PlainSection(sheet).rigidity
+        low, high = rod.profile.extremes
+        if rod.bending_stiffness is not None:
+            factor = rod.bending_stiffness / rigidity
+        else:
+            factor = (min_width or 0.0) / low if max_width is None else max_width / high
+        width = rod.profile.scaled(factor)
+        _within(width, rod, min_width, max_width, slack=1e-9)
+        return Layout(sheet, width, material=width, bending_stiffness=factor * rigidity)
+
+
+def require_style(style: object) -> None:
+    """Refuse what lays out no strip."""
+    if not callable(getattr(style, "laid_out", None)):
+        raise InputError(
+            "style is {style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)",
+            style=style,
+        )
+
+
+def require_laid_out(rod: object, sheet: object, *widths: object) -> None:
+    """Refuse what no style lays out."""
+    require_record(rod, Rod, "what is laid out", "a Rod")
+    require_record(sheet, Sheet, "the sheet", "a Sheet")
+    for width in widths:
+        if width is not None:
+            require_number(width, "a width", "mm")
+
+
+def _within(
+    width: Profile, rod: Rod, min_width: float | None, max_width: float | None, *, slack: float
+) -> None:
+    """Refuse widths beyond their limits."""
+    narrow, wide = width.extremes
+    if min_width is not None and narrow * (1 + slack) < min_width:
+        raise InputError(
+            "the narrowest place is {narrow:.4g}, below min_width {min_width:g}: the ratio is "
+            "{ratio:.3g}, so max_width must be {needed:g} or more",
+            narrow=Length(narrow),
+            min_width=Length(min_width),
+            ratio=rod.ratio,
+            needed=Length(rounded_up(min_width * wide / narrow)),
+        )
+    if max_width is not None and wide > max_width * (1 + slack):
+        raise InputError(
+            "the rod's bending stiffness asks for a width of {wide:.4g}, above max_width "
+            "{max_width:g}: choose a thicker or stiffer sheet",
+            wide=Length(wide),
+            max_width=Length(max_width),
+        )
+
+
+def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
+    """The sizes that a section needs: as wide as a tapered strip is, or as its width or diameter comes out."""
+    profile = rod.profile
+    if (stack := section.stack) is not None:
+        B = rod.bending_stiffness or 1.0
+        steps = Profile(profile.knots, section.parameter(B * profile.coefficients), profile.degree)
+        even = width_profile(stack.width, rod.length, "width")
+        return Layout(sheet, even, material=even, bending_stiffness=B, section=section, size=steps)
+    least, largest = section.limits
+    s = stations_of(rod.length, profile)
+    limit = largest if np.isfinite(largest) else least
+    law = section.bent(rod.bend_at(s), rod.rest_at(s))
+    B = scale_within(law, profile(s), solved=rod.bending_stiffness, heavy=rod.gravity is not None)
+    size = Profile.fit(
+        lambda s: section.bent(_bend_between_steps(rod, s), rod.rest_at(s)).parameter(B * profile(s)), rod.length,
+        breaks=profile.breaks, knots=profile.knots, tolerance=SIZE_SHARE * limit,
+    )  # fmt: skip
+    if section.quantity == "width":
+        return Layout(sheet, size, material=size, bending_stiffness=B, section=section)
+    width = size
+    if isinstance(section, ThicknessLaw):
+        width = width_profile(section.width, rod.length, "width")
+    return Layout(sheet, width, material=width, bending_stiffness=B, section=section, size=size)
+
+
+def _bend_between_steps(rod: Rod, s: FloatArray) -> FloatArray:
+    """kappa - kappa_0 (n,), 1/mm, without a jump inside the ramps that stand for steps of the stiffness."""
+    bend = rod.bend_at(s)
+    for step in rod.profile.steps:
+        inside = (s > step[0]) & (s < step[1])
+        bend[inside] = np.interp(s[inside], step, rod.bend_at(np.array(step)))
+    return bend
+
+
+PLAIN = Plain()
+"""Default style."""
+
+
+def width_profile(width: Width, length: float, name: str) -> Profile:
+    """A width as a profile over [0, length], positive everywhere.
+
+    Raises
+    ------
+    InputError
+        Not positive somewhere, a profile of another length, a function that gives no numbers.
+    """
+    if isinstance(width, Profile):
+        if not np.isclose(width.length, length, rtol=1e-6):
+            raise InputError(
+                "{name} is given over {length:.6g}, the strip is {length_2:.6g} long",
+                name=name,
+                length=Length(width.length),
+                length_2=Length(length),
+            )
+        profile = width
+    elif callable(width):
+        profile = Profile.fit(width, length, tolerance=WIDTH_MM)
+    else:
+        require_positive(width, name)
+        value = float(width)
+        return Profile(np.repeat([0.0, length], 4), np.full(4, value))
+    if profile.extremes[0] <= 0:
+        s = stations_of(length, profile)
+        at = float(s[int(np.argmin(profile(s)))])
+        raise InputError(
+            "{name} is {given:.4g} at {at:.4g}: it must be positive everywhere",
+            name=name,
+            given=Length(float(profile(at))),
+            at=Length(at),
+        )
+    return profile
+
+
+def refine_stations(s: FloatArray, *values: FloatArray) -> FloatArray:
+    """The stations (n,) with finer ones about the local extremes of `values` (n,) at them."""
+    turns = [np.flatnonzero(np.diff(np.sign(np.diff(value)))) + 1 for value in values]
+    found = np.unique(np.concatenate([[0, s.size - 1], *turns]).astype(int))[:MOST_EXTREMES]
+    before, after = s[np.maximum(found - 1, 0)], s[np.minimum(found + 1, s.size - 1)]
+    return np.unique(np.concatenate([s, np.linspace(before, after, 65).ravel()]))
+
+
+def stations_of(length: float, *profiles: Profile, count: int = 2001) -> FloatArray:
+    """Stations (n,) in [0, length], mm, dense, with the knots of the profiles among them."""
+    knots = [profile.knots[(profile.knots >= 0) & (profile.knots <= length)] for profile in profiles]
+    return np.unique(np.concatenate([np.linspace(0.0, length, count), *knots]))
+
+
+def correct_layout(
+    style: Style, rod: Rod, sheet: Sheet, correction: Profile, **widths: float | None
+) -> Layout:
+    """Layout of a style for a rod whose stiffness is corrected by a factor along it."""
+    asked = rod.profile
+    corrected = Profile.fit(
+        lambda s: asked(s) * correction(s), rod.length, breaks=asked.breaks, knots=correction.knots,
+        tolerance=CORRECTION_TOLERANCE * float(asked.extremes[1]),
+    )  # fmt: skip
+    layout = style.laid_out(rod.with_stiffness(corrected), sheet, **widths)
+    # E I where the rod's own K is 1; with_stiffness made the least corrected one 1
+    return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
+
+
+@lru_cache(maxsize=_RODS)
+def bends_along(rod: Rod) -> Bends:
+    """Curvature of a rod at stations spread over its curve's smooth panels and on both sides of jumps."""
+    if rod.shape is None:
+        return Bends(np.abs(rod.curvature - rod.natural_curvature), rod.s)
+    curve, rest = rod.curve, rod.natural_curvature
+    panels = curve.smooth_panels
+    places = np.linspace(0.0, panels.size - 1.0, max(CURVATURE_STATIONS, rod.s.size))
+    t = np.interp(places, np.arange(panels.size), panels)
+    jumps = np.array([at.t for at in curve.breaks if at.continuity < 2])
+    t = np.sort(np.concatenate([t, jumps, jumps]))
+    kappa = curve.curvature_at(t)
+    kappa[np.searchsorted(t, jumps)] = curve.curvature_at(jumps, left=True)
+    if np.size(rest) > 1:
+        rest = rod.rest_at(curve.arc_length(t))
+    return Bends(np.abs(kappa - rest), t, curve)

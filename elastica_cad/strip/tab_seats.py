@@ -1,0 +1,584 @@
+"""Seats of tabs in their holders, and the rest shape of a strip with play in them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain, repeat
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number, numbers, require_positive
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.forming.quadratic_program import QuadraticProgram, QuadraticSolution, solve_quadratic
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.refusals import Length, note
+
+STEEPEST_RAD = np.radians(80.0)
+"""A tab that can turn this far counts as not held."""
+
+STOP_RAD = np.radians(0.05)
+"""Step of the turns that are tried."""
+
+WALL_PLACES = 17
+"""Number of places of a wall at which contact is checked: a tab bends in its pocket and may touch it in the
+middle."""
+
+
+@dataclass(frozen=True)
+class EndPose:
+    """Rest position of an end: `shift` mm to the left of the design, `turn` rad anticlockwise."""
+
+    shift: float = 0.0
+    turn: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class TabSeat:
+    """The edges of a holder on both sides of a tab, in the plane of the strip's curve.
+
+    Places are told as (into, left): how far into the tab from the end of the free part, and how far to the left of
+    the tab's designed middle line, seen along the strip from start to end; mm.
+
+    Parameters
+    ----------
+    left, right : (k, 2) array_like
+        Edges that the tab's left and right faces can touch.
+    thickness : float
+        Of the tab, mm.
+    name : str
+        What holds it, as messages say it.
+
+    Examples
+    --------
+    >>> seat = TabSeat.pocket(length=10, thickness=0.8, play=0.15)
+    >>> [round(float(np.degrees(turn)), 2) for turn in seat.turning]
+    [-1.72, 1.72]
+    """
+
+    left: FloatArray
+    right: FloatArray
+    thickness: float
+    name: str = "holder"
+
+    def __post_init__(self) -> None:
+        for side in ("left", "right"):
+            edges = numbers(getattr(self, side), f"{side} edges of a seat")
+            if edges.ndim == 0 or (edges.size and edges.shape[-1] != 2):
+                raise InputError(
+                    "{side} edges of a seat are rows (k, 2) of the record, in mm, not {shape}",
+                    side=side,
+                    shape=edges.shape,
+                )
+            object.__setattr__(self, side, edges.reshape(-1, 2))
+
+    @classmethod
+    def pocket(cls, length: float, thickness: float, play: float, *, name: str = "pocket") -> "TabSeat":
+        """A straight pocket around the tab with `play` mm on either face.
+
+        Raises
+        ------
+        InputError
+            Play below 0.
+        """
+        require_positive(length, f"{name}: the length")
+        require_positive(thickness, f"{name}: the thickness")
+        if not (is_number(play) and play >= 0):
+            raise InputError(
+                "{name}: the play is {play!r} mm: it must be 0 or more for the tab to go in",
+                name=name,
+                play=play,
+            )
+        into = np.linspace(0.0, length, WALL_PLACES)
+        half = np.full(into.size, thickness / 2 + play)
+        return cls(np.column_stack([into, half]), np.column_stack([into, -half]), thickness, name)
+
+    @cached_property
+    def edges(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Into and left of all edges, those of the left face first, and their faces' sides: 1 left, -1 right."""
+        into, left = np.concatenate([self.left, self.right]).T.copy()
+        return into, left, np.repeat([1.0, -1.0], [len(self.left), len(self.right)])
+
+    @property
+    def depth(self) -> float:
+        """Depth to which the holder reaches into the tab, mm."""
+        return float(max(self.left[:, 0].max(), self.right[:, 0].max()))
+
+    @property
+    def room(self) -> float:
+        """Distance by which the tab can shift across between the edges, in its designed direction, mm; 0 where
+        they press it."""
+        return max(0.0, float(self.left[:, 1].min() - self.right[:, 1].max()) - self.thickness)
+
+    @property
+    def places(self) -> tuple[float, ...]:
+        """All edges, rounded: of seats that are alike the same."""
+        return tuple(np.round([*self.left.ravel(), *self.right.ravel()], 9).tolist())
+
+    def moved(self, shift: float, turn: float) -> "TabSeat":
+        """The holder shifted to the left, mm, and turned towards the left, rad, about the end of the free part."""
+        cos, sin = np.cos(turn), np.sin(turn)
+        rotation = np.array([[cos, sin], [-sin, cos]])
+        left, right = (side @ rotation + (0.0, shift) for side in (self.left, self.right))
+        return TabSeat(left, right, self.thickness, self.name)
+
+    def gaps(self, shift: float, turn: float, way: int) -> FloatArray:
+        """Room (k,), mm, between each edge and the tab's face; negative where they overlap.
+
+        The free part ends `shift` mm to the left of the design and the strip's tangent is turned by `turn` rad
+        anticlockwise; `way` is +1 at the end of the strip and -1 at its start, where the tab points backwards.
+        """
+        cos, sin = np.cos(turn), np.sin(turn)
+        into, left, side = self.edges
+        return np.asarray(side * (-way * into * sin + (left - shift) * cos) - self.thickness / 2)
+
+    def slopes(self, shift: float, turn: float, way: int) -> FloatArray:
+        """Derivatives (k, 2) of `gaps` by shift and turn."""
+        cos, sin = np.cos(turn), np.sin(turn)
+        into, left, side = self.edges
+        return np.column_stack([-cos * side, side * (-way * into * cos - (left - shift) * sin)])
+
+    def bends(self, shift: float, turn: float, way: int) -> FloatArray:
+        """Second derivatives (k, 2, 2) of `gaps` by shift and turn."""
+        cos, sin = np.cos(turn), np.sin(turn)
+        into, left, side = self.edges
+        found = np.zeros((side.size, 2, 2))
+        found[:, 0, 1] = found[:, 1, 0] = sin * side
+        found[:, 1, 1] = side * (way * into * sin - (left - shift) * cos)
+        return found
+
+    @cached_property
+    def turning(self) -> tuple[float, float]:
+        """Angles, rad, by which the tab can turn to the right (negative) and to the left, seen outward."""
+        return -self._stop(-1), self._stop(1)
+
+    def _stop(self, sense: int) -> float:
+        # at way = +1 the outward direction is the strip's, so turns are the tab's own
+        turn = np.arange(0.0, STEEPEST_RAD, STOP_RAD)
+        cos, sin = np.cos(sense * turn)[:, None], np.sin(sense * turn)[:, None]
+        (a, b), (c, d) = self.left.T, self.right.T
+        most = (b - (a * sin + self.thickness / 2) / cos).min(axis=1)
+        least = (d + (self.thickness / 2 - c * sin) / cos).max(axis=1)
+        # what fits at an angle need not fit at all smaller ones, but the first stop on the way out counts
+        room = most - least
+        jams = np.flatnonzero(room[1:] < -1e-12)
+        if not jams.size:
+            return float(STEEPEST_RAD)
+        k = jams[0]
+        return float(turn[k] + STOP_RAD * max(0.0, room[k]) / (max(0.0, room[k]) - room[k + 1]))
+
+
+STEP_SHARE = 0.05  # of the length: largest move of an end in one step
+STEP_RAD = 0.15  # largest turn of an end in one step
+PRICE = 100.0  # of a mm of overlap, over the forces that are there: far above most contacts' multipliers
+TAB_PIECES = 16  # of a tab that bends: its turn at the mouth is then right to half a percent
+
+
+@dataclass(frozen=True, eq=False)
+class SeatedEnd:
+    """An end with room: its tab as a chain of rigid pieces between bending joints.
+
+    Unknowns are its shift, its turn and the angles of its tab's pieces; angles times the length of the strip, so
+    that all are mm.
+
+    Attributes
+    ----------
+    index : int
+        0 for the start, 1 for the end.
+    seat : TabSeat
+    stiffness : float
+        E I of the tab over the rod's B; infinite for tabs that do not bend.
+    """
+
+    index: int
+    seat: TabSeat
+    stiffness: float
+
+    @property
+    def way(self) -> int:
+        """Which way along the strip its tab points."""
+        return 1 if self.index else -1
+
+    @property
+    def pieces(self) -> int:
+        """Number of pieces of the tab; 0 where it is stiff."""
+        return TAB_PIECES if np.isfinite(self.stiffness) else 0
+
+    @cached_property
+    def piece(self) -> float:
+        """Length of a piece, mm."""
+        return self.seat.depth / TAB_PIECES
+
+    @property
+    def bending(self) -> FloatArray:
+        """Hessian (m, m) of the tab's energy over B in the angles of its pieces, 1/mm."""
+        return np.asarray(self.stiffness / self.piece * _chain(self.pieces))
+
+    @cached_property
+    def sideways(self) -> FloatArray:
+        """Amount (k, m), mm, by which the gap at each edge closes per angle of each piece."""
+        into, _, side = self.seat.edges
+        begins = self.piece * np.arange(self.pieces)
+        covered = np.minimum(np.maximum(into[:, None] - begins, 0.0), self.piece)
+        return np.asarray(-self.way * side[:, None] * covered)
+
+    def left(self, design: Rod) -> FloatArray:
+        """Unit vector (2,) to the left of the design at this end."""
+        angle = float(design.angle[-self.index])
+        return np.array([-np.sin(angle), np.cos(angle)])
+
+    def load(self, rod: Rod, left: FloatArray, length: float) -> tuple[float, float]:
+        """Force and moment of the holder on a rod along shift and turn, over B, 1/mm2; `left` is a unit vector
+        (2,)."""
+        k, sign = -self.index, -1.0 if self.index else 1.0
+        return sign * float(rod.force[k] @ left), -sign * float(rod.moment[k]) / length
+
+    def walls(self, part: FloatArray, length: float) -> tuple[FloatArray, FloatArray]:
+        """Slopes (k, 2 + m) by its unknowns and gaps (k,), mm, between tab and edges; negative overlaps."""
+        pose = float(part[0]), float(part[1]) / length
+        gaps = self.seat.gaps(*pose, self.way)
+        rows = np.empty((gaps.size, part.size))
+        rows[:, :2] = self.seat.slopes(*pose, self.way)
+        rows[:, 1] /= length
+        if part.size > 2:
+            rows[:, 2:] = self.sideways / length
+            gaps = gaps + rows[:, 2:] @ part[2:]
+        return rows, gaps
+
+
+def _chain(pieces: int) -> FloatArray:
+    """Hessian (m, m) of a chain of pieces whose joints have the stiffness 1."""
+    # the first piece turns about the mouth, half a piece away from its middle
+    springs = np.ones(pieces)
+    springs[:1] = 2.0
+    joints = np.eye(pieces) - np.eye(pieces, k=-1)
+    return np.asarray(joints.T @ (springs[:, None] * joints))
+
+
+def _step_within(
+    hessian: FloatArray,
+    gradient: FloatArray,
+    walls: tuple[FloatArray, FloatArray],
+    length: float,
+    shifts: Sequence[int],
+    *,
+    scale: float,
+    price: float = PRICE,
+    reach: float = np.inf,
+) -> QuadraticSolution:
+    """The next step of sequential quadratic programming, mm.
+
+    Parameters
+    ----------
+    hessian, gradient : (n, n), (n,) arrays
+        Of the energy over B.
+    walls : ((k, n), (k,)) arrays
+        Slopes and gaps of all edges.
+    length : float
+        Of the strip, mm: steps are bounded by shares of it.
+    shifts : sequence of int
+        Which unknowns are shifts; all others are angles.
+    scale : float
+        Stiffness of the ends by which all is divided, 1/mm3.
+    price : float
+        Of a mm of overlap.
+    reach : float
+        Farthest step of any unknown, mm.
+    """
+    rows, gaps = walls
+    bound = np.full(gradient.size, STEP_RAD * length)
+    bound[shifts] = STEP_SHARE * length
+    each = price * (np.abs(gradient).max() / scale + bound.max())
+    program = QuadraticProgram(
+        hessian / scale, gradient / scale, -np.minimum(bound, reach), np.minimum(bound, reach), rows, -gaps,
+        np.full(gaps.size, each), np.ones(gaps.size, dtype=bool),
+    )  # fmt: skip
+    return solve_quadratic(program)
+
+
+MOST_STEPS = 60
+RENEWED_SHARE = 0.003  # of the length: after longer steps the stiffness of the ends is measured anew
+SHORTER, LONGER = 0.5, 2.0  # most of the next step: of one that went back, and of what the last was allowed
+DIFFERENCE_SHARE = 1e-5  # of the length: step of the finite differences of reactions
+SETTLED_SHARE = 1e-9  # of the length: steps below it end the search
+LEAST_SHARE = 1e-6  # of the largest eigenvalue: a direction that is softer counts as this stiff
+DEARER = 10.0  # times as much, where a tab that is wedged in pays it
+DEAREST = 1e6  # a tab that pays this does not fit
+OVERLAP_SHARE = 1e-7  # of the length: overlaps below it are rounding
+SEATING_STEPS = 3
+SEATING = 1e4  # times as stiff are the ends while tabs bend into their seats
+
+
+def rest_in_seats(
+    made: Rod,
+    design: Rod,
+    seats: tuple[TabSeat | None, TabSeat | None],
+    tab_stiffness: tuple[float, float] = (np.inf, np.inf),
+) -> tuple[Rod, tuple[EndPose, EndPose]]:
+    """The shape of least energy whose tabs stay within their seats, and where its ends are.
+
+    Tabs may shift across, turn and bend, not slide along. Contacts are without friction: least energy under
+    one-sided conditions, by sequential quadratic programming on shift and turn of each end and the angles of each
+    tab; forces and moments of the rod (Eq. 2) are the gradient, their differences and how pushes turn the Hessian.
+
+    Parameters
+    ----------
+    made : Rod
+        What is held.
+    design : Rod
+        Where its ends were meant to be.
+    seats : pair of TabSeat or None
+        At start and end; None holds that end as its support does, without play.
+    tab_stiffness : pair of float
+        E I of the tabs over the rod's B; infinite for tabs that do not bend.
+
+    Raises
+    ------
+    NotConvergedError
+        A tab does not fit into its seat, or no rest shape was found.
+    """
+    seated = [
+        SeatedEnd(k, seat, stiffness)
+        for k, (seat, stiffness) in enumerate(zip(seats, tab_stiffness, strict=True))
+        if seat is not None and design.supports.ends[k].angle
+    ]
+    if not seated:
+        return bend(made, start=design.position[0], end=design.position[-1]), (EndPose(), EndPose())
+    problem = _Held(made, design, tuple(seated))
+    q = np.zeros(problem.slices[-1].stop)
+    rod = problem.bent(q, made)
+    stiffness = problem.end_stiffness(q, rod)
+    firm = _made_definite(stiffness)
+    # tabs bend into their seats first, else the strip is thrown far off by walls that a straight tab meets
+    for _ in range(SEATING_STEPS):
+        q = q + problem.step(q, rod, SEATING * firm).x
+    rod = problem.bent(q, rod)
+    step, pushes, price, reach = np.zeros(q.size), np.zeros(len(problem.walls(q)[1])), PRICE, np.inf
+    for _ in range(MOST_STEPS):
+        if np.abs(step).max() > RENEWED_SHARE * design.length:
+            stiffness = problem.end_stiffness(q, rod)
+        firm = _made_definite(stiffness - problem.wall_bends(q, pushes))
+        found = problem.step(q, rod, firm, price=price, reach=reach)
+        before, step, pushes = step, found.x, found.row_multipliers * np.abs(firm).max()
+        moved = np.abs(step).max()
+        settled = moved <= SETTLED_SHARE * design.length and moved < reach
+        # steps back ask for shorter ones: shape and contacts change more on the way than a step knows
+        reach = SHORTER * moved if step @ before < 0 else LONGER * reach
+        q = q + step
+        rod = problem.bent(q, rod)
+        if settled:
+            if problem.walls(q)[1].min() >= -OVERLAP_SHARE * design.length:
+                break
+            if price >= DEAREST:
+                raise NotConvergedError(problem.without_room(q))
+            price, reach = DEARER * price, np.inf
+    else:
+        raise NotConvergedError(
+            problem.without_room(q)
+            if price > PRICE and problem.walls(q)[1].min() < -OVERLAP_SHARE * design.length
+            else "the strip finds no rest in its holders: give them less play, or hold the tabs with screws "
+            "or glue"
+        )
+    poses = [EndPose(), EndPose()]
+    for one, part in problem.parts(q):
+        poses[one.index] = EndPose(*problem.pose(part))
+    return rod, (poses[0], poses[1])
+
+
+@dataclass(frozen=True, eq=False)
+class _Held:
+    """Unknowns q of each seated end: shift, turn, angles of its tab's pieces; angles times the length, all mm."""
+
+    made: Rod
+    design: Rod
+    seated: tuple[SeatedEnd, ...]
+
+    @cached_property
+    def slices(self) -> list[slice]:
+        """Slices of q with the unknowns of each end."""
+        ends = np.cumsum([2 + one.pieces for one in self.seated]).tolist()
+        return [slice(end - 2 - one.pieces, end) for one, end in zip(self.seated, ends, strict=True)]
+
+    def parts(self, q: FloatArray) -> list[tuple[SeatedEnd, FloatArray]]:
+        return [(one, q[own]) for one, own in zip(self.seated, self.slices, strict=True)]
+
+    @cached_property
+    def poses(self) -> list[int]:
+        """Indices in q of shifts and turns."""
+        return [own.start + k for own in self.slices for k in (0, 1)]
+
+    def pose(self, part: FloatArray) -> tuple[float, float]:
+        return float(part[0]), float(part[1]) / self.design.length
+
+    def bent(self, q: FloatArray, near: Rod) -> Rod:
+        design = self.design
+        places = [design.position[0], design.position[-1]]
+        angles = [float(design.angle[0]), float(design.angle[-1])]
+        for one, part in self.parts(q):
+            shift, turn = self.pose(part)
+            places[one.index] = places[one.index] + shift * one.left(design)
+            angles[one.index] += turn
+        held = [angle if end.angle else None for angle, end in zip(angles, design.supports.ends, strict=True)]
+        return bend(near, start=places[0], end=places[1], angles=(held[0], held[1]))
+
+    def reactions(self, rod: Rod) -> FloatArray:
+        """Forces and moments of the holders on the strip along shift and turn of each end, over B, 1/mm2."""
+        found = [one.load(rod, one.left(self.design), self.design.length) for one in self.seated]
+        return np.array(found).ravel()
+
+    def end_stiffness(self, q: FloatArray, rod: Rod) -> FloatArray:
+        """Derivatives of the reactions, 1/mm3."""
+        reactions, difference = self.reactions(rod), DIFFERENCE_SHARE * self.design.length
+        moves = difference * np.eye(q.size)[self.poses]
+        ends = np.array([self.reactions(self.bent(q + move, rod)) - reactions for move in moves]) / difference
+        return np.asarray((ends + ends.T) / 2)
+
+    def without_room(self, q: FloatArray) -> str:
+        """Message about the tab that overlaps its holder most."""
+        each = [(one, float(one.walls(part, self.design.length)[1].min())) for one, part in self.parts(q)]
+        one, gap = min(each, key=lambda pair: pair[1])
+        end = "end" if one.index else "start"
+        return note(
+            "the tab at the {end} does not go into its {seat}: however it turns and bends, {depth:.2g} of "
+            "it stand in the material; give it more play",
+            end=end, seat=one.seat.name, depth=Length(-gap),
+        )  # fmt: skip
+
+    def wall_bends(self, q: FloatArray, pushes: FloatArray) -> FloatArray:
+        """What the pushes (k,) of the walls, over B, change of them as the ends turn, 1/mm3."""
+        found, at, scale = [], 0, np.array([1.0, 1 / self.design.length])
+        for one, part in self.parts(q):
+            bends = one.seat.bends(*self.pose(part), one.way) * np.outer(scale, scale)
+            found.append(np.einsum("k,kij->ij", pushes[at : at + len(bends)], bends))
+            at += len(bends)
+        return _block_diagonal(found)
+
+    def walls(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Slopes (k, n) by q and gaps (k,), mm, between tabs and the edges of their holders; negative overlaps."""
+        rows, room = zip(*(one.walls(part, self.design.length) for one, part in self.parts(q)), strict=True)
+        return _block_diagonal(rows), np.concatenate(room)
+
+    def step(
+        self,
+        q: FloatArray,
+        rod: Rod,
+        end_stiffness: FloatArray,
+        *,
+        price: float = PRICE,
+        reach: float = np.inf,
+    ) -> QuadraticSolution:
+        """The next step of sequential quadratic programming, none of it farther than `reach` mm."""
+        length = self.design.length
+        # the energy of the tabs over B in q, 1/mm3, then that of the rod in the poses
+        H = _block_diagonal(
+            [_block_diagonal([np.zeros((2, 2)), one.bending / length**2]) for one in self.seated]
+        )
+        g = H @ q
+        g[self.poses] = self.reactions(rod)
+        H[np.ix_(self.poses, self.poses)] = end_stiffness
+        scale = float(np.abs(end_stiffness).max())
+        return _step_within(
+            H, g, self.walls(q), length, self.poses[::2], scale=scale, price=price, reach=reach
+        )
+
+
+def _block_diagonal(blocks: Sequence[FloatArray]) -> FloatArray:
+    """Blocks (k, m) along the diagonal, zeros elsewhere."""
+    from scipy.linalg import block_diag
+
+    return np.asarray(block_diag(*blocks), dtype=float)
+
+
+def _made_definite(stiffness: FloatArray) -> FloatArray:
+    """Symmetric (n, n) with the same directions, all of them stiff."""
+    values, vectors = np.linalg.eigh(stiffness)
+    values = np.maximum(np.abs(values), LEAST_SHARE * np.abs(values).max())
+    return np.asarray(vectors @ np.diag(values) @ vectors.T)
+
+
+SHORTENING = (1.0, 0.1, 0.01)
+"""Stiffness of an end over its load / length in the first steps: what is stiff in its place keeps them short."""
+
+FREE = 1e-4
+"""The same in all others, which end where it is of no account: each leaves this share of what it moved."""
+
+MOST_LEANS = 36
+"""Largest number of iterations; about six are usual."""
+
+LEANED_SHARE = 1e-7
+"""Move of the last step, as a share of the length, when the contacts have been found."""
+
+
+@dataclass(frozen=True)
+class Lean:
+    """How a holder is shifted, mm, and turned, rad, to the left.
+
+    `slopes` are those of the tab's pieces at rest, each `piece` mm long, to its left.
+    """
+
+    shift: float
+    turn: float
+    slopes: FloatArray
+    piece: float
+
+    def touched(self, wall: FloatArray) -> tuple[float, float]:
+        """How far into the tab at rest a wall of the moved holder comes nearest to it, mm, and its slope there.
+
+        Parameters
+        ----------
+        wall : (n, 2) array
+            Places of the wall before it is moved, into the tab and to its left, mm.
+        """
+        (into, left), (slopes, places, bent) = wall.T, self._at_rest
+        gaps = left + self.shift + self.turn * into - np.interp(into, places, bent)
+        place = float(into[np.abs(gaps).argmin()])
+        return place, float(slopes[min(int(place / self.piece), slopes.size - 1)])
+
+    @cached_property
+    def _at_rest(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """The tab's slopes (k,), and where its pieces begin and end (k + 1,): into it and to its left, mm."""
+        slopes = np.resize(self.slopes, max(self.slopes.size, 1))  # stiff tabs are one straight piece
+        bent = np.append(0.0, np.cumsum(slopes)) * self.piece
+        return slopes, np.asarray(self.piece * np.arange(slopes.size + 1), dtype=float), bent
+
+
+def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = np.inf) -> Lean:
+    """How a holder is shifted and turned so that the loaded tab lies as designed.
+
+    The strip's force and moment press the tab against some edges of the holder: moved by this, those edges are
+    where the tab is meant to be, and all play lies on the other sides. The load stays what it is, so an end that
+    were free to move would be thrown as far as a step may go: it is held by a spring that is softened.
+
+    Parameters
+    ----------
+    design : Rod
+    index : int
+        0 for the start, 1 for the end.
+    seat : TabSeat
+        The holder where it was designed.
+    tab_stiffness : float
+        E I of the tab over the rod's B; a stiff tab unless given.
+    """
+    end, length = SeatedEnd(index, seat, tab_stiffness), design.length
+    load, piece, way, n = end.load(design, end.left(design), length), end.piece, end.way, 2 + end.pieces
+    shift = turn = 0.0
+    pressed = max(map(abs, load))
+    if pressed == 0:
+        return Lean(shift, turn, np.zeros(end.pieces), piece)
+    H, g, q = np.zeros((n, n)), np.zeros(n), np.zeros(n)
+    g[:2] = load
+    springs = chain(SHORTENING, repeat(FREE))
+    for spring, _ in zip(springs, range(MOST_LEANS), strict=False):
+        H[0, 0] = H[1, 1] = spring * pressed / length
+        if n > 2:
+            H[2:, 2:] = end.bending / length**2
+            g[2:] = H[2:, 2:] @ q[2:]
+        step = _step_within(H, g, end.walls(q, length), length, [0], scale=H[0, 0]).x
+        q[2:] += step[2:]
+        # the holder is moved against the tab, which stays where it is
+        shift, turn = shift - float(step[0]), turn - way * float(step[1]) / length
+        if np.abs(step).max() <= LEANED_SHARE * length:
+            break
+        end = SeatedEnd(index, seat.moved(shift, turn), tab_stiffness)
+    return Lean(shift, turn, q[2:] * way / length, piece)

@@ -1,0 +1,273 @@
+"""Bodies of strips whose thickness varies: side views that the width extrudes, and round rods and tubes."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.geometry.segments import Segment, Spline
+from elastica_cad.geometry.splines import adaptive_spline
+from elastica_cad.refusals import Length
+from elastica_cad.strip.bent_boundary import (
+    Boundary,
+    Edge,
+    EdgeUse,
+    Face,
+    PlaneSurface,
+    SpaceCurve,
+    SpaceSurface,
+    StraightTrace,
+)
+from elastica_cad.strip.outline import lines_through
+from elastica_cad.strip.strip import Strip
+
+FACE_MM = 1e-4
+"""Accuracy, mm, of the faces at half the thickness from the curve."""
+
+
+def side_view(strip: Strip, *, bent: bool = False) -> Path:
+    """The outline of a tapered strip seen from the side, anticlockwise; its tabs go on straight.
+
+    Flat, x runs along the strip from the start of the free part, y = 0 is half way through the thickness; bent, it
+    stands on the strip's curve.
+
+    Raises
+    ------
+    InputError
+        The strip is not tapered, or bent to a radius below half its thickness.
+
+    Examples
+    --------
+    >>> from elastica_cad.strip.strip_spec import make_strip
+    >>> from elastica_cad.mechanics.sheets import Sheet
+    >>> from elastica_cad.mechanics.stiffness_law import ThicknessLaw
+    >>> glass = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.02)
+    >>> arch = PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)])
+    >>> strip = make_strip(arch, glass, law=ThicknessLaw(glass, 1.0, 4.0, width=20.0))
+    >>> round(float(np.ptp(side_view(strip).bounds[:, 1])), 3)
+    4.0
+    """
+    size = strip.layout.size
+    if size is None:
+        raise InputError("the strip is of one thickness: it has no side view; give it a law")
+    first, last = (tab.length for tab in strip.ends)
+    ends = size([0.0, strip.rod.length]) / 2
+    right, left = (
+        (_flat_face(size, side) if not bent else _bent_face(strip, size, side)) for side in (-1, 1)
+    )
+    segments: list[Segment] = []
+    places, directions = _frames(strip, bent)
+    (start, end), (back, ahead) = places, (-directions[0] * first, directions[1] * last)
+    across = [np.array([-d[1], d[0]]) for d in directions]
+    low_start, high_start = start - ends[0] * across[0], start + ends[0] * across[0]
+    low_end, high_end = end - ends[1] * across[1], end + ends[1] * across[1]
+    segments += lines_through([high_start, high_start + back, low_start + back, low_start])
+    segments.append(Spline(right))
+    segments += lines_through([low_end, low_end + ahead, high_end + ahead, high_end])
+    segments.append(Spline(left).reversed())
+    return Path(tuple(segments), closed=True)
+
+
+def _frames(strip: Strip, bent: bool) -> tuple[FloatArray, FloatArray]:
+    """Positions and directions (2, 2) of the two ends of the free part."""
+    if not bent:
+        return np.array([[0.0, 0.0], [strip.rod.length, 0.0]]), np.array([[1.0, 0.0], [1.0, 0.0]])
+    nodes = strip.rod.curve.at(np.array([0.0, strip.rod.curve.length]))
+    return nodes.position, np.column_stack([np.cos(nodes.angle), np.sin(nodes.angle)])
+
+
+def _flat_face(size: Profile, side: int) -> PlaneCurve:
+    """One face of the flat strip: half the thickness is exactly a spline over its Greville abscissae."""
+    points = np.column_stack([size.greville, side * size.coefficients / 2])
+    return PlaneCurve(size.knots, points, size.degree)
+
+
+def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
+    """The curve half a thickness off the strip's own."""
+    curve, length = strip.rod.curve, strip.rod.length
+    tight = np.abs(strip.rod.curvature) * size(strip.rod.s) / 2
+    if tight.max() >= 1:
+        at = float(strip.rod.s[int(tight.argmax())])
+        raise InputError(
+            "at {at:.4g} the strip bends to a radius below half its thickness: draw a gentler "
+            "curve, or allow less thickness",
+            at=Length(at),
+        )
+
+    def face(s: FloatArray) -> FloatArray:
+        nodes = curve.at(np.clip(s, 0.0, curve.length))
+        normal = np.column_stack([-np.sin(nodes.angle), np.cos(nodes.angle)])
+        return np.asarray(nodes.position + side * size(s)[:, None] / 2 * normal)
+
+    breaks = [*size.breaks, *((place.s, max(place.continuity - 1, 0)) for place in curve.breaks)]
+    knots, points = adaptive_spline(face, (0.0, length), degree=5, tolerance=FACE_MM, breaks=breaks)
+    return PlaneCurve(knots, points, 5)
+
+
+HALF_TURN_SPANS = 8
+"""Number of spans of the spline of degree 5 that represents half a circle, to 1e-8 of its radius."""
+
+DEGREE = 5
+
+
+@dataclass(frozen=True, eq=False)
+class RoundSolid:
+    """A rod whose diameter varies, or a tube, along a strip's curve or straight along x; its tabs go on straight.
+
+    Attributes
+    ----------
+    strip : Strip
+        Its law is a `RoundLaw`.
+    frame : Frame
+        The plane of the curve, or the plane in which the straight rod's axis is x.
+    bent : bool
+    bore : float
+        Inner over outer diameter; 0 for a rod.
+    joints : mapping of str to Frame
+    """
+
+    strip: Strip
+    frame: Frame
+    bent: bool
+    bore: float
+    joints: Mapping[str, Frame] = field(default_factory=dict)
+
+    @cached_property
+    def boundary(self) -> Boundary:
+        """The closed skin: two halves a piece (tab, free part, tab), also of a bore, and the two ends."""
+        first, last = (tab.length for tab in self.strip.ends)
+        length = self.strip.rod.length
+        stations = [*([-first] if first else []), 0.0, length, *([length + last] if last else [])]
+        pieces = [self._spine(a, b) for a, b in pairwise(stations)]
+        shares = (1.0, self.bore) if self.bore else (1.0,)
+        made = _Skins()
+        rings = [made.skin(pieces, share, self.frame, outward=share == 1.0) for share in shares]
+        for end, station in ((0, stations[0]), (-1, stations[-1])):
+            made.cap([ring[end] for ring in rings], self._cross(station), at_start=end == 0)
+        return Boundary(np.array(made.vertices), tuple(made.edges), tuple(made.faces))
+
+    def _at(self, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Axis (n, 2), normal (n, 2) and radius (n,); beyond the ends straight and even."""
+        length, size = self.strip.rod.length, self.strip.layout.size
+        assert size is not None
+        within = np.clip(s, 0.0, length)
+        if self.bent:
+            curve = self.strip.rod.curve
+            nodes = curve.at(within / length * curve.length)
+            position, angle = nodes.position, nodes.angle
+        else:
+            position, angle = np.column_stack([within, 0.0 * within]), 0.0 * within
+        tangent = np.column_stack([np.cos(angle), np.sin(angle)])
+        axis = position + (s - within)[:, None] * tangent
+        return axis, np.column_stack([-tangent[:, 1], tangent[:, 0]]), size(within) / 2
+
+    def _spine(self, start: float, end: float) -> tuple[FloatArray, FloatArray]:
+        """Knots and rows (m, 5) of a spline of axis, radius times normal, and radius."""
+        size, curve, length = self.strip.layout.size, self.strip.rod.curve, self.strip.rod.length
+        breaks = [] if size is None else list(size.breaks)
+        if self.bent:
+            breaks += [
+                (place.s / curve.length * length, max(place.continuity - 1, 0)) for place in curve.breaks
+            ]
+
+        def spine(s: FloatArray) -> FloatArray:
+            axis, normal, radius = self._at(s)
+            return np.column_stack([axis, radius[:, None] * normal, radius])
+
+        inner = [(s, continuity) for s, continuity in breaks if start < s < end]
+        return adaptive_spline(spine, (start, end), degree=DEGREE, tolerance=FACE_MM, breaks=inner)
+
+    def _cross(self, s: float) -> Frame:
+        """The cross-section at s: x along the normal in the plane, y along the plane's own z."""
+        axis, normal, _ = self._at(np.array([s]))
+        return Frame(self.frame.point(axis[0]), self.frame.direction(normal[0]), self.frame.z_axis)
+
+
+class _Skins:
+    """Vertices, edges and faces as they are made."""
+
+    def __init__(self) -> None:
+        self.vertices: list[FloatArray] = []
+        self.edges: list[Edge] = []
+        self.faces: list[Face] = []
+
+    def skin(
+        self, pieces: list[tuple[FloatArray, FloatArray]], share: float, frame: Frame, *, outward: bool
+    ) -> list[list[int]]:
+        """Faces around the axis at a share of the radius; the two edges of the ring at each station."""
+        around, cosines, sines = _half_turn()
+        z = frame.z_axis
+
+        def net(rows: FloatArray, sign: float) -> FloatArray:
+            """Control points (around, along, 3)."""
+            axis, across = frame.point(rows[:, :2]), share * frame.direction(rows[:, 2:4])
+            up = share * rows[:, 4, None] * z
+            return np.asarray(axis + sign * (cosines[:, None, None] * across + sines[:, None, None] * up))
+
+        ends = [pieces[0][1][0], *(rows[-1] for _, rows in pieces)]
+        rings, corners = [], []
+        for row in ends:
+            nets = [net(row[None], sign)[:, 0] for sign in (1.0, -1.0)]
+            first = len(self.vertices)
+            self.vertices += [nets[0][0], nets[0][-1]]
+            rings.append(
+                [self._edge(around, points, first + k, first + 1 - k) for k, points in enumerate(nets)]
+            )
+            corners.append(first)
+        for i, (knots, rows) in enumerate(pieces):
+            nets = [net(rows, sign) for sign in (1.0, -1.0)]
+            seams = [
+                self._edge(knots, points[0], corners[i] + k, corners[i + 1] + k)
+                for k, points in enumerate(nets)
+            ]
+            span = float(knots[0]), float(knots[-1])
+            for k, points in enumerate(nets):
+                loop = (
+                    EdgeUse(rings[i][k], True, StraightTrace((0.0, span[0]), (1.0, 0.0))),
+                    EdgeUse(seams[1 - k], True, StraightTrace((1.0, 0.0), (0.0, 1.0))),
+                    EdgeUse(rings[i + 1][k], False, StraightTrace((0.0, span[1]), (1.0, 0.0))),
+                    EdgeUse(seams[k], False, StraightTrace((0.0, 0.0), (0.0, 1.0))),
+                )
+                surface = SpaceSurface((around, knots), points, (DEGREE, DEGREE))
+                self.faces.append(Face(surface, (loop,), outward))
+        return rings
+
+    def cap(self, rings: list[list[int]], cross: Frame, *, at_start: bool) -> None:
+        """The plane end inside the first ring, outside the others."""
+        frame = Frame(cross.origin, cross.y_axis, cross.x_axis) if at_start else cross
+        loops = []
+        for i, ring in enumerate(rings):
+            forward = at_start == bool(i)
+            loops.append(tuple(EdgeUse(edge, forward) for edge in (ring if forward else ring[::-1])))
+        self.faces.append(Face(PlaneSurface(frame), tuple(loops)))
+
+    def _edge(self, knots: FloatArray, points: FloatArray, start: int, end: int) -> int:
+        self.edges.append(
+            Edge(SpaceCurve(knots, points, DEGREE), float(knots[0]), float(knots[-1]), start, end)
+        )
+        return len(self.edges) - 1
+
+
+def _half_turn() -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Knots over 0..1 and coefficients of the cosine and the sine of half a turn."""
+    from scipy.interpolate import make_lsq_spline
+
+    inner = np.linspace(0.0, 1.0, HALF_TURN_SPANS + 1)
+    knots = np.pad(inner, DEGREE, mode="edge")
+    u = np.linspace(0.0, 1.0, 40 * HALF_TURN_SPANS + 1)
+    weights = np.ones(u.size)
+    weights[[0, -1]] = 1e6  # the halves meet
+    fitted = make_lsq_spline(
+        u, np.column_stack([np.cos(np.pi * u), np.sin(np.pi * u)]), knots, DEGREE, w=weights
+    )
+    cosines, sines = fitted.c.T.copy()
+    cosines[[0, -1]], sines[[0, -1]] = (1.0, -1.0), 0.0
+    return knots, cosines, sines

@@ -1,0 +1,588 @@
+"""Limits of a workshop, and what of a part cannot be cut or handled."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import Annotated
+
+import numpy as np
+
+from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._values import and_more, require_record, told_apart
+from elastica_cad.declared import Asked, require_declared
+from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_points import numbers_in_groups
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.refusals import Length, Listed, Point, note, sentences
+from elastica_cad.strip.lamination import Laminated
+from elastica_cad.strip.layers import Layer
+from elastica_cad.strip.perforation import Perforated
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.styles import Plain
+
+LEAST_STRIP_MM = 3.0  # narrower strips of any sheet break when they are lifted out
+THICKNESSES = 3.0  # a strip narrower than this many thicknesses bends sideways and twists rather than flat
+LEAST_BRIDGE_MM = 2.0  # between two cuts of a plate: what the heat of two passes leaves sound
+LEAST_LIGAMENT_MM = 0.5  # lines of a laser closer than this may burn away what is between them
+LARGEST_PANEL_MM = (3050.0, 1525.0)  # the largest sheet of plywood and board on sale
+WIDEST_SLOT_THICKNESSES = 6.0  # of the tab: a vertical slot this wide holds a tab at no angle
+FILLED_SLOT_MM = 1.6  # a slot no wider holds a thin tab with glue on both sides
+SLENDEREST = 600.0  # length over least width, beyond which a loose strip cannot be handled flat
+
+
+@dataclass(frozen=True)
+class FabricationLimits:
+    """Limits of the workshop; what is not given follows from the sheet.
+
+    Parameters
+    ----------
+    least_width : float, optional
+        Of a strip, a tab or a tongue, mm; where not given the sheet's own, or 3 thicknesses of it, 3 mm at least.
+    least_ligament : float, optional
+        Between the holes of a perforated strip, mm; where not given the sheet's own, or 0.5 mm.
+    least_bridge : float, optional
+        Between the cuts of a ring or a plate, mm; where not given the sheet's own, or its thickness, 2 mm at least.
+    stock : (float, float), optional
+        Longer and shorter side of the largest sheet, mm; where not given the sheet's own, or 3050 by 1525 mm.
+    lap : float, optional
+        Length of the plates that join the pieces of a strip longer than the stock, mm; without it such strips are
+        refused.
+
+    Raises
+    ------
+    InputError
+        A limit that is not positive.
+
+    Examples
+    --------
+    >>> FabricationLimits().width_for(Sheet.named("birch-plywood-0.8"))
+    3.0
+    >>> FabricationLimits(least_width=1.5).width_for(Sheet.named("birch-plywood-0.8"))
+    1.5
+    """
+
+    least_width: Annotated[
+        float | None,
+        Asked(
+            "Narrowest strip, tab or tongue that can be made; that of the sheet unless given.",
+            "mm",
+            least=0.05,
+            group="limits",
+        ),
+    ] = None
+    least_ligament: Annotated[
+        float | None,
+        Asked("Least material between the holes of a perforated strip.", "mm", least=0.05, group="limits"),
+    ] = None
+    least_bridge: Annotated[
+        float | None, Asked("Least material between the cuts of a plate.", "mm", least=0.05, group="limits")
+    ] = None
+    stock: Annotated[
+        tuple[float, float] | None, Asked("Sides of the largest sheet.", "mm", above=0, group="limits")
+    ] = None
+    lap: Annotated[
+        float | None,
+        Asked(
+            "Length of the plates that join pieces of a strip longer than the stock.",
+            "mm",
+            above=0,
+            group="limits",
+        ),
+    ] = None
+
+    def __post_init__(self) -> None:
+        require_declared(FabricationLimits, vars(self))
+        if self.stock is not None:
+            object.__setattr__(self, "stock", (float(max(self.stock)), float(min(self.stock))))
+
+    def width_for(self, sheet: Sheet) -> float:
+        """Least width of strips, tabs and tongues of a sheet, mm."""
+        sheet = Sheet.of(sheet)
+        return self.least_width or sheet.least_width or max(LEAST_STRIP_MM, THICKNESSES * sheet.thickness)
+
+    def ligament_for(self, sheet: Sheet) -> float:
+        """Least material between the holes of a perforated strip, mm."""
+        sheet = Sheet.of(sheet)
+        return self.least_ligament or sheet.least_ligament or LEAST_LIGAMENT_MM
+
+    def bridge_for(self, sheet: Sheet) -> float:
+        """Least material between two cuts of a plate, mm."""
+        sheet = Sheet.of(sheet)
+        return self.least_bridge or sheet.least_bridge or max(LEAST_BRIDGE_MM, sheet.thickness)
+
+    def stock_for(self, sheet: Sheet) -> tuple[float, float]:
+        """Longer and shorter side of the largest sheet, mm."""
+        sheet = Sheet.of(sheet)
+        long, short = sorted(self.stock or sheet.stock or LARGEST_PANEL_MM, reverse=True)
+        return long, short
+
+
+def limits_or_default(shop: FabricationLimits | None) -> FabricationLimits:
+    """The shop, one of which nothing is known for None; refuses what is neither."""
+    if shop is None:
+        return DEFAULT_LIMITS
+    require_record(shop, FabricationLimits, "the shop", "a FabricationLimits record")
+    return shop
+
+
+DEFAULT_LIMITS = FabricationLimits()
+"""A shop of which nothing is known."""
+
+
+SAMPLES_PER_WIDTH = 12  # points along a cut in each least width: a width is found to a percent
+FACING = 0.9  # cosine between a width and both inward normals: corners blunter than 50 degrees are no necks
+_REACHES = np.array(
+    [1 / 16, 1 / 4, 1]
+)  # of the least width, in which widths are searched one after the other
+FLAT_SHARE = 0.02  # of the least width: chords of the sampled cuts
+
+
+@dataclass(frozen=True)
+class ThinPlace:
+    """Too little material: its middle (x, y) and its width, mm; `loops`: the cuts on both sides, outlines first."""
+
+    x: float
+    y: float
+    width: float
+    loops: tuple[int, int] = (0, 0)
+
+
+def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: float) -> tuple[ThinPlace, ...]:
+    """Places where straight across the material the next cut is nearer than `least` mm, the thinnest first.
+
+    Each place is the thinnest of all that lie within `least` of each other.
+
+    Parameters
+    ----------
+    outlines, holes : sequences of Path
+        Closed outer and inner cuts.
+    least : float
+        mm.
+
+    Examples
+    --------
+    >>> plate, hole = Path.rectangle(40, 20), Path.rectangle(10, 10, corner=(5, 1))
+    >>> [place.width for place in find_thin_places([plate], [hole], 2.0)]
+    [1.0]
+    """
+    chords = _Chords.of(outlines, holes, FLAT_SHARE * least)
+    points, chord = chords.middles(least / SAMPLES_PER_WIDTH)
+    i, j, width = _widths_across(points, chords.inward[chord], least)
+    if not width.size:
+        return ()
+    middle = (points[i] + points[j]) / 2
+    loop = chords.loop[chord]
+    places = [
+        ThinPlace(
+            float(middle[k, 0]), float(middle[k, 1]), float(width[k]), (int(loop[i[k]]), int(loop[j[k]]))
+        )
+        for k in _thinnest_of_each_group(middle, width, least)
+    ]
+    return tuple(sorted(places, key=lambda place: place.width))
+
+
+def _widths_across(
+    points: FloatArray, normals: FloatArray, least: float
+) -> tuple[IntArray, IntArray, FloatArray]:
+    """Pairs of points (k,) that face each other straight across the material, and how far apart they are, mm.
+
+    Of all pairs of a point only the narrowest is kept. Narrow widths are searched first: a point that has one needs
+    no wider search, which between many slots close together would list all of them for each other.
+    """
+    from scipy.spatial import cKDTree
+
+    pairs: list[tuple[IntArray, IntArray, FloatArray]] = []
+    searching = np.arange(len(points))
+    for reach in (1 - 1e-9) * least * _REACHES:
+        # one tree over places and directions: of facing points the normals' sum is at most 2 sin(acos(FACING)) long
+        here, there = np.hstack([points, reach * normals])[searching], np.hstack([points, -reach * normals])
+        near = cKDTree(here).sparse_distance_matrix(
+            cKDTree(there), reach * np.sqrt(5 - 4 * FACING**2), output_type="ndarray"
+        )
+        i, j = searching[near["i"]], near["j"]
+        across = points[j] - points[i]
+        width = np.hypot(across[:, 0], across[:, 1])
+        with np.errstate(invalid="ignore", divide="ignore"):
+            across = across / width[:, None]
+        facing = (np.sum(across * normals[i], axis=1) > FACING) & (
+            np.sum(across * normals[j], axis=1) < -FACING
+        )
+        facing &= width < reach
+        i, j, width = i[facing], j[facing], width[facing]
+        narrowest = _narrowest(i, width)
+        pairs.append((i[narrowest], j[narrowest], width[narrowest]))
+        searching = np.setdiff1d(searching, i)
+    i, j, width = (np.concatenate(column) for column in zip(*pairs, strict=True))
+    i, j = np.minimum(i, j), np.maximum(i, j)
+    once = np.unique(np.column_stack([i, j]), axis=0, return_index=True)[1]
+    return i[once], j[once], width[once]
+
+
+def _near_pairs(points: FloatArray, reach: float) -> IntArray:
+    """The pairs (2, k) of points (n, 2) no farther apart than `reach`, the smaller number of each first."""
+    from scipy.spatial import cKDTree
+
+    return np.asarray(cKDTree(points).query_pairs(reach, output_type="ndarray").T)
+
+
+def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:
+    """The thinnest of places (k, 2) that lie within `least` of each other, directly or by others between."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    near = _near_pairs(middle, least)
+    links = coo_matrix((np.ones(near.shape[1], dtype=bool), near), shape=(width.size, width.size))
+    group = connected_components(links, directed=False)[1]
+    order = np.argsort(width, kind="stable")
+    return order[np.unique(group[order], return_index=True)[1]]
+
+
+def _narrowest(point: IntArray, width: FloatArray) -> IntArray:
+    """Index of the least of all widths (k,) across each point."""
+    order = np.lexsort((width, point))
+    return order[np.unique(point[order], return_index=True)[1]]
+
+
+@dataclass(frozen=True, eq=False)
+class _Chords:
+    """All cuts as chords (m): where each begins, its way, both (m, 2), its length, and the number of its cut.
+
+    The material is on their left; `inward` are unit normals (m, 2) into it.
+    """
+
+    start: FloatArray
+    way: FloatArray
+    length: FloatArray
+    loop: IntArray
+    inward: FloatArray
+
+    @classmethod
+    def of(cls, outlines: Sequence[Path], holes: Sequence[Path], flat: float) -> "_Chords":
+        """The chords of closed cuts, to `flat` mm."""
+        sided = [*((path, True) for path in outlines), *((path, False) for path in holes)]
+        runs = [path if (path.area > 0) == outer else path.reversed() for path, outer in sided]
+        lines = [path.points(flat) for path in runs]
+        start = np.concatenate(lines)
+        way = np.concatenate([np.roll(line, -1, axis=0) - line for line in lines])
+        loop = np.repeat(np.arange(len(lines)), [len(line) for line in lines])
+        length = np.hypot(way[:, 0], way[:, 1])
+        start, way, length, loop = (each[length > 0] for each in (start, way, length, loop))
+        inward = np.column_stack([-way[:, 1], way[:, 0]]) / length[:, None]
+        return cls(start, way, length, loop, inward)
+
+    def middles(self, longest: float) -> tuple[FloatArray, IntArray]:
+        """The middles (n, 2) of equal parts no longer than `longest` mm, and the numbers (n,) of their chords."""
+        parts = np.maximum(1, np.ceil(self.length / longest)).astype(np.int64)
+        chord = np.repeat(np.arange(len(parts)), parts)
+        place = (numbers_in_groups(parts) + 0.5) / parts[chord]
+        return self.start[chord] + place[:, None] * self.way[chord], chord
+
+
+FAR_LARGER = 2.0
+"""A part larger than this many lengths of the stock is refused as too large, without a search for thin places."""
+
+TIMES_AS_LONG = 4.0
+"""Least ratio of length to width when a narrower strip is suggested; at half of that it would bend as a plate."""
+
+LAP_THICKNESSES = 20
+"""Length of the plates that join pieces, in thicknesses; from about twelve on, glue holds as well as the sheet."""
+
+MOST_TOLD = 3  # thin places of one part that are named; the count tells the rest
+
+
+@dataclass(frozen=True)
+class Fault:
+    """One reason why a part cannot be made.
+
+    Attributes
+    ----------
+    part : str
+        Its name.
+    what : str
+        The fault with its place, mm.
+    cure : str
+        What to change.
+    changes : tuple of Change
+        Of the request, each of which may help.
+    """
+
+    part: str
+    what: str
+    cure: str
+    changes: tuple[Change, ...] = ()
+
+    def __str__(self) -> str:
+        return note("{part}: {fault}; {cure}", part=self.part, fault=self.what, cure=self.cure)
+
+
+def _tell_faults(faults: Iterable[Fault]) -> str:
+    """Sentences that name each cure once."""
+    found: dict[tuple[str, str], list[str]] = {}
+    for fault in faults:
+        found.setdefault((fault.part, fault.cure), []).append(fault.what)
+    said = (Fault(part, sentences(whats), cure) for (part, cure), whats in found.items())
+    return sentences(map(str, said), ". ", ".")
+
+
+def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ...]:
+    """Refuse a part with faults; with `ignore_limits` return its warnings instead.
+
+    Raises
+    ------
+    InputError
+        Faults, without `ignore_limits`: each with its place and cure.
+    """
+    if faults and not ignore_limits:
+        changes = dict.fromkeys(change for fault in faults for change in fault.changes)
+        raise InputError(
+            "{faults} To make it all the same, set ignore_limits (--ignore-limits).",
+            faults=_tell_faults(faults),
+            kind="fault",
+            changes=[*changes],
+        )
+    return tuple(note("made anyway: {fault}", fault=str(fault), severity="warning") for fault in faults)
+
+
+def find_strip_faults(
+    strip: Strip, shop: FabricationLimits | None = None, *, wavers: bool = False
+) -> tuple[Fault, ...]:
+    """Everything that keeps a strip from being cut and handled, the base first.
+
+    Widths are measured on the cut loops: free part, tabs, necks beside slots and holes. `wavers` says that
+    its curve goes through points that waver, so that smoothing helps.
+
+    Examples
+    --------
+    >>> from elastica_cad.mechanics.rod import Rod
+    >>> thin = Strip(Rod.straight(200, [1, 4, 1]), Sheet.named("birch-plywood-0.8"), max_width=6, label="A")
+    >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
+    A: only 1.5 mm wide at ... mm from the start of the curve, 3 mm are needed in birch-plywood-0.8; ...
+    """
+    if strip.layout.size is not None:  # not cut from a sheet: its law has limits of its own
+        return ()
+    shop = shop or FabricationLimits()
+    name = strip.label or "strip"
+    joined = shop.lap is not None  # of pieces
+    stocks = [shop.stock_for(layer.sheet) for layer in strip.layers]
+    leasts = [shop.width_for(layer.sheet) for layer in strip.layers]
+    if isinstance(strip.style, Laminated):  # glued on, a backing needs no strength of its own
+        leasts[1:] = [min(least, strip.style.least_backing) for least in leasts[1:]]
+    ligament = shop.ligament_for(strip.sheet)
+    found: list[Fault] = []
+    for i, (layer, least, stock) in enumerate(zip(strip.layers, leasts, stocks, strict=True)):
+        called = name if i == 0 else f"{name}, backing"
+        length, width = _size(strip)
+        long = min(length, stock[0] if joined else np.inf)
+        if max(long, width) < FAR_LARGER * stock[0]:
+            web = min(least, shop.bridge_for(layer.sheet))
+            found += _thin_strip(called, strip, layer, least, web, wavers=wavers)
+        found += _too_large(called, long, width, layer.sheet, stock)
+    style = strip.style
+    if isinstance(style, Perforated) and style.least_ligament < ligament:
+        allowed = style.least_ligament
+        what = note(
+            "ligaments down to {allowed} are allowed, {ligament} are needed",
+            allowed=Length(allowed),
+            ligament=Length(ligament),
+        )
+        found.append(Fault(name, what, note("ask for wider ligaments, or fewer columns")))
+    longest = min(strip.rod.length, stocks[0][0] if joined else np.inf)
+    slenderest = longest / min(float(strip.width.extremes[0]), stocks[0][1])
+    if slenderest > SLENDEREST:
+        what = note(
+            "{length} long and {width} wide: too slender to handle",
+            length=Length(strip.rod.length),
+            width=Length(strip.width.extremes[0]),
+        )
+        wider = _wider(strip, slenderest / SLENDEREST)
+        found.append(Fault(name, what, note("make it wider, or split it"), wider))
+    return tuple(found)
+
+
+def find_plate_faults(
+    name: str,
+    sheet: Sheet,
+    outline: Path,
+    holes: Sequence[Path],
+    shop: FabricationLimits | None = None,
+    called: Sequence[str] = (),
+) -> tuple[Fault, ...]:
+    """Find what cannot be cut of a ring, a base or a rail: bridges between its cuts, and its size; `called`
+    names first holes."""
+    shop = limits_or_default(shop)
+    least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
+    length, width = np.ptp(outline.bounds, axis=0)
+    far_larger = max(length, width) >= FAR_LARGER * stock[0]
+    return (
+        *_faults_at(
+            name, () if far_larger else find_thin_places([outline], holes, least), least, sheet,
+            note("leave more room between the slots: a larger ring or plate, fewer or narrower strips, a "
+            "wider border"),
+            (note("the edge"), *called, *(note("a hole") for _ in holes[len(called):])),
+        ),
+        *_too_large(name, float(length), float(width), sheet, stock),
+    )  # fmt: skip
+
+
+def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tuple[Fault, ...]:
+    """Slots far wider than what goes into them: (name, width of the slot, thickness of the tab) of each, mm."""
+    wide = [one for one in slots if one[1] > max(FILLED_SLOT_MM, WIDEST_SLOT_THICKNESSES * one[2])]
+    if not wide:
+        return ()
+    slot, width, through = max(wide, key=lambda one: one[1] / one[2])
+    what = note(
+        "the slot for {slot}{more} is {width} wide for a tab of {through}, which it cannot hold",
+        slot=slot, more=and_more(wide), width=Length(width), through=Length(through),
+    )  # fmt: skip
+    cure = note("end the strips steeper to the plate, take a thinner plate, or hold them by end fixtures")
+    return (Fault(name, what, cure),)
+
+
+def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]]) -> tuple[Fault, ...]:
+    """Find strips wider than their tabs that run into the plate, from (tab, depth, thickness of the strip) of each,
+    mm.
+    """
+    return tuple(
+        Fault(
+            name,
+            note(
+                "beside the tab of {tab} the strip would stand {depth} deep in the plate",
+                tab=tab,
+                depth=Length(depth),
+            ),
+            note("give it a tab as wide as the strip, or set the plate so much lower"),
+        )
+        for tab, depth, thickness in shoulders
+        if depth > thickness
+    )
+
+
+def _size(strip: Strip) -> tuple[float, float]:
+    """Length and width of the flat part, mm: its tabs included, its slots filled."""
+    length = strip.rod.length + sum(tab.length for tab in strip.ends)
+    return length, max(float(strip.width.extremes[1]), *(tab.width or 0.0 for tab in strip.ends))
+
+
+def _thin_strip(
+    name: str, strip: Strip, layer: Layer, least: float, web: float, *, wavers: bool
+) -> Iterator[Fault]:
+    """Necks of the strip and its tabs narrower than `least`, webs beside holes narrower than `web`, mm."""
+    pattern = strip.layout.pattern is not None
+    holes = () if pattern else layer.holes  # ligaments have a limit of their own
+    places = find_thin_places([layer.outline], holes, max(least, web))
+    necks = [place for place in places if place.loops == (0, 0) and place.width < least]
+    free: list[ThinPlace] = []
+    tabs: list[ThinPlace] = []
+    for place in necks:
+        of_tab = not 0 <= place.x <= strip.rod.length and strip.ends[int(place.x > 0)].width is not None
+        (tabs if of_tab else free).append(place)
+    if free:
+        cure, changes = _cures_of_necks(strip, least / free[0].width, least, wavers)
+        for fault in _faults_at(name, free, least, layer.sheet, cure):
+            yield replace(fault, changes=changes)
+    for place in tabs[:1]:
+        wide, needed = map(Length, told_apart(place.width, least, ".3g"))
+        what = note(
+            "only {wide:g} wide {at}, {needed:g} are needed in {sheet}",
+            wide=wide, at=_place_on(strip, place), needed=needed, sheet=layer.sheet.name,
+        )  # fmt: skip
+        yield Fault(name, what, note("give the tab a larger width"))
+    webs = [place for place in places if place.loops != (0, 0) and place.width < web]
+    for place in webs[:MOST_TOLD]:
+        yield _thin_web(name, place, _place_on(strip, place), web, layer.sheet)
+
+
+def _cures_of_necks(strip: Strip, times: float, least: float, wavers: bool) -> tuple[str, tuple[Change, ...]]:
+    """What helps a strip that must be so many times as wide to have no neck below `least` mm."""
+    wider = _wider(strip, times)
+    if not wider:
+        cure = note("make it wider (max_width), or ask for the nearest curve with a smaller ratio")
+    elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
+        wider = ()  # the tips of its bulges grow thinner
+        cure = note("ask for the nearest curve with a smaller ratio")
+    else:
+        cure = note(
+            "make it wider (max_width = {width:g} or more), or ask for the nearest curve with a smaller ratio",
+            width=Length(wider[0].value),
+        )
+    more = [note("smoothing its points more helps too (smooth, --smooth)")] if wavers else []
+    return sentences([cure, *more]), (*wider, Change("nearest", True))
+
+
+def _place_on(strip: Strip, place: ThinPlace) -> str:
+    """Where a place of the flat part is: along the strip, or in one of its tabs."""
+    length = strip.rod.length
+    if place.x < 0:
+        return note("{into} into the tab at its start", into=Length(-place.x))
+    if place.x > length:
+        return note("{into} into the tab at its end", into=Length(place.x - length))
+    return note("at {s} from the start of the curve", s=Length(place.x))
+
+
+def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) -> Fault:
+    """The fault of too little material beside a hole, and how far to move the hole."""
+    wide, needed = map(Length, told_apart(place.width, least, ".3g"))
+    shift = Length(rounded_up(least - place.width, 2))
+    if 0 in place.loops:
+        what = note(
+            "only {wide:g} are left between a hole and the edge {at}, {needed:g} are needed in {sheet}",
+            wide=wide, at=at, needed=needed, sheet=sheet.name,
+        )  # fmt: skip
+        return Fault(
+            name, what, note("move the hole {shift} away from the edge, or make it smaller", shift=shift)
+        )
+    what = note(
+        "only {wide:g} are left between two holes {at}, {needed:g} are needed in {sheet}",
+        wide=wide, at=at, needed=needed, sheet=sheet.name,
+    )  # fmt: skip
+    return Fault(name, what, note("move the holes {shift} apart, or make them smaller", shift=shift))
+
+
+def _wider(strip: Strip, times: float) -> tuple[Change, ...]:
+    """The width of a plain strip's widest place that makes it so many times as wide, unless its rod fixes that."""
+    if not isinstance(strip.style, Plain) or strip.rod.bending_stiffness is not None:
+        return ()
+    return (Change("max_width", rounded_up(times * float(strip.width.extremes[1]), 3)),)
+
+
+def _faults_at(
+    name: str, places: Sequence[ThinPlace], least: float, sheet: Sheet, cure: str, loops: Sequence[str] = ()
+) -> Iterator[Fault]:
+    for k, place in enumerate(places[:MOST_TOLD]):
+        rest = len(places) - MOST_TOLD
+        more = note(" (and {rest} more places)", rest=rest) if k == MOST_TOLD - 1 and rest > 0 else ""
+        at = (
+            note("at {s} from the start of the curve", s=Length(place.x))
+            if abs(place.y) < 1e-9
+            else note("at {place} of the flat part", place=Point((place.x, place.y)))
+        )
+        wide, needed = map(Length, told_apart(place.width, least, ".3g"))
+        between = Listed(dict.fromkeys(loops[k] for k in sorted(place.loops))) if loops else ()
+        what = note(
+            "only {wide:g} between {loops} {at}{more}, {needed:g} are needed in {sheet}" if loops else
+            "only {wide:g} wide {at}{more}, {needed:g} are needed in {sheet}",
+            wide=wide, loops=between, at=at, more=more, needed=needed, sheet=sheet.name,
+        )  # fmt: skip
+        yield Fault(name, what, cure)
+
+
+def _too_large(
+    name: str, length: float, width: float, sheet: Sheet, stock: tuple[float, float]
+) -> Iterator[Fault]:
+    long, short = max(length, width), min(length, width)
+    if long > stock[0] or short > stock[1]:
+        (its_long, long_side), (its_short, short_side) = (
+            told_apart(own, side, ".4g") for own, side in zip((long, short), stock, strict=True)
+        )
+        what = note(
+            "{long:g} x {short:g} is larger than the stock of {stock_long:g} x {stock_short:g} in {sheet}",
+            long=its_long, short=Length(its_short), stock_long=long_side, stock_short=Length(short_side),
+            sheet=sheet.name,
+        )  # fmt: skip
+        if width > length or (width > stock[1] and length <= stock[0]):
+            fits = Change("max_width", rounded_down(min(stock[1], length / TIMES_AS_LONG), 2))
+            yield Fault(name, what, note("give a smaller max_width, or name a larger stock"), (fits,))
+        else:
+            cure = note("name a larger stock, join a strip of pieces by plates (lap), or scale the curve")
+            lap = Change("lap", float(round(LAP_THICKNESSES * sheet.thickness)))
+            yield Fault(name, what, cure, (lap,))
