@@ -9,8 +9,8 @@ import sys
 import warnings
 from typing import TYPE_CHECKING
 
-from elastica_cad._exit_codes import INTERRUPTED, OUTPUT_CLOSED
 from elastica_cad._process import RARE_COLLECTIONS
+from elastica_cad.defaults import INTERRUPTED, OUTPUT_CLOSED
 
 if TYPE_CHECKING:
     import click

@@ -24,6 +24,7 @@ from elastica_cad.cli.suggestions import (
     typed_line,
 )
 from elastica_cad.cli.voice import answer, say, voice, warn, wrote
+from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
 from elastica_cad.design.reports import report_check, round_numbers
 from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.forming.fairing_request import Smoothing
@@ -35,8 +36,6 @@ from elastica_cad.mechanics.loads import EndName, NaturalCurvature, Supports
 from elastica_cad.mechanics.sheets import sheets_for_curve
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, changes_of, measured_points
 from elastica_cad.refusals import Length, Refusal, note
-
-NOT_REALIZABLE, BAD_INPUT = 1, 2
 
 TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm")
 """What people have, for a curve whose sheet is not said: wood, plastic, card."""

@@ -10,11 +10,11 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad._exit_codes import OUTPUT_CLOSED
 from elastica_cad._text import MADE_BY, command_of_drawings
 from elastica_cad.cli.options import UNITS, Length, option_name
 from elastica_cad.cli.suggestions import TYPED, suggestion_below
 from elastica_cad.cli.voice import echo, progress_shown, remake_on_change, voice, warn
+from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE, OUTPUT_CLOSED
 from elastica_cad.errors import RENAMED, ElasticaError, InputError, NotMetError, StrainError, near_names
 from elastica_cad.formats.source_file import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1 import NotRealizable
@@ -36,9 +36,6 @@ COMMANDS = {
     "help": "help_command:help_command",
 }
 """Module and function of each command, imported when it is asked for."""
-
-NOT_REALIZABLE, BAD_INPUT = 1, 2
-
 
 MM_IN_KEYS = ("settings",)
 PER_MM = ("natural_curvature",)

@@ -18,6 +18,7 @@ from elastica_cad.cli.settings import PairKeys, parsed_settings, set_option
 from elastica_cad.cli.strip_options import with_settings
 from elastica_cad.cli.voice import answer, say, say_step, warn, wrote
 from elastica_cad.declared import declared
+from elastica_cad.defaults import KERF
 from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.pair_table import cutting_of, read_cutting, read_pair
 from elastica_cad.design.records import Reader
@@ -30,7 +31,6 @@ from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.refusals import Length, note
-from elastica_cad.strip.drawing import DEFAULT_KERF_MM
 
 FILE = click.Path(path_type=Path)
 
@@ -45,7 +45,7 @@ _WISHES = (
     *(option_of(one, default=one.default if one.kind.name == "choice" else "") for one in _WISHED),
     click.option("--ratio", type=float, help="Largest ratio of stiffness; 8 is a ratio of 2 in thickness."),
     click.option("--name", help="What the files are called  [default: as FIRST]."),
-    option_of(_KERF, default=f"{DEFAULT_KERF_MM:g}"),
+    option_of(_KERF, default=f"{KERF:g}"),
     set_option(PairKeys),
     output_options,
 )  # fmt: skip

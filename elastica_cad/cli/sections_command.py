@@ -17,6 +17,7 @@ from elastica_cad.cli.options import (
     sheet_options,
 )
 from elastica_cad.cli.voice import answer, say, say_step, warn, wrote
+from elastica_cad.defaults import RATIO
 from elastica_cad.design.sections_table import compose_section_design
 from elastica_cad.design.toml_text import seen_from
 from elastica_cad.errors import InputError, NotConvergedError
@@ -43,9 +44,6 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.refusals import Refusal
-
-USUAL_RATIO = 3.5
-"""Stiffness ratio that plain strips can be cut with: widest to narrowest."""
 
 ALONG = 10
 """Planes along a path, unless told."""
@@ -106,7 +104,7 @@ POSITIVE = click.FloatRange(0, min_open=True)
 @sheet_options(required=False, use="Material of the strips, to write a design file for `elastica model`")
 @click.option("--max-width", type=Length(positive=True), default=20.0, show_default=True, metavar="MM",
               help="Width of the strips' widest place, in the design file.")  # fmt: skip
-@click.option("--ratio", type=click.FloatRange(1), default=USUAL_RATIO, show_default=True, metavar="R",
+@click.option("--ratio", type=click.FloatRange(1), default=RATIO, show_default=True, metavar="R",
               help="Largest stiffness ratio, in the design file: curves change as little as it takes.")  # fmt: skip
 @click.option("--margin", type=float, metavar="MU", help="Least stability margin, in the design file.")
 @click.option(

@@ -13,6 +13,7 @@ from elastica_cad.cli.options import IDLE_DOWN, POINT, join_options, option_name
 from elastica_cad.cli.settings import GROUPS, CommandKeys, parsed_settings, set_option, twice
 from elastica_cad.cli.suggestions import typed_length
 from elastica_cad.declared import kind_of
+from elastica_cad.defaults import KERF
 from elastica_cad.design.records import Reader, paths_of, put
 from elastica_cad.design.strip_table import read_request
 from elastica_cad.design.tables import Table, merged
@@ -21,7 +22,6 @@ from elastica_cad.forming.limits import BOTH_ENDS
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import EndName, NaturalCurvature
 from elastica_cad.mechanics.stability import SAFE_MARGIN
-from elastica_cad.strip.drawing import DEFAULT_KERF_MM
 from elastica_cad.strip.strip_spec import StripSpec
 
 END_NAMES = get_args(EndName)
@@ -155,7 +155,7 @@ OPTIONS = _common()
 """Parameters of the options that are made from declarations, by the path of the key that they set."""
 
 DEFAULTS = {
-    "label": "the file's name", "ends.length": "10", "style.kind": "plain", "cut.kerf": f"{DEFAULT_KERF_MM:g}",
+    "label": "the file's name", "ends.length": "10", "style.kind": "plain", "cut.kerf": f"{KERF:g}",
 }  # fmt: skip
 """What help tells of options that are not given."""
 

@@ -6,12 +6,13 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from elastica_cad.declared import Asked, Field, declared, require_declared
+from elastica_cad.defaults import KERF
 from elastica_cad.errors import InputError
 from elastica_cad.formats.drawing_style import Scheme
 from elastica_cad.formats.dxf_drawing import DxfVersion
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.nesting import Nesting
-from elastica_cad.strip.drawing import DEFAULT_KERF_MM, Drawing, HoldingTabs, separate_parts
+from elastica_cad.strip.drawing import Drawing, HoldingTabs, separate_parts
 from elastica_cad.strip.strip import strip_names
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
@@ -57,7 +58,7 @@ class Cutting:
             common=True,
             written=float | Literal["sheet"],
         ),
-    ] = DEFAULT_KERF_MM
+    ] = KERF
     curves: Annotated[
         str | None,
         Asked(

@@ -20,6 +20,7 @@ from elastica_cad.declared import (
     name_of,
     require_bounds,
 )
+from elastica_cad.defaults import KERF
 from elastica_cad.design.kit_spec import Cutting, cutting_keys
 from elastica_cad.design.tables import Formula, Table
 from elastica_cad.errors import RENAMED, InputError, near_names, quoted
@@ -28,7 +29,6 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import EndName, RestCurvature, Supports
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, RoundLaw, ThicknessLaw
-from elastica_cad.strip.drawing import DEFAULT_KERF_MM
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.styles import Plain, Style
@@ -97,7 +97,7 @@ def _limits(strain: bool | float | None = None, *, sheet: Sheet | None, **limits
     return Limits(sheet=sheet if strain else None, strain=own, **limits)
 
 
-def _cutting(kerf: float | str = DEFAULT_KERF_MM, **options: Any) -> Cutting:
+def _cutting(kerf: float | str = KERF, **options: Any) -> Cutting:
     named = {cutting_keys()[key].name: value for key, value in options.items()}
     return Cutting(kerf=None if isinstance(kerf, str) else kerf, **named)
 

@@ -1,7 +1,10 @@
-from elastica_cad.formats import drawing_files as drawing_files
 from elastica_cad.formats.chains import JOIN_TOLERANCE as JOIN_TOLERANCE
 from elastica_cad.formats.curve_writer import write_curves as write_curves
-from elastica_cad.formats.drawing_files import DRAWING_SUFFIXES as DRAWING_SUFFIXES, encode_svg as encode_svg
+from elastica_cad.formats.drawing_files import (
+    DRAWING_SUFFIXES as DRAWING_SUFFIXES,
+    encode_svg as encode_svg,
+    write_drawing as write_drawing,
+)
 from elastica_cad.formats.drawing_style import (
     CURVES as CURVES,
     LayerStyle as LayerStyle,

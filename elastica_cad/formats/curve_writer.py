@@ -9,6 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_path, several
+from elastica_cad.defaults import UNKNOWN_WIDTH
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.formats.chains import curve_from_points, curve_from_run
 from elastica_cad.formats.drawing_files import encode_svg
@@ -17,7 +18,7 @@ from elastica_cad.formats.dxf_drawing import encode_dxf
 from elastica_cad.formats.edges import Edge
 from elastica_cad.formats.json_curves import curves_json
 from elastica_cad.formats.write_files import check_target, write_atomically
-from elastica_cad.forming.fairing_request import USUAL_WIDTH, smooth_curve
+from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry.fairing import two_sided_distance
 from elastica_cad.geometry.path import Path as Chain
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -152,7 +153,7 @@ def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> 
     return note(
         "{file} holds curve {number} within {far:.2g}; the widths of a strip {widest} wide change by up to "
         "{change:.2g}.",
-        file=file, number=number, far=far, widest=Length(USUAL_WIDTH),
+        file=file, number=number, far=far, widest=Length(UNKNOWN_WIDTH),
         change=Length(float(np.abs(after - before).max())), severity="warning",
     )  # fmt: skip
 
@@ -163,4 +164,4 @@ def _widths(curve: PlaneCurve) -> FloatArray | None:
         rod = optimal_rod(smooth_curve(curve).curve)
     except ElasticaError:
         return None
-    return rod.profile(np.linspace(0.0, rod.length, _WIDTH_PLACES)) * (USUAL_WIDTH / rod.ratio)
+    return rod.profile(np.linspace(0.0, rod.length, _WIDTH_PLACES)) * (UNKNOWN_WIDTH / rod.ratio)

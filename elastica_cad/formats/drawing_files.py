@@ -9,6 +9,7 @@ import numpy as np
 from elastica_cad._text import MADE_BY, html_text
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_flag, require_path, require_record
+from elastica_cad.defaults import KERF
 from elastica_cad.errors import InputError
 from elastica_cad.formats.drawing_style import (
     EXACT,
@@ -21,15 +22,7 @@ from elastica_cad.formats.dxf_drawing import encode_dxf
 from elastica_cad.formats.write_files import check_target, write_atomically
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Arc, Line, Segment
-from elastica_cad.strip.drawing import (
-    DEFAULT_KERF_MM,
-    LAYERS,
-    MARK,
-    Drawing,
-    HoldingTabs,
-    add_holding_tabs,
-    compensate_kerf,
-)
+from elastica_cad.strip.drawing import LAYERS, MARK, Drawing, HoldingTabs, add_holding_tabs, compensate_kerf
 
 _LETTERS = {2: "Q", 3: "C"}
 
@@ -172,7 +165,7 @@ def write_drawing(
     drawing: Drawing,
     path: str | os.PathLike[str],
     *,
-    kerf: float = DEFAULT_KERF_MM,
+    kerf: float = KERF,
     curves: str = "spline",
     tolerance: float = 0.02,
     version: str = "R2010",

@@ -1,4 +1,3 @@
-from elastica_cad.forming import plane_sections as plane_sections
 from elastica_cad.forming.fairing_request import smooth_curve as smooth_curve
 from elastica_cad.forming.leaf_ends import lay_leaves as lay_leaves, LeafedRod as LeafedRod
 from elastica_cad.forming.limits import Box as Box, HalfPlane as HalfPlane, Keep as Keep, Limits as Limits
@@ -13,7 +12,7 @@ from elastica_cad.forming.meridians import (
 )
 from elastica_cad.forming.nearest_record import Binding as Binding, NearestRod as NearestRod, Status as Status
 from elastica_cad.forming.nearest_search import nearest_rod as nearest_rod
-from elastica_cad.forming.plane_sections import Mesh as Mesh
+from elastica_cad.forming.plane_sections import Mesh as Mesh, mesh_sections as mesh_sections
 from elastica_cad.forming.section_lines import (
     PlaneSection as PlaneSection,
     remove_false_inflections as remove_false_inflections,

@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._values import is_number, is_series, require_record
+from elastica_cad.defaults import UNKNOWN_WIDTH
 from elastica_cad.errors import ElasticaError, InputError, quoted
 from elastica_cad.geometry.fairing import Fairing, fair_curve, may_step, round_corners, usual_tolerance
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -36,9 +37,6 @@ STEP_MM, STEP_SHARE = 0.2, 0.02
 
 MOST_WORSE = 1.05
 """Factor by which smoothing may enlarge the stiffness ratio, or reduce the least width, by default."""
-
-USUAL_WIDTH = 40.0
-"""Width, mm, of the widest place of a strip whose width is unknown."""
 
 PLACES, SEEN_SHARE = 401, 0.1
 """Places along a curve where curvature is compared, and the smallest change of it by noise that is reported."""
@@ -126,7 +124,7 @@ class Smoothing:
             return any(curvature_jump(curve, b)[0] > STEP_SHARE for b in breaks)
         widest, narrowest = self.widths
         return outline_steps(
-            rod, narrowest * rod.ratio if narrowest and not widest else widest or USUAL_WIDTH
+            rod, narrowest * rod.ratio if narrowest and not widest else widest or UNKNOWN_WIDTH
         )
 
     def _is_as_good(self, curve: PlaneCurve) -> bool:

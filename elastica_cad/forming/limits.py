@@ -10,6 +10,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_one_of, is_series, numbers, pair, require_positive
 from elastica_cad.declared import Asked, require_declared
+from elastica_cad.defaults import UNLIMITED_RATIO
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads import require_ratio
 from elastica_cad.mechanics.sheets import Sheet
@@ -19,7 +20,6 @@ Symmetry: TypeAlias = Literal["mirror", "turn"]
 Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
 
 MET = 1e-6  # worst broken limit, in lengths, radians or shares of the limit, that counts as met
-UNLIMITED_RATIO = 1000.0  # widths of 0.1 mm beside 100 mm, which no machine cuts
 FAR_SHARE = 0.03  # of the diagonal of the drawn curve's box: one that is farther away is another curve
 
 

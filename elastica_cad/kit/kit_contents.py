@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import Any
 
 from elastica_cad._values import and_more, counted
+from elastica_cad.defaults import CLEARANCE
 from elastica_cad.design.kit_spec import KitSpec
 from elastica_cad.design.model_report import report_model
 from elastica_cad.design.reports import tell_blank
@@ -26,7 +27,6 @@ from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.makeable_strip import Splice, joined_within, spliced
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import Piece, strip_pieces
-from elastica_cad.strip.slots import CLEARANCE_MM
 from elastica_cad.strip.strip import Strip, distinct_names
 from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults, find_strip_faults
 
@@ -262,7 +262,7 @@ def _strays(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
     far = [
         f"{name} {held[name].deviation:.2g} mm"
         for name in names
-        if name in locked and name in held and held[name].deviation > CLEARANCE_MM
+        if name in locked and name in held and held[name].deviation > CLEARANCE
     ]
     if not far:
         return ()
@@ -270,7 +270,7 @@ def _strays(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
         note(
             "strips rest farther from their design than slots have room ({room:g}), so "
             "they may have to be pushed into each other: {strips}",
-            room=Length(CLEARANCE_MM),
+            room=Length(CLEARANCE),
             strips=", ".join(far),
         ),
     )

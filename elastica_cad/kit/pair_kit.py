@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from elastica_cad.defaults import LASER_KERF
 from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.files import step_trouble
 from elastica_cad.formats.write_files import write_json, write_together
@@ -17,9 +18,6 @@ from elastica_cad.kit.cutting_files import Writer, cutting_files
 from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.refusals import Length, Refusal, note
-
-USUAL_KERF_MM = 0.2
-"""Width of a laser's cut, for a sheet that tells none."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +91,7 @@ class PairKit:
         sheet, thin = self.part.sheet, self.part.scale
         if self.part.printed or self.cutting.options(sheet)["kerf"]:
             return
-        kerf = sheet.kerf or USUAL_KERF_MM
+        kerf = sheet.kerf or LASER_KERF
         left = max(thin - kerf, 0.0)
         yield note(
             "the files hold the part's own outline: a laser's cut of {kerf} leaves {left} of {thin} where it is "

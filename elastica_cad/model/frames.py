@@ -10,6 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, several
 from elastica_cad.declared import Asked, require_declared
+from elastica_cad.defaults import BORDER, CLEARANCE, PLAY
 from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.nurbs_curve import cross
@@ -18,13 +19,12 @@ from elastica_cad.geometry.path_intersections import self_crossing
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import tabs_to_hold
 from elastica_cad.model.plate_pairs import lean_pair, tab_plane, through_slots
-from elastica_cad.model.plates import PLAY_MM, BasePlate, TabSlot, plate_with
+from elastica_cad.model.plates import BasePlate, TabSlot, plate_with
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.drawing import CUT_OUTER, SAME_MM, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, centred_text
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import Piece, distinct
-from elastica_cad.strip.slots import CLEARANCE_MM
 from elastica_cad.strip.solids import FlatSolid, convex_corners
 from elastica_cad.strip.strip import Placed
 from elastica_cad.strip.uncuttable_parts import (
@@ -140,11 +140,11 @@ def slotted_frame(
     ribs: Annotated[int, Asked("Ribs between the rails.", least=2, most=MOST_RIBS)] = 3,
     depth: Annotated[float, Asked("Depth of the ribs.", "mm", least=1, most=1000)] = 20.0,
     tongue: Annotated[float, Asked("Length of the tongues.", "mm", least=1, most=1000)] = 12.0,
-    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)] = PLAY_MM,
-    clearance: Annotated[
-        float, Asked("Added to the width of slots.", "mm", least=0, most=1000)
-    ] = CLEARANCE_MM,
-    border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)] = 8.0,
+    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)] = PLAY,
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0, most=1000)] = CLEARANCE,
+    border: Annotated[
+        float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)
+    ] = BORDER,
     gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None,
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,

@@ -11,10 +11,11 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import direction, is_series, is_whole, numbers, require_number
 from elastica_cad.declared import Asked, require_declared
+from elastica_cad.defaults import CLEARANCE
 from elastica_cad.errors import InputError
 from elastica_cad.model.crossings import PARALLEL_RAD, Crossing, RuledStrip, strip_crossings, strips_may_meet
 from elastica_cad.refusals import Length, Listed, note, sentences
-from elastica_cad.strip.slots import CLEARANCE_MM, Relief, Slot
+from elastica_cad.strip.slots import Relief, Slot
 from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_placed, strip_names
 
 MOST_STEPS = 30
@@ -150,7 +151,7 @@ class InterlockedStrips:
 def interlock(
     placed: Sequence[Placed],
     *,
-    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0)] = CLEARANCE_MM,
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0)] = CLEARANCE,
     fit: Annotated[Fit, Asked("Slots for the exact angle, or as the paper cuts them.")] = "exact",
     relief: Annotated[Relief, Asked("Inner end of slots.")] = "square",
     pairs: Iterable[tuple[int, int]] | None = None,

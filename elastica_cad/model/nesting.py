@@ -11,11 +11,12 @@ import numpy as np
 
 from elastica_cad._values import require_number, require_record, several
 from elastica_cad.declared import Asked, require_declared
+from elastica_cad.defaults import KERF
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import Length, note
-from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, DEFAULT_KERF_MM, SHEET, Drawing, LayeredPath
+from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, SHEET, Drawing, LayeredPath
 from elastica_cad.strip.layers import Layer
 from elastica_cad.strip.pieces import FlatShape, Piece
 
@@ -115,7 +116,7 @@ def nest_pieces(
     *,
     sheet_size: tuple[float, float] = (600.0, 400.0),
     margin: float = 2.0,
-    kerf: float | None = DEFAULT_KERF_MM,
+    kerf: float | None = KERF,
     name: str = "nest",
 ) -> tuple[NestedSheet, ...]:
     """Lay pieces on as few sheets as rows allow; every material has sheets of its own.

@@ -9,17 +9,15 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive
 from elastica_cad.declared import Asked
+from elastica_cad.defaults import BASE_BORDER, BASE_PLAY, BORDER, CLEARANCE, PLAY
 from elastica_cad.errors import InputError, refuse_options_unlike, refusing_old_names
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import Key, PlacedTab, tabs_to_hold
 from elastica_cad.model.held_tabs import slot_walls, tab_seats
 from elastica_cad.model.plates import (
-    BASE_BORDER_MM,
-    BASE_PLAY_MM,
     FLATTEST_RAD,
     GAP_MM,
-    PLAY_MM,
     BasePlate,
     Ring,
     Shape,
@@ -34,7 +32,6 @@ from elastica_cad.model.plates import (
 from elastica_cad.refusals import Length
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import cut_key
-from elastica_cad.strip.slots import CLEARANCE_MM
 from elastica_cad.strip.strip import Placed
 from elastica_cad.strip.tab_seats import Lean, TabSeat, lean_against
 from elastica_cad.strip.uncuttable_parts import FabricationLimits
@@ -91,10 +88,10 @@ def plate_pair(
 
     def lower(slots: Sequence[TabSlot], ground: Frame) -> BasePlate:
         kept = {key: options[key] for key in ("shape", "shop", "ignore_limits") if key in options}
-        border = options.get("border", BASE_BORDER_MM)
+        border = options.get("border", BASE_BORDER)
         return plate_with(slots, sheet, ground, border=border, name=f"{upper.name}-lower", **kept)
 
-    room = {"play": options.get("play", BASE_PLAY_MM), "clearance": options.get("clearance", CLEARANCE_MM)}
+    room = {"play": options.get("play", BASE_PLAY), "clearance": options.get("clearance", CLEARANCE)}
     return _add_second(placed, upper, lower, gap=gap, least=options.get("slot_width") or 0.0, **room)
 
 
@@ -151,8 +148,8 @@ def _add_second(
     second: Callable[[Sequence[TabSlot], Frame], Plate],
     *,
     gap: float,
-    play: float = PLAY_MM,
-    clearance: float = CLEARANCE_MM,
+    play: float = PLAY,
+    clearance: float = CLEARANCE,
     least: float = 0.0,
 ) -> tuple[Plate, Plate]:
     """A plate and another behind it, `gap` mm further along the tabs, both leaned against their loads.
@@ -255,11 +252,11 @@ def end_plates(
     *,
     ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS,
     together: bool = False,
-    border: Annotated[float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)] = 8.0,
-    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)] = PLAY_MM,
-    clearance: Annotated[
-        float, Asked("Added to the width of slots.", "mm", least=0, most=1000)
-    ] = CLEARANCE_MM,
+    border: Annotated[
+        float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)
+    ] = BORDER,
+    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)] = PLAY,
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0, most=1000)] = CLEARANCE,
     shape: Annotated[Shape, Asked("Outline of the plate.")] = "ring",
     name: Annotated[str, Asked("Name of its files.")] = "ring",
     gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None,
@@ -326,8 +323,8 @@ def _pair_plate(
     plate: BasePlate,
     *,
     gap: float,
-    play: float = PLAY_MM,
-    clearance: float = CLEARANCE_MM,
+    play: float = PLAY,
+    clearance: float = CLEARANCE,
     **rest: Any,
 ) -> tuple[BasePlate, BasePlate]:
     """A plate and another behind it, so that inclined tabs keep their angle; the rest as for `plate_with`."""
@@ -365,9 +362,9 @@ def _plate(
     sheet: Sheet,
     name: str,
     *,
-    border: float = 8.0,
-    play: float = PLAY_MM,
-    clearance: float = CLEARANCE_MM,
+    border: float = BORDER,
+    play: float = PLAY,
+    clearance: float = CLEARANCE,
     shape: Shape = "ring",
     **gate: Any,
 ) -> BasePlate:

@@ -10,6 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import several
 from elastica_cad.declared import Asked, require_declared
+from elastica_cad.defaults import BASE_BORDER, BASE_PLAY, BORDER, CLEARANCE, PLAY
 from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.offset import offset_path
@@ -23,7 +24,6 @@ from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, L
 from elastica_cad.strip.lettering import Text, engravable, text_width
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import Piece
-from elastica_cad.strip.slots import CLEARANCE_MM
 from elastica_cad.strip.solids import FlatSolid, convex_corners
 from elastica_cad.strip.strip import Placed, require_placed
 from elastica_cad.strip.uncuttable_parts import (
@@ -179,26 +179,18 @@ class BasePlate:
         return Text((float(start[0]), float(start[1])), name, height, angle, ENGRAVE)
 
 
-BASE_PLAY_MM, BASE_BORDER_MM = 0.5, 12.0
-"""Room beside a tab on either side, and material about the slots of a base plate, mm, unless asked otherwise."""
-
-
 @refusing_old_names
 def base_plate(
     placed: Sequence[Placed],
     sheet: Sheet | str,
     *,
     frame: Frame | None = None,
-    play: Annotated[
-        float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)
-    ] = BASE_PLAY_MM,
-    clearance: Annotated[
-        float, Asked("Added to the width of slots.", "mm", least=0, most=1000)
-    ] = CLEARANCE_MM,
+    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)] = BASE_PLAY,
+    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0, most=1000)] = CLEARANCE,
     slot_width: Annotated[float | None, Asked("Least width of slots.", "mm", least=0, most=1000)] = None,
     border: Annotated[
         float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)
-    ] = BASE_BORDER_MM,
+    ] = BASE_BORDER,
     shape: Annotated[Shape, Asked("Outline of the plate.")] = "hull",
     ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS,
     name: Annotated[str, Asked("Name of its files.")] = "base",
@@ -407,14 +399,8 @@ def _outline(points: FloatArray, border: float, shape: Shape) -> Path:
     return offset_path(hull, border) if border else hull
 
 
-PLAY_MM = 0.3
-"""Clearance beside a tab in its slot on either side, mm; it is small, since tabs may be close to each other."""
-
 GAP_MM = 20.0
 """Default distance between two plates, mm."""
-
-BORDER_MM = 8.0
-"""Default width of material beside slots and seats, mm."""
 
 LYING_RAD = np.radians(5.0)
 """Tabs at a smaller angle than this to the ring, rad, lie on it; glue fills the wedge."""
@@ -505,7 +491,7 @@ def slot_reach(radius: float, angle: float, thickness: float, tab: float) -> flo
     if abs(np.sin(angle)) < np.sin(FLATTEST_RAD):
         return radius
     through = radius + thickness * float(np.cos(angle)) / abs(float(np.sin(angle)))
-    return min(radius, through) - tab / 2 / abs(float(np.sin(angle))) - CLEARANCE_MM
+    return min(radius, through) - tab / 2 / abs(float(np.sin(angle))) - CLEARANCE
 
 
 @refusing_old_names
@@ -514,9 +500,9 @@ def ring_plate(
     sheet: Sheet | str,
     *,
     middle: float = np.inf,
-    border: float = BORDER_MM,
-    play: float = PLAY_MM,
-    clearance: float = CLEARANCE_MM,
+    border: float = BORDER,
+    play: float = PLAY,
+    clearance: float = CLEARANCE,
     name: str = "ring",
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
@@ -600,7 +586,7 @@ def ring_around(
     sheet: Sheet | str,
     frame: Frame,
     *,
-    border: float = BORDER_MM,
+    border: float = BORDER,
     name: str = "ring",
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,

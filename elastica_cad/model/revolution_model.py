@@ -8,6 +8,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_whole, require_flag, require_number, require_record
+from elastica_cad.defaults import PLAY, RING_TAB_LENGTH
 from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.forming.meridians import Meridian, meridian
 from elastica_cad.geometry.frame import Frame
@@ -17,7 +18,7 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import tabs_to_hold
 from elastica_cad.model.model import Model
 from elastica_cad.model.plate_pairs import ring_pair
-from elastica_cad.model.plates import FLATTEST_RAD, PLAY_MM, Ring, ring_plate, slot_reach
+from elastica_cad.model.plates import FLATTEST_RAD, Ring, ring_plate, slot_reach
 from elastica_cad.refusals import Length
 from elastica_cad.strip.makeable_strip import refuse_broken
 from elastica_cad.strip.outline import ENDS, Tab, pair_of_tabs
@@ -165,9 +166,6 @@ def _width(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -
 
 MOST_STRIPS = 1000
 """Largest number of strips; those of a sphere of 1 m would be 3 mm wide."""
-
-TAB_MM = 8.0
-"""Default length of a tab, mm: through a 3 mm ring with room for glue."""
 
 BEYOND_MM = 2.0
 """Length of a tab beyond the second of two rings, mm."""
@@ -345,17 +343,19 @@ class _Asked:
         ends = meridian.curve.sample(2)
         outward = ends.angle + np.array([np.pi, 0.0])
         steep = np.abs(np.sin(outward))
-        lengths, through = np.full(2, TAB_MM), 0.0 if self.rings is None else self.rings.thickness
+        lengths, through = np.full(2, RING_TAB_LENGTH), 0.0 if self.rings is None else self.rings.thickness
         if self.rings is not None and self.gap is not None:
             through += self.gap + self.rings.thickness
             needed = through / np.maximum(steep, np.sin(FLATTEST_RAD)) + BEYOND_MM
-            lengths = np.where(steep > np.sin(FLATTEST_RAD), np.maximum(needed, TAB_MM), TAB_MM)
+            lengths = np.where(
+                steep > np.sin(FLATTEST_RAD), np.maximum(needed, RING_TAB_LENGTH), RING_TAB_LENGTH
+            )
         near = np.minimum(ends.position[:, 0], ends.position[:, 0] + lengths * np.cos(outward))
         gap = TAB_GAP_MM
         if self.rings is not None:
             # what separates two slots is seen along the sides of either, turned by half the angle between them
             gap = (
-                2 * PLAY_MM
+                2 * PLAY
                 + BRIDGE_FACTOR * self.shop.bridge_for(self.rings) / float(np.cos(np.pi / self.strips)) ** 2
             )
             inner = [

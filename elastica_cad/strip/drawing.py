@@ -183,10 +183,6 @@ def _twins(a: LayeredPath, b: LayeredPath) -> bool:
     return bool(near.max() <= SAME_MM)
 
 
-DEFAULT_KERF_MM = 0.0
-"""Kerf that cutting files and nests are corrected for unless one is given: none, as many cutting services correct
-for their own. The kerf of a material is `Sheet.kerf`; it is used on request."""
-
 FINEST_KERF_MM, COARSEST_KERF_MM = 1e-5, 10.0
 """Errors of a moved spline, mm: no machine cuts more finely, and no kerf is wider than the coarsest."""
 

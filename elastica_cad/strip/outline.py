@@ -11,6 +11,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import counted, several
 from elastica_cad.declared import Asked, require_declared
+from elastica_cad.defaults import TAB_LENGTH
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -132,7 +133,7 @@ class Tab:
 
     length: Annotated[
         float, Asked("Length of the tab; 0 for none.", "mm", least=0, most=10_000, common=True)
-    ] = 10.0
+    ] = TAB_LENGTH
     width: Annotated[
         float | None, Asked("Width of the tab; that of the strip unless given.", "mm", above=0)
     ] = None

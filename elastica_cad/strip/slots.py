@@ -34,9 +34,6 @@ from elastica_cad.strip.lettering import (
 STRAIGHT_MM = 1e-7
 """Sides that bend less than this are lines."""
 
-CLEARANCE_MM = 0.1
-"""Default clearance of a slot, mm: a laser-cut sheet then slides in and stays."""
-
 Side = Literal["upper", "lower"]
 Relief = Literal["square", "round"]
 

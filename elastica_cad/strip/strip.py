@@ -396,7 +396,7 @@ class Strip:
     max_width: float | None = None
     min_width: float | None = None
     style: Style = PLAIN
-    ends: tuple[Tab, Tab] = (Tab(10.0), Tab(10.0))
+    ends: tuple[Tab, Tab] = (Tab(), Tab())
     slots: tuple[Slot, ...] = ()
     label: str = ""
     engrave: str | None = None

@@ -406,7 +406,7 @@ class StripSpec(EqualByValue):
             common=True,
             written=Tab | tuple[Tab, Tab],
         ),
-    ] = (Tab(10.0), Tab(10.0))
+    ] = (Tab(), Tab())
     seam_position: Annotated[
         float | None,
         Asked(

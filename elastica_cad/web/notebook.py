@@ -7,6 +7,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 from elastica_cad._exports import installed_modules
+from elastica_cad.defaults import MAX_WIDTH, SHEET
 from elastica_cad.errors import MissingDependencyError, how_to_install
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import require_curve
@@ -58,7 +59,7 @@ def studio(curve: PlaneCurve | None = None, **keys: Any) -> "AnyWidget":
     if curve is not None:
         require_curve(curve)
     table: dict[str, Any] = {"spline": [], "degree": 4} if curve is None else curve_table(curve)
-    design = {"schema": 1, "name": "strip", "sheet": "birch-plywood-0.8", "max_width": 30.0, **keys}
+    design = {"schema": 1, "name": "strip", "sheet": SHEET, "max_width": MAX_WIDTH, **keys}
     made: AnyWidget = _widget()(
         design=design | {"strips": [{"label": "A1", "curve": table}]}, hello=page_words() | {"starts": {}}
     )

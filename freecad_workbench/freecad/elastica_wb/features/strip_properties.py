@@ -13,6 +13,7 @@ from freecad.elastica_wb.features.proxy import CONTAINERS
 from freecad.elastica_wb.host.property_table import Property, declared_property, result
 
 from elastica_cad.declared import Field, declared
+from elastica_cad.defaults import MAX_WIDTH, RATIO, TAB_LENGTH
 from elastica_cad.design.records import paths_of
 from elastica_cad.design.strip_table import StripKeys
 
@@ -29,7 +30,7 @@ NAMES = {
 }  # fmt: skip
 """Properties that are not called as their keys: users' files have these names."""
 
-DEFAULTS = {"MaxWidth": 30.0, "OuterWidth": 30.0, "RatioLimit": 3.5}
+DEFAULTS = {"MaxWidth": MAX_WIDTH, "OuterWidth": MAX_WIDTH, "RatioLimit": RATIO}
 """Of a new strip, where it is another than that of the field."""
 
 EXAMPLES = {
@@ -152,8 +153,8 @@ PROPERTIES = (
     Property("Enumeration", "TangentEnds", "Nearest", "Whose tangents KeepTangents keeps", TANGENT_ENDS),
     Property("Bool", "KeepLine", "Nearest", "Keep inflections on the curve's inflection line"),
     Property("FloatList", "InflectionLine", "Nearest", "Two points of another line: x, y, x, y"),
-    Property("Length", "StartTab", "Ends", "Length of the tab at the start", 10.0),
-    Property("Length", "EndTab", "Ends", "Length of the tab at the end", 10.0),
+    Property("Length", "StartTab", "Ends", "Length of the tab at the start", TAB_LENGTH),
+    Property("Length", "EndTab", "Ends", "Length of the tab at the end", TAB_LENGTH),
     Property("Length", "TabRadius", "Ends", "Rounding of the tabs' corners"),
     Property("Length", "TabHole", "Ends", "Diameter of a hole in the middle of each tab; 0 for none"),
     Property("String", "StartTabKeys", "Ends", "The first tab in full: length = 12, chamfer = 2"),

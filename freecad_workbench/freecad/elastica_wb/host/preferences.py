@@ -7,14 +7,16 @@ from typing import Any
 
 import FreeCAD as App
 
+from elastica_cad.defaults import CLEARANCE, KERF, MAX_WIDTH, SHEET, TAB_LENGTH
+
 PATH = "User parameter:BaseApp/Preferences/Mod/Elastica"
 
 DEFAULTS: dict[str, Any] = {
-    "DefaultSheet": "birch-plywood-0.8",
-    "MaxWidth": 30.0,
-    "TabLength": 10.0,
-    "Kerf": 0.0,
-    "Clearance": 0.1,
+    "DefaultSheet": SHEET,
+    "MaxWidth": MAX_WIDTH,
+    "TabLength": TAB_LENGTH,
+    "Kerf": KERF,
+    "Clearance": CLEARANCE,
     "DxfVersion": "R2010",
     "Curves": "spline",
     "Tolerance": 0.02,

@@ -41,6 +41,7 @@ from freecad.elastica_wb.solving.strip_cache import (
 )
 from pivy import coin
 
+from elastica_cad.defaults import CUTTABLE_RATIO
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
@@ -48,7 +49,6 @@ from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.strip_spec import StripSpec
 
-FREE_RATIO = 9.5  # of a strip without limits of its own: 30 mm wide, it can just be cut where it is narrowest
 REST_MS = 40  # without a move, after which the slower answers are computed
 NO_POLES = np.zeros((0, 2))
 SEEN = 24  # points of a curve that the card keeps off
@@ -247,7 +247,7 @@ class Session:
         if self._asks is None:
             sheet = sheet_called(preferences.default_sheet())
             asks = StripSpec(self._curve, sheet, max_width=preferences.get("MaxWidth"))
-            allows = RodSpec(self._curve, limits=Limits(FREE_RATIO, SAFE_MARGIN, sheet=sheet))
+            allows = RodSpec(self._curve, limits=Limits(CUTTABLE_RATIO, SAFE_MARGIN, sheet=sheet))
             for strip in sketches.followers(self.sketch):
                 drawn = drawn_curve(strip.Curve, strip)
                 asks, allows = spec_of(strip, drawn), nearest_spec_of(strip, drawn)
