@@ -173,11 +173,17 @@ def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) ->
     """What keeps strips, with the slots that neighbours cut into them, from being cut; told where made anyway."""
     asked = {entry.label: entry.spec for entry in entries}
     told: list[str] = []
+    clear: set[tuple[int, FabricationLimits]] = set()  # strips that are cut alike share their layers
     for part in model.parts:
         own = asked.get(part.strip.label)
         shop, ignore_limits = (spec.shop, False) if own is None else (own.shop, own.ignore_limits)
+        alike = id(part.strip.layers), shop
+        if alike in clear:
+            continue
         found = find_strip_faults(part.strip.labelled(part.name), shop)
         told += accept_faults(found, ignore_limits or spec.ignore_limits)
+        if not found:
+            clear.add(alike)
     known = {text for strip in model.strips for text in strip.warnings} | {*model.reports}
     return tuple(text for text in dict.fromkeys(told) if text not in known)
 

@@ -17,12 +17,19 @@ from elastica_cad._values import and_more
 from elastica_cad.geometry.plane_points import turns_along
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.model.crossings import RuledStrip, strip_crossings, strips_may_meet
-from elastica_cad.model.interlocking import SHALLOW_RAD, TOUCHING_RAD, Joint, slot_width, strip_thickness
+from elastica_cad.model.interlocking import (
+    SHALLOW_RAD,
+    TOUCHING_RAD,
+    Joint,
+    place_between,
+    slot_width,
+    strip_thickness,
+)
 from elastica_cad.refusals import Length, Point, note
 from elastica_cad.strip.slots import slot_cut
 from elastica_cad.strip.strip import Placed, Strip, strip_names
 
-EDGE_PITCH_MM, FACE_PITCH_MM = 0.2, 1.0
+EDGE_PITCH_MM, FACE_PITCH_MM = 0.2, 2.0
 """Distances between samples along edges and on faces, mm."""
 
 SHARED_MM = 0.05
@@ -74,26 +81,24 @@ class Collision:
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """A bent strip between its tabs: a ruled surface, its thickness, mm, and the polygons (k, 2) of its slots."""
+    """A bent strip between its tabs: a ruled surface, its thickness, mm, and the strip with its slots."""
 
     ruled: RuledStrip
     thickness: float
-    slots: tuple[FloatArray, ...]
+    strip: Strip
 
     @classmethod
     def of(cls, placed: Placed) -> "Body":
         """A placed strip, everywhere as thick as where it is thinnest; of a round rod the square in it."""
         strip = placed.strip
         ruled = RuledStrip(strip.rod.curve, placed.frame, strip.width)
-        cuts = (slot_cut(slot, strip.width, beyond=MOUTH * slot.width) for slot in strip.slots)
-        slots = tuple(cut.points(RIM_MM) for cut in cuts)
         for quantity, size in strip.tapered.items():
             thinnest = float(size.extremes[0])
             if quantity == "thickness":
-                return cls(ruled, thinnest, slots)
+                return cls(ruled, thinnest, strip)
             width = replace(ruled.width, coefficients=INSCRIBED * ruled.width.coefficients)
-            return cls(replace(ruled, width=width), INSCRIBED * thinnest, slots)
-        return cls(ruled, strip_thickness(strip), slots)
+            return cls(replace(ruled, width=width), INSCRIBED * thinnest, strip)
+        return cls(ruled, strip_thickness(strip), strip)
 
     def samples(self, inset: float) -> tuple[FloatArray, FloatArray]:
         """Places (n,) and (n,) on edges and faces in the flat pattern, `inset` mm within the rim."""
@@ -126,10 +131,16 @@ class Body:
             s = np.clip(s + ((points - place) * tangent).sum(axis=1), 0.0, self.ruled.length)
         return s, *self.ruled.in_plane(s)
 
+    @cached_property
+    def _rims(self) -> list[FloatArray]:
+        """Polygons (k, 2) of the slots in the flat pattern."""
+        cuts = (slot_cut(slot, self.strip.width, beyond=MOUTH * slot.width) for slot in self.strip.slots)
+        return [cut.points(RIM_MM) for cut in cuts]
+
     def uncut(self, s: FloatArray, across: FloatArray) -> FloatArray:
         """Distance of places (n,) of the flat pattern from the nearest slot, mm; negative inside it."""
         away = np.full(s.size, np.inf)
-        for rim in self.slots:
+        for rim in self._rims:
             (x, y), (dx, dy) = rim.T, (np.roll(rim, -1, axis=0) - rim).T
             left, down = s[:, None] - x, across[:, None] - y
             where = np.clip((left * dx + down * dy) / (dx**2 + dy**2), 0.0, 1.0)
@@ -278,10 +289,18 @@ def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meetin
     meeting = strips_may_meet(narrower, np.array([strip_thickness(one.strip) / 2 for one in placed]))
     slotted = _rooms(placed, joints)
     found = []
+    clear: set[tuple[float, ...]] = set()
     for i, j in combinations(range(len(placed)), 2):
         pair, strips = (names[i], names[j]), (placed[i].strip, placed[j].strip)
         if (i, j) in slotted:
-            if (hit := deepest_collision(bodies[i], bodies[j], slotted[i, j])) is not None:
+            # strips that are cut alike share their layers
+            cut = (id(strip.layers) for strip in strips)
+            alike = *cut, slotted[i, j], *place_between(placed[i].frame, placed[j].frame)
+            if alike in clear:
+                continue
+            if (hit := deepest_collision(bodies[i], bodies[j], slotted[i, j])) is None:
+                clear.add(alike)
+            else:
                 found.append(_Meeting(pair, hit.places, beside_slots=hit))
         elif meeting[i, j]:
             if (places := _crossing(strips, (narrower[i], narrower[j]))) is not None:

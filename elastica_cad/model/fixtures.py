@@ -481,6 +481,8 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
     >>> crowded_blocks([], [])
     ()
     """
+    if not blocks:
+        return ()
     parts = [[_Prism.of(solid) for solid in block.solid.added] for block in blocks]
     edges = [np.concatenate([part.edges for part in its]) for its in parts]
     pairs = [

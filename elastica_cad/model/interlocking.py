@@ -1,7 +1,7 @@
 """Strips that cross in space are slotted half way each, so that they slide into each other."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Hashable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import combinations, product
 from typing import Annotated, Literal, TypeVar
 from weakref import WeakKeyDictionary
@@ -13,8 +13,10 @@ from elastica_cad._values import direction, is_series, is_whole, numbers, requir
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.defaults import CLEARANCE
 from elastica_cad.errors import InputError
+from elastica_cad.geometry.frame import Frame
 from elastica_cad.model.crossings import PARALLEL_RAD, Crossing, RuledStrip, strip_crossings, strips_may_meet
 from elastica_cad.refusals import Length, Listed, note, sentences
+from elastica_cad.strip.pieces import cut_key
 from elastica_cad.strip.slots import Relief, Slot
 from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_placed, strip_names
 
@@ -90,6 +92,9 @@ TOUCHING_RAD = np.radians(1.0)
 
 FORCED_SHARE = 0.5
 """A strip is cut from the other side only where that costs less than this share of the crossing's length more."""
+
+PLACE_DIGITS, TURN_DIGITS = 9, 12
+"""Decimals of mm and of unit vectors to which pairs of strips are placed alike: copies differ by rounding."""
 
 PITCH_MM = 1.5
 """Largest distance of the points along a slot's centre line: enough for the curves that crossings are."""
@@ -204,8 +209,9 @@ def interlock(
     for joint in joints:
         for member, slot in zip(joint.members, joint.slots, strict=True):
             slots[member].append(slot)
+    drawn: dict[Hashable, Strip] = {}
     slotted = (
-        _with_slots(*each) for each in zip(placed, map(tuple, slots), strip_names(placed), strict=True)
+        _with_slots(*each, drawn) for each in zip(placed, map(tuple, slots), strip_names(placed), strict=True)
     )
     return InterlockedStrips(tuple(slotted), tuple(joints), _reports(names, joints))
 
@@ -218,13 +224,16 @@ _slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDi
 """Placed strips with their last slots: one whose slots are as before is the same, with all that is known of it."""
 
 
-def _with_slots(one: Placed, slots: tuple[Slot, ...], name: str) -> Placed:
-    """The placed strip with more slots; messages call it by `name`."""
-    known, made = _slotted.get(one, (None, one))
+def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[Hashable, Strip]) -> Placed:
+    """The placed strip with more slots and the layers of a strip in `drawn` that is cut alike; messages call it by
+    `name`."""
+    known, made = _slotted.get(placed, (None, placed))
     if known != slots:
-        made = one.with_strip(replace(one.strip, slots=(*one.strip.slots, *slots))) if slots else one
-        _refuse_faults(made.strip, name)
-        _slotted[one] = slots, made
+        strip = replace(placed.strip, slots=(*placed.strip.slots, *slots)) if slots else placed.strip
+        first = drawn.setdefault(cut_key(strip), strip)
+        _refuse_faults(first, name)
+        made = placed.with_strip(strip.cut_as(first)) if slots else placed
+        _slotted[placed] = slots, made
     return made
 
 
@@ -244,6 +253,13 @@ def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[
     return sorted(set(found))
 
 
+def place_between(first: Frame, second: Frame) -> tuple[float, ...]:
+    """Place of the second frame in the first, rounded: equal for pairs that are placed alike."""
+    origin = np.round(first.local(second.origin), PLACE_DIGITS) + 0.0
+    axes = np.round(second.axes[:2] @ first.axes.T, TURN_DIGITS) + 0.0
+    return (*origin.tolist(), *axes.ravel().tolist())
+
+
 @dataclass(frozen=True, eq=False)
 class _Cutter:
     """Makes slots of crossings."""
@@ -254,6 +270,8 @@ class _Cutter:
     fit: Fit
     relief: Relief
     above: FloatArray | None
+    crossed: dict[Hashable, tuple[list[Joint], Frame]] = field(default_factory=dict)
+    """Joints of strips made and placed alike, with the frame of the first strip."""
 
     def joints(
         self, members: tuple[int, int], placed: tuple[Placed, Placed], ruled: tuple[RuledStrip, RuledStrip]
@@ -264,11 +282,28 @@ class _Cutter:
         known = _joined.setdefault(placed[0], WeakKeyDictionary())
         before, found = known.get(placed[1], (None, ()))
         if before != asked:
-            crossings = strip_crossings(*ruled)
-            self.refuse_touching(members, ruled, crossings)
-            found = tuple(self.joint(members, crossing) for crossing in crossings)
+            frame, mate = placed[0].frame, placed[1].frame
+            up = (
+                None if self.above is None else tuple(np.round(frame.axes @ self.above, TURN_DIGITS).tolist())
+            )
+            alike = *(cut_key(one.strip) for one in placed), *place_between(frame, mate), up
+            if alike not in self.crossed:
+                crossings = strip_crossings(*ruled)
+                self.refuse_touching(members, ruled, crossings)
+                self.crossed[alike] = [self.joint(members, crossing) for crossing in crossings], frame
+            joints, first = self.crossed[alike]
+            found = tuple(self.repeated(joint, members, (first, frame)) for joint in joints)
             known[placed[1]] = asked, found
         return found
+
+    def repeated(self, joint: Joint, members: tuple[int, int], frames: tuple[Frame, Frame]) -> Joint:
+        """The joint of strips that are made and placed alike, from the frame of one first strip to another's."""
+        first, second = (
+            replace(slot, mate=self.strips[mate].label)
+            for slot, mate in zip(joint.slots, members[::-1], strict=True)
+        )
+        position = frames[1].point(frames[0].local(joint.position))
+        return replace(joint, members=members, slots=(first, second), position=position)
 
     def joint(self, members: tuple[int, int], crossing: Crossing) -> Joint:
         """Both slots of one crossing, each from the half way point to where its strip ends."""

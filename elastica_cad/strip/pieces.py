@@ -158,6 +158,11 @@ class FlatShape:
             for p, q in zip(self.layers, other.layers, strict=True)
         ):
             return False
+        if all(
+            (p.outline, *p.holes) == (q.outline, *q.holes)
+            for p, q in zip(self.layers, other.layers, strict=True)
+        ):
+            return True  # strips that are cut alike share their loops
         if np.abs(self._size - other._size).max() > SAME_MM * self._size[0]:
             return False
         ways = WAYS if self.bent is None else WAYS[:1]  # a bent blank that is turned is bent another way

@@ -498,6 +498,11 @@ class Strip:
         """The sheets that the strip is made of, the base first."""
         return cut_layers(self.layout, self.ends, self.slots, name=self.label or "strip")
 
+    def cut_as(self, other: "Strip") -> "Strip":
+        """The strip itself, with the layers of another that is cut alike (`cut_key`)."""
+        vars(self)["layers"] = other.layers
+        return self
+
     @property
     def outline(self) -> Path:
         """The closed outer loop with its slots, anticlockwise; its long sides are B-splines."""
