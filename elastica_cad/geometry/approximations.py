@@ -13,7 +13,7 @@ from elastica_cad.geometry.nurbs_curve import turn_between
 from elastica_cad.geometry.path import Path, distances
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
 from elastica_cad.geometry.segments import Segment, Spline, place, require_tolerance_mm, segment_from_bulge
-from elastica_cad.geometry.splines import knot_runs
+from elastica_cad.geometry.splines import SplineFunction, bezier_spans, clamped_knots, knot_runs, solved
 from elastica_cad.refusals import Length
 
 Motion = Callable[[FloatArray, int, bool], FloatArray]
@@ -147,17 +147,22 @@ def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: 
 
 def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tuple[FloatArray, FloatArray]:
     """Knots and control points of one stretch: interpolating, with end slopes, refined as needed."""
-    from scipy.interpolate import make_interp_spline
-
-    ends = ([(1, motion(sites[:1], 1, False)[0])], [(1, motion(sites[-1:], 1, True)[0])])
+    ends = np.concatenate([motion(sites[:1], 1, False), motion(sites[-1:], 1, True)])
     while sites.size <= _MOST_SPANS:
-        spline = make_interp_spline(sites, motion(sites, 0, False), k=3, bc_type=ends)
+        knots = clamped_knots(sites, {}, 3)
+        spans = bezier_spans(knots, 3)
+        basis, index = spans.local_basis(sites)
+        slopes, _ = spans.local_basis(sites[[0, -1]], 1)
+        beside = [1, sites.size - 1]
+        rows = np.insert(basis, beside, slopes, axis=0)
+        values = np.insert(motion(sites, 0, False), beside, ends, axis=0)
+        spline = SplineFunction(knots, solved(spans, rows, np.pad(index, 1, mode="edge"), values), 3)
         probes = sites[:-1, None] + np.diff(sites)[:, None] * _PROBES
         off = spline(probes.ravel()) - motion(probes.ravel(), 0, False)
         error = np.hypot(off[:, 0], off[:, 1]).reshape(probes.shape).max(axis=1)
         bad = error > 0.9 * tolerance
         if not bad.any():
-            return spline.t, spline.c
+            return knots, spline.coefficients
         sites = np.sort(np.concatenate([sites, (sites[:-1] + np.diff(sites) / 2)[bad]]))
     raise InputError(
         "the spline from {place} can't be followed to {tolerance:g} by a cubic: allow a larger tolerance",

@@ -3,15 +3,21 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_whole, numbers, require_number
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.polynomials import raise_degree
-from elastica_cad.geometry.splines import adaptive_spline, finite, greville, knot_runs, spline_through
+from elastica_cad.geometry.polynomials import interior_roots, raise_degree, value_and_slope
+from elastica_cad.geometry.splines import (
+    SplineFunction,
+    adaptive_spline,
+    finite,
+    greville,
+    knot_runs,
+    spline_through,
+)
 
 STEP_SHARE = 2e-5
 """Share of the length within which a change is a step. It is drawn as a ramp, so that an outline stays one
@@ -121,7 +127,7 @@ class Profile:
                 "a profile is interpolated at two or more increasing arc lengths, one value each"
             )
         through = spline_through(s, values, min(3, s.size - 1))
-        knots, coefficients = through.t, through.c
+        knots, coefficients = through.knots, through.coefficients
         while knots.size < 8:
             knots = np.concatenate([knots[:1], knots, knots[-1:]])
             coefficients = raise_degree(coefficients)
@@ -133,7 +139,7 @@ class Profile:
             raise InputError(
                 "a profile has derivatives of order 0, 1, 2 ..., not {derivative!r}", derivative=derivative
             )
-        return np.asarray(self._function(numbers(s, "arc lengths of a profile"), derivative), dtype=float)
+        return self._function(numbers(s, "arc lengths of a profile"), derivative)
 
     @property
     def length(self) -> float:
@@ -159,16 +165,17 @@ class Profile:
 
     @cached_property
     def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        from scipy.interpolate import PPoly
-
-        pieces = PPoly.from_spline(self._function)
-        starts, widths = pieces.x[:-1], np.diff(pieces.x)
-        turns = pieces.derivative().roots(discontinuity=False, extrapolate=False)
-        turns = turns[np.isfinite(turns)]
-        # at a knot where the value jumps both sides count
-        before = sum(c * widths**k for k, c in enumerate(pieces.c[::-1]))
-        places = np.concatenate([starts, starts + widths, turns])
-        values = np.concatenate([pieces.c[-1], before, self._function(turns)])
+        pieces = self._function.pieces
+        at_knots = pieces[:, [0, -1]]  # where the value jumps both sides count
+        # only pieces whose coefficients pass the extremes of the knots can have extremes inside
+        passing = (pieces.min(axis=1) < at_knots.min()) | (pieces.max(axis=1) > at_knots.max())
+        which = passing.nonzero()[0]
+        turns = interior_roots(np.diff(pieces[which]))
+        index, u = which[[root.piece for root in turns]], np.array([root.u for root in turns])
+        edges, _ = knot_runs(self.knots)
+        start, end = edges[:-1], edges[1:]
+        places = np.concatenate([start, end, start[index] + u * (end - start)[index]])
+        values = np.concatenate([*at_knots.T, value_and_slope(pieces[index], u)[0]])
         low, high = int(values.argmin()), int(values.argmax())
         return (float(places[low]), float(values[low])), (float(places[high]), float(values[high]))
 
@@ -212,8 +219,5 @@ class Profile:
         return Profile(self.knots, low + (self.coefficients - least) * factor, self.degree)
 
     @cached_property
-    def _function(self) -> Any:
-        """The `scipy.interpolate.BSpline`."""
-        from scipy.interpolate import BSpline
-
-        return BSpline(np.array(self.knots), np.array(self.coefficients), self.degree)
+    def _function(self) -> SplineFunction:
+        return SplineFunction(self.knots, self.coefficients, self.degree)

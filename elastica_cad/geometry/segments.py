@@ -21,6 +21,7 @@ from elastica_cad.geometry.plane_points import (
     transform_points,
 )
 from elastica_cad.geometry.polynomials import gauss_rule
+from elastica_cad.geometry.splines import SplineFunction
 from elastica_cad.refusals import Length
 
 _FLATTEST_MM = 1e-7
@@ -578,16 +579,14 @@ def _on_circles(arcs: Sequence[Arc]) -> _Motion:
 
 def _on_splines(knots: Sequence[FloatArray], points: Sequence[FloatArray], degree: int) -> _Motion:
     """As one B-spline: the i-th, over clamped knots from 0 to 1, from 2 i to 2 i + 1, and nothing between."""
-    from scipy.interpolate import BSpline
-
     nothing = np.zeros((degree + 1, 2))
     chain = [part for one in points for part in (one, nothing)][:-1]
-    joined = BSpline(
+    joined = SplineFunction(
         np.concatenate([2 * i + one for i, one in enumerate(knots)]), np.concatenate(chain), degree
     )
 
     def motion(which: IntArray, u: FloatArray, derivative: int) -> FloatArray:
         at = np.minimum(2.0 * which + u, np.nextafter(2.0 * which + 1, 0.0))
-        return np.asarray(joined(at, nu=derivative), dtype=float)
+        return joined(at, derivative)
 
     return motion

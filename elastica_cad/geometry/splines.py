@@ -4,7 +4,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from math import ceil, cos, pi
-from typing import Any
 
 import numpy as np
 
@@ -237,8 +236,64 @@ def _spans(written: bytes, degree: int) -> Spans:
     return Spans(knots.size - size, edges, first, matrix)
 
 
-def spline_through(x: FloatArray, values: FloatArray, degree: int) -> Any:
-    """The `scipy.interpolate.BSpline` of odd degree through values (n, ...) at increasing x (n,).
+@dataclass(frozen=True, eq=False)
+class SplineFunction:
+    """A spline function with a full knot vector (m + degree + 1,), clamped, and coefficients (m, ...).
+
+    Importing scipy.interpolate for its `BSpline` takes longer than all that a command computes with it.
+
+    Examples
+    --------
+    >>> parabola = SplineFunction(np.repeat([0.0, 2.0], 3), np.array([0.0, 0.0, 4.0]), 2)
+    >>> parabola(np.array([1.0, 3.0])).tolist(), float(parabola(np.array(1.0), 1))
+    ([1.0, 9.0], 2.0)
+    """
+
+    knots: FloatArray
+    coefficients: FloatArray
+    degree: int
+
+    def __call__(self, x: FloatArray, derivative: int = 0) -> FloatArray:
+        """Values or derivatives at places of any shape; the end pieces continue beyond the ends."""
+        if derivative > self.degree:
+            return np.zeros((*x.shape, *self.coefficients.shape[1:]))
+        spans = self._spans
+        index = spans.edges[1:-1].searchsorted(x, side="right")
+        after = x.shape + (1,) * (self.coefficients.ndim - 1)
+        width = spans.widths[index].reshape(after)
+        u = (x - spans.edges[index]).reshape(after) / width
+        rows = self._rows.take(index, axis=1)
+        for k in range(derivative):
+            rows = (rows[1:] - rows[:-1]) * ((self.degree - k) / width)
+        while len(rows) > 1:  # de Casteljau
+            rows = rows[:-1] + (rows[1:] - rows[:-1]) * u
+        return np.asarray(rows[0])
+
+    def integral(self) -> "SplineFunction":
+        """The spline function of this derivative that is 0 at the start."""
+        size = self.degree + 1
+        steps = (self.knots[size:] - self.knots[:-size]) / size
+        sums = np.cumsum((steps * self.coefficients.T).T, axis=0)
+        knots = np.concatenate([self.knots[:1], self.knots, self.knots[-1:]])
+        return SplineFunction(knots, np.concatenate([np.zeros_like(sums[:1]), sums]), size)
+
+    @property
+    def pieces(self) -> FloatArray:
+        """Bezier coefficients (p, degree + 1, ...) on each span."""
+        return self._spans.bezier(self.coefficients)
+
+    @cached_property
+    def _spans(self) -> Spans:
+        return bezier_spans(self.knots, self.degree)
+
+    @cached_property
+    def _rows(self) -> FloatArray:
+        """The first coefficients of all pieces, the second coefficients and so on, (degree + 1, p, ...)."""
+        return np.ascontiguousarray(self.pieces.swapaxes(0, 1))
+
+
+def spline_through(x: FloatArray, values: FloatArray, degree: int) -> SplineFunction:
+    """The spline function of odd degree through values (n, ...) at increasing x (n,).
 
     A cubic one has no knots at the places next to its ends, so that it is one polynomial there, a quintic one none
     at the two next to them. Of even degree it is the one polynomial through degree + 1 places.
@@ -246,15 +301,13 @@ def spline_through(x: FloatArray, values: FloatArray, degree: int) -> Any:
     Examples
     --------
     >>> cubic = spline_through(np.arange(4.0), np.arange(4.0) ** 3 + 1, 3)
-    >>> cubic.t.tolist(), cubic.c.round(9).tolist()
+    >>> cubic.knots.tolist(), cubic.coefficients.round(9).tolist()
     ([0.0, 0.0, 0.0, 0.0, 3.0, 3.0, 3.0, 3.0], [1.0, 1.0, 1.0, 28.0])
     """
-    from scipy.interpolate import make_interp_spline
-
     beside = (degree + 1) // 2
     inner = x[beside:-beside] if degree % 2 else x[:0]
     knots = np.concatenate([np.repeat(x[:1], degree + 1), inner, np.repeat(x[-1:], degree + 1)])
-    return make_interp_spline(x, values, k=degree, t=knots)
+    return SplineFunction(knots, interpolated(x, values, knots, degree), degree)
 
 
 def interpolation_sites(knots: FloatArray, degree: int) -> FloatArray:
@@ -266,9 +319,26 @@ def interpolation_sites(knots: FloatArray, degree: int) -> FloatArray:
 
 def interpolated(sites: FloatArray, values: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
     """Coefficients (m, ...) of the spline over given knots that has `values` (m, ...) at `sites` (m,)."""
-    from scipy.interpolate import make_interp_spline
+    spans = bezier_spans(knots, degree)
+    return solved(spans, *spans.local_basis(sites), values)
 
-    return np.asarray(make_interp_spline(sites, values, k=degree, t=knots).c, dtype=float)
+
+def solved(spans: Spans, basis: FloatArray, index: IntArray, values: FloatArray) -> FloatArray:
+    """Coefficients (m, ...) of the spline with values[i] for row i of `basis` (m, degree + 1) in span index[i].
+
+    Raises
+    ------
+    NotConvergedError
+        The rows do not determine the spline.
+    """
+    columns = spans.first[index][:, None] + np.arange(spans.degree + 1)
+    bands = np.zeros((3 * spans.degree + 1, spans.count), order="F")
+    bands[2 * spans.degree + np.arange(spans.count)[:, None] - columns, columns] = basis
+    right = values.reshape(spans.count, -1)
+    *_, solution, info = lapack().dgbsv(spans.degree, spans.degree, bands, right, overwrite_ab=True)
+    if info:
+        raise NotConvergedError("No spline has these values: its places are too close to each other.")
+    return np.ascontiguousarray(solution).reshape(values.shape)
 
 
 def unit_circle_arc(start: float, end: float) -> tuple[FloatArray, FloatArray, FloatArray]:

@@ -343,7 +343,7 @@ class Flexure:
     def centre(self) -> "CentreLine":
         """As it lies without load, from the origin along x."""
         rod = self.pair.first
-        turn = spline_through(rod.s, self.pair.natural_curvature, 3).antiderivative()
+        turn = spline_through(rod.s, self.pair.natural_curvature, 3).integral()
         return CentreLine(rod.s, np.asarray(turn(rod.s)), np.zeros(2))
 
     @cached_property
@@ -866,7 +866,7 @@ class CentreLine:
     def _place(self) -> tuple[Any, FloatArray]:
         """The position over arc length: the integral of the tangent's spline."""
         tangent = np.column_stack([np.cos(self.angle), np.sin(self.angle)])
-        place = spline_through(self.s, tangent, 5).antiderivative()
+        place = spline_through(self.s, tangent, 5).integral()
         return place, np.asarray(place(self.s[:1])[0])
 
     def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:

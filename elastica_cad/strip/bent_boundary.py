@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
 from math import hypot
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
@@ -15,7 +15,13 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import numbers_in_groups, turns_along
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
-from elastica_cad.geometry.splines import clamped_knots, interpolated, interpolation_sites, knot_runs
+from elastica_cad.geometry.splines import (
+    SplineFunction,
+    clamped_knots,
+    interpolated,
+    interpolation_sites,
+    knot_runs,
+)
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 from elastica_cad.strip.flat_pattern import Piece, Region, on_segment
@@ -268,13 +274,8 @@ class BentMap:
         return knots[1:-1], DEGREE - counts[1:-1]
 
     @cached_property
-    def _rows(self) -> Any:
-        from scipy.interpolate import BSpline
-
-        return BSpline.construct_fast(self.knots, self.coefficients, DEGREE)  # made of numbers that are sound
-
-    def _spline(self, s: FloatArray, derivative: int = 0) -> FloatArray:
-        return np.asarray(self._rows(s, derivative), dtype=float)
+    def _spline(self) -> SplineFunction:
+        return SplineFunction(self.knots, self.coefficients, DEGREE)
 
     def _common_knots(
         self, segment: Segment, even: tuple[float, float], limits: tuple[float, float]
@@ -396,17 +397,13 @@ def _fitted(
     tolerance: FloatArray,
 ) -> tuple[FloatArray, FloatArray]:
     """Knots and coefficients of a degree-5 spline through `function`, spans divided to meet `tolerance`."""
-    from scipy.interpolate import BSpline
-
     while True:
         knots = clamped_knots(edges, smooth, DEGREE)
         sites = interpolation_sites(knots, DEGREE)
         probes = (edges[:-1, None] + np.diff(edges)[:, None] * PROBES).ravel()
         values = function(np.concatenate([sites, probes]))
         rows = interpolated(sites, values[: sites.size], knots, DEGREE)
-        excess = (
-            np.abs(BSpline.construct_fast(knots, rows, DEGREE)(probes) - values[sites.size :]) / tolerance
-        )
+        excess = np.abs(SplineFunction(knots, rows, DEGREE)(probes) - values[sites.size :]) / tolerance
         excess = excess.reshape(edges.size - 1, -1).max(axis=1)
         bad = excess > 1
         if not bad.any():

@@ -14,7 +14,7 @@ from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import encloses
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends, line_crossings
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
-from elastica_cad.geometry.splines import interpolated, interpolation_sites, knot_runs
+from elastica_cad.geometry.splines import SplineFunction, interpolated, interpolation_sites, knot_runs
 from elastica_cad.refusals import Length
 from elastica_cad.strip.outline import pace
 
@@ -81,15 +81,13 @@ def _smoothed(segment: Segment) -> Segment:
     """The segment with single knots in place of double ones at which its curvature does not really jump."""
     if not isinstance(segment, Spline) or segment.curve.weights is not None:
         return segment
-    from scipy.interpolate import BSpline
-
     curve = clamp_ends(segment.curve)
     degree, first, last = curve.degree, *curve.domain
     knots, counts = knot_runs(curve.knots)
     double = (counts == degree + 1 - SMOOTH) & (knots > first) & (knots < last)
     if not double.any():
         return segment
-    rows = BSpline.construct_fast(np.array(curve.knots), np.array(curve.control_points), degree)
+    rows = SplineFunction(curve.knots, curve.control_points, degree)
     at, gaps = double.nonzero()[0], knots[1:] - knots[:-1]
     reach = np.minimum(gaps[at - 1], gaps[at])
     before, after = rows(np.array([knots[at] - 1e-6 * reach, knots[at] + 1e-6 * reach]), SMOOTH)
@@ -159,12 +157,10 @@ def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:
     """A clamped graph with its end spans carried on, or cut back, to a domain that differs a little."""
     if (first, last) == curve.domain:
         return curve
-    from scipy.interpolate import BSpline
-
     degree, knots = curve.degree, curve.knots.copy()
     knots[: degree + 1], knots[-degree - 1 :] = first, last
     sites = interpolation_sites(knots, degree)
-    values = BSpline(np.array(curve.knots), np.array(curve.control_points), degree)(sites)
+    values = SplineFunction(curve.knots, curve.control_points, degree)(sites)
     return PlaneCurve(knots, interpolated(sites, values, knots, degree), degree, None)
 
 

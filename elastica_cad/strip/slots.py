@@ -187,7 +187,9 @@ def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
     normals = _left_of(tangents)
     right, left = (points + sign * widths[:, None] / 2 * normals for sign in (-1, 1))
     sides = spline_through(t, np.hstack([right, left]), degree)
-    return _side(right, sides.t, sides.c[:, :2]), _side(left, sides.t, sides.c[:, 2:])
+    return _side(right, sides.knots, sides.coefficients[:, :2]), _side(
+        left, sides.knots, sides.coefficients[:, 2:]
+    )
 
 
 def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:

@@ -16,7 +16,7 @@ from elastica_cad.geometry.nurbs_curve import cross
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import clip_across
 from elastica_cad.geometry.segments import Spline
-from elastica_cad.geometry.splines import knot_runs
+from elastica_cad.geometry.splines import SplineFunction, knot_runs
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stiffness_law import RoundLaw
@@ -174,13 +174,11 @@ class FlatSolid:
 
 def _misread_area(sides: Sequence[Spline]) -> float:
     """Error of one rule for all spans of a side for the area below it, mm2, summed over sides."""
-    from scipy.interpolate import BSpline
-
     points, weights = RULE
     off = 0.0
     for side in sides:
         curve, (first, last) = side.curve, side.curve.domain
-        rows = BSpline.construct_fast(np.array(curve.knots), np.array(curve.control_points), curve.degree)
+        rows = SplineFunction(curve.knots, curve.control_points, curve.degree)
         half = (last - first) / 2
         t = first + half * (points + 1)
         swept = cross(rows(t) - side.start, rows(t, 1)) @ weights * half / 2

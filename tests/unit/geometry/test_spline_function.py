@@ -34,7 +34,7 @@ def test_splines_through_values_are_those_of_scipy(count, columns, highest):
     x, values = np.cumsum(random.uniform(0.2, 2, count)), random.normal(size=(count, *columns))
     degree = min(highest, count - 1)
     found = spline_through(x, values, degree)
-    knots, coefficients = found.t, found.c
+    knots, coefficients = found.knots, found.coefficients
     # scipy before 1.14 chooses no knots for degree 4
     theirs = make_interp_spline(x, values, k=degree, t=knots if degree == 4 else None)
     assert np.array_equal(knots, theirs.t)
