@@ -10,7 +10,7 @@ from pathlib import Path
 from reprlib import Repr
 from typing import Any, ParamSpec, Self, TypeVar
 
-from elastica_cad.refusals import Change, Length, Refusal, sentences
+from elastica_cad.refusals import Change, Length, Refusal
 
 __all__ = [
     "Change",
@@ -107,16 +107,6 @@ class ElasticaError(Exception):
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (type(self), str(self)), self.__dict__
 
-    @property
-    def verdict(self) -> str:
-        """What is known at once of what is wrong."""
-        return self.refusal
-
-    @property
-    def advice(self) -> tuple[str, ...]:
-        """Sentences that the message ends with, where finding them takes longer than the verdict."""
-        return ()
-
     def at(self, **where: Any) -> Self:
         """This error, with more places: `raise problem.at(strip="A1")`, or `raise` alone behind it."""
         self.refusal = self.refusal.at(**where)
@@ -158,33 +148,9 @@ class NotConvergedError(ElasticaError, RuntimeError):
 
 
 class NotMetError(NotConvergedError):
-    """The limits cannot be met near the drawn curve.
-
-    Parameters
-    ----------
-    verdict : str
-        How near the search came, and what it kept from the drawn curve.
-    advise : callable
-        Gives the advice, sentences about what would help; each may take a search of its own, so it is looked for
-        when the message is read.
-    """
+    """The limits cannot be met near the drawn curve."""
 
     KIND = "not met"
-
-    def __init__(self, verdict: str, advise: Callable[[], tuple[str, ...]] = tuple) -> None:
-        super().__init__(verdict)
-        self._advise = advise
-
-    def __str__(self) -> str:
-        return sentences((self.verdict, *self.advice), " ")
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (str(self),)
-
-    @property
-    def advice(self) -> tuple[str, ...]:
-        """What would help, the most useful first."""
-        return self._advise()
 
 
 class MissingDependencyError(ElasticaError, ImportError, RuntimeError):

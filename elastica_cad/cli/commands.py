@@ -376,7 +376,7 @@ def _once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
 def _refuse(problem: ElasticaError) -> int:
     """Say what is wrong, then what would work, and give the exit code."""
     begins, code = next((told for kind, told in TOLD.items() if isinstance(problem, kind)))
-    said, option = f"{begins}: {problem.verdict}", problem.refusal.where.get("option")
+    said, option = f"{begins}: {problem}", problem.refusal.where.get("option")
     said += f" ({option})" if option and "--" not in said else ""
     voice().refuse(said, problem, code, partial(suggestion_below, problem))
     return code

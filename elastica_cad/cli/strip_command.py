@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
-from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -265,14 +264,13 @@ def _tell(kit: StripKit, written: Iterable[Path], *, several: bool) -> None:
         say(made.backing_side)
     if near is not None:
         from elastica_cad.forming.limits import FAR_SHARE
-        from elastica_cad.forming.nearest_record import advise
 
         moved = f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}"
         if near.deviation > FAR_SHARE * rod.length:
             warn(f"Warning: {whose}{moved}")
         else:
             say(moved)
-        for advice in islice(advise(near), MOST_ADVICE):
+        for advice in near.advice[:MOST_ADVICE]:
             say(advice)
     if not verdict.stable:
         warn(f"Warning: {whose}{verdict}. --stable finds the nearest that stays.")

@@ -72,17 +72,14 @@ class Voice:
     def refuse(self, said: str, problem: ElasticaError, code: int, suggest: Callable[[], str]) -> None:
         """Print why there is no answer, then a suggestion, which is searched for until Ctrl-C."""
         _clear_step()
-        advice = suggestion = ""
+        suggestion = ""
+        echo(said, err=True)
         with suppress(KeyboardInterrupt):
-            echo(said, nl=False, err=True)
-            advice = " ".join(problem.advice)
-        with suppress(KeyboardInterrupt):
-            echo(f" {advice}" if advice else "", err=True)
             suggestion = "" if self.quiet else suggest()
         if suggestion:
             echo(suggestion, err=True)
         if self.as_json:
-            record = problem.refusal.record | {"message": f"{said} {advice}".rstrip()}
+            record = problem.refusal.record | {"message": said}
             found = {"suggestion": suggestion} if suggestion else {}
             _print_json(
                 {

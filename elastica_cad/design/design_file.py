@@ -5,7 +5,7 @@ what they say, are in `keys`.
 """
 
 import tomllib
-from collections.abc import Callable, Container, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from os import PathLike
 from pathlib import Path
@@ -27,7 +27,6 @@ from elastica_cad.errors import (
     ElasticaError,
     InputError,
     NotConvergedError,
-    NotMetError,
     Refusal,
     quoted,
     toml_slip,
@@ -133,7 +132,7 @@ class Design:
             placed, plates = [*surface.placed, *placed], surface.plates
         if failed and not placed:
             raise failed[0]
-        without = tuple(note("{said} This section is left out.", said=said) for said in _in_words(failed))
+        without = tuple(note("{said} This section is left out.", said=said) for said in map(str, failed))
         model = Model(tuple(placed), self.name, reports=(*without, *self.reports), plates=plates)
         for kind, options in self.patterns:
             model = getattr(model, _PATTERNS[kind])(**options)
@@ -409,23 +408,13 @@ def _likeness(entry: StripEntry) -> Any:
     return digits.tobytes(), value_key(asked)
 
 
-def _in_words(problems: Sequence[ElasticaError]) -> Iterator[str]:
-    """What is wrong with each part; advice, which takes searches of its own, for the first alone."""
-    advised = False
-    for problem in problems:
-        yield problem.verdict if advised else str(problem)
-        advised = advised or bool(problem.advice)
-
-
 def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
     """One that tells all of them, of the kind of the first."""
     first, slips = problems[0], Slips()
     if len(problems) == 1:
         return first
     for problem in problems:
-        slips.add(problem.verdict)
-    if isinstance(first, NotMetError):
-        return NotMetError(slips.text, lambda: first.advice and ("What would help the first:", *first.advice))
+        slips.add(str(problem))
     first.refusal = Refusal(first.refusal.kind, slips.text)  # what would mend the first mends not all
     return first
 

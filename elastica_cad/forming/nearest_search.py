@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,8 +12,8 @@ from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
 from elastica_cad.forming.curve_distance import TargetCurve, measure_deviation
 from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves, leaf_bends
 from elastica_cad.forming.limits import MET, Keep, Limits
-from elastica_cad.forming.nearest_record import Binding, NearestRod, advise, judge_search
-from elastica_cad.forming.nearest_task import Measure, NearestTask, SearchPoint, Weights
+from elastica_cad.forming.nearest_record import Binding, NearestRod, judge_search
+from elastica_cad.forming.nearest_task import Measure, NearestRequest, NearestTask, SearchPoint, Weights
 from elastica_cad.forming.rod_map import MappedRod
 from elastica_cad.forming.rod_problem import RodOutcome, RodProblem, Search, list_bindings, pose_problem
 from elastica_cad.forming.sqp import SETTINGS as SQP
@@ -100,47 +100,41 @@ class SearchSettings(NamedTuple):
 SETTINGS = SearchSettings()
 
 
-def _find_rod(
-    task: NearestTask, measure: Measure, again: Callable[..., NearestRod], start: NearestRod | None = None
-) -> NearestRod:
-    """Find the nearest rod for sections of any size; `again` repeats the request within other limits."""
-    if not (start is None or isinstance(start, NearestRod)):
-        raise InputError(
-            "start is {start!r}: give the record that nearest_rod gave for a like curve, or None", start=start
-        )
-    found = _search(task.without_followed_margin, measure, None if start is None else start.ended)
+def _find_rod(task: NearestTask, start: NearestRod | None = None) -> NearestRod:
+    """Find the nearest rod for sections of any size."""
+    found = _search(task.without_followed_margin, None if start is None else start.ended)
     smaller = task.in_smaller_sections
     if smaller is not None and (found.best.violation > MET or found.off > SETTINGS.followed):
-        other, steps = _search(smaller, measure), found.steps
+        other, steps = _search(smaller), found.steps
         found = min(found, other, key=lambda search: _rank(search.best))._replace(steps=steps + other.steps)
-    found = _rescaled(found, measure, task.limits.margin)
+    found = _rescaled(found, task.limits.margin)
     task = replace(task, section=found.task.section)
     problem, outcome, target = found.problem, found.best, task.target
     deviation = measure_deviation(target, outcome.point.position) * target.size
+    measure = task.request.measure
     distance = outcome.objective if measure == "max" else float(np.sqrt(2 * outcome.objective))
     return NearestRod(
-        found=task.rod_of(outcome.point), target=task.curve, deviation=deviation,
+        found=task.rod_of(outcome.point), target=task.request.curve, deviation=deviation,
         status=judge_search(outcome.violation, deviation / (target.diagonal * target.size), outcome.settled),
         mean_deviation=found.task.off(outcome.point) * target.size,
-        binding=list_bindings(task, problem, outcome, measure), violation=outcome.violation,
-        iterations=found.steps, limits=task.limits, keep=task.keep, measure=measure,
+        binding=list_bindings(task, problem, outcome), violation=outcome.violation,
+        iterations=found.steps, limits=task.limits, keep=task.request.keep, measure=measure,
         distance=distance * target.size,
         ties=tuple(task.rod_of(tie.point) for tie in found.ties),
         ended=found.ended,
-        advise=advise,
-        again=partial(again, weights=task.weights),
+        again=partial(_again, replace(task.request, weights=task.weights)),
     )  # fmt: skip
 
 
-def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = None) -> Search:
+def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
     """Search from the end of a similar search, or from as many starts as are needed.
 
     The first start is nearly always enough. The others are tried where it meets no limits, does not converge, or
     ends far from the target.
     """
-    problem = pose_problem(task, measure)
+    problem = pose_problem(task)
     if before is not None and (near := _from_before(task, problem, before)) is not None:
-        return _concluded(measure, Search(task, problem, near, (), near.iterations, before.off), [near])
+        return _concluded(Search(task, problem, near, (), near.iterations, before.off), [near])
     found = [minimize(problem, _start(task, problem))]
     # a margin that the first start misses is refused sooner than what is far
     tight = found[0].violation > MET and task.limits.margin is not None
@@ -152,32 +146,35 @@ def _search(task: NearestTask, measure: Measure, before: SearchPoint | None = No
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         if (spent < most or enough == np.inf) and not (done and off < enough):
             # a largest distance does not tell how far two rods are apart
-            known = [] if measure == "max" else [one for one in found if one.settled and one.violation <= MET]
+            largest = task.request.measure == "max"
+            known = [] if largest else [one for one in found if one.settled and one.violation <= MET]
             found.append(minimize(problem, start(), known=known))
     best = min(found, key=_rank)
     off, steps = task.off(best.point) / task.target.diagonal, sum(one.iterations for one in found)
-    return _concluded(measure, Search(task, problem, best, (), steps, off), found)
+    return _concluded(Search(task, problem, best, (), steps, off), found)
 
 
-def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
+def _rescaled(found: Search, margin: float | None) -> Search:
     """Repeat the search until sections are as large as the limits allow for the rod that was found."""
     for _ in range(SETTINGS.rescalings):
         settled = found.task.settled(found.best.point)
-        if settled is found.task or settled.gravity is None:  # without weight nothing hangs on the scale
+        if (
+            settled is found.task or settled.request.gravity is None
+        ):  # without weight nothing hangs on the scale
             found = found._replace(task=settled)
             break
-        found = _go_on(found, settled, measure)
+        found = _go_on(found, settled)
     if margin == found.task.limits.margin:
         return found
     task = found.task.with_margin(margin)
-    problem = pose_problem(task, measure)
+    problem = pose_problem(task)
     met = [worst_broken(problem, problem.values(one.point)) <= MET for one in (found.best, *found.ties)]
     if met[0] or found.best.violation > MET:
         ties = tuple(tie for tie, stays in zip(found.ties, met[1:], strict=True) if stays)
         return found._replace(task=task, ties=ties)
     task = replace(task.scaled_by(SETTINGS.roomy), keeps_scale=True)
     for _ in range(SETTINGS.rescalings):
-        wider = _narrowed(found, task, measure)
+        wider = _narrowed(found, task)
         if found.task.keeps_scale and wider.best.violation > MET:
             return found._replace(steps=wider.steps)
         found = wider
@@ -188,7 +185,7 @@ def _rescaled(found: Search, measure: Measure, margin: float | None) -> Search:
     return found
 
 
-def _narrowed(found: Search, task: NearestTask, measure: Measure) -> Search:
+def _narrowed(found: Search, task: NearestTask) -> Search:
     """Continue a search at one scale or at smaller ones, with most of the margin first.
 
     Narrower strips may keep a margin that wider ones lose.
@@ -196,17 +193,17 @@ def _narrowed(found: Search, task: NearestTask, measure: Measure) -> Search:
     margin = task.limits.margin or 0.0
     for share in SETTINGS.narrower:
         narrow = task.scaled_by(share)
-        eased = _go_on(found, narrow.with_margin(min(margin, SETTINGS.eased * margin)), measure)
-        tried = _go_on(eased, narrow, measure)
+        eased = _go_on(found, narrow.with_margin(min(margin, SETTINGS.eased * margin)))
+        tried = _go_on(eased, narrow)
         if tried.best.violation <= MET:
             break
         found = found._replace(steps=tried.steps)
     return tried
 
 
-def _go_on(found: Search, task: NearestTask, measure: Measure) -> Search:
+def _go_on(found: Search, task: NearestTask) -> Search:
     """Continue from the end of a search with the present request; the steps are added."""
-    more = _search(task, measure, found.ended)
+    more = _search(task, found.ended)
     return more._replace(steps=found.steps + more.steps)
 
 
@@ -223,22 +220,20 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
     return found if near and found.settled and found.violation <= MET else None
 
 
-def _concluded(measure: Measure, so_far: Search, found: Sequence[RodOutcome]) -> Search:
+def _concluded(so_far: Search, found: Sequence[RodOutcome]) -> Search:
     """Add to a search a rod of smaller ratio that is as near as its best, or else other results that are as
     near."""
     task, problem, best, _, steps, _ = so_far
     free = task.is_scaled_freely or task.is_light
     if free and task.off(best.point) < SETTINGS.followed * task.target.diagonal:
-        lean = _leaner(task, measure, best)
+        lean = _leaner(task, best)
         if lean is not None:
             tight, problem, best = lean
             return so_far._replace(task=tight, problem=problem, best=best, steps=steps + best.iterations)
-    return so_far._replace(ties=tuple(_ties(task, problem, measure, best, found)))
+    return so_far._replace(ties=tuple(_ties(task, problem, best, found)))
 
 
-def _leaner(
-    task: NearestTask, measure: Measure, best: RodOutcome
-) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
+def _leaner(task: NearestTask, best: RodOutcome) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
     """A rod with the least ratio that the target needs, where that is smaller than the best one's and as near.
 
     The distance does not depend on the ratio, so a search for a target that can be met exactly ends with any ratio.
@@ -246,7 +241,7 @@ def _leaner(
     K = best.point.stiffness
     law = None if task.section is None or task.is_light else task.section.law
     try:
-        rod = optimal_rod(task.curve, task.gravity, task.supports, task.natural_curvature, section=law)
+        rod = _rod_on_curve(task.request, law)
     except ElasticaError:
         return None
     least = rod.ratio * SETTINGS.spline
@@ -254,7 +249,7 @@ def _leaner(
         return None
     try:
         tight = task.within_ratio(least)
-        problem = pose_problem(tight, measure)
+        problem = pose_problem(tight)
     except InputError:  # the stiffness is bounded elsewhere too
         return None
     outcome = minimize(problem, _start(tight, problem, stiffness=min(least, 4.0) ** 0.5))
@@ -264,10 +259,10 @@ def _leaner(
 
 
 def _ties(
-    task: NearestTask, problem: RodProblem, measure: Measure, best: RodOutcome, found: Sequence[RodOutcome]
+    task: NearestTask, problem: RodProblem, best: RodOutcome, found: Sequence[RodOutcome]
 ) -> Iterator[RodOutcome]:
     """Results as near as the best one, within 2 %, whose shapes differ from it and from each other."""
-    allowed = best.objective * (SETTINGS.tie if measure == "max" else SETTINGS.tie**2)
+    allowed = best.objective * (SETTINGS.tie if task.request.measure == "max" else SETTINGS.tie**2)
     apart = (SETTINGS.apart * task.target.diagonal) ** 2
     told = [best]
     for outcome in sorted(found, key=lambda one: one.objective):
@@ -347,29 +342,28 @@ _BEYOND = 1.2  # times what a stack breaks of a limit is asked of the next taper
 _WHOLE = 1e-9  # of a leaf: more than rounding
 
 
-def _find_leaves(
-    again: Callable[..., NearestRod], curve: PlaneCurve, limits: Limits, keep: Keep, law: LeavesLaw,
-    measure: Measure, asked: dict[str, Any],
-) -> NearestRod:  # fmt: skip
+def _find_leaves(request: NearestRequest, law: LeavesLaw) -> NearestRod:
     """A stack of glued leaves near the nearest taper; where a step breaks a limit, that of a stricter taper."""
+    curve, limits, keep = request.curve, request.limits, request.keep
     if limits.stiffness_bounds is not None or keep.points or keep.symmetry or keep.line:
         raise InputError(
             "leaves keep ends, tangents and length, within ratio, margin, curvature, strain and regions: leave out "
             "stiffness_bounds, points, symmetry and line"
         )
+    again = partial(_again, request)
     # (n / k)^3 is the ratio of n leaves and k
     fewest = int(np.ceil(law.leaves / limits.largest_ratio ** (1 / 3) - _WHOLE))
     law = replace(law, fewest=min(max(law.fewest, fewest), law.leaves))
     laid, steps = None, 0
-    taper = _taper_on_curve(curve, limits, law, asked)
+    taper = _taper_on_curve(request, law)
     if taper is not None:
         laid = lay_leaves(taper, law, tangents=keep.both_tangents)
     strict = limits
     for _ in range(_STRICTER):
         if laid is not None and not _broken_by(laid, limits):
             break
-        task = NearestTask.of(curve, strict, keep, law.relaxed, **asked)
-        near = _find_rod(replace(task, grows=False), measure, again)
+        task = NearestTask.of(replace(request, limits=strict, section=law.relaxed))
+        near = _find_rod(replace(task, grows=False))
         steps += near.iterations
         laid = lay_leaves(near.rod, law, tangents=keep.both_tangents)
         strict = _stricter(strict, _broken_by(laid, limits))
@@ -385,19 +379,26 @@ def _find_leaves(
         found=laid.rod, target=curve, deviation=deviation, mean_deviation=mean,
         status=judge_search(missed, deviation / (target.diagonal * target.size), laid.settled),
         binding=broken, violation=missed, iterations=steps, limits=limits, keep=keep,
-        measure=measure, distance=mean, advise=advise, again=partial(again, section=law),
+        measure=request.measure, distance=mean, again=again,
     )  # fmt: skip
 
 
-def _taper_on_curve(curve: PlaneCurve, limits: Limits, law: LeavesLaw, asked: dict[str, Any]) -> Rod | None:
+def _taper_on_curve(request: NearestRequest, law: LeavesLaw) -> Rod | None:
     """The taper that rests in the curve itself, as thick as the stack may be, where there is one."""
-    if limits.length is not None and not limits.length[0] <= curve.length <= limits.length[1]:
+    length = request.limits.length
+    if length is not None and not length[0] <= request.curve.length <= length[1]:
         return None
     try:
-        names = "gravity", "supports", "natural_curvature"
-        return optimal_rod(curve, section=law.relaxed, **{name: asked[name] for name in names})
+        return _rod_on_curve(request, law.relaxed)
     except ElasticaError:
         return None
+
+
+def _rod_on_curve(request: NearestRequest, section: BoundedLaw | None) -> Rod:
+    """The rod of least ratio that rests in the curve itself."""
+    return optimal_rod(
+        request.curve, request.gravity, request.supports, request.natural_curvature, section=section
+    )
 
 
 def _broken_by(laid: LeafedRod, limits: Limits) -> tuple[Binding, ...]:
@@ -514,16 +515,30 @@ def nearest_rod(
     >>> near.met, round(near.rod.ratio, 6)
     (True, 1.5)
     """
-    asked: dict[str, Any] = {
-        "gravity": gravity, "supports": supports, "weights": weights, "samples": samples,
-        "coefficients": coefficients, "natural_curvature": natural_curvature,
-    }  # fmt: skip
-    again = partial(nearest_rod, curve, section=section, measure=measure, **asked)
-    if isinstance(section, LeavesLaw):
-        return _find_leaves(again, curve, limits or Limits(), keep or Keep(), section, measure, asked)
+    if not (start is None or isinstance(start, NearestRod)):
+        raise InputError(
+            "start is {start!r}: give the record that nearest_rod gave for a like curve, or None", start=start
+        )
+    request = NearestRequest(
+        curve, Limits() if limits is None else limits, Keep() if keep is None else keep, gravity,
+        Supports() if supports is None else supports, weights, measure, samples, coefficients, section,
+        natural_curvature,
+    )  # fmt: skip
+    return _solve(request, start)
+
+
+def _solve(request: NearestRequest, start: NearestRod | None = None) -> NearestRod:
+    if isinstance(request.section, LeavesLaw):
+        return _find_leaves(request, request.section)
     try:
-        return _find_rod(NearestTask.of(curve, limits, keep, section, **asked), measure, again, start)
+        return _find_rod(NearestTask.of(request), start)
     except NotConvergedError as error:
-        if gravity is None or curve.length < _UNBEARABLE * gravity.length:
+        gravity, length = request.gravity, request.curve.length
+        if gravity is None or length < _UNBEARABLE * gravity.length:
             raise
-        raise NotConvergedError(far_too_heavy(gravity, curve.length)) from error
+        raise NotConvergedError(far_too_heavy(gravity, length)) from error
+
+
+def _again(request: NearestRequest, limits: Limits, keep: Keep) -> NearestRod:
+    """Repeat a request within other limits."""
+    return _solve(replace(request, limits=limits, keep=keep))

@@ -1,4 +1,4 @@
-"""What is asked of a nearest rod, in lengths of the drawn curve."""
+"""Requests for a nearest rod, and the same in lengths of the drawn curve."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -49,99 +49,116 @@ _COEFFICIENTS_PER_HALF_TURN = 4.2  # a curve that turns more often asks for a fi
 
 
 @dataclass(frozen=True, eq=False)
+class NearestRequest:
+    """Checked arguments of `nearest_rod`, which describes them.
+
+    Raises
+    ------
+    InputError
+        Arguments of the wrong kind.
+    """
+
+    curve: PlaneCurve
+    limits: Limits
+    keep: Keep
+    gravity: Gravity | None
+    supports: Supports
+    weights: Weights
+    measure: Measure
+    samples: int
+    coefficients: int | None
+    section: BoundedLaw | None
+    natural_curvature: NaturalCurvature
+
+    def __post_init__(self) -> None:
+        require_curve(self.curve)
+        require_gravity(self.gravity)
+        require_natural_curvature(self.natural_curvature)
+        require_supports(self.supports)
+        require_limits(self.limits, self.keep)
+        if not (self.section is None or hasattr(self.section, "bent")):
+            raise InputError(
+                "section is {section!r}: give a law of sections, such as ThicknessLaw, or None",
+                section=self.section,
+            )
+        if whole_number(self.samples, "samples", 20) > _MOST_NODES:
+            raise InputError(
+                "samples={samples!r}: a rod needs 20 to {most_nodes} nodes, {search_samples} are usual",
+                samples=self.samples,
+                most_nodes=_MOST_NODES,
+                search_samples=SEARCH_SAMPLES,
+            )
+        if not is_one_of(self.measure, ("mean", "closest", "max")):
+            raise InputError(
+                "unknown measure {measure!r}: use 'mean', 'closest' or 'max'", measure=self.measure
+            )
+        if self.coefficients is None:
+            return
+        if whole_number(self.coefficients, "coefficients", 4) > (self.samples - 1) // 2:
+            raise InputError(
+                "coefficients={coefficients!r}: the stiffness needs 4 coefficients or more, and at "
+                "most half as many as there are edges ({samples})",
+                coefficients=self.coefficients,
+                samples=self.samples - 1,
+            )
+
+
+@dataclass(frozen=True, eq=False)
 class NearestTask:
-    """All that is asked, in lengths of the target; `pose_problem` makes a nonlinear program of it.
+    """A request in lengths of its curve; `pose_problem` makes a nonlinear program of it.
 
     Attributes
     ----------
-    curve : PlaneCurve
-        As drawn.
+    request : NearestRequest
     target : TargetCurve
     limits : Limits
-    keep : Keep
-    supports : Supports
-    gravity : Gravity or None
+        Those of the request, with the ratio that its section allows.
     weights : (nodes,) array
-        Of the nodes, mean 1.
-    nodes, coefficients : int
+        Weights of the nodes, mean 1.
+    coefficients : int
     line : pair of points or None
         Inflection line to be kept, mm.
     section : SectionScale or None
         What K is made of, where its weight or strain is not that of a plain strip.
-    natural_curvature : float or RestCurvature
-        1/mm before bending.
     grows : bool
         Are sizes without weight made as large as the limits let them be, once the rod is found?
     keeps_scale : bool
         Does the scale of a strip that follows its bend stay, and each node keep within the largest width there?
     """
 
-    curve: PlaneCurve
+    request: NearestRequest
     target: TargetCurve
     limits: Limits
-    keep: Keep
-    supports: Supports
-    gravity: Gravity | None
     weights: FloatArray
-    nodes: int
     coefficients: int
-    line: tuple[FloatArray, FloatArray] | None = None
-    section: SectionScale | None = None
-    natural_curvature: NaturalCurvature = 0.0
+    line: tuple[FloatArray, FloatArray] | None
+    section: SectionScale | None
     grows: bool = True
     keeps_scale: bool = False
 
     @classmethod
-    def of(
-        cls, curve: PlaneCurve, limits: Limits | None, keep: Keep | None, section: BoundedLaw | None, *,
-        gravity: Gravity | None, supports: Supports | None, weights: Weights, samples: int,
-        coefficients: int | None, natural_curvature: NaturalCurvature,
-    ) -> "NearestTask":  # fmt: skip
-        """Checked input of `nearest_rod`.
+    def of(cls, request: NearestRequest) -> "NearestTask":
+        """The task of a request.
 
         Raises
         ------
         InputError
-            Limits that contradict each other or the curve, and arguments of the wrong kind.
+            Limits that contradict each other or the curve.
         """
-        require_curve(curve)
-        require_gravity(gravity)
-        require_natural_curvature(natural_curvature)
-        supports = require_supports(supports)
-        require_limits(limits, keep)
-        if not (section is None or hasattr(section, "bent")):
-            raise InputError(
-                "section is {section!r}: give a law of sections, such as ThicknessLaw, or None",
-                section=section,
-            )
-        if whole_number(samples, "samples", 20) > _MOST_NODES:
-            raise InputError(
-                "samples={samples!r}: a rod needs 20 to {most_nodes} nodes, {search_samples} are usual",
-                samples=samples,
-                most_nodes=_MOST_NODES,
-                search_samples=SEARCH_SAMPLES,
-            )
-        target = TargetCurve.of(curve)
+        target, limits, samples = TargetCurve.of(request.curve), request.limits, int(request.samples)
+        coefficients = request.coefficients
         if coefficients is None:
             half_turns = float(np.abs(np.diff(target.angle)).sum()) / np.pi
             wanted = _FEWEST_COEFFICIENTS + round(_COEFFICIENTS_PER_HALF_TURN * half_turns)
             coefficients = min(_MOST_COEFFICIENTS, wanted, (samples - 1) // 2)
-        if whole_number(coefficients, "coefficients", 4) > (samples - 1) // 2:
-            raise InputError(
-                "coefficients={coefficients!r}: the stiffness needs 4 coefficients or more, and at "
-                "most half as many as there are edges ({samples})",
-                coefficients=coefficients,
-                samples=samples - 1,
-            )
-        limits, keep = limits or Limits(), keep or Keep()
         scale = None
-        if section is not None:
-            bent = _nodal_bend(target, natural_curvature, samples)
-            law = section.bent(bent, _nodal_rest(natural_curvature, samples, 1.0))
-            scale = SectionScale.of(law, limits, heavy=gravity is not None)
+        if request.section is not None:
+            bent = _nodal_bend(target, request.natural_curvature, samples)
+            law = request.section.bent(bent, _nodal_rest(request.natural_curvature, samples, 1.0))
+            scale = SectionScale.of(law, limits, heavy=request.gravity is not None)
             limits = replace(limits, ratio=scale.ratio)
         for region in limits.keep_out:
-            ends = zip(("start", "end"), keep.both_ends, target.position[[0, -1]], strict=True)
+            ends = zip(("start", "end"), request.keep.both_ends, target.position[[0, -1]], strict=True)
             for side, kept, point in ends:
                 inside = -float(region.clearance((point * target.size + target.origin)[None])[0][0])
                 if kept and inside > 1e-9 * target.size:
@@ -152,11 +169,14 @@ class NearestTask:
                         inside=Mm(inside),
                     )
         return cls(
-            curve=curve, target=target, limits=limits, keep=keep, supports=supports, gravity=gravity,
-            weights=_node_weights(weights, samples, target.size), nodes=int(samples),
-            coefficients=int(coefficients), line=_inflection_line(curve, keep, gravity, natural_curvature),
-            section=scale, natural_curvature=natural_curvature,
+            request, target, limits, _node_weights(request.weights, samples, target.size), int(coefficients),
+            _inflection_line(request), scale,
         )  # fmt: skip
+
+    @property
+    def nodes(self) -> int:
+        """Number of nodes of the rod."""
+        return int(self.request.samples)
 
     @property
     def is_scaled_freely(self) -> bool:
@@ -167,7 +187,7 @@ class NearestTask:
     @property
     def is_light(self) -> bool:
         """Whether it is a law of absolute sizes without weight, whose scale is found afterwards."""
-        return self.grows and self.gravity is None and not self.is_scaled_freely
+        return self.grows and self.request.gravity is None and not self.is_scaled_freely
 
     def within_ratio(self, ratio: float) -> "NearestTask":
         """The task with this limit to the ratio; a light one in the sizes that then bear most."""
@@ -222,16 +242,16 @@ class NearestTask:
     @property
     def in_smaller_sections(self) -> "NearestTask | None":
         """The task with sections that all bear the target's own bend; None where that makes no difference."""
-        if self.section is None or self.is_scaled_freely or self.gravity is None:
+        if self.section is None or self.is_scaled_freely or self.request.gravity is None:
             return None
-        bent = _nodal_bend(self.target, self.natural_curvature, self.nodes)
+        bent = _nodal_bend(self.target, self.request.natural_curvature, self.nodes)
         section = self.section.bearing(bent, self.limits)
         return None if section is None else replace(self, section=section)
 
     @property
     def rest(self) -> float | FloatArray:
         """kappa_0, or that of a blank (nodes,), in the target's units; the blank is stretched to the rod."""
-        return _nodal_rest(self.natural_curvature, self.nodes, self.target.size)
+        return _nodal_rest(self.request.natural_curvature, self.nodes, self.target.size)
 
     def rod_of(self, mapped: MappedRod) -> Rod:
         """The rod in millimetres, least stiffness 1; a light one in sections as large as the limits let it be."""
@@ -241,14 +261,14 @@ class NearestTask:
         least = float(mapped.stiffness.min())
         length = mapped.length * size
         profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
-        if self.gravity is None and section is None:  # no weight to be asked of a record
+        if self.request.gravity is None and section is None:  # no weight to be asked of a record
             s = np.linspace(0.0, length, self.nodes)
             profile, K = scaled_to_least(profile, s)
-            rest = nodal_curvature(self.natural_curvature, s)
+            rest = nodal_curvature(self.request.natural_curvature, s)
             return Rod(profile=profile, **self._state_of(mapped, K, rest, np.zeros((s.size, 2))).record)
         blank = Rod.straight(
-            length, profile, samples=self.nodes, gravity=self.gravity, supports=self.supports,
-            natural_curvature=self.natural_curvature,
+            length, profile, samples=self.nodes, gravity=self.request.gravity, supports=self.request.supports,
+            natural_curvature=self.request.natural_curvature,
         )  # fmt: skip
         if section is not None:
             blank = section.carried_by(blank, mapped.stiffness)
@@ -264,7 +284,7 @@ class NearestTask:
         position = mapped.position * size + self.target.origin
         system = RodSystem(
             stiffness=K, edge_length=mapped.length * size / (self.nodes - 1), load=load, natural_curvature=rest,
-            supports=self.supports, start=position[0], end=position[-1],
+            supports=self.request.supports, start=position[0], end=position[-1],
             end_angles=mapped.all_angles[[0, -1]], force=np.zeros(2), moments=np.zeros(2),
         )  # fmt: skip
         force = mapped.force / (float(mapped.stiffness.min()) * size**2)
@@ -274,15 +294,14 @@ class NearestTask:
     @property
     def basis(self) -> StiffnessBasis:
         """Basis functions of K."""
-        return StiffnessBasis(self.coefficients, mirrored=bool(self.keep.symmetry))
+        return StiffnessBasis(self.coefficients, mirrored=bool(self.request.keep.symmetry))
 
-    def distance(self, measure: Measure) -> Distance:
+    @property
+    def distance(self) -> Distance:
         """The measure of the distance from the target."""
-        if not is_one_of(measure, ("mean", "closest", "max")):
-            raise InputError("unknown measure {measure!r}: use 'mean', 'closest' or 'max'", measure=measure)
-        if measure == "closest":
+        if self.request.measure == "closest":
             return ClosestDistance(self.target, self._shares)
-        if measure == "max":
+        if self.request.measure == "max":
             return LargestDistance(self.target, self.weights / self.weights.max())
         return self.mean_distance
 
@@ -347,22 +366,21 @@ class SearchPoint:
         return np.asarray(z)
 
 
-def _inflection_line(
-    curve: PlaneCurve, keep: Keep, gravity: Gravity | None, rest: NaturalCurvature
-) -> tuple[FloatArray, FloatArray] | None:
+def _inflection_line(request: NearestRequest) -> tuple[FloatArray, FloatArray] | None:
     """Two points of the inflection line that is kept."""
-    if not keep.line:
+    line, curve = request.keep.line, request.curve
+    if not line:
         return None
-    if gravity is not None:
+    if request.gravity is not None:
         raise InputError("a rod with weight has no inflection line: do without keep line, or without gravity")
-    if not isinstance(keep.line, bool):
-        return np.asarray(keep.line[0]), np.asarray(keep.line[1])
-    line = check_equilibrium(curve, natural_curvature=rest).line
-    if line is None:
+    if not isinstance(line, bool):
+        return np.asarray(line[0]), np.asarray(line[1])
+    crossing = check_equilibrium(curve, natural_curvature=request.natural_curvature).line
+    if crossing is None:
         raise InputError(
             "the drawn curve has no inflection line to keep: give two points, keep line=((x, y), (x, y))"
         )
-    point, direction = np.asarray(line.point), np.asarray(line.direction)
+    point, direction = np.asarray(crossing.point), np.asarray(crossing.direction)
     return point, point + direction * curve.length
 
 

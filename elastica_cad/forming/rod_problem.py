@@ -30,7 +30,7 @@ from elastica_cad.forming.constraints import (
 from elastica_cad.forming.curve_distance import Distance, even_steps, symmetry_frame
 from elastica_cad.forming.limits import MET, Symmetry
 from elastica_cad.forming.nearest_record import Binding
-from elastica_cad.forming.nearest_task import Measure, NearestTask, SearchPoint, values_along
+from elastica_cad.forming.nearest_task import NearestTask, SearchPoint, values_along
 from elastica_cad.forming.rod_map import MappedRod, Sensitivities, StripGrid
 from elastica_cad.forming.sqp import ConstraintRows, Linearization, NonlinearProgram, Outcome
 from elastica_cad.mechanics.loads import LENGTHS_APART, RestCurvature
@@ -176,12 +176,12 @@ class Search(NamedTuple):
         )
 
 
-def pose_problem(task: NearestTask, measure: Measure) -> RodProblem:
+def pose_problem(task: NearestTask) -> RodProblem:
     """The request as a nonlinear program."""
     grid = _grid(task)
     lower, upper = _box(task, grid)
     return RodProblem(
-        lower, upper, _scale(task, grid), grid=grid, distance=task.distance(measure),
+        lower, upper, _scale(task, grid), grid=grid, distance=task.distance,
         constraints=tuple(_constraints(task)),
     )  # fmt: skip
 
@@ -190,13 +190,15 @@ def _grid(task: NearestTask) -> StripGrid:
     """The nodes, with the weight that they carry."""
     basis = task.basis.at(even_steps(task.nodes))
     rest = task.rest
-    if task.gravity is None:
-        return StripGrid(basis, np.zeros(2), rest, supports=task.supports)
+    if task.request.gravity is None:
+        return StripGrid(basis, np.zeros(2), rest, supports=task.request.supports)
     if task.section is None:
-        return StripGrid(basis, task.gravity.e * task.target.size**3, rest, supports=task.supports)
-    up = -np.asarray(task.gravity.direction)
+        return StripGrid(
+            basis, task.request.gravity.e * task.target.size**3, rest, supports=task.request.supports
+        )
+    up = -np.asarray(task.request.gravity.direction)
     carried = partial(task.section.weight, size=task.target.size)
-    return StripGrid(basis, up, rest, supports=task.supports, weight=carried)
+    return StripGrid(basis, up, rest, supports=task.request.supports, weight=carried)
 
 
 def _moment_scale(task: NearestTask) -> float:
@@ -217,10 +219,10 @@ def _box(task: NearestTask, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
     u, target = grid.unknowns, task.target
     lower, upper = np.full(u.count, -np.inf), np.full(u.count, np.inf)
     lower[u.stiffness], upper[u.stiffness] = _stiffness_box(task, u.coefficients)
-    start = task.supports.ends[0]
-    if task.keep.both_ends[0]:
+    start = task.request.supports.ends[0]
+    if task.request.keep.both_ends[0]:
         lower[u.position] = upper[u.position] = target.position[0]
-    if task.keep.both_tangents[0]:
+    if task.request.keep.both_tangents[0]:
         lower[u.angle] = upper[u.angle] = target.angle[0]
     if not start.angle:
         lower[u.moment] = upper[u.moment] = 0.0
@@ -234,10 +236,11 @@ def _box(task: NearestTask, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
 def _lengths(task: NearestTask) -> tuple[float, float]:
     target, limits = task.target, task.limits
     low, high = _LENGTHS if limits.length is None else np.asarray(limits.length) / target.size
-    blank = task.natural_curvature.length if isinstance(task.natural_curvature, RestCurvature) else None
+    rest = task.request.natural_curvature
+    blank = rest.length if isinstance(rest, RestCurvature) else None
     if blank is not None:
-        asked = "keep length asks" if task.keep.length else "the limit length asks"
-        least, most = (1.0, 1.0) if task.keep.length else (low, high)
+        asked = "keep length asks" if task.request.keep.length else "the limit length asks"
+        least, most = (1.0, 1.0) if task.request.keep.length else (low, high)
         room = LENGTHS_APART * (1 - _SAME_LENGTH)
         low, high = (
             max(low, (1 - room) * blank / target.size),
@@ -252,7 +255,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
                 size_2=Length(most * target.size),
                 blank=Length(blank),
             )
-    if task.keep.length:
+    if task.request.keep.length:
         if not low * (1 - 1e-12) <= 1 <= high * (1 + 1e-12):
             raise InputError(
                 "keep length asks for {size:.6g}, outside the limit length of {size_2:.6g} to "
@@ -262,7 +265,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
                 size_3=Length(high * target.size),
             )
         low = high = 1.0
-    if all(task.keep.both_ends):
+    if all(task.request.keep.both_ends):
         chord = float(np.hypot(*(target.position[-1] - target.position[0])))
         if high < chord * (1 - 1e-12):
             raise InputError(
@@ -275,8 +278,8 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
 
 
 def _constraints(task: NearestTask) -> list[Constraint]:
-    target, limits, keep = task.target, task.limits, task.keep
-    end = task.supports.ends[1]
+    target, limits, keep = task.target, task.limits, task.request.keep
+    end = task.request.supports.ends[1]
     found: list[Constraint] = []
     if keep.symmetry:
         found.append(_symmetry(task, keep.symmetry))
@@ -346,10 +349,10 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
             image=image,
         )
     if kind == "turn":
-        if task.gravity is not None:
+        if task.request.gravity is not None:
             raise InputError("a half turn turns gravity over: keep symmetry='turn' only without weight")
         return MiddleOfTurn(centre=_pair(centre), scale=_moment_scale(task))
-    if task.gravity is not None and abs(np.dot(task.gravity.direction, axis)) < 1 - 1e-9:
+    if task.request.gravity is not None and abs(np.dot(task.request.gravity.direction, axis)) < 1 - 1e-9:
         raise InputError("gravity pulls across the mirror axis: a strip with weight cannot stay symmetric")
     across = np.array([-axis[1], axis[0]])
     middle = float(target.angles(np.array([0.5]))[0])
@@ -397,19 +400,17 @@ def _pair(point: FloatArray) -> tuple[float, float]:
 _IDLE = 1e-6  # of the largest cost: smaller ones are what the quadratic program leaves open
 
 
-def list_bindings(
-    task: NearestTask, problem: RodProblem, outcome: Outcome[MappedRod], measure: Measure
-) -> tuple[Binding, ...]:
+def list_bindings(task: NearestTask, problem: RodProblem, outcome: Outcome[MappedRod]) -> tuple[Binding, ...]:
     """All limits with a cost, the dearest relative change first."""
     size, limits, u = task.target.size, task.limits, problem.grid.unknowns
-    if measure == "max":
+    if task.request.measure == "max":
         per = size
     else:
         per = float(size / np.sqrt(2 * outcome.objective)) if outcome.objective > 1e-14 else 0.0
     found: list[Binding] = []
     at_ratio = float(outcome.at_upper[u.stiffness].sum())
     found.append(Binding("ratio", limits.largest_ratio, per * at_ratio))
-    if limits.length is not None or task.keep.length:
+    if limits.length is not None or task.request.keep.length:
         pull = float(outcome.at_upper[u.length] - outcome.at_lower[u.length])
         found.append(Binding("length", float(outcome.point.length * size), per * abs(pull) / size))
     for name, part, unit in (("start position", u.position, size), ("start tangent", u.angle, 1.0)):

@@ -258,7 +258,7 @@ def accepted_rod(found: Rod | NearestRod) -> Rod:
         return found
     require_record(found, NearestRod, "what was found", "a Rod or NearestRod")
     if not found.met:
-        raise NotMetError(found.verdict, lambda: found.advice)
+        raise NotMetError(str(found))
     if found.status is Status.MET:
         return found.rod
     return replace(found.rod, warnings=(*found.rod.warnings, found.status.value))

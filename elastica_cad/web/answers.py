@@ -4,7 +4,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from io import BytesIO
-from itertools import islice
 from pathlib import Path as FilePath
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -19,7 +18,7 @@ from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
 from elastica_cad.files import read_curves
 from elastica_cad.formats.source_file import read_below
 from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest_record import NearestRod, advise
+from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import accepted_rod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
@@ -301,7 +300,7 @@ def _nearest(request: Mapping[str, Any]) -> Record:
         "drawn": _rounded(curve.sample(DRAWN_NODES + 1).position, 3),
         "deviation": round(near.deviation, 3),
         "text": near.status.value,
-        "advice": list(islice(advise(near), 2)),
+        "advice": list(near.advice[:2]),
     }
 
 
@@ -314,7 +313,7 @@ def _sheets(request: Mapping[str, Any]) -> Record:
         try:
             made = spec.changed(sheet=Sheet.named(name)).make()
         except ElasticaError as problem:
-            row["text"] = problem.verdict
+            row["text"] = str(problem)
             continue
         row |= {"used": round(made.strain_verdict.used, 3), "mass": float(f"{made.mass:.4g}")}
         row |= {"fits": made.strain_verdict.allowed}

@@ -15,7 +15,7 @@ from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.shapes.part_shapes import make_solid
 
-from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError, NotMetError
+from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError
 from elastica_cad.forming.editable_curve import coarse_curve
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
@@ -67,7 +67,6 @@ def solve_strip(spec: StripSpec) -> Strip:
         With the core's own sentence: what is wrong, where, what to do.
     """
     try:
-        # a search that fails takes longer still, for its advice
         return in_background(SEARCHING, _strip, spec.in_plane) if spec.may_change else _strip(spec.in_plane)
     except ImportError as error:
         raise MissingDependencyError(
@@ -222,11 +221,7 @@ def _found(asked: RodSpec) -> Any:
 
 @remembered
 def _strip(spec: StripSpec) -> Strip:
-    try:
-        return spec.make(_found(spec.rod_spec))
-    except NotMetError as problem:
-        _ = problem.advice  # looked for here, where a bar shows that it takes a while
-        raise
+    return spec.make(_found(spec.rod_spec))
 
 
 _stability = remembered(stability)
