@@ -45,7 +45,7 @@ from elastica_cad.geometry.projective_maps import four_point_map as four_point_m
 from elastica_cad.geometry.frame import Frame as Frame
 from elastica_cad.geometry.path import Path as Path
 from elastica_cad.geometry.profile import Profile as Profile
-from elastica_cad.kit.kit_files import save_model as save_model
+from elastica_cad.kit.model_kit import save_model as save_model
 from elastica_cad.mechanics.bending import bend as bend
 from elastica_cad.mechanics.loads import Gravity as Gravity
 from elastica_cad.mechanics.loads import End as End, Supports as Supports

@@ -1,6 +1,6 @@
 """`elastica batten`: the taper that puts the camber of a pressed batten where it is wanted."""
 
-from importlib.util import find_spec
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +13,8 @@ from elastica_cad.cli.options import LENGTH, POINT, asked_sheet, join_options, o
 from elastica_cad.cli.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.files import save, step_trouble
-from elastica_cad.formats.write_files import write_json, write_text, write_together
-from elastica_cad.kit.kit_files import left_out
+from elastica_cad.formats.write_files import File, write_files, write_json, write_text
+from elastica_cad.kit.kit import can_draw, left_out
 from elastica_cad.mechanics.stiffness_law import MOST_LEAVES, RoundLaw, ThicknessLaw
 from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawing, camber_of
 from elastica_cad.refusals import Length
@@ -136,7 +136,7 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
     _tell_files(written)
 
 
-def _tell_files(written: list[Path]) -> None:
+def _tell_files(written: tuple[Path, ...]) -> None:
     """What was written, and what could not be."""
     wrote(written)
     for missing in left_out(pictures=False, paper=True):
@@ -190,26 +190,23 @@ def _report(made: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
 
 def _write(
     strip: Strip, stations: FloatArray | None, report: dict[str, Any], chosen: dict[str, Any]
-) -> list[Path]:
-    """Table, numbers, drawing, print and bodies: all that the installed libraries allow, or none."""
-    drawing = bench_drawing(strip, stations)
-    more = {"pdf": find_spec("matplotlib") is not None, "step": not step_trouble()}
-    kinds = ["csv", "svg", "dxf", "json", *(kind for kind, possible in more.items() if possible)]
-    files = {kind: f"{chosen['name']}.{kind}" for kind in kinds}
-    with write_together(chosen["output"], files.values(), force=chosen["force"]) as workshop:
-        write_text(workshop / files["csv"], bench_csv(strip, stations))
-        write_json(workshop / files["json"], report)
-        for kind in ("svg", "dxf"):
-            save(drawing, workshop / files[kind])
-        if "pdf" in files:
-            from elastica_cad.plot.template_pages import save_template
+) -> tuple[Path, ...]:
+    """Write table, report, drawing, print and bodies: all that the installed libraries allow, or none."""
+    name, drawing = chosen["name"], bench_drawing(strip, stations)
+    files = [
+        File(f"{name}.csv", lambda path: write_text(path, bench_csv(strip, stations))),
+        *(File(f"{name}.{kind}", partial(save, drawing)) for kind in ("svg", "dxf")),
+        File(f"{name}.json", lambda path: write_json(path, report)),
+    ]
+    if can_draw():
+        from elastica_cad.plot.template_pages import save_template
 
-            save_template(drawing, workshop / files["pdf"], paper=chosen["paper"])
-        if "step" in files:
-            from elastica_cad.kernel.step_files import write_strip_step
+        files.append(File(f"{name}.pdf", partial(save_template, drawing, paper=chosen["paper"])))
+    if not step_trouble():
+        from elastica_cad.kernel.step_files import write_strip_step
 
-            write_strip_step(strip, workshop / files["step"])
-    return [chosen["output"] / file for file in files.values()]
+        files.append(File(f"{name}.step", partial(write_strip_step, strip)))
+    return write_files(files, chosen["output"], force=chosen["force"])
 
 
 def _tell(made: Batten, table: dict[str, FloatArray]) -> None:

@@ -1,6 +1,7 @@
 """`elastica bend`: where a strip goes when its ends are moved."""
 
 from collections.abc import Sequence
+from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -27,7 +28,7 @@ from elastica_cad.design.strip_request import SOLVED, FinishedStrip, read_reques
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
 from elastica_cad.formats.json_curves import curves_json
-from elastica_cad.formats.write_files import write_text, write_together
+from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec, accepted_rod
@@ -328,30 +329,31 @@ def _tell_forces(moved: Travel) -> None:
 
 def _write_files(
     name: str, rod: Rod, shapes: Sequence[Rod], moved: Travel | None, output: Path, force: bool
-) -> list[Path]:
-    pictures = bool(find_spec("matplotlib"))
-    names = [f"{name}.csv", f"{name}.json"] + ([f"{name}.png"] if pictures else [])
+) -> tuple[Path, ...]:
     travelled = f"{name.removesuffix('-bent')}-travel"
-    if moved is not None:
-        names += [f"{travelled}.csv"] + ([f"{travelled}.png"] if pictures else [])
-    with write_together(output, names, force=force) as workshop:
-        header = "shape,s_mm,x_mm,y_mm,angle_rad,curvature_1_per_mm,stiffness"
-        rows = [
-            np.column_stack([np.full(r.s.size, k), r.s, r.position, r.angle, r.curvature, r.stiffness])
-            for k, r in enumerate(shapes, start=1)
-        ]
-        formats = ["%d", *["%.6f"] * 4, "%.9g", "%.6f"]
-        np.savetxt(workshop / names[0], np.concatenate(rows), formats, ",", header=header, comments="")
-        write_text(workshop / names[1], curves_json([shape.curve for shape in shapes]))
-        if moved is not None:
-            write_text(workshop / f"{travelled}.csv", moved.csv())
-        if pictures:
-            from elastica_cad.plot.canvas import save_figure
-            from elastica_cad.plot.strip_pictures import rod as draw_rod
-            from elastica_cad.plot.strip_pictures import travel as draw_travel
+    files = [
+        File(f"{name}.csv", partial(_write_shapes, shapes)),
+        File(f"{name}.json", lambda path: write_text(path, curves_json([shape.curve for shape in shapes]))),
+    ]
+    if find_spec("matplotlib"):
+        from elastica_cad.plot.canvas import save_figure
+        from elastica_cad.plot.strip_pictures import rod as draw_rod
+        from elastica_cad.plot.strip_pictures import travel as draw_travel
 
-            wish = None if rod.shape is None else rod.curve
-            save_figure(draw_rod(shapes[-1], wish=wish), workshop / f"{name}.png")
-            if moved is not None:
-                save_figure(draw_travel(moved), workshop / f"{travelled}.png")
-    return [output / file for file in names]
+        wish = None if rod.shape is None else rod.curve
+        files.append(File(f"{name}.png", lambda path: save_figure(draw_rod(shapes[-1], wish=wish), path)))
+    if moved is not None:
+        files.append(File(f"{travelled}.csv", lambda path: write_text(path, moved.csv())))
+        if find_spec("matplotlib"):
+            files.append(File(f"{travelled}.png", lambda path: save_figure(draw_travel(moved), path)))
+    return write_files(files, output, force=force)
+
+
+def _write_shapes(shapes: Sequence[Rod], path: Path) -> None:
+    header = "shape,s_mm,x_mm,y_mm,angle_rad,curvature_1_per_mm,stiffness"
+    rows = [
+        np.column_stack([np.full(r.s.size, k), r.s, r.position, r.angle, r.curvature, r.stiffness])
+        for k, r in enumerate(shapes, start=1)
+    ]
+    formats = ["%d", *["%.6f"] * 4, "%.9g", "%.6f"]
+    np.savetxt(path, np.concatenate(rows), formats, ",", header=header, comments="")

@@ -1,5 +1,6 @@
 """`elastica compare`: what was measured on a bent strip, beside what its report expects."""
 
+from functools import partial
 from pathlib import Path
 
 import click
@@ -7,7 +8,7 @@ import click
 from elastica_cad.cli.voice import answer, say, wrote
 from elastica_cad.design.measuring_sheet import blank_readings, measuring_page, read_measuring, read_readings
 from elastica_cad.files import save
-from elastica_cad.formats.write_files import write_text, write_together
+from elastica_cad.formats.write_files import File, write_files, write_text
 
 
 @click.command()
@@ -32,9 +33,9 @@ def compare(report: Path, measured: Path | None, force: bool) -> None:
         answer({"expected": dict(measuring.expected), "said": [str(one) for one in said]})
         return
     name = report.stem
-    page, readings = f"{name}-measure.svg", f"{name}-measured.toml"
-    with write_together(report.parent, (page, readings), force=force) as folder:
-        save(measuring_page(name, measuring), folder / page)
-        write_text(folder / readings, blank_readings(measuring))
-    wrote([report.parent / page, report.parent / readings])
+    files = (
+        File(f"{name}-measure.svg", partial(save, measuring_page(name, measuring))),
+        File(f"{name}-measured.toml", lambda path: write_text(path, blank_readings(measuring))),
+    )
+    wrote(write_files(files, report.parent, force=force))
     answer({"expected": dict(measuring.expected)})

@@ -1,6 +1,7 @@
 """`elastica coupon`: a strip to cut, hang and measure, and what the measurement says of the sheet."""
 
 from dataclasses import replace
+from functools import partial
 from math import hypot
 from pathlib import Path
 from typing import Any
@@ -13,7 +14,7 @@ from elastica_cad.cli.suggestions import name_program
 from elastica_cad.cli.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
-from elastica_cad.formats.write_files import write_text, write_together
+from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
 from elastica_cad.mechanics.section_limits import OUTCOMES
 from elastica_cad.mechanics.sheets import Sheet, library_folders, plausible_number
@@ -120,12 +121,10 @@ def coupon(
                 "{option} belongs to a measurement: give --measured OVERHANG DROOP too", option=option
             )
     drawing = coupon_drawing(known, overhang=overhang, width=width, clamp=clamp)
-    names = [f"{drawing.name}.dxf", f"{drawing.name}.svg"]
-    with write_together(output, names, force=force) as workshop:
-        for file in names:
-            save(drawing, workshop / file)
+    files = [File(f"{drawing.name}.{kind}", partial(save, drawing)) for kind in ("dxf", "svg")]
+    written = write_files(files, output, force=force)
     answer({"sheet": known, "measured": None})
-    wrote([output / file for file in names])
+    wrote(written)
     free = coupon_overhang(known) if overhang is None else overhang
     given = {
         "sheet": sheet,
@@ -223,9 +222,8 @@ def _calibrate(
     )
     shear: dict[str, Any] = {"poisson_ratio": sheet.poisson_ratio, "shear_modulus": sheet.shear_modulus}
     found = _as_readings_tell(result.sheet(name, **limit, **shear, **own))
-    file = f"{name}.toml"
-    with write_together(output, [file], force=force) as workshop:
-        write_text(workshop / file, found.toml())
+    file = File(f"{name}.toml", lambda path: write_text(path, found.toml()))
+    (written,) = write_files([file], output, force=force)
     answer({"sheet": found, "measured": result})
     say(str(result))
     _warn_of_contradiction(measured, result)
@@ -248,8 +246,8 @@ def _calibrate(
         )
     say("")
     say(found.toml())
-    wrote([output / file])
-    known_as = name if output in library_folders() else output / file
+    wrote([written])
+    known_as = name if output in library_folders() else written
     say(f"every command takes it: --sheet {quote_words([str(known_as)])}")
 
 

@@ -17,8 +17,10 @@ from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.drawn_file import CurveList
 from elastica_cad.geometry.path import largest_deviation
-from elastica_cad.kit.kit_contents import Kit, count_strips, kit_of
-from elastica_cad.kit.kit_files import check_kit_folder, kit_report, left_behind, left_out, write_kit
+from elastica_cad.kit.kit import Kit, left_out
+from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_contents
+from elastica_cad.kit.model_kit import check_kit_folder, left_behind, model_kit
+from elastica_cad.model.model import Model
 from elastica_cad.refusals import Refusal, is_told, note
 
 MOST_SAID = 6
@@ -87,10 +89,12 @@ def model(
     strips, files = count(1), count(1)
     made = read.model(lambda label: say_step(f"made strip {label}", next(strips), len(read.entries)))
     say_step("laying parts on sheets" + (", bending strips with their slots" if effects else ""))
-    kit = kit_of(made, read.kit, entries=read.entries, effects=effects)
-    write_kit(kit, output, step=step, pictures=pictures, parts=parts, archives=archives, force=force,
-              done=lambda name, total: say_step(f"wrote {name}", next(files), total))  # fmt: skip
-    _tell(kit, output, step=step, pictures=pictures)
+    contents = kit_contents(made, read.kit, entries=read.entries, effects=effects)
+    kit = model_kit(contents, step=step, pictures=pictures, parts=parts, archives=archives)
+    kit.write(output, force=force, done=lambda name, total: say_step(f"wrote {name}", next(files), total))
+    _tell(contents, kit, output)
+    for text in left_out(step=step, pictures=pictures, paper=bool(read.kit.pages)):
+        say(text)
 
 
 KEYS = {"nearest": "limits = {{}}", "lap": "shop = {{ lap = {value:g} }}"}
@@ -122,42 +126,42 @@ def _read_told(path: Path, *, unit: str | None = None) -> CurveList:
     return curves
 
 
-def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
+def _tell(contents: KitContents, kit: Kit, output: Path) -> None:
     """What was made, in a few lines."""
-    answer(kit_report(kit) | {"folder": output})
-    voice().files += [str(output / name) for name in kit.files]
-    listed = kit.cut_list
+    answer(kit.report | {"folder": output})
+    voice().files += [str(output / file.name) for file in kit.files]
+    model, listed = contents.model, contents.cut_list
     pieces = f"{counted(listed.count, 'piece')} of {counted(listed.shapes, 'shape')}"
     say(
-        f"{kit.model.name}: {count_strips(kit.model)}, {counted(len(kit.model.joints), 'joint')}; {pieces}, "
+        f"{model.name}: {count_strips(model)}, {counted(len(model.joints), 'joint')}; {pieces}, "
         f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g"
     )
-    used = sum(nest.share * nest.sheet_size[0] * nest.sheet_size[1] for nest in kit.nests)
-    say(f"{counted(len(kit.nests), 'sheet')} needed, {used / 1e6:.3g} m2 of them in parts")
-    drawn = {entry.label: entry.curve for entry in kit.entries if entry.spec.may_change}
+    used = sum(nest.share * nest.sheet_size[0] * nest.sheet_size[1] for nest in contents.nests)
+    say(f"{counted(len(contents.nests), 'sheet')} needed, {used / 1e6:.3g} m2 of them in parts")
+    drawn = {entry.label: entry.curve for entry in contents.entries if entry.spec.may_change}
     moved = [
         (largest_deviation(drawn[part.strip.label], part.strip.rod.curve), part.name)
-        for part in kit.model.parts
+        for part in model.parts
         if part.strip.label in drawn
     ]
     if moved:
         far, name = max(moved)
         say(f"farthest from its drawn curve, {name}: {far:.2g} mm")
-    for nest in kit.nests:
+    for nest in contents.nests:
         say(
             f"{nest.name}: {counted(len(nest.pieces), 'piece')}, {100 * nest.share:.0f} % of the sheet, "
             f"{100 * nest.filled / nest.used:.0f} % of the rows used"
             f"{nest.grain and f', {nest.grain}'}"
         )
-    if kit.held:
-        worst = max(kit.held, key=lambda name: kit.held[name].expected)
-        say(f"{worst}, the one that strays most: {kit.held[worst]}")
-    said = list(dict.fromkeys((*kit.notes, *kit.model.reports, *_warnings(kit))))
+    if contents.held:
+        worst = max(contents.held, key=lambda name: contents.held[name].expected)
+        say(f"{worst}, the one that strays most: {contents.held[worst]}")
+    said = list(dict.fromkeys((*contents.notes, *model.reports, *_warnings(model))))
     most = len(said) if voice().verbose else MOST_SAID
     for text in said[:most]:
         warn(f"Note: {text}")
     if len(said) > most:
-        warn(f"Note: {len(said) - most} more in {kit.model.name}.json, or with -v")
+        warn(f"Note: {len(said) - most} more in {model.name}.json, or with -v")
     if old := left_behind(kit, output):
         several = f"{len(old)} files that are" if old[1:] else "a file that is"
         warn(
@@ -165,14 +169,12 @@ def _tell(kit: Kit, output: Path, *, step: bool, pictures: bool) -> None:
             "left by an earlier run: delete them before you cut, or choose an empty folder"
         )
     say(f"wrote {len(kit.files)} files to {output}")
-    for text in left_out(step=step, pictures=pictures, paper=bool(kit.spec.pages)):
-        say(text)
 
 
-def _warnings(kit: Kit) -> list[Refusal]:
+def _warnings(model: Model) -> list[Refusal]:
     """What strips warn of: what several are told, with other numbers, once, with the first of them and how many."""
     warned: dict[str, list[Refusal]] = {}
-    for part in kit.model.parts:
+    for part in model.parts:
         for said in part.strip.warnings:
             if not (voice().verbose or is_told(said)):
                 continue

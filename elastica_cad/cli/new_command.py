@@ -14,12 +14,11 @@ from elastica_cad.cli.suggestions import name_program
 from elastica_cad.cli.voice import answer, say, wrote
 from elastica_cad.design.design_schema import SCHEMA_FILE, design_schema
 from elastica_cad.formats.curve_writer import write_curves
-from elastica_cad.formats.write_files import write_text, write_together
+from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.geometry.plane_curve import PlaneCurve
 
 KINDS = ("arch", "lamp", "pavilion", "revolution", "sections", "schema")
 
-GIVEN = {"arch": ("arch.dxf",), "sections": ("bowl.obj",)}
 """Drawings that go with a design file."""
 
 ARCH_MM = (
@@ -42,26 +41,22 @@ def new(kind: str, output: Path, force: bool) -> None:
     elastica.schema.json beside it lets editors of TOML complete and check keys; schema: that file alone, for
     designs you have: let their first line be #:schema elastica.schema.json
     """
-    schema = json.dumps(design_schema(), indent=1) + "\n"
+    text = json.dumps(design_schema(), indent=1) + "\n"
+    schema = File(SCHEMA_FILE, lambda path: write_text(path, text))
     if kind == "schema":
-        with write_together(output, [SCHEMA_FILE], force=force) as folder:
-            write_text(folder / SCHEMA_FILE, schema)
-        wrote([output / SCHEMA_FILE])
+        wrote(write_files([schema], output, force=force))
         answer({"kind": kind})
         return
-    text = files("elastica_cad.cli").joinpath("templates", f"{kind}.toml").read_bytes()
-    written = [f"{kind}.toml", *GIVEN.get(kind, ())]
-    if not _holds(output / SCHEMA_FILE, schema):
-        written.append(SCHEMA_FILE)
-    with write_together(output, written, force=force) as folder:
-        (folder / written[0]).write_bytes(text)
-        if SCHEMA_FILE in written:
-            write_text(folder / SCHEMA_FILE, schema)
-        if kind == "arch":
-            write_curves([PlaneCurve.spline(ARCH_MM, degree=4)], folder / "arch.dxf")
-        if kind == "sections":
-            write_text(folder / "bowl.obj", _bowl())
-    wrote([output / name for name in written])
+    template = files("elastica_cad.cli").joinpath("templates", f"{kind}.toml").read_bytes()
+    new_files = [File(f"{kind}.toml", lambda path: path.write_bytes(template))]
+    if kind == "arch":
+        drawn = [PlaneCurve.spline(ARCH_MM, degree=4)]
+        new_files.append(File("arch.dxf", lambda path: write_curves(drawn, path)))
+    if kind == "sections":
+        new_files.append(File("bowl.obj", lambda path: write_text(path, _bowl())))
+    if not _holds(output / SCHEMA_FILE, text):
+        new_files.append(schema)
+    wrote(write_files(new_files, output, force=force))
     typed = quote_words(["model", str(output / f"{kind}.toml"), "-o", str(output / f"{kind}-kit")])
     following = f"{name_program()} {typed}"
     say(f"next: {following}")

@@ -26,7 +26,7 @@ from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.kit.pair_kit import PairKit, write_pair
+from elastica_cad.kit.pair_kit import MadePair
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.pairs.flexure_spec import FlexureSpec
@@ -80,10 +80,10 @@ def pair(**chosen: Any) -> None:
     say_step("looking for the rod that rests in both curves")
     _ = spec.pair
     say_step("following it from one state to the other")
-    kit = PairKit(spec, spec.make(), name, cutting)
-    written = write_pair(kit, chosen["output"], force=chosen["force"])
-    _tell(kit)
-    answer({"pair": kit.report})
+    made = MadePair(spec, spec.make(), name, cutting)
+    written = made.kit.write(chosen["output"], force=chosen["force"])
+    _tell(made)
+    answer({"pair": made.kit.report})
     wrote(written)
 
 
@@ -118,12 +118,12 @@ def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
     return one(path, "first"), one(chosen["second"] or path, "second")
 
 
-def _tell(kit: PairKit) -> None:
+def _tell(made: MadePair) -> None:
     """What was made, in a few lines."""
-    part, pair_ = kit.part, kit.part.pair
+    part, pair_ = made.part, made.part.pair
     low, high = part.thickness_range
     say(
-        f"{kit.name}: {pair_.length:.2f} mm between its pads, {low:.2f} to {high:.2f} mm thick in the plane, "
+        f"{made.name}: {pair_.length:.2f} mm between its pads, {low:.2f} to {high:.2f} mm thick in the plane, "
         f"{part.sheet.thickness:g} mm deep"
     )
     first, second = (100 * one for one in part.strain)
@@ -154,5 +154,5 @@ def _tell(kit: PairKit) -> None:
         say(f"two settings: its end is held with at most {part.force_text} on the way between them")
     say(note("at rest up to {far} from the first curve, {far_2} from the second, because its forces stretch it",
              far=Length(part.rest_deviations[0]), far_2=Length(part.rest_deviations[1])))  # fmt: skip
-    for warning in kit.warnings:
+    for warning in made.warnings:
         warn(f"Warning: {warning}.")

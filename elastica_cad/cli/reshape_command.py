@@ -2,6 +2,7 @@
 
 import warnings
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,7 @@ from elastica_cad.cli.voice import answer, say, warn, wrote
 from elastica_cad.design.drawn_curves import CORNERS, map_corners
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_writer import FitWarning, write_curves
-from elastica_cad.formats.write_files import write_together
+from elastica_cad.formats.write_files import File, write_files
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.projective_maps import four_point_map
@@ -69,14 +70,8 @@ def reshape(
     drawn = [one.curve for one in chosen if not one.problem] or [chosen[0].curve]
     matrix = _map(drawn, handles, {name: place for name, place in corners.items() if place is not None})
     changed = [one.transformed(matrix) for one in drawn]
-    names = [f"{curve.stem}-reshaped.{kind}" for kind in KINDS]
-    with write_together(output, names, force=force) as workshop:
-        for name in names:
-            with warnings.catch_warnings(record=True) as fits:
-                warnings.simplefilter("always", FitWarning)
-                write_curves(changed, workshop / name)
-            for fit in fits:
-                warn(str(fit.message))
+    files = [File(f"{curve.stem}-reshaped.{kind}", partial(_write_curves, changed)) for kind in KINDS]
+    written = write_files(files, output, force=force)
     told = []
     for count, pair in enumerate(zip(drawn, changed, strict=True), start=1):
         if len(drawn) > 1:
@@ -85,12 +80,20 @@ def reshape(
         for word, verdict in told[-1].items():
             say(f"{word}: {_sentence(verdict)}")
     answer({"map": matrix, "curves": told})
-    wrote([output / name for name in names])
+    wrote(written)
     bad = [i for i, one in enumerate(told) if not one["after"]["realizable"]]
     if bad:
         warn(NO_MAP)
     if bad or len(drawn) < len(chosen):
         ctx.exit(1)
+
+
+def _write_curves(curves: Sequence[PlaneCurve], path: Path) -> None:
+    with warnings.catch_warnings(record=True) as fits:
+        warnings.simplefilter("always", FitWarning)
+        write_curves(curves, path)
+    for fit in fits:
+        warn(str(fit.message))
 
 
 def _map(

@@ -27,7 +27,7 @@ from elastica_cad.formats.json_curves import curves_json
 from elastica_cad.formats.mesh_files import read_sized_surface
 from elastica_cad.formats.point_files import read_path_points
 from elastica_cad.formats.source_file import require_file
-from elastica_cad.formats.write_files import write_text, write_together
+from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.forming.section_lines import AT_CORNERS, AT_TWO_PLACES, SectionCurve
 from elastica_cad.forming.section_spec import (
     AlongPath,
@@ -149,8 +149,16 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
         warn(f"Note: {text}{_option_for(text, chosen)}")
     answer({"sections": verdicts})
     name, strips = f"{mesh.stem}-sections", None if sheet is None else _strip_keys(sheet, chosen, output)
-    files = _write_files(name, curves, {"mesh": str(mesh)} | named, spec, strips, output, force)
-    wrote([output / file for file in files])
+    drawn = [curve.curve for curve in curves]
+    files = [
+        File(f"{name}.json", lambda path: write_text(path, curves_json(drawn))),
+        File(f"{name}.dxf", lambda path: write_curves(_side_by_side(drawn), path)),
+    ]
+    if strips is not None:
+        seen = {"mesh": seen_from(str(mesh), output)} | named
+        text = compose_section_design(name, seen, spec, strips)
+        files.append(File(f"{name}.toml", lambda path: write_text(path, text)))
+    wrote(write_files(files, output, force=force))
     if sheet is None:
         say("for strips along them add --sheet NAME, or give the curves to elastica strip")
 
@@ -277,26 +285,6 @@ def _verdict(curve: SectionCurve) -> dict[str, Any]:
 def _sentence(told: dict[str, Any]) -> str:
     verdict = told["problem"] or f"can be bent, stiffness ratio {told['ratio']:.4g}"
     return f"{told['length']:.2f} mm long, {told['deviation']:.2g} mm off the section, {verdict}"
-
-
-def _write_files(
-    name: str,
-    curves: Sequence[SectionCurve],
-    mesh: dict[str, Any],
-    spec: SectionSpec,
-    strips: dict[str, Any] | None,
-    output: Path,
-    force: bool,
-) -> list[str]:
-    names = [f"{name}.json", f"{name}.dxf"] + ([] if strips is None else [f"{name}.toml"])
-    with write_together(output, names, force=force) as workshop:
-        write_text(workshop / names[0], curves_json([one.curve for one in curves]))
-        write_curves(_side_by_side([one.curve for one in curves]), workshop / names[1])
-        if strips is not None:
-            seen = mesh | {"mesh": seen_from(mesh["mesh"], output)}
-            text = compose_section_design(name, seen, spec, strips)
-            write_text(workshop / names[2], text)
-    return names
 
 
 def _side_by_side(curves: Sequence[PlaneCurve]) -> list[PlaneCurve]:

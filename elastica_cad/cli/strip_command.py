@@ -1,5 +1,6 @@
 """`elastica strip`: from a drawn curve to the files that a laser cutter needs."""
 
+import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
@@ -32,14 +33,15 @@ from elastica_cad.design.toml_text import seen_from, toml_text
 from elastica_cad.errors import (
     Change,
     ElasticaError,
+    InputError,
     NotConvergedError,
     StrainError,
     rounded_up,
 )
-from elastica_cad.formats.write_files import check_folder, write_text, write_together
+from elastica_cad.formats.write_files import File, check_folder, write_files, write_text
 from elastica_cad.geometry.plane_curve import split_at_corners
-from elastica_cad.kit.kit_files import left_out
-from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
+from elastica_cad.kit.kit import left_out
+from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.sheets import Sheet, sheet_names
 from elastica_cad.mechanics.theorem1 import stray_point
 from elastica_cad.refusals import is_told
@@ -121,13 +123,20 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             spec = spec_from_options(asked.curve, asked.label, table)
             if len(curves) == 1:
                 suggest_later(partial(_suggestion, spec, asked, chosen))
-            kit = _made(asked, spec, files)
+            result = _made(asked, spec)
             say_step(f"writing the files of {asked.name}")
-            written = write_strip(kit, chosen["output"], force=chosen["force"], kept=asked.path)
-            _tell(kit, written, several=len(curves) > 1)
+            kit = result.kit(files)
+            places = (chosen["output"] / file.name for file in kit.files)
+            if any(os.path.exists(path) and path.samefile(asked.path) for path in places):
+                raise InputError(
+                    "{kept} holds the drawn curve and is kept: name another folder, e.g. -o out",
+                    kept=asked.path,
+                )
+            written = kit.write(chosen["output"], force=chosen["force"])
+            _tell(result, written, several=len(curves) > 1)
             reports.append(kit.report)
             made.append(asked)
-            wrong += strict and not kit.strip.strain_verdict.allowed
+            wrong += strict and not result.strip.strain_verdict.allowed
         except ElasticaError as problem:
             for stray in () if asked.drawn.problem else stray_point(asked.curve):
                 if stray not in str(problem):
@@ -159,8 +168,8 @@ def _save_design(path: Path, curves: Sequence[AskedCurve], table: Mapping[str, A
         {"label": table.get("label", asked.label), "curve": _curve_keys(asked, path.parent), **own}
         for asked in curves
     ]
-    with write_together(path.parent, [path.name], force=force) as folder:
-        write_text(folder / path.name, toml_text({"schema": 1, **shared, "strips": strips}))
+    text = toml_text({"schema": 1, **shared, "strips": strips})
+    write_files([File(path.name, lambda file: write_text(file, text))], path.parent, force=force)
     return path
 
 
@@ -171,13 +180,13 @@ def _curve_keys(asked: AskedCurve, folder: Path) -> dict[str, Any]:
     return {"file": seen_from(asked.path, folder), **(which if asked.count > 1 else {}), **unit}
 
 
-def _made(asked: AskedCurve, spec: StripSpec, files: StripFiles) -> StripKit:
+def _made(asked: AskedCurve, spec: StripSpec) -> StripResult:
     """The strip of one curve."""
     say_step("looking for the nearest curve that can be made" if spec.may_change else "finding the widths")
     if not spec.may_change:
         _ = asked.bendable(spec.smooth)
     found = spec.rod_spec.solve()
-    return StripKit(spec, found, spec.make(found), asked.name, asked.drawn.joints, files)
+    return StripResult(spec, found, spec.make(found), asked.name, asked.drawn.joints)
 
 
 def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], problem: ElasticaError) -> str:
@@ -231,31 +240,31 @@ def _is_taken(asked: AskedCurve, chosen: Mapping[str, Any]) -> bool:
     return any(name.samefile(asked.path) for name in names) or bool(names and not chosen["force"])
 
 
-def _tell_compensation(kit: StripKit) -> None:
+def _tell_compensation(result: StripResult) -> None:
     """What other widths would leave, where the strip strays more than it needs."""
-    made = kit.strip
+    made = result.strip
     if (
-        kit.spec.compensate
-        or kit.spec.law is not None
+        result.spec.compensate
+        or result.spec.law is not None
         or made.held_deviation <= STRAYED_SHARE * made.rod.length
     ):
         return
-    better = compensate_within(made, kit.spec.shop)
+    better = compensate_within(made, result.spec.shop)
     if better.correction is not None and better.held_deviation < made.held_deviation / 2:
         left = about(better.held().expected)
         say(f"--compensate makes up for that in the widths: about {left} are left, model and sheet included")
 
 
-def _tell(kit: StripKit, written: Iterable[Path], *, several: bool) -> None:
+def _tell(result: StripResult, written: Iterable[Path], *, several: bool) -> None:
     """What was made, in a few lines; of one among several what is cut and how it is held, and what is wrong."""
-    made, near, verdict = kit.strip, kit.near, kit.stability
+    made, near, verdict = result.strip, result.near, result.stability
     rod, whole = made.rod, voice().verbose or not several
     whose = f"{made.label}: " if several else ""
     tabs_length = sum(tab.length for tab in made.ends)
     with_tabs = f" ({rod.length + tabs_length:.2f} mm with its tabs)" if tabs_length else ""
     say(f"{made.label or 'strip'}: {rod.length:.2f} mm long{with_tabs}, {made.breadth()}, "
                f"stiffness ratio {rod.ratio:.4g}, {made.mass_told}")  # fmt: skip
-    for stray in (told_first := stray_point(kit.spec.curve)):
+    for stray in (told_first := stray_point(result.spec.curve)):
         warn(f"Warning: {whose}{stray}")
     if whole:
         say(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
@@ -281,8 +290,8 @@ def _tell(kit: StripKit, written: Iterable[Path], *, several: bool) -> None:
     elif whole:
         say(str(made.sideways))
     if whole:
-        _tell_holding(kit)
-    tabs = kit.spec.tabs_told
+        _tell_holding(result)
+    tabs = result.spec.tabs_told
     if tabs is not None:
         say(tabs)
     say(made.joint or tell_ends(made))
@@ -293,17 +302,17 @@ def _tell(kit: StripKit, written: Iterable[Path], *, several: bool) -> None:
             continue  # told above
         warn(f"Warning: {whose}{warning}", told=is_told(warning))
     wrote(written)
-    for joint, end in zip(kit.joints, ("starts", "ends"), strict=True):
+    for joint, end in zip(result.joints, ("starts", "ends"), strict=True):
         if joint:
             say(f"it {end} at the corner {joint}, where the strip with the same number goes on")
 
 
-def _tell_holding(kit: StripKit) -> None:
+def _tell_holding(result: StripResult) -> None:
     """How far it strays as it creeps and as it is made and held."""
-    made = kit.strip
+    made = result.strip
     with suppress(NotConvergedError):
         if made.crept is not None:
             say(str(made.crept))
     with suppress(NotConvergedError):
         say(str(made.held()))
-        _tell_compensation(kit)
+        _tell_compensation(result)

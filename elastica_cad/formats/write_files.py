@@ -8,6 +8,7 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from dataclasses import dataclass
 from io import FileIO
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -179,6 +180,59 @@ def write_together(
                 Path(workshop, name).parent.mkdir(parents=True, exist_ok=True)
             yield workshop
             _move(workshop, target, names, force=force)
+
+
+@dataclass(frozen=True)
+class File:
+    """A file of a folder, listed before it is written.
+
+    Attributes
+    ----------
+    name : str
+        With / where the file is in a folder of its own.
+    write : callable
+        Writes the file to a path.
+    description : str
+        Contents of the file, for lists of files.
+    """
+
+    name: str
+    write: Callable[[Path], object]
+    description: str = ""
+
+
+def write_files(
+    files: Sequence[File],
+    folder: str | os.PathLike[str],
+    *,
+    force: bool = False,
+    done: Callable[[str, int], None] | None = None,
+) -> tuple[Path, ...]:
+    """Write all files into a folder, or none of them after any error, and return their paths.
+
+    Parameters
+    ----------
+    files : sequence of File
+        They are written in this order; a file may read those before it, which are beside it.
+    folder, force
+        As for `write_together`.
+    done : callable, optional
+        Called after each file with its name and the number of all files.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     paths = write_files([File("a.txt", lambda path: write_text(path, "done"))], folder)
+    ...     paths[0].name, paths[0].read_text()
+    ('a.txt', 'done')
+    """
+    with write_together(folder, [file.name for file in files], force=force) as workshop:
+        for file in files:
+            file.write(workshop / file.name)
+            if done is not None:
+                done(file.name, len(files))
+    return tuple(Path(folder, file.name) for file in files)
 
 
 def check_folder(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False) -> None:

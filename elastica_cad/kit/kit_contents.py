@@ -1,4 +1,4 @@
-"""Everything that a model becomes: pieces, sheets, what holds it, and what is to be told of it."""
+"""Contents of the kit of a model: pieces, nested sheets, holders and notes."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -13,7 +13,6 @@ from elastica_cad.design.model_report import report_model
 from elastica_cad.design.reports import tell_blank
 from elastica_cad.design.strip_table import StripEntry
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.kit.cutting_files import Writer
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.model.assembly import Holder, unheld_ends
@@ -32,8 +31,8 @@ from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults
 
 
 @dataclass(frozen=True, eq=False)
-class Kit:
-    """All files of a model, computed but not yet written."""
+class KitContents:
+    """A model with everything that goes with its strips into a kit."""
 
     model: Model
     spec: KitSpec
@@ -43,8 +42,6 @@ class Kit:
     """Base, rails and ribs, fixtures."""
     entries: tuple[StripEntry, ...] = ()
     """What the strips were made after, where a design says it."""
-    files: dict[str, tuple[str, Writer]] = field(default_factory=dict)
-    """What each file is and how it is written, by its name."""
     held: dict[str, HeldShape] = field(default_factory=dict)
     """The shape of each strip as made and held, by its name, where it was asked for."""
     notes: tuple[str, ...] = ()
@@ -69,9 +66,9 @@ class Kit:
         return told | {"reports": [*told["reports"], *self.notes]}
 
 
-def kit_of(
+def kit_contents(
     model: Model, spec: KitSpec | None = None, *, entries: Sequence[StripEntry] = (), effects: bool = False
-) -> Kit:
+) -> KitContents:
     """Compute the pieces, nested sheets, base and fixtures of a model.
 
     Parameters
@@ -121,9 +118,7 @@ def kit_of(
     told += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
     told += _tell_no_bar(spec)
     told += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
-    return Kit(
-        model, spec, pieces, nests, tuple(holders), entries=tuple(entries), held=held, notes=tuple(told)
-    )
+    return KitContents(model, spec, pieces, nests, tuple(holders), tuple(entries), held, tuple(told))
 
 
 def _joined(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> Model:

@@ -1,74 +1,65 @@
 """Everything that a part with two states becomes: cutting files, bodies, picture and report."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
-from functools import cached_property
-from importlib.util import find_spec
+from dataclasses import dataclass
+from functools import cached_property, partial
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from elastica_cad.defaults import LASER_KERF
-from elastica_cad.design.kit_spec import Cutting
+from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
 from elastica_cad.files import step_trouble
-from elastica_cad.formats.write_files import write_json, write_together
+from elastica_cad.formats.write_files import File, write_json
 from elastica_cad.forming.limits import FAR_SHARE
-from elastica_cad.kit.cutting_files import Writer, cutting_files
+from elastica_cad.kit.kit import Kit, can_draw, cutting_files, save_solid
 from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.refusals import Length, Refusal, note
 
 
 @dataclass(frozen=True, eq=False)
-class PairKit:
-    """One part, what was asked for it, and its files.
+class MadePair:
+    """A part with two states and its request.
 
     Attributes
     ----------
     spec : FlexureSpec
     part : Flexure
     name : str
-        What its files are called.
+        Stem of the names of its files.
     cutting : Cutting
-        How the cutting files are written.
-    step, pictures : bool
-        Bodies and the picture, where libraries for them are installed.
+        Options of the cutting files.
     """
 
     spec: FlexureSpec
     part: Flexure
     name: str
-    cutting: Cutting = field(default_factory=Cutting)
-    step: bool = True
-    pictures: bool = True
+    cutting: Cutting = DEFAULT_CUTTING
 
     @cached_property
-    def files(self) -> dict[str, Writer]:
-        """The function that writes each file, by its name, for all files that the installed packages can write."""
-        part, files = self.part, dict[str, Writer]()
-        for name, drawing in ((self.name, part.drawing()), (f"{self.name}-holder", part.holder())):
-            files |= cutting_files(drawing, name, self.cutting, part.sheet)
-        if self.step and not step_trouble():
-            files |= {f"{self.name}.step": self._write_step, f"{self.name}.stl": self._write_stl}
-        if self.pictures and find_spec("matplotlib"):
-            files[f"{self.name}.png"] = self._draw
-        files[f"{self.name}.json"] = lambda path: write_json(path, self.report)
-        return files
-
-    @cached_property
-    def report(self) -> dict[str, Any]:
-        """All that was asked and found, ready for JSON."""
+    def kit(self) -> Kit:
+        """The report and all files that the installed packages can write."""
+        name, part = self.name, self.part
+        files = [
+            file
+            for stem, drawing in ((name, part.drawing()), (f"{name}-holder", part.holder()))
+            for file in cutting_files(drawing, stem, self.cutting, part.sheet)
+        ]
+        if not step_trouble():
+            files += [File(f"{name}.step", self._write_step)]
+            files += [File(f"{name}.stl", partial(save_solid, part.solid))]
+        if can_draw():
+            files.append(File(f"{name}.png", self._draw))
         matched = self.spec.matched
-        told = {} if matched is None else {"moved_mm": list(matched.moved)}
-        reports = [str(one) for one in self.warnings]
-        return {
-            "name": self.name,
-            **told,
-            **self.part.as_dict(),
-            "reports": reports,
-            "files": list(self.files),
+        report = {
+            "name": name,
+            **({} if matched is None else {"moved_mm": list(matched.moved)}),
+            **part.as_dict(),
+            "reports": [str(warning) for warning in self.warnings],
+            "files": [*(file.name for file in files), f"{name}.json"],
         }
+        return Kit((*files, File(f"{name}.json", lambda path: write_json(path, report))), report)
 
     @cached_property
     def warnings(self) -> tuple[Refusal, ...]:
@@ -107,28 +98,8 @@ class PairKit:
 
         write_step([NamedShape(self.name, make_solid(self.part.solid))], path, name=self.name)
 
-    def _write_stl(self, path: Path) -> None:
-        from elastica_cad.kernel.mesh_files import write_stl
-        from elastica_cad.kernel.occt import make_solid
-
-        write_stl(make_solid(self.part.solid), path)
-
     def _draw(self, path: Path) -> None:
         from elastica_cad.plot.canvas import save_figure
         from elastica_cad.plot.pair_pictures import pair_sheet
 
         save_figure(pair_sheet(self.part, self.spec.faired), path)
-
-
-def write_pair(kit: PairKit, folder: Path, *, force: bool = False) -> tuple[Path, ...]:
-    """Write all files of a part, or after any error none; where they are.
-
-    Raises
-    ------
-    InputError
-        Files that exist, without `force`.
-    """
-    with write_together(folder, kit.files, force=force) as workshop:
-        for file, write in kit.files.items():
-            write(workshop / file)
-    return tuple(folder / file for file in kit.files)

@@ -1,22 +1,18 @@
 """Everything that one strip becomes: its cutting files, bodies, picture and report."""
 
-import os
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
-from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
 
 from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.reports import report_strip
 from elastica_cad.design.strip_request import request_record
-from elastica_cad.errors import InputError
 from elastica_cad.files import save, step_trouble
-from elastica_cad.formats.write_files import write_json, write_text, write_together
+from elastica_cad.formats.write_files import File, write_json, write_text
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kit.cutting_files import cutting_files
+from elastica_cad.kit.kit import Kit, can_draw, cutting_files, save_solid
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.model.batten import bench_csv, bench_drawing
@@ -24,6 +20,7 @@ from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.holding_template import holding_template
 from elastica_cad.strip.makeable_strip import spliced
 from elastica_cad.strip.slots import Cuts, end_numbers
+from elastica_cad.strip.solids import BentSolid
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
@@ -41,8 +38,8 @@ class StripFiles:
         How the cut pattern is written.
     paper : str or None
         Size of the pages of a template, "A4"; None for no template.
-    glb : bool
-        A model for browsers and phones too.
+    glb, stl : bool
+        The bent strip for browsers and phones, and for a printer.
     step, pictures : bool
         The flat and the bent strip, and its picture, where libraries for them are installed.
     """
@@ -52,11 +49,12 @@ class StripFiles:
     glb: bool = False
     step: bool = True
     pictures: bool = True
+    stl: bool = False
 
 
 @dataclass(frozen=True, eq=False)
-class StripKit:
-    """One strip with the answer it was made from, and the files that describe it.
+class StripResult:
+    """One strip with its request and the rod that it was made from.
 
     Attributes
     ----------
@@ -65,12 +63,11 @@ class StripKit:
     found : Rod or NearestRod
         The answer of its `rod_spec`.
     strip : Strip
-        What `spec` makes of that.
+        The strip that `spec` makes of that rod.
     name : str
-        What its files are called.
+        Stem of the names of its files.
     joints : (str, str)
         Names of the corners at its ends where another strip goes on; empty elsewhere.
-    asked : StripFiles
     """
 
     spec: StripSpec
@@ -78,7 +75,6 @@ class StripKit:
     strip: Strip
     name: str
     joints: tuple[str, str] = ("", "")
-    asked: StripFiles = field(default_factory=StripFiles)
 
     @property
     def near(self) -> NearestRod | None:
@@ -90,52 +86,60 @@ class StripKit:
         """Whether the rest shape is stable, and by how much."""
         return stability(self.strip.rod)
 
-    @property
-    def files(self) -> dict[str, str]:
-        """The name of each file by its kind, for all kinds that the installed packages can write."""
-        return {kind: name for kind, (name, _) in self.writers.items()}
+    def kit(self, asked: StripFiles) -> Kit:
+        """Return the report and all requested files that the installed packages can write.
 
-    @cached_property
-    def writers(self) -> dict[str, tuple[str, Callable[[Path], object]]]:
-        """The name of each file and what writes it, by its kind; "backing dxf" is of a layer that is glued on."""
-        asked, strip, files = self.asked, self.strip, dict[str, tuple[str, Callable[[Path], object]]]()
-        drawable = find_spec("matplotlib") is not None
-        pictures, looked_at = asked.pictures and drawable, asked.cutting.service and drawable
+        The description of a file is its kind; "backing dxf" is of a layer that is glued on.
+        """
+        strip, name, cutting, files = self.strip, self.name, asked.cutting, list[File]()
+        pictures, looked_at = asked.pictures and can_draw(), cutting.service and can_draw()
         for number, (layer, pattern) in enumerate(zip(strip.layers, self.patterns, strict=True)):
-            cut = cutting_files(pattern, pattern.name, asked.cutting, layer.sheet)
-            for place, (name, write) in enumerate(cut.items()):  # DXF and SVG of each part
+            for place, file in enumerate(cutting_files(pattern, pattern.name, cutting, layer.sheet)):
                 words = (layer.name, str(1 + place // 2) if place > 1 else "", ("dxf", "svg")[place % 2])
-                files[" ".join(filter(None, words))] = name, write
+                files.append(replace(file, description=" ".join(filter(None, words))))
             if number == 0:
-                files["json"] = f"{self.name}.json", lambda path: write_json(path, self.report)
+                files.append(File(f"{name}.json", lambda path: write_json(path, report), "json"))
         if not strip.is_closed:
-            files |= self._drawn("holding", holding_template, pdf=bool(asked.paper) or looked_at)
+            files += self._drawn("holding", holding_template, asked, pdf=bool(asked.paper) or looked_at)
         if strip.layout.size is not None:
-            files["bench csv"] = f"{self.name}-bench.csv", lambda path: write_text(path, bench_csv(strip))
-            files |= self._drawn("side", bench_drawing, pdf=pictures or looked_at)
-        more = {
+            files.append(
+                File(f"{name}-bench.csv", lambda path: write_text(path, bench_csv(strip)), "bench csv")
+            )
+            files += self._drawn("side", bench_drawing, asked, pdf=pictures or looked_at)
+        more: dict[str, tuple[object, Callable[[Path], object]]] = {
             "png": (pictures, self._draw_picture),
-            "pdf": (asked.paper, self._draw_template),
+            "pdf": (asked.paper, partial(self._draw_template, str(asked.paper))),
             "step": (asked.step and not step_trouble(), self._write_step),
+            "stl": (asked.stl, lambda path: save_solid(BentSolid.layers(strip)[0], path)),
             "glb": (asked.glb, self._write_glb),
         }
-        return files | {
-            kind: (f"{self.name}.{kind}", write) for kind, (wanted, write) in more.items() if wanted
-        }
+        files += [File(f"{name}.{kind}", write, kind) for kind, (wanted, write) in more.items() if wanted]
+        report = report_strip(
+            strip,
+            name=name,
+            files={file.description: file.name for file in files},
+            near=self.near,
+            stability=self.stability,
+            smoothing=self.spec.rod_spec.smoothing,
+        )
+        report["request"] = request_record(self.spec, strip)
+        report |= {"joints": self.joints} if any(self.joints) else {}
+        return Kit(tuple(files), report)
 
     def _drawn(
-        self, name: str, made: Callable[[Strip], Drawing], *, pdf: bool
-    ) -> dict[str, tuple[str, Callable[[Path], object]]]:
-        """One of the drawings that are written beside the cut pattern, in each kind of file."""
-        cutting = self.asked.cutting
+        self, name: str, made: Callable[[Strip], Drawing], asked: StripFiles, *, pdf: bool
+    ) -> list[File]:
+        """A drawing that is written beside the cut pattern, in each kind of file."""
+        cutting = asked.cutting
         kinds = (*(() if cutting.service else ("dxf", "svg")), *(("pdf",) if pdf else ()))
-        return {
-            f"{name} {kind}": (
+        return [
+            File(
                 cutting.file_name(f"{self.name}-{name}", kind),
-                partial(self._write_drawing, made, kind),
+                partial(self._write_drawing, made, kind, asked),
+                f"{name} {kind}",
             )
             for kind in kinds
-        }
+        ]
 
     @cached_property
     def drawings(self) -> tuple[Drawing, ...]:
@@ -156,28 +160,16 @@ class StripKit:
         named = zip(self.drawings, self.strip.layers, strict=True)
         return tuple(replace(drawing, name=layer.called(self.name)) for drawing, layer in named)
 
-    @cached_property
-    def report(self) -> dict[str, Any]:
-        """All that was asked and found, ready for JSON."""
-        report = report_strip(
-            self.strip,
-            name=self.name,
-            files=self.files,
-            near=self.near,
-            stability=self.stability,
-            smoothing=self.spec.rod_spec.smoothing,
-        )
-        report["request"] = request_record(self.spec, self.strip)
-        return report | ({"joints": self.joints} if any(self.joints) else {})
-
-    def _write_drawing(self, made: Callable[[Strip], Drawing], kind: str, path: Path) -> None:
+    def _write_drawing(
+        self, made: Callable[[Strip], Drawing], kind: str, asked: StripFiles, path: Path
+    ) -> None:
         drawing = replace(made(self.strip), name=path.stem)
         if kind == "pdf":
             from elastica_cad.plot.template_pages import save_template
 
-            save_template(drawing, path, paper=self.asked.paper or "A4")
+            save_template(drawing, path, paper=asked.paper or "A4")
         else:
-            version = {"version": self.asked.cutting.version} if kind == "dxf" else {}
+            version = {"version": asked.cutting.version} if kind == "dxf" else {}
             save(drawing, path, **version)
 
     def _draw_picture(self, path: Path) -> None:
@@ -186,11 +178,11 @@ class StripKit:
 
         save_figure(strip_sheet(self.strip, wish=None if self.near is None else self.near.target), path)
 
-    def _draw_template(self, path: Path) -> None:
+    def _draw_template(self, paper: str, path: Path) -> None:
         from elastica_cad.plot.template_pages import save_template
 
         drawing = bench_drawing(self.strip) if self.strip.layout.stack else self.patterns[0]
-        save_template(drawing, path, paper=str(self.asked.paper))
+        save_template(drawing, path, paper=paper)
 
     def _write_step(self, path: Path) -> None:
         from elastica_cad.kernel.step_files import write_strip_step
@@ -206,24 +198,3 @@ class StripKit:
         frame = self.spec.frame or UPRIGHT
         placed = Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis)
         write_glb(model_shapes(Model((placed,), self.name)), path, name=self.name)
-
-
-def write_strip(
-    kit: StripKit, folder: Path, *, force: bool = False, kept: Path | None = None
-) -> tuple[Path, ...]:
-    """Write all files of a strip, or after any error none; where they are.
-
-    Raises
-    ------
-    InputError
-        Files that exist, without `force`; or one of them is `kept`, which holds the drawn curve.
-    """
-    written = tuple(folder / file for file in kit.files.values())
-    if kept is not None and any(os.path.exists(path) and path.samefile(kept) for path in written):
-        raise InputError(
-            "{kept} holds the drawn curve and is kept: name another folder, e.g. -o out", kept=kept
-        )
-    with write_together(folder, kit.files.values(), force=force) as workshop:
-        for file, write in kit.writers.values():
-            write(workshop / file)
-    return written

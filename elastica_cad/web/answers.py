@@ -23,10 +23,10 @@ from elastica_cad.forming.rod_spec import accepted_rod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.kit.kit_contents import kit_of
-from elastica_cad.kit.kit_files import write_kit
-from elastica_cad.kit.pair_kit import PairKit, write_pair
-from elastica_cad.kit.strip_kit import StripFiles, StripKit, write_strip
+from elastica_cad.kit.kit_contents import kit_contents
+from elastica_cad.kit.model_kit import model_kit
+from elastica_cad.kit.pair_kit import MadePair
+from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet, sheet_names
 from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
@@ -362,7 +362,7 @@ def _frame(made: Strip, travel: Any, k: int, part: float) -> Record:
 def _model(request: Mapping[str, Any]) -> Record:
     """Every strip in its place, with what holds it."""
     design = _design(request)
-    kit = kit_of(design.model(), design.kit, entries=design.entries, effects=True)
+    kit = kit_contents(design.model(), design.kit, entries=design.entries, effects=True)
     told = list(dict.fromkeys((*kit.notes, *kit.model.reports)))
     warnings = [one for one in told if isinstance(one, Refusal) and one.severity == "warning"]
     strips: dict[int, int] = {}
@@ -562,7 +562,7 @@ def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
     if "pair" in request["design"]:
         spec = _pair_spec(request)
         cutting = cutting_of(request["design"])
-        written = write_pair(PairKit(spec, spec.make(), name, cutting), folder / name)
+        written = MadePair(spec, spec.make(), name, cutting).kit.write(folder / name)
         if kind == "kit":
             return Download(f"{name}.zip", _zipped(folder))
         path = folder / name / cutting.file_name(name, kind)
@@ -571,27 +571,17 @@ def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
         return Download(path.name, path.read_bytes())
     design = _design(request)
     if kind == "kit":
-        kit = kit_of(design.model(), design.kit, entries=design.entries, effects=True)
-        write_kit(kit, folder / name)
+        contents = kit_contents(design.model(), design.kit, entries=design.entries, effects=True)
+        model_kit(contents).write(folder / name)
         return Download(f"{name}.zip", _zipped(folder))
     strip_spec = _spec(request)
     found = strip_spec.rod_spec.solve()
-    wanted = StripFiles(design.kit.cutting, "A4" if kind == "pdf" else None, False, kind == "step", False)
-    made = StripKit(strip_spec, found, strip_spec.make(found), name, asked=wanted)
-    if kind == "stl":
-        return Download(f"{name}.stl", _stl(made.strip, folder / "strip.stl"))
-    written = write_strip(made, folder)
-    (path,) = (one for one in written if one.name == made.files.get(kind))
+    paper = "A4" if kind == "pdf" else None
+    wanted = StripFiles(design.kit.cutting, paper, step=kind == "step", pictures=False, stl=kind == "stl")
+    kit = StripResult(strip_spec, found, strip_spec.make(found), name).kit(wanted)
+    paths = zip(kit.files, kit.write(folder), strict=True)
+    (path,) = (path for file, path in paths if file.description == kind)
     return Download(path.name, path.read_bytes())
-
-
-def _stl(made: Strip, path: FilePath) -> bytes:
-    from elastica_cad.kernel.mesh_files import write_stl
-    from elastica_cad.kernel.occt import make_solid
-    from elastica_cad.strip.solids import BentSolid
-
-    write_stl(make_solid(BentSolid.layers(made)[0]), path)
-    return path.read_bytes()
 
 
 def _zipped(folder: FilePath) -> bytes:

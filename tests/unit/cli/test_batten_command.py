@@ -13,7 +13,7 @@ from scipy.integrate import solve_bvp
 from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.kit.strip_kit import StripFiles, StripKit
+from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
 from elastica_cad.model.batten import BattenSpec, bench_drawing
@@ -263,25 +263,26 @@ def test_a_batten_for_a_curve_of_ones_own_has_the_same_papers(tmp_path, check_dr
     sheer = PlaneCurve.spline([(0, 0), (600, 1500), (1500, 1900), (2400, 1500), (3000, 0)])
     spec = StripSpec(sheer, glass, law=ThicknessLaw(glass, 1.0, 4.0, width=20.0), label="sheer")
     found = spec.rod_spec.solve()
-    kit = StripKit(spec, found, spec.make(found), "own", asked=StripFiles(step=False))
-    assert {"own-bench.csv", "own-side.dxf", "own-side.svg", "own-side.pdf"} <= {*kit.files.values()}
-    for file, write in (kit.writers["bench csv"], kit.writers["side dxf"]):
-        write(tmp_path / file)
+    result = StripResult(spec, found, spec.make(found), "own")
+    files = {file.name: file for file in result.kit(StripFiles(step=False)).files}
+    assert {"own-bench.csv", "own-side.dxf", "own-side.svg", "own-side.pdf"} <= {*files}
+    for name in ("own-bench.csv", "own-side.dxf"):
+        files[name].write(tmp_path / name)
     rows = list(csv.DictReader((tmp_path / "own-bench.csv").read_text().splitlines()))
     sizes = np.array([float(row["thickness_mm"]) for row in rows])
     assert sizes.max() == pytest.approx(4.0, rel=1e-2)
     assert [float(row["thickness_inch"]) for row in rows] == pytest.approx(sizes / 25.4, abs=8e-4)
     assert max(len(row["thickness_inch"]) for row in rows) == len("0.157")
     assert max(float(row["strain_percent"]) for row in rows) == pytest.approx(
-        100 * kit.strip.max_strain, abs=6e-4
+        100 * result.strip.max_strain, abs=6e-4
     )
-    ticks = [text.text for text in bench_drawing(kit.strip).texts]
+    ticks = [text.text for text in bench_drawing(result.strip).texts]
     assert ticks[1] == f"{float(rows[1]['from_tip_mm']):.1f}: {sizes[1]:.2f}"
     told = " ".join(ticks[len(rows) :])
     assert told.startswith("sheer Glass fibre (GFRP), 20 mm wide: plane both faces alike hold the ends 30")
     along = np.array([[float(row[key]) for key in ("s_mm", "from_tip_mm", "from_tip_inch")] for row in rows])
     (first, *_), (last, *_) = along[[0, -1]]
-    assert (first, last - kit.strip.rod.length) == pytest.approx((-10.0, 10.0), abs=0.005)
+    assert (first, last - result.strip.rod.length) == pytest.approx((-10.0, 10.0), abs=0.005)
     assert along[:, 1] == pytest.approx(along[:, 0] + 10)
     assert along[:, 2] == pytest.approx(along[:, 1] / 25.4, abs=6e-4)
     assert [rows[k]["strain_percent"] for k in (0, -1)] == ["0", "0"]

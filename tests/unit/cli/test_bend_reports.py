@@ -229,8 +229,9 @@ def test_every_record_of_a_request_has_a_name_in_reports():
 
 def report(spec, path):
     """Write the report of a strip as `elastica strip` does, without its drawings."""
-    from elastica_cad.kit.strip_kit import StripFiles, StripKit
+    from elastica_cad.kit.strip_kit import StripFiles, StripResult
 
     found = spec.rod_spec.solve()
-    kit = StripKit(spec, found, spec.make(found), path.stem, asked=StripFiles(step=False, pictures=False))
+    result = StripResult(spec, found, spec.make(found), path.stem)
+    kit = result.kit(StripFiles(step=False, pictures=False))
     path.write_text(json.dumps(kit.report, default=lambda value: np.asarray(value).tolist()))

@@ -15,7 +15,7 @@ from elastica_cad.cli import model_command
 from elastica_cad.cli.commands import elastica
 from elastica_cad.design.design_file import read_design
 from elastica_cad.formats.json_curves import curves_json
-from elastica_cad.kit.kit_contents import kit_of
+from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.model.assembly import list_assembly_steps
 from elastica_cad.plot.assembly_sheet import save_assembly_sheet
 from elastica_cad.strip.drawing import CUT_OUTER
@@ -143,7 +143,7 @@ def test_where_nothing_can_be_written_is_told_before_the_model_is_made(
     design, tmp_path, monkeypatch, out, sentence
 ):
     made = []
-    monkeypatch.setattr(model_command, "kit_of", lambda *_, **__: made.append("model"))
+    monkeypatch.setattr(model_command, "kit_contents", lambda *_, **__: made.append("model"))
     (tmp_path / "file").write_text("mine")
     (tmp_path / "kit").mkdir()
     (tmp_path / "kit" / "index.html").write_text("mine")
@@ -354,7 +354,7 @@ def test_plates_keep_their_own_distance(design):
     read = read_design(design, ec.read_curves)
     corners = [
         np.concatenate([path.points(0.01) for path in nest.on(CUT_OUTER)]).min(axis=0)
-        for nest in kit_of(read.model(), read.kit).nests
+        for nest in kit_contents(read.model(), read.kit).nests
     ]
     assert corners[0] == pytest.approx([2, 2], abs=0.5)
     assert corners[1] == pytest.approx([17, 17], abs=0.5)
@@ -398,7 +398,7 @@ def test_the_start_page_of_a_single_strip_counts_one(tmp_path):
 
 def test_base_and_strips_carry_matching_numbers(design):
     read = read_design(design, ec.read_curves)
-    kit = kit_of(read.model(), read.kit)
+    kit = kit_contents(read.model(), read.kit)
     engraved = {piece.name: [text.text for text in piece.drawing.texts] for piece in kit.pieces}
     assert engraved["K1"] == ["K1", "1", "2"]
     assert engraved["kit-base"] == ["K1:1", "K1:2", "K2:1", "K2:2"]

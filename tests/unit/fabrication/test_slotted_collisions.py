@@ -5,7 +5,7 @@ import pytest
 
 from elastica_cad.design.kit_spec import KitSpec
 from elastica_cad.errors import InputError
-from elastica_cad.kit.kit_contents import kit_of
+from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.model.collisions import missing_slots
 
 COLLIDING = (12, 32, 44, 62, 71, 76, 96, 98, 118)
@@ -57,7 +57,7 @@ def test_kits_tell(slotted_pairs):
     model = slotted_pairs.pair(76)
     (told,) = (
         text
-        for text in kit_of(model, KitSpec(ignore_limits=True), effects=False).notes
+        for text in kit_contents(model, KitSpec(ignore_limits=True), effects=False).notes
         if "also runs" in text
     )
     assert told.values["depth"] > 0

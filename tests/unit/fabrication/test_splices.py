@@ -17,7 +17,7 @@ from elastica_cad.design.kit_spec import HolderSpec, KitSpec
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import clip_across
-from elastica_cad.kit.kit_contents import kit_of
+from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.mechanics.stiffness_law import ThicknessLaw
 from elastica_cad.model.nesting import Nesting
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK
@@ -433,6 +433,6 @@ def test_ends_of_a_strip_in_pieces_are_numbered_as_those_of_a_whole_one():
         nesting=Nesting(sheet_size=(700.0, 400.0)),
         shop=ec.FabricationLimits(stock=(700.0, 400.0), lap=60.0),
     )
-    pieces = kit_of(ec.Model([placed]), spec, effects=False).pieces
+    pieces = kit_contents(ec.Model([placed]), spec, effects=False).pieces
     told = {piece.name: [text.text for text in piece.drawing.texts] for piece in pieces}
     assert told == {"A-1": ["A-1", "1"], "A-2": ["A-2", "2"], "A-lap-1": ["A-lap-1"]}

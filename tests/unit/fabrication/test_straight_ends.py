@@ -9,8 +9,8 @@ import pytest
 import elastica_cad as ec
 from elastica_cad.cli import main
 from elastica_cad.design.kit_spec import HolderSpec, KitSpec
-from elastica_cad.kit.kit_contents import kit_of
-from elastica_cad.kit.kit_files import write_kit
+from elastica_cad.kit.kit_contents import kit_contents
+from elastica_cad.kit.model_kit import model_kit
 from elastica_cad.model.assembly import list_assembly_steps
 from elastica_cad.strip.holding_template import held_ends, holding_template, tell_ends
 
@@ -100,10 +100,10 @@ def test_an_end_that_no_part_of_a_model_holds_is_told_and_has_no_figure():
     (step,) = list_assembly_steps(model, [base])
     assert step.ends == ("slot UP:1 of base", "hold at (220.0, 0.0, 50.0), -65.2 degrees from the line")
     spec = KitSpec(holders=(HolderSpec("base", ec.Sheet.named("mdf-3")),))
-    kit = kit_of(model, spec, effects=True)
+    kit = kit_contents(model, spec, effects=True)
     assert kit.held == {}
     assert any("nothing holds end 2" in note for note in kit.notes)
-    assert not any("nothing holds" in note for note in kit_of(model, KitSpec(), effects=True).notes)
+    assert not any("nothing holds" in note for note in kit_contents(model, KitSpec(), effects=True).notes)
 
 
 def test_the_command_check_draws_and_judges_what_is_bent(arch, tmp_path, capsys):
@@ -120,14 +120,16 @@ def test_parts_that_fit_share_a_page(tmp_path):
         ec.make_strip(arch, "card-200gsm", max_width=width, label=f"A{width}") for width in (20, 24, 28)
     ]
     placed = [ec.Placed(strip, (0, 50 * k, 0), (1, 0, 0), (0, 0, 1)) for k, strip in enumerate(strips)]
-    kit = kit_of(ec.Model(placed, name="class"), KitSpec(pages="A4"))
-    write_kit(kit, tmp_path, step=False, pictures=False, parts=False)
+    kit = kit_contents(ec.Model(placed, name="class"), KitSpec(pages="A4"))
+    model_kit(kit, step=False, pictures=False, parts=False).write(tmp_path)
     strips, templates = "A20, A24, A28", "A20 template, A24 template"
     last = "A28 template"
     assert titles(tmp_path / "class-pages.pdf") == [strips, templates, last], "for card and for paper"
     base = HolderSpec("base", ec.Sheet.named("mdf-3"))
-    held = kit_of(ec.Model(placed, name="held"), KitSpec(pages="A4", holders=(base,), ignore_limits=True))
-    write_kit(held, tmp_path / "held", step=False, pictures=False, parts=False)
+    held = kit_contents(
+        ec.Model(placed, name="held"), KitSpec(pages="A4", holders=(base,), ignore_limits=True)
+    )
+    model_kit(held, step=False, pictures=False, parts=False).write(tmp_path / "held")
     assert not any("template" in title for title in titles(tmp_path / "held" / "held-pages.pdf"))
 
 

@@ -17,7 +17,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.segments import Arc
-from elastica_cad.kit.kit_files import save_model
+from elastica_cad.kit.model_kit import save_model
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.loads import End, Gravity, PointMass, Weight
 from elastica_cad.mechanics.moment_curvature import PolynomialLaw, TabulatedLaw

@@ -10,7 +10,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
 from elastica_cad.formats.curve_writer import write_curves
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.kit.kit_contents import kit_of
+from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.mechanics.sheets import load_sheets
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.model.held_tabs import rocking_tabs
@@ -245,7 +245,7 @@ def test_bases_of_one_sheet_are_laid_on_the_same(read):
         for name, which, sheet in asked
     )
     design = read(HEAD + f"ends.length = 12\n{AROUND}{tables}")
-    kit = kit_of(design.model(), design.kit)
+    kit = kit_contents(design.model(), design.kit)
     laid = {nest.name: list(nest.pieces) for nest in kit.nests[1:]}
     assert laid == {
         "design-left-right-nest-1-hdf-1.5": ["design-left", "design-right"],
@@ -253,7 +253,7 @@ def test_bases_of_one_sheet_are_laid_on_the_same(read):
     }
     roomy = tables.replace("name = 'left'", "name = 'left'\nsheet_size = [700, 400]")
     apart = read(HEAD + f"ends.length = 12\n{AROUND}{roomy}")
-    assert [nest.name for nest in kit_of(apart.model(), apart.kit).nests[1:]] == [
+    assert [nest.name for nest in kit_contents(apart.model(), apart.kit).nests[1:]] == [
         "design-left-nest-1-hdf-1.5",
         "design-right-nest-1-hdf-1.5",
         "design-back-nest-1-card-200gsm",

@@ -6,8 +6,8 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.design.design_file import read_design
-from elastica_cad.kit.kit_contents import kit_of
-from elastica_cad.kit.kit_files import write_kit
+from elastica_cad.kit.kit_contents import kit_contents
+from elastica_cad.kit.model_kit import model_kit
 
 DESIGN = """schema = 1
 sheet = "card-200gsm"
@@ -27,8 +27,8 @@ mirror = { normal = [0, 1, 0] }
 def test_departures_from_drawn_curves(tmp_path):
     (tmp_path / "two.toml").write_text(DESIGN)
     design = read_design(tmp_path / "two.toml", ec.read_curves)
-    kit = kit_of(design.model(), design.kit, entries=design.entries)
-    write_kit(kit, tmp_path / "kit", step=False, pictures=False, parts=False)
+    kit = kit_contents(design.model(), design.kit, entries=design.entries)
+    model_kit(kit, step=False, pictures=False, parts=False).write(tmp_path / "kit")
     parts = {part["name"]: part for part in json.loads((tmp_path / "kit" / "two.json").read_text())["parts"]}
     wanted = ec.nearest_rod(
         design.entries[0].curve, ec.Limits(ratio=1.5, sheet=ec.Sheet.named("card-200gsm"))

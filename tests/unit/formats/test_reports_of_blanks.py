@@ -9,8 +9,8 @@ from elastica_cad.design.design_file import read_design
 from elastica_cad.design.reports import report_blank, tell_blank
 from elastica_cad.files import read_curves
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.kit.kit_contents import kit_of
-from elastica_cad.kit.kit_files import write_kit
+from elastica_cad.kit.kit_contents import kit_contents
+from elastica_cad.kit.model_kit import model_kit
 from elastica_cad.mechanics.loads import RestCurvature
 from elastica_cad.strip.strip_spec import make_strip
 
@@ -66,8 +66,8 @@ def test_a_blank_that_varies_is_listed_along_the_strip():
 def test_kits_tell_which_parts_are_bent_beforehand(tmp_path):
     (tmp_path / "two.toml").write_text(DESIGN)
     design = read_design(tmp_path / "two.toml", read_curves)
-    kit = kit_of(design.model(), design.kit, entries=design.entries)
-    write_kit(kit, tmp_path / "kit", step=False, pictures=False, parts=False)
+    kit = kit_contents(design.model(), design.kit, entries=design.entries)
+    model_kit(kit, step=False, pictures=False, parts=False).write(tmp_path / "kit")
     report = json.loads((tmp_path / "kit" / "two.json").read_text())
     blanks = {part["name"]: part["blank"] for part in report["parts"]}
     assert blanks["flat"] is None

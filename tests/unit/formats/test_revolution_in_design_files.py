@@ -6,7 +6,7 @@ import pytest
 import elastica_cad as ec
 from elastica_cad.design.design_file import read_design
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.kit.kit_contents import kit_of
+from elastica_cad.kit.kit_contents import kit_contents
 
 HEAD = 'schema = 1\nname = "vase"\nsheet = "card-200gsm"\n'
 POINTS = "points = [[70, 0], [85, 16], [125, 55], [90, 115], [75, '100 + 40']]"
@@ -31,7 +31,7 @@ def test_points_become_strips_and_rings(read):
     wanted = ec.meridian_through([(70, 0), (85, 16), (125, 55), (90, 115), (75, 140)])
     assert model.strips[0].rod.length == pytest.approx(wanted.curve.length)
     assert [plate.name for plate in model.plates] == ["ring-start", "ring-end"]
-    pieces = kit_of(model, design.kit).pieces
+    pieces = kit_contents(model, design.kit).pieces
     assert [(piece.name, piece.count) for piece in pieces] == [
         ("strip 1", 20),
         ("ring-start", 1),

@@ -7,7 +7,9 @@ import csv
 import io
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from importlib.util import find_spec
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -26,8 +28,8 @@ from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
 from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.reports import tell_blank
 from elastica_cad.errors import InputError
-from elastica_cad.formats.write_files import write_together
-from elastica_cad.kit.cutting_files import cutting_files
+from elastica_cad.formats.write_files import File, write_files, write_text
+from elastica_cad.kit.kit import cutting_files
 from elastica_cad.model.model import sheet_color
 from elastica_cad.model.nesting import cut_list, nest_pieces
 from elastica_cad.strip.pieces import distinct, file_word
@@ -88,29 +90,26 @@ def write_cutting_files(
         nests = nest_pieces(pieces, sheet_size=sheet_size, kerf=cutting.kerf)
         drawings += [(nest.name, nest, nest.sheet) for nest in nests]
     flat = [kind for kind in ("dxf", "svg") if kind in kinds]
-    files = {
-        name: write
+    files = [
+        file
         for stem, drawing, sheet in drawings
-        for name, write in cutting_files(replace(drawing, name=stem), stem, cutting, sheet).items()
-        if name.rpartition(".")[2] in kinds
-    }
+        for file in cutting_files(replace(drawing, name=stem), stem, cutting, sheet)
+        if file.name.rpartition(".")[2] in kinds
+    ]
     bodies = [obj for obj in counted(sources) if not is_base_plate(obj)] if "step" in kinds else []
-    steps = [f"{word}.step" for word in distinct(file_word(obj.Label) for obj in bodies)]
-    names = [*files, *steps, *(["cut-list.csv"] if "csv" in kinds else [])]
-    with write_together(folder, names, force=force) as workshop:
-        for done, (name, write) in enumerate(files.items()):
-            go_on(step, done, "no file was written")
-            write(workshop / name)
-        for done, (obj, name) in enumerate(zip(bodies, steps, strict=True), len(files)):
-            go_on(step, done, "no file was written")
-            _write_step(obj, workshop / name)
-        if "csv" in kinds:
-            kind = flat[0] if flat else "dxf"
-            cut_from = {
-                piece.name: cutting.file_name(stem, kind) for stem, piece in zip(stems, pieces, strict=True)
-            }
-            (workshop / "cut-list.csv").write_text(_listed(cuts, cut_from), encoding="utf-8")
-    return [Path(folder) / name for name in names]
+    steps = distinct(file_word(obj.Label) for obj in bodies)
+    files += [
+        File(f"{word}.step", partial(_write_step, obj)) for word, obj in zip(steps, bodies, strict=True)
+    ]
+    if "csv" in kinds:
+        kind = flat[0] if flat else "dxf"
+        cut_from = {
+            piece.name: cutting.file_name(stem, kind) for stem, piece in zip(stems, pieces, strict=True)
+        }
+        files.append(File("cut-list.csv", lambda path: write_text(path, _listed(cuts, cut_from))))
+    numbers = count()
+    done = lambda *_: go_on(step, next(numbers), "no file was written")  # noqa: E731
+    return list(write_files(files, folder, force=force, done=done))
 
 
 def _listed(cuts: Sequence[Cut], files: Mapping[str, str]) -> str:

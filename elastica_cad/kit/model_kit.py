@@ -1,9 +1,8 @@
-"""A kit written into one folder: all files together, or none."""
+"""The kit of a model: nested sheets, parts, lists, report, assembly and pictures in one folder."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
@@ -14,12 +13,12 @@ from elastica_cad._process import rare_collections
 from elastica_cad._values import and_more, counted, require_path, require_record
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting, KitSpec
 from elastica_cad.design.model_report import compose_start_page
-from elastica_cad.errors import InputError, how_to_install, refusing_old_names
+from elastica_cad.errors import InputError, refusing_old_names
 from elastica_cad.files import step_trouble
-from elastica_cad.formats.write_files import check_folder, write_json, write_text, write_together
+from elastica_cad.formats.write_files import File, check_folder, write_json, write_text
 from elastica_cad.geometry.path import Path as ClosedPath
-from elastica_cad.kit.cutting_files import Writer, cutting_files
-from elastica_cad.kit.kit_contents import Kit, count_strips, kit_of
+from elastica_cad.kit.kit import Kit, can_draw, cutting_files, left_out, save_solid
+from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_contents
 from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import CutList, NestedSheet, Nesting, nest_pieces
@@ -70,14 +69,6 @@ class SavedKit:
         return "\n".join((self.summary, *self.left_out, f"wrote {len(self.files)} files to {self.folder}"))
 
 
-def left_out(*, step: bool = True, pictures: bool = True, paper: bool = False) -> tuple[str, ...]:
-    """Return a sentence for the files of each package that is missing, with how to install it."""
-    drawn = " and ".join(kind for asked, kind in ((paper, "PDF"), (pictures, "pictures")) if asked)
-    missing = [(drawn, "" if find_spec("matplotlib") else how_to_install("matplotlib"))]
-    missing += [("STEP", step_trouble())] if step else []
-    return tuple(f"not written: {kind}; to get it: {cure}" for kind, cure in missing if kind and cure)
-
-
 def check_kit_folder(name: str, folder: str | Path, *, force: bool = False) -> None:
     """Refuse a folder that the kit of a model of this name cannot be written to, before the model is made.
 
@@ -89,48 +80,82 @@ def check_kit_folder(name: str, folder: str | Path, *, force: bool = False) -> N
     check_folder(folder, _lists(file_word(name)), force=force)
 
 
-def write_kit(
-    kit: Kit,
-    folder: str | Path,
+def model_kit(
+    contents: KitContents,
     *,
     step: bool = True,
     pictures: bool = True,
     parts: bool = True,
     archives: bool = False,
-    force: bool = False,
-    done: Callable[[str, int], None] | None = None,
-) -> None:
-    """Write all files of a kit; the assembly and the pictures where a CAD kernel and matplotlib are installed.
+) -> Kit:
+    """Return the report and all files of a model that the installed packages can write.
 
-    Without `parts` only the nested sheets are drawn, not every part once more in files of its own. For a cutting
-    service only the parts are drawn. With `archives` two ZIP files are written too: one of the drawings and blocks
-    that are made, each part in one drawing, and one of what is not for a machine.
-    `done` is called with the name of each file that has been written, and how many there are in all.
+    Parameters
+    ----------
+    contents : KitContents
+    step, pictures : bool
+        List the assembly, and the pictures.
+    parts : bool
+        Draw every part in files of its own too. A cutting service gets the parts alone.
+    archives : bool
+        List two ZIP files too: one of the drawings and blocks that are made, each part in one drawing, and one of
+        all other files.
 
     Raises
     ------
     InputError
-        Files that exist, without `force`.
+        Two parts whose files have the same name.
     """
-    parts = parts or kit.spec.cutting.service
-    step, pictures = step and not step_trouble(), pictures and find_spec("matplotlib") is not None
-    _plan(kit, step=step, pictures=pictures, parts=parts)
-    if archives:
-        kit.files.update(_archives(kit))
-    with write_together(folder, kit.files, force=force) as workshop:
-        for name, (_, write) in kit.files.items():
-            write(workshop / name)
-            if done is not None:
-                done(name, len(kit.files))
+    model, spec, cutting = contents.model, contents.spec, contents.spec.cutting
+    parts, step, pictures = parts or cutting.service, step and not step_trouble(), pictures and can_draw()
+    name, files = file_word(model.name), list[File]()
+    listed = contents.cut_list.in_files(_homes(contents, parts=parts))
+    csv, txt, json, page = _lists(name)
+    if pictures:
+        files.append(
+            File(f"{name}-assembly.pdf", partial(_draw_assembly, contents, listed), "assembly sheet")
+        )
+    if spec.pages and can_draw():
+        files.append(File(f"{name}-pages.pdf", partial(_draw_pages, contents), "parts at full size on paper"))
+    files.append(File(csv, lambda path: write_text(path, listed.csv), "cut list"))
+    files.append(File(txt, lambda path: write_text(path, str(listed)), "cut list"))
+    if step:
+        files += _assemblies(contents, f"{MODEL}/{name}")
+    if pictures:
+        files.append(File(f"{MODEL}/{name}.png", partial(_draw_model, contents), "picture of the model"))
+    for nest in () if cutting.service else contents.nests:
+        stem = f"{SHEETS}/{file_word(nest.name)}"
+        if nest.sheet is not None:
+            files += cutting_files(nest, stem, cutting, nest.sheet, "nested sheet")
+        if pictures:
+            files.append(File(f"{stem}.png", partial(_draw_nest, nest), "picture of a sheet"))
+    for piece in contents.pieces if parts else ():
+        stem = f"{PARTS}/{piece.file_stem}"
+        if any(file.name.casefold() == cutting.file_name(stem, "svg").casefold() for file in files):
+            raise InputError(
+                "{name}: another part would be written to {file_stem}.svg too; choose labels that "
+                "differ in more than capitals and signs",
+                name=piece.name,
+                file_stem=piece.file_stem,
+            )
+        files += cutting_files(piece.drawing, stem, cutting, piece.sheet, "part")
+    if step:
+        files += _blocks(contents)
+    files.append(File(json, lambda path: write_json(path, report), "report"))
+    files.append(File(page, lambda path: write_text(path, _start_page(contents, report)), "this page"))
+    files += _archives(name, files, PARTS if cutting.service else SHEETS) if archives else ()
+    report = contents.report | {"files": {file.name: file.description for file in files}}
+    return Kit(tuple(files), report)
 
 
 def left_behind(kit: Kit, folder: str | Path) -> tuple[str, ...]:
     """Files among the parts and sheets in a folder that are none of the kit written there: an earlier run's."""
+    known = {file.name for file in kit.files}
     return tuple(
         name
         for place in (PARTS, SHEETS)
         for name in sorted(f"{place}/{path.name}" for path in Path(folder, place).glob("*.*"))
-        if name not in kit.files and Path(name).suffix in CUT_FROM
+        if name not in known and Path(name).suffix in CUT_FROM
     )
 
 
@@ -206,12 +231,12 @@ def save_model(
     folder = require_path(folder)
     check_kit_folder(model.name, folder, force=force)
     with rare_collections():
-        kit = kit_of(model, spec, effects=True)
-        write_kit(kit, folder, step=step, pictures=pictures, parts=parts, force=force, done=done)
-    summary = f"{model.name}: {count_strips(model)} on {counted(len(kit.nests), 'sheet')}"
-    return SavedKit(
-        folder, tuple(kit.files), left_out(step=step, pictures=pictures, paper=bool(spec.pages)), summary
-    )
+        contents = kit_contents(model, spec, effects=True)
+        kit = model_kit(contents, step=step, pictures=pictures, parts=parts)
+        kit.write(folder, force=force, done=done)
+    summary = f"{model.name}: {count_strips(model)} on {counted(len(contents.nests), 'sheet')}"
+    missing = left_out(step=step, pictures=pictures, paper=bool(spec.pages))
+    return SavedKit(folder, tuple(file.name for file in kit.files), missing, summary)
 
 
 def _lists(word: str) -> tuple[str, ...]:
@@ -219,53 +244,16 @@ def _lists(word: str) -> tuple[str, ...]:
     return f"{word}-cut-list.csv", f"{word}-cut-list.txt", f"{word}.json", START_PAGE
 
 
-def _plan(kit: Kit, *, step: bool, pictures: bool, parts: bool) -> None:
-    """Say which files there will be, and how each is written."""
-    name, files, cutting = file_word(kit.model.name), kit.files, kit.spec.cutting
-    listed = kit.cut_list.in_files(_homes(kit, parts=parts))
-    table, text, report, page = _lists(name)
-    if pictures:
-        files[f"{name}-assembly.pdf"] = ("assembly sheet", lambda path: _draw_assembly(kit, listed, path))
-    if kit.spec.pages and find_spec("matplotlib"):
-        files[f"{name}-pages.pdf"] = ("parts at full size on paper", lambda path: _draw_pages(kit, path))
-    files[table] = ("cut list", lambda path: write_text(path, listed.csv))
-    files[text] = ("cut list", lambda path: write_text(path, str(listed)))
-    if step:
-        files.update(_assemblies(kit, f"{MODEL}/{name}"))
-    if pictures:
-        files[f"{MODEL}/{name}.png"] = ("picture of the model", lambda path: _draw_model(kit, path))
-    for nest in () if cutting.service else kit.nests:
-        stem = f"{SHEETS}/{file_word(nest.name)}"
-        if nest.sheet is not None:
-            files |= _told("nested sheet", cutting_files(nest, stem, cutting, nest.sheet))
-        if pictures:
-            files[f"{stem}.png"] = ("picture of a sheet", _nest_picture(nest))
-    for piece in kit.pieces if parts else ():
-        stem = f"{PARTS}/{piece.file_stem}"
-        if any(file.casefold() == cutting.file_name(stem, "svg").casefold() for file in files):
-            raise InputError(
-                "{name}: another part would be written to {file_stem}.svg too; choose labels that "
-                "differ in more than capitals and signs",
-                name=piece.name,
-                file_stem=piece.file_stem,
-            )
-        files |= _told("part", cutting_files(piece.drawing, stem, cutting, piece.sheet))
-    if step:
-        files.update(_blocks(kit))
-    files[report] = ("report", lambda path: write_json(path, kit_report(kit)))
-    files[page] = ("this page", lambda path: write_text(path, _start_page(kit)))
-
-
-def _draw_pages(kit: Kit, path: Path) -> None:
+def _draw_pages(contents: KitContents, path: Path) -> None:
     """Every part once at full size, small ones of a sheet together; a page tells how often each is needed.
 
     Where the model has no part that holds its strips, a template to hold each by is printed after them.
     """
     from elastica_cad.plot.template_pages import printed_size, save_templates
 
-    paper, margin = str(kit.spec.pages), kit.spec.nesting.margin
+    paper, margin = str(contents.spec.pages), contents.spec.nesting.margin
     size = printed_size(paper)
-    pieces = (*kit.pieces, *_templates(kit))
+    pieces = (*contents.pieces, *_templates(contents))
     called = {
         piece.name: f"{piece.name} (cut {piece.count})" if piece.count > 1 else piece.name for piece in pieces
     }
@@ -281,15 +269,15 @@ def _draw_pages(kit: Kit, path: Path) -> None:
         if len(names) > LONGEST_TITLE:
             names = f"{called[nest.pieces[0]]}{and_more(nest.pieces)}"
         drawings.append(Drawing(names, cut, nest.texts))
-    save_templates(drawings, path, title=f"{kit.model.name}: parts", paper=paper)
+    save_templates(drawings, path, title=f"{contents.model.name}: parts", paper=paper)
 
 
-def _templates(kit: Kit) -> list[Piece]:
+def _templates(contents: KitContents) -> list[Piece]:
     """The holding template of each strip of a model that holds none of them, in a frame to cut out."""
-    if kit.holders or kit.model.plates:
+    if contents.holders or contents.model.plates:
         return []
     found = []
-    for part in kit.model.parts:
+    for part in contents.model.parts:
         if part.strip.is_closed:
             continue
         drawn = holding_template(part.strip.labelled(part.name))
@@ -301,66 +289,63 @@ def _templates(kit: Kit) -> list[Piece]:
     return found
 
 
-def _homes(kit: Kit, *, parts: bool) -> dict[str, str]:
+def _homes(contents: KitContents, *, parts: bool) -> dict[str, str]:
     """The file that each piece is cut from: its own, or that of its sheet."""
-    named = kit.spec.cutting.file_name
+    named = contents.spec.cutting.file_name
     if parts:
-        return {piece.name: f"{PARTS}/{named(piece.file_stem, 'dxf')}" for piece in kit.pieces}
+        return {piece.name: f"{PARTS}/{named(piece.file_stem, 'dxf')}" for piece in contents.pieces}
     return {
-        piece: f"{SHEETS}/{named(file_word(nest.name), 'dxf')}" for nest in kit.nests for piece in nest.pieces
+        piece: f"{SHEETS}/{named(file_word(nest.name), 'dxf')}"
+        for nest in contents.nests
+        for piece in nest.pieces
     }
 
 
-def _start_page(kit: Kit) -> str:
+def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
     """What was made, in sentences, with links."""
-    listed = kit.cut_list
+    listed = contents.cut_list
     lines = [
-        f"{count_strips(kit.model)}; {counted(listed.count, 'piece')}, "
+        f"{count_strips(contents.model)}; {counted(listed.count, 'piece')}, "
         f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g.",
         *(
             f"{nest.name}: {_taken(len(nest.pieces))} {100 * nest.share:.0f} % of a sheet of "
             f"{nest.sheet_size[0]:g} by {nest.sheet_size[1]:g} mm."
-            for nest in kit.nests
+            for nest in contents.nests
         ),
-        *_block_lines(kit),
+        *_block_lines(contents, report["files"]),
         "Ends are numbered: end 1 is where a strip's label begins, end 2 where it ends; slot A:1 takes end 1 of A."
-        if not kit.spec.cutting.service
+        if not contents.spec.cutting.service
         else "Nothing is written on the parts: write the name of its file on each when they arrive.",
     ]
-    files = {file: what for file, (what, _) in kit.files.items() if file != START_PAGE}
-    return compose_start_page(kit.model.name, lines, kit_report(kit)["reports"], files)
+    files = {file: what for file, what in report["files"].items() if file != START_PAGE}
+    return compose_start_page(contents.model.name, lines, report["reports"], files)
 
 
 def _taken(pieces: int) -> str:
     return f"{counted(pieces, 'piece')} {'takes' if pieces == 1 else 'take'}"
 
 
-def _block_lines(kit: Kit) -> list[str]:
+def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:
     """How many blocks are printed, and from which files."""
-    count = len(_printed(kit))
+    count = len(_printed(contents))
     if not count:
         return []
-    files = [file for file in kit.files if file.endswith(".stl")]
+    files = [file for file in files if file.endswith(".stl")]
     blocks = f"{counted(count, 'block')} to print"
     if not files:
         return [f"{blocks}: without STEP files they are left out."]
     return [f"{blocks}: {files[0]}{f' to {files[-1]}' if count > 1 else ''}, foot down."]
 
 
-def _told(kind: str, files: dict[str, Writer]) -> dict[str, tuple[str, Writer]]:
-    """The files, each with what it is."""
-    return {name: (kind, write) for name, write in files.items()}
-
-
-def _archives(kit: Kit) -> dict[str, tuple[str, Writer]]:
-    """What is cut or printed, each part in one drawing, and what is looked at."""
-    name, place = file_word(kit.model.name), PARTS if kit.spec.cutting.service else SHEETS
-    made = [file for file in kit.files if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
-    seen = [file for file in kit.files if not file.endswith((".dxf", ".stl"))]
-    return {
-        f"{name}-cut.zip": ("what is cut or printed", partial(_pack, made)),
-        f"{name}-look.zip": ("what is looked at", partial(_pack, seen)),
-    }
+def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]:
+    """List an archive of the files that are cut or printed, each part in one drawing, and one of all others."""
+    names = [file.name for file in files]
+    made = [file for file in names if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
+    seen = [file for file in names if not file.endswith((".dxf", ".stl"))]
+    return (
+        File(f"{name}-cut.zip", partial(_pack, made), "what is cut or printed"),
+        File(f"{name}-look.zip", partial(_pack, seen), "what is looked at"),
+    )
 
 
 def _pack(files: Sequence[str], path: Path) -> None:
@@ -372,66 +357,52 @@ def _pack(files: Sequence[str], path: Path) -> None:
             archive.writestr(entry, (path.parent / name).read_bytes(), ZIP_DEFLATED)
 
 
-def kit_report(kit: Kit) -> dict[str, Any]:
-    """All numbers of a kit, as its report file has them."""
-    return kit.report | {"files": {name: kind for name, (kind, _) in kit.files.items()}}
-
-
-def _assemblies(kit: Kit, stem: str) -> dict[str, tuple[str, Writer]]:
-    """The files that a CAD kernel writes, and how; the bodies are made once for all."""
+def _assemblies(contents: KitContents, stem: str) -> tuple[File, File]:
+    """List the files that a CAD kernel writes; the bodies are made once for both."""
     from elastica_cad.kernel.mesh_files import write_glb
     from elastica_cad.kernel.step_files import model_shapes, write_step
 
-    shapes = cache(lambda: model_shapes(kit.model, kit.holders))
-    name = kit.model.name
-    return {
-        f"{stem}.step": ("assembly for CAD programs", lambda path: write_step(shapes(), path, name=name)),
-        f"{stem}.glb": (
-            "assembly for browsers and phones",
+    shapes = cache(lambda: model_shapes(contents.model, contents.holders))
+    name = contents.model.name
+    return (
+        File(f"{stem}.step", lambda path: write_step(shapes(), path, name=name), "assembly for CAD programs"),
+        File(
+            f"{stem}.glb",
             lambda path: write_glb(shapes(), path, name=name),
+            "assembly for browsers and phones",
         ),
-    }
+    )
 
 
-def _blocks(kit: Kit) -> dict[str, tuple[str, Writer]]:
-    """Each block to print, as it stands on the printer's bed."""
-    blocks = _printed(kit)
+def _blocks(contents: KitContents) -> list[File]:
+    """List the block of each fixture, placed on the printer's bed."""
+    blocks = _printed(contents)
     stems = distinct(file_word(block.label) for block in blocks)
-    return {
-        f"{PARTS}/{stem}.stl": ("block to print", partial(_write_block, block))
+    return [
+        File(f"{PARTS}/{stem}.stl", partial(save_solid, block.solid, bed=block.ground), "block to print")
         for stem, block in zip(stems, blocks, strict=True)
-    }
+    ]
 
 
-def _printed(kit: Kit) -> list[EndFixture]:
-    return [holder for holder in kit.holders if isinstance(holder, EndFixture)]
+def _printed(contents: KitContents) -> list[EndFixture]:
+    return [holder for holder in contents.holders if isinstance(holder, EndFixture)]
 
 
-def _write_block(block: EndFixture, path: Path) -> None:
-    from elastica_cad.kernel.mesh_files import write_stl
-    from elastica_cad.kernel.occt import make_solid
-
-    write_stl(make_solid(block.solid), path, bed=block.ground)
-
-
-def _draw_assembly(kit: Kit, listed: CutList, path: Path) -> None:
+def _draw_assembly(contents: KitContents, listed: CutList, path: Path) -> None:
     from elastica_cad.plot.assembly_sheet import save_assembly_sheet
 
-    save_assembly_sheet(kit.model, path, holders=kit.holders, cut_list=listed)
+    save_assembly_sheet(contents.model, path, holders=contents.holders, cut_list=listed)
 
 
-def _draw_model(kit: Kit, path: Path) -> None:
+def _draw_model(contents: KitContents, path: Path) -> None:
     from elastica_cad.plot.canvas import save_figure
     from elastica_cad.plot.model_pictures import model
 
-    save_figure(model(kit.model, holders=kit.holders), path)
+    save_figure(model(contents.model, holders=contents.holders), path)
 
 
-def _nest_picture(nest: NestedSheet) -> Writer:
-    def draw(path: Path) -> None:
-        from elastica_cad.plot.canvas import save_figure
-        from elastica_cad.plot.strip_pictures import drawing
+def _draw_nest(nest: NestedSheet, path: Path) -> None:
+    from elastica_cad.plot.canvas import save_figure
+    from elastica_cad.plot.strip_pictures import drawing
 
-        save_figure(drawing(nest), path)
-
-    return draw
+    save_figure(drawing(nest), path)

@@ -1,0 +1,73 @@
+"""A kit: the files of a strip, a model or a part with two states, and their report."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from elastica_cad.design.kit_spec import Cutting
+from elastica_cad.errors import how_to_install
+from elastica_cad.files import save, step_trouble
+from elastica_cad.formats.write_files import File, write_files
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.strip.drawing import Drawing
+
+
+@dataclass(frozen=True, eq=False)
+class Kit:
+    """Files that are listed but not yet written, and what the report file among them holds."""
+
+    files: tuple[File, ...]
+    report: dict[str, Any]
+
+    def write(
+        self, folder: str | Path, *, force: bool = False, done: Callable[[str, int], None] | None = None
+    ) -> tuple[Path, ...]:
+        """Write all files, or none of them after any error; see `write_files`."""
+        return write_files(self.files, folder, force=force, done=done)
+
+
+def can_draw() -> bool:
+    """Return whether pictures and PDF files can be written here."""
+    return find_spec("matplotlib") is not None
+
+
+def left_out(*, step: bool = True, pictures: bool = True, paper: bool = False) -> tuple[str, ...]:
+    """Return a sentence for the files of each package that is missing, with how to install it."""
+    drawn = " and ".join(kind for asked, kind in ((paper, "PDF"), (pictures, "pictures")) if asked)
+    missing = [(drawn, "" if can_draw() else how_to_install("matplotlib"))]
+    missing += [("STEP", step_trouble())] if step else []
+    return tuple(f"not written: {kind}; to get it: {cure}" for kind, cure in missing if kind and cure)
+
+
+def cutting_files(
+    drawing: Drawing, stem: str, cutting: Cutting, sheet: Sheet, description: str = ""
+) -> tuple[File, ...]:
+    """Return the DXF and SVG file of each part of a drawing; parts after the first are numbered.
+
+    Raises
+    ------
+    InputError
+        A kerf that is not known, or a cut that a service does not take.
+    """
+    options = cutting.options(sheet)
+    return tuple(
+        File(
+            cutting.file_name(stem if number == 1 else f"{stem}-{number}", suffix),
+            partial(save, part, **options),
+            description,
+        )
+        for number, part in enumerate(cutting.drawings(drawing), start=1)
+        for suffix in ("dxf", "svg")
+    )
+
+
+def save_solid(solid: Any, path: Path, *, bed: Frame | None = None) -> None:
+    """Write a solid to an STL file; `bed` is the plane that becomes z = 0."""
+    from elastica_cad.kernel.mesh_files import write_stl
+    from elastica_cad.kernel.occt import make_solid
+
+    write_stl(make_solid(solid), path, bed=bed)
