@@ -12,7 +12,7 @@ from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
 from elastica_cad.declared import declared
-from elastica_cad.design.design_schema import told
+from elastica_cad.design.records import told
 from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.strip.strip_spec import StripSpec
 

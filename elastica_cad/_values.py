@@ -337,3 +337,11 @@ def told_apart(one: float, other: float, digits: str) -> tuple[float, float]:
     digits_of = range(usual, usual + MORE_DIGITS)
     told = [(float(f"{one:.{n}{kind}}"), float(f"{other:.{n}{kind}}")) for n in digits_of]
     return next((pair for pair in told if pair[0] != pair[1]), told[0])
+
+
+def round_numbers(value: Any) -> Any:
+    """Ten significant digits: more would be noise, and the same design must give the same file."""
+    array = np.asarray(value, dtype=float)
+    if array.ndim == 0:
+        return float(f"{float(array):.10g}")
+    return [round_numbers(row) for row in array]

@@ -9,7 +9,14 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.asked_curves import asked_curves, curve_argument, unit_option, which_options
+from elastica_cad.cli.asked_curves import (
+    END_NAMES,
+    asked_curves,
+    curve_argument,
+    read_curves_told,
+    unit_option,
+    which_options,
+)
 from elastica_cad.cli.options import (
     IDLE_DOWN,
     LENGTH,
@@ -21,7 +28,7 @@ from elastica_cad.cli.options import (
     smooth_option,
 )
 from elastica_cad.cli.settings import BentKeys, parsed_settings, set_option
-from elastica_cad.cli.strip_options import END_NAMES, read_curves_told, spec_from_options, with_settings
+from elastica_cad.cli.strip_options import spec_from_options, with_settings
 from elastica_cad.cli.voice import answer, say, warn, wrote
 from elastica_cad.design.records import Reader, fields_of
 from elastica_cad.design.strip_request import SOLVED, FinishedStrip, read_request

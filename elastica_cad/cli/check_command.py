@@ -11,9 +11,17 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.asked_curves import AskedCurve, asked_curves, curve_options, split_option, which_options
+from elastica_cad._values import round_numbers
+from elastica_cad.cli.asked_curves import (
+    AskedCurve,
+    asked_curves,
+    curve_options,
+    natural_curvature_of,
+    split_option,
+    support_options,
+    which_options,
+)
 from elastica_cad.cli.options import smooth_option
-from elastica_cad.cli.strip_options import natural_curvature_of, support_options
 from elastica_cad.cli.suggestions import (
     MOST_REFUSALS,
     changed_requests,
@@ -25,7 +33,7 @@ from elastica_cad.cli.suggestions import (
 )
 from elastica_cad.cli.voice import answer, say, voice, warn, wrote
 from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
-from elastica_cad.design.reports import report_check, round_numbers
+from elastica_cad.design.check_report import report_check
 from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.rod_spec import RodSpec

@@ -191,11 +191,12 @@ def _instead_of(problem: click.NoSuchOption) -> str:
         if known:
             return f"{typed} is {'now ' if name in RENAMED else ''}called {typed_new}"
         name = new
-    if context is not None and any(one.name == "settings" for one in context.command.params):
-        from elastica_cad.cli.settings import DEEPEST, KEYS_OF
+    records = [] if context is None else [getattr(one.type, "record", None) for one in context.command.params]
+    for record in filter(None, records):
+        from elastica_cad.cli.settings import DEEPEST
         from elastica_cad.design.records import near_path, paths_of
 
-        keys = paths_of(KEYS_OF[str(context.command.name)])
+        keys = paths_of(record)
         listed = [path for path in keys if path.count(".") <= DEEPEST]
         if path := GONE[typed] if GONE.get(typed) in keys else near_path(name, listed):
             example = GONE_VALUES.get(path, "VALUE")

@@ -1,19 +1,104 @@
 """`elastica help`: what can be asked for, key by key."""
 
+from typing import Any
+
 import click
 
-from elastica_cad.cli.settings import completed, explained, listed
+from elastica_cad.cli.settings import DEEPEST, GROUPS, CommandKeys
 from elastica_cad.cli.strip_options import typed_name
 from elastica_cad.cli.voice import answer, say
+from elastica_cad.declared import REQUIRED, Kind, Record
+from elastica_cad.design.model_tables import DesignKeys
+from elastica_cad.design.records import paths_of, require_path_of, title, told, written
+
+
+def _completed(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
+    """Keys of a strip and of a design file that begin as typed, for shells."""
+    known = {**paths_of(DesignKeys), **paths_of(CommandKeys)}
+    return [one for one in known if one.startswith(typed)]
 
 
 @click.command("help")
-@click.argument("key", required=False, shell_complete=completed)
+@click.argument("key", required=False, shell_complete=_completed)
 def help_command(key: str | None) -> None:
     """Explain KEY of a strip or a design file, such as limits.ratio; without KEY list all.
 
     A key is given by its option where `elastica strip --help` shows one, by `--set KEY=VALUE`, or in a design file.
     """
-    text = listed() if key is None else explained(key, typed_name(key))
+    text = _listed() if key is None else _explained(key, typed_name(key))
     answer({"key": key, "text": text})
     say(text)
+
+
+def _in_words(kind: Kind) -> str:
+    """What a value may be, for people.
+
+    Examples
+    --------
+    >>> _in_words(paths_of(CommandKeys)["limits.strain"].kind)
+    'true or false, or a number'
+    """
+    kind = written(kind)
+    if kind.name == "either":
+        return ", or ".join(dict.fromkeys(_in_words(one) for one in kind.of))
+    if kind.name == "choice":
+        return " or ".join(str(one) for one in kind.choices)
+    if kind.name == "table":
+        assert kind.record is not None
+        return f"table {title(kind.record)}"
+    if kind.name == "list":
+        inner, size = _in_words(kind.of[0]), "" if kind.size is None else f"{kind.size} "
+        plural = {"a number": "numbers", "true or false": "times true or false"}.get(inner, f"times {inner}")
+        return f"[{size}{plural}]" if inner in ("a number", "true or false") else f"list of {inner}"
+    plain = {"number": "a number", "count": "a whole number", "flag": "true or false", "text": "a text"}
+    return plain.get(kind.name, "names and their values")
+
+
+def _explained(path: str, option: str) -> str:
+    """Return the text of `elastica help KEY`.
+
+    Raises
+    ------
+    InputError
+        There is no such key.
+    """
+    record: Record = CommandKeys if path in paths_of(CommandKeys) else DesignKeys
+    field = require_path_of(path.removeprefix("strips."), record)
+    asked = field.asked
+    lines = [told(field.help, asked.unit), f"Value: {_in_words(field.kind)}."]
+    if asked.bounds:
+        lines.append(f"Bounds: {asked.bounds}.")
+    if isinstance(field.default, bool | int | float | str) and field.default != "":
+        lines.append(
+            f"Default: {field.default}.".lower()
+            if isinstance(field.default, bool)
+            else f"Default: {field.default}."
+        )
+    elif field.default is REQUIRED:
+        lines.append("It must be given.")
+    inner = [one.rpartition(".")[2] for one in paths_of(record) if one.rpartition(".")[0] == path]
+    if inner:
+        lines.append(f"Keys below it: {', '.join(inner)}.")
+    typed = f"{option}=VALUE" if option.startswith("--set") else option
+    here = f"elastica strip: {typed}" if record is CommandKeys else "elastica model: a design file"
+    return "\n".join([path, *(f"  {line}" for line in [*lines, here])])
+
+
+def _listed() -> str:
+    """Return the text of `elastica help`: all keys in their groups, each with its help."""
+    known = paths_of(CommandKeys)
+    lines = []
+    for group in GROUPS:
+        lines += ["", f"{group}:"]
+        lines += [
+            f"  {path:<24} {told(field.help, field.asked.unit)}"
+            for path, field in known.items()
+            if known[path.partition(".")[0]].asked.group == group and path.count(".") <= DEEPEST
+        ]
+    lines += ["", "whole models, in design files:"]
+    lines += [
+        f"  {path:<24} {told(field.help, field.asked.unit)}"
+        for path, field in paths_of(DesignKeys).items()
+        if path.partition(".")[0] not in {*known, "strips"} and path.count(".") <= DEEPEST
+    ]
+    return "\n".join(lines[1:])

@@ -1,7 +1,8 @@
 """`elastica pair`: a part, cut from a sheet, that rests in one drawn curve and in another."""
 
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, ClassVar
 
 import click
 
@@ -14,12 +15,12 @@ from elastica_cad.cli.options import (
     output_options,
     sheet_options,
 )
-from elastica_cad.cli.settings import PairKeys, parsed_settings, set_option
+from elastica_cad.cli.settings import parsed_settings, set_option
 from elastica_cad.cli.strip_options import with_settings
 from elastica_cad.cli.voice import answer, say, say_step, warn, wrote
-from elastica_cad.declared import declared
+from elastica_cad.declared import Asked, Record, declared
 from elastica_cad.defaults import KERF
-from elastica_cad.design.kit_spec import Cutting
+from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
 from elastica_cad.design.pair_table import cutting_of, read_cutting, read_pair
 from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
@@ -33,6 +34,16 @@ from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.refusals import Length, note
 
 FILE = click.Path(path_type=Path)
+
+
+@dataclass(frozen=True)
+class PairKeys:
+    """What `elastica pair` is asked for of its part."""
+
+    BESIDE: ClassVar[Record] = FlexureSpec
+    WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet")
+    cut: Annotated[Cutting, Asked("How cutting files are written.", group="files")] = DEFAULT_CUTTING
+
 
 _WISHED = [one for one in declared(FlexureSpec) if one.asked.common and one.name != "sheet"]
 (_KERF,) = (one for one in declared(Cutting) if one.name == "kerf")

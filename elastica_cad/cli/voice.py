@@ -15,7 +15,7 @@ import click
 import numpy as np
 
 from elastica_cad._text import printable
-from elastica_cad.design.reports import round_numbers
+from elastica_cad._values import round_numbers
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.formats.source_file import FileMark, mark_file, note_reads
 

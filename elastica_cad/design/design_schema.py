@@ -5,7 +5,7 @@ from typing import Any, TypeAlias
 
 from elastica_cad.declared import Field, Kind, Record
 from elastica_cad.design.model_tables import DesignKeys
-from elastica_cad.design.records import fields_of, title, word_of, written
+from elastica_cad.design.records import fields_of, title, told, word_of, written
 
 SCHEMA_FILE = "elastica.schema.json"
 """Beside a design file, which names it in its first line."""
@@ -59,11 +59,6 @@ def _keys(record: Record) -> Keys:
 @cache
 def _entry(field: Field) -> tuple[Fragment, str]:
     return fragment(written(field.kind)), told(field.help, field.asked.unit)
-
-
-def told(help: str, unit: str) -> str:
-    """Return the help of a field followed by its unit."""
-    return f"{help.rstrip('.')} ({unit})." if unit else help
 
 
 def fragment(kind: Kind) -> Fragment:

@@ -6,8 +6,8 @@ from typing import Any
 from urllib.parse import quote
 
 from elastica_cad._text import html_text
-from elastica_cad._values import require_record
-from elastica_cad.design.reports import list_versions, report_blank, report_held, round_numbers
+from elastica_cad._values import require_record, round_numbers
+from elastica_cad.design.reports import list_versions, report_blank, report_held
 from elastica_cad.design.strip_table import StripEntry
 from elastica_cad.geometry.path import largest_deviation
 from elastica_cad.model.model import Model

@@ -1,11 +1,11 @@
-"""The verdict on a curve as plain data, and numbers as all reports round them."""
+"""Reports on strips as plain data."""
 
-from dataclasses import asdict
 from typing import Any
 
 import numpy as np
 
-from elastica_cad._values import is_whole, require_record
+from elastica_cad._values import is_whole, require_record, round_numbers
+from elastica_cad.design.check_report import report_check
 from elastica_cad.design.measuring_sheet import measuring_record
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.json_curves import curve_record
@@ -14,7 +14,6 @@ from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.mechanics.stability import Stability
-from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.held_shape import HeldShape, Reactions
 from elastica_cad.strip.holding_template import (
@@ -26,28 +25,6 @@ from elastica_cad.strip.holding_template import (
 )
 from elastica_cad.strip.measuring import Measuring
 from elastica_cad.strip.strip import Strip
-
-
-def report_check(check: EquilibriumCheck) -> dict[str, Any]:
-    """Return the verdict of Theorem 1 as plain data; places in mm along the curve."""
-    require_record(check, EquilibriumCheck, "what is reported", "what check_equilibrium answers")
-    return {
-        "realizable": check.realizable,
-        "reasons": list(check.reasons),
-        "warnings": list(check.warnings),
-        "inflections": round_numbers(check.inflections),
-        "undecided": None if check.undecided is None else asdict(check.undecided),
-        "advice": str(check),
-    }
-
-
-def round_numbers(value: Any) -> Any:
-    """Ten significant digits: more would be noise, and the same design must give the same file."""
-    array = np.asarray(value, dtype=float)
-    if array.ndim == 0:
-        return float(f"{float(array):.10g}")
-    return [round_numbers(row) for row in array]
-
 
 STATIONS = 201
 """At which the curvature of a blank is listed, uniform in arc length; an even one is told at both ends."""

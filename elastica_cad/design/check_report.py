@@ -1,0 +1,20 @@
+"""The verdict on a curve as plain data."""
+
+from dataclasses import asdict
+from typing import Any
+
+from elastica_cad._values import require_record, round_numbers
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck
+
+
+def report_check(check: EquilibriumCheck) -> dict[str, Any]:
+    """Return the verdict of Theorem 1 as plain data; places in mm along the curve."""
+    require_record(check, EquilibriumCheck, "what is reported", "what check_equilibrium answers")
+    return {
+        "realizable": check.realizable,
+        "reasons": list(check.reasons),
+        "warnings": list(check.warnings),
+        "inflections": round_numbers(check.inflections),
+        "undecided": None if check.undecided is None else asdict(check.undecided),
+        "advice": str(check),
+    }
