@@ -17,8 +17,7 @@ from elastica_cad.model.frames import slotted_frame
 from elastica_cad.model.interlocking import interlock as slots_at_crossings
 from elastica_cad.model.model import mirror, repeat, rotate
 from elastica_cad.model.nesting import Nesting
-from elastica_cad.model.plate_pairs import end_plates
-from elastica_cad.model.plates import base_plate
+from elastica_cad.model.plates import PlateOptions, RingOptions
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.strip.outline import StripEnd
 
@@ -70,7 +69,7 @@ class _Plates(Stand):
 class Base(_Plates):
     """A plate with a slot for every tab."""
 
-    BESIDE: ClassVar[Record] = base_plate
+    BESIDE: ClassVar[Record] = PlateOptions
     height: Annotated[float, Asked("Height of its upper face.", "mm")] = 0.0
     gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None
 
@@ -79,7 +78,9 @@ class Base(_Plates):
 class Rings(_Plates):
     """A plate for each end."""
 
-    BESIDE: ClassVar[Record] = end_plates
+    BESIDE: ClassVar[Record] = RingOptions
+    WITHOUT: ClassVar[tuple[str, ...]] = ("slot_width",)
+    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None
 
 
 @dataclass(frozen=True, kw_only=True)

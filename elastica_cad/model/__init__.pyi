@@ -29,8 +29,10 @@ from elastica_cad.model.plate_pairs import plate_pair as plate_pair, ring_pair a
 from elastica_cad.model.plates import (
     base_plate as base_plate,
     BasePlate as BasePlate,
+    PlateOptions as PlateOptions,
     Ring as Ring,
     ring_plate as ring_plate,
+    RingOptions as RingOptions,
 )
 from elastica_cad.model.revolution_model import (
     revolution as revolution,

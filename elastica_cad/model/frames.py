@@ -2,8 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 
@@ -19,7 +18,7 @@ from elastica_cad.geometry.path_intersections import self_crossing
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import tabs_to_hold
 from elastica_cad.model.plate_pairs import lean_pair, tab_plane, through_slots
-from elastica_cad.model.plates import BasePlate, TabSlot, plate_with
+from elastica_cad.model.plates import BasePlate, Border, Clearance, PlateOptions, Play, TabSlot, plate_with
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.drawing import CUT_OUTER, SAME_MM, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, centred_text
@@ -82,7 +81,7 @@ class Rib:
     label: Text
     warnings: tuple[str, ...] = ()
 
-    def checked(self, shop: FabricationLimits | None = None, *, ignore_limits: bool = False) -> "Rib":
+    def checked(self, options: PlateOptions) -> "Rib":
         """The rib with what is to be said of it; one that cannot be cut is refused without `ignore_limits`.
 
         Raises
@@ -90,8 +89,8 @@ class Rib:
         InputError
             Necks, or a rib larger than the stock.
         """
-        faults = find_plate_faults(self.name, self.sheet, self.outline, (), shop)
-        return replace(self, warnings=accept_faults(faults, ignore_limits))
+        faults = find_plate_faults(self.name, self.sheet, self.outline, (), options.shop)
+        return replace(self, warnings=accept_faults(faults, options.ignore_limits))
 
     @property
     def solid(self) -> FlatSolid:
@@ -121,15 +120,19 @@ class SlottedFrame:
     ribs: tuple[Rib, ...]
 
     @property
+    def parts(self) -> tuple[BasePlate | Rib, ...]:
+        """Rails and ribs."""
+        return (*self.rails, *self.ribs)
+
+    @property
     def pieces(self) -> tuple[Piece, ...]:
         """Pieces to be cut."""
-        return (*(rail.piece for rail in self.rails), *(rib.piece for rib in self.ribs))
+        return tuple(part.piece for part in self.parts)
 
-    @cached_property
+    @property
     def solids(self) -> tuple[tuple[str, FlatSolid], ...]:
         """Names and bodies in space."""
-        plates = tuple((rail.name, rail.solid) for rail in self.rails)
-        return (*plates, *((rib.name, rib.solid) for rib in self.ribs))
+        return tuple((part.name, part.solid) for part in self.parts)
 
 
 @refusing_old_names
@@ -140,11 +143,9 @@ def slotted_frame(
     ribs: Annotated[int, Asked("Ribs between the rails.", least=2, most=MOST_RIBS)] = 3,
     depth: Annotated[float, Asked("Depth of the ribs.", "mm", least=1, most=1000)] = 20.0,
     tongue: Annotated[float, Asked("Length of the tongues.", "mm", least=1, most=1000)] = 12.0,
-    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)] = PLAY,
-    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0, most=1000)] = CLEARANCE,
-    border: Annotated[
-        float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)
-    ] = BORDER,
+    play: Play = PLAY,
+    clearance: Clearance = CLEARANCE,
+    border: Border = BORDER,
     gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None,
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
@@ -202,10 +203,9 @@ def slotted_frame(
             tongue=tongue,
             step=Mm(2 * step),
         )
-    rails = [_RailPlan.of(placed, end, sheet, play=play, clearance=clearance) for end in ENDS]
-    outer = [] if gap is None else [
-        _RailPlan.of(placed, end, sheet, play=play, clearance=clearance, behind=behind) for end in ENDS
-    ]  # fmt: skip
+    options = PlateOptions(play, clearance, border=border, shop=shop, ignore_limits=ignore_limits)
+    rails = [_RailPlan.of(placed, end, sheet, options) for end in ENDS]
+    outer = [] if gap is None else [_RailPlan.of(placed, end, sheet, options, behind) for end in ENDS]
     across = _across(rails)
     room = max(SLOT_ROOM_MM, limits_or_default(shop).bridge_for(sheet))
     stations = _stations([*rails, *outer], across, ribs, sheet.thickness + 2 * (room + clearance))
@@ -214,18 +214,17 @@ def slotted_frame(
         for n, station in enumerate(stations, start=1)
     ]
     plates: list[BasePlate] = []
-    gate: dict[str, Any] = {"shop": shop, "ignore_limits": ignore_limits}
     for group, narrower in ((rails, step), (outer, 0.0)):
         size = (tongue - 2 * narrower + 2 * play, sheet.thickness + clearance)
         for k, rail in enumerate(group):
             slots = [rail.tongue_slot(plan.name, plan.seats[k], size, sheet.thickness) for plan in plans]
             held = [*rail.slots, *slots]
-            plates.append(plate_with(held, sheet, rail.frame, border=border, name=rail.name, **gate))
+            plates.append(plate_with(held, sheet, rail.frame, replace(options, name=rail.name), BasePlate))
     if gap is not None:
         pairs = [lean_pair(placed, (plates[k], plates[k + 2])) for k in (0, 1)]
         plates = [pair[k] for k in (0, 1) for pair in pairs]
     made = (plan.rib(sheet, tongue, depth, behind=behind, step=step) for plan in plans)
-    return SlottedFrame(tuple(plates), tuple(rib.checked(shop, ignore_limits=ignore_limits) for rib in made))
+    return SlottedFrame(tuple(plates), tuple(rib.checked(options) for rib in made))
 
 
 @dataclass
@@ -242,17 +241,14 @@ class _RailPlan:
         placed: Sequence[Placed],
         end: StripEnd,
         sheet: Sheet,
-        *,
-        play: float,
-        clearance: float,
+        options: PlateOptions,
         behind: float = 0.0,
     ) -> "_RailPlan":
         """The plane that the tabs of one end go through, or one so far behind it, with their slots."""
         name = f"rail-{end}{'-outer' if behind else ''}"
         tabs = tabs_to_hold(placed, [end])
         frame = tab_plane(tabs, name).shifted(z=-behind)
-        slots = through_slots(tabs, frame, sheet, play=play, clearance=clearance, name=name)
-        return cls(name, frame, slots)
+        return cls(name, frame, through_slots(tabs, frame, sheet, replace(options, name=name)))
 
     def seat(self, station: float, across: FloatArray) -> "_Seat":
         """Place where a rib across direction `across` (3,) meets the upper face, in the middle of the rail."""

@@ -1,6 +1,6 @@
 """Models: strips in space and their copies, what holds them and what is cut."""
 
-from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Annotated, Any, TypeAlias
@@ -20,7 +20,7 @@ from elastica_cad.model.held_tabs import held_shapes
 from elastica_cad.model.interlocking import Joint, interlock
 from elastica_cad.model.nesting import CutList, NestedSheet, cut_list, nest_pieces
 from elastica_cad.model.plate_pairs import end_plates, facing_plates
-from elastica_cad.model.plates import BasePlate, Ring, base_plate
+from elastica_cad.model.plates import BasePlate, Ring, RingOptions, base_plate
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.makeable_strip import compensate_widths
@@ -141,17 +141,15 @@ def stand(
     stands on one plate
     """
     sheet = Sheet.of(sheet)
-    gate: dict[str, Any] = {"shop": shop, "ignore_limits": ignore_limits}
+    options = RingOptions(name=name or "ring", shop=shop, ignore_limits=ignore_limits)
+    one_plate = replace(options, name=name or "base")
     ways: tuple[tuple[str, Callable[[], tuple[BasePlate | Rib, ...]]], ...] = (
+        ("stands on one plate", partial(end_plates, placed, sheet, together=True, **vars(one_plate))),
+        ("held by two plates", partial(_plates_apart, placed, sheet, options)),
         (
-            "stands on one plate",
-            partial(end_plates, placed, sheet, together=True, name=name or "base", **gate),
+            "held by a slotted frame",
+            lambda: slotted_frame(placed, sheet, shop=shop, ignore_limits=ignore_limits).parts,
         ),
-        (
-            "held by two plates",
-            partial(_plates_apart, placed, sheet, gate | ({"name": name} if name else {})),
-        ),
-        ("held by a slotted frame", partial(_frame, placed, sheet, gate)),
     )
     problem = ""
     for sentence, make in ways:
@@ -173,9 +171,9 @@ def stand(
     )
 
 
-def _plates_apart(placed: Sequence[Placed], sheet: Sheet, gate: Mapping[str, Any]) -> tuple[BasePlate, ...]:
+def _plates_apart(placed: Sequence[Placed], sheet: Sheet, options: RingOptions) -> tuple[BasePlate, ...]:
     """Two plates, where strips stand around and so hold them apart."""
-    plates = facing_plates(placed, sheet, **gate)
+    plates = facing_plates(placed, sheet, options)
     for plate in plates:
         centers = np.array([slot.corners.mean(axis=0) for slot in plate.slots])
         # one only, of a single slot
@@ -183,11 +181,6 @@ def _plates_apart(placed: Sequence[Placed], sheet: Sheet, gate: Mapping[str, Any
         if len(plate.slots) < 3 or spreads[1] < LEAST_SPREAD * spreads[0]:
             raise InputError("{name}: the slots lie in a row, so that the plate would tip", name=plate.name)
     return plates
-
-
-def _frame(placed: Sequence[Placed], sheet: Sheet, gate: Mapping[str, Any]) -> tuple[BasePlate | Rib, ...]:
-    made = slotted_frame(placed, sheet, **gate)
-    return (*made.rails, *made.ribs)
 
 
 Triple: TypeAlias = tuple[float, float, float]
@@ -372,8 +365,7 @@ class Model:
         return end_fixtures(self.placed, floor=floor, **sizes)
 
     def base_plate(self, sheet: Sheet | str, **options: Any) -> BasePlate:
-        """One slotted plate for all tabs that stand on it; options: see `model.base_plate`."""
-        refuse_options_unlike(options, base_plate, "a base plate")
+        """One slotted plate for all tabs that stand on it; options: frame, and the fields of `PlateOptions`."""
         return base_plate(self.placed, sheet, **options)
 
     def slotted_frame(self, sheet: Sheet | str, **options: Any) -> SlottedFrame:

@@ -1,16 +1,14 @@
 """Plates that follow tabs wherever these are, alone or in pairs that hold inclined tabs at their angle."""
 
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import replace
-from typing import Annotated, Any, TypeVar
+from typing import Any
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_positive
-from elastica_cad.declared import Asked
-from elastica_cad.defaults import BASE_BORDER, BASE_PLAY, BORDER, CLEARANCE, PLAY
-from elastica_cad.errors import InputError, refuse_options_unlike, refusing_old_names
+from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import Key, PlacedTab, tabs_to_hold
@@ -19,30 +17,28 @@ from elastica_cad.model.plates import (
     FLATTEST_RAD,
     GAP_MM,
     BasePlate,
+    Plate,
+    PlateOptions,
     Ring,
-    Shape,
+    RingOptions,
     TabSlot,
     base_plate,
     needed_length,
     plate_with,
-    ring_around,
     ring_plate,
     tab_slot,
 )
 from elastica_cad.refusals import Length
-from elastica_cad.strip.outline import ENDS, StripEnd
+from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.pieces import cut_key
 from elastica_cad.strip.strip import Placed
 from elastica_cad.strip.tab_seats import Lean, TabSeat, lean_against
-from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
 LEAN_ROUNDS = 6
 """Largest number of rounds of moving slots; three are usually enough."""
 
 LEANED_MM = 0.03
 """Rounds end when they move slots by less than this, mm; each leaves a tenth of what it moved."""
-
-Plate = TypeVar("Plate", bound=BasePlate)
 
 
 def plate_pair(
@@ -83,16 +79,9 @@ def plate_pair(
     """
     sheet = Sheet.of(sheet)
     require_positive(gap, "the gap between two plates")
-    refuse_options_unlike(options, base_plate, "a pair of plates")
-    upper = base_plate(placed, sheet, frame=frame, **options)
-
-    def lower(slots: Sequence[TabSlot], ground: Frame) -> BasePlate:
-        kept = {key: options[key] for key in ("shape", "shop", "ignore_limits") if key in options}
-        border = options.get("border", BASE_BORDER)
-        return plate_with(slots, sheet, ground, border=border, name=f"{upper.name}-lower", **kept)
-
-    room = {"play": options.get("play", BASE_PLAY), "clearance": options.get("clearance", CLEARANCE)}
-    return _add_second(placed, upper, lower, gap=gap, least=options.get("slot_width") or 0.0, **room)
+    asked = PlateOptions.of(options, "a pair of plates")
+    upper = base_plate(placed, sheet, frame=frame, **vars(asked))
+    return _add_second(placed, upper, replace(asked, name=f"{upper.name}-lower"), gap)
 
 
 def ring_pair(
@@ -101,7 +90,7 @@ def ring_pair(
     sheet: Sheet,
     *,
     gap: float = GAP_MM,
-    name: str = "ring",
+    middle: float = np.inf,
     **options: Any,
 ) -> tuple[Ring, ...]:
     """Two rings about the z axis, one behind the other, that hold one end of all strips at its angle.
@@ -118,10 +107,8 @@ def ring_pair(
         Of both rings.
     gap : float
         Between the rings, mm.
-    name : str
-        The second is called NAME-outer.
     **options
-        All others of `ring_plate`.
+        All others of `ring_plate`; the second ring is called NAME-outer.
 
     Raises
     ------
@@ -129,37 +116,17 @@ def ring_pair(
         A tab too short for the second ring, with the length it needs; and as `ring_plate`.
     """
     require_positive(gap, "the gap between two plates")
-    refuse_options_unlike(options, ring_plate, "a pair of rings")
-    first = ring_plate(tabs, sheet, name=name, **options)
+    asked = RingOptions.of(options, "a pair of rings", ("shape", "ends"))
+    first = ring_plate(tabs, sheet, middle=middle, **options)
     if first.seats:
         return (first,)
-
-    def outer(slots: Sequence[TabSlot], ground: Frame) -> Ring:
-        kept = {key: options[key] for key in ("border", "shop", "ignore_limits") if key in options}
-        return ring_around(slots, sheet, ground, name=f"{name}-outer", **kept)
-
-    room = {key: options[key] for key in ("play", "clearance") if key in options}
-    return _add_second(placed, first, outer, gap=gap, **room)
+    return _add_second(placed, first, replace(asked, name=f"{first.name}-outer"), gap)
 
 
 def _add_second(
-    placed: Sequence[Placed],
-    first: Plate,
-    second: Callable[[Sequence[TabSlot], Frame], Plate],
-    *,
-    gap: float,
-    play: float = PLAY,
-    clearance: float = CLEARANCE,
-    least: float = 0.0,
+    placed: Sequence[Placed], first: Plate, options: PlateOptions, gap: float
 ) -> tuple[Plate, Plate]:
-    """A plate and another behind it, `gap` mm further along the tabs, both leaned against their loads.
-
-    Parameters
-    ----------
-    second : callable
-        Makes the other plate of its slots and its upper face.
-    play, clearance, least : float
-        As in `tab_slot`.
+    """A plate and another of its kind behind it, `gap` mm further along the tabs, both leaned against their loads.
 
     Raises
     ------
@@ -178,11 +145,9 @@ def _add_second(
             name_2=short[0].name,
             needed=Length(needed),
         )
-    slots = [
-        tab_slot(tab, ground, sheet.thickness, play=play, clearance=clearance, least=least, name=first.name)
-        for tab in tabs
-    ]
-    return lean_pair(placed, (first, second(slots, ground)))
+    named = replace(options, name=first.name)
+    slots = [tab_slot(tab, ground, sheet.thickness, named) for tab in tabs]
+    return lean_pair(placed, (first, plate_with(slots, sheet, ground, options, type(first))))
 
 
 def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Plate, Plate]:
@@ -245,23 +210,13 @@ LEVEL_GAIN_MM = 0.5
 """Gain in level, mm, from which on a plate is tilted against the mean direction of the tabs."""
 
 
-@refusing_old_names
 def end_plates(
     placed: Sequence[Placed],
     sheet: Sheet | str,
     *,
-    ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS,
     together: bool = False,
-    border: Annotated[
-        float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)
-    ] = BORDER,
-    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)] = PLAY,
-    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0, most=1000)] = CLEARANCE,
-    shape: Annotated[Shape, Asked("Outline of the plate.")] = "ring",
-    name: Annotated[str, Asked("Name of its files.")] = "ring",
-    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None,
-    shop: FabricationLimits | None = None,
-    ignore_limits: bool = False,
+    gap: float | None = None,
+    **options: Any,
 ) -> tuple[BasePlate, ...]:
     """A plate for the tabs of each end of any strips, in the plane that suits these tabs.
 
@@ -270,24 +225,15 @@ def end_plates(
     placed : sequence of Placed
     sheet : Sheet or its name
         Of the plates.
-    ends : sequence of "start" and "end"
     together : bool
         One plate for the tabs of all these ends, instead of one for each.
-    border : float
-        Least distance of slots from the edges, mm.
-    play, clearance : float
-        Room beside tabs on either side, and added to the width of slots, mm.
-    shape : "ring", "hull" or "rectangle"
-        "ring" is round with a round opening, where the slots stand about one; else the hull of the slots.
-    name : str
-        The plates are called NAME-start and NAME-end, or NAME where there is one.
     gap : float, optional
         Two plates instead of each, so far apart, mm, that hold inclined tabs at their angle; the second is called
         NAME-start-outer and so on.
-    shop : FabricationLimits, optional
-        What the workshop can make.
-    ignore_limits : bool
-        Make plates that the workshop cannot, and say so in their warnings.
+    **options
+        Fields of `RingOptions`. The plates are called NAME-start and NAME-end, or NAME where there is one. The
+        shape "ring" is round with a round opening, where the slots are arranged about one; else it is the hull of
+        the slots.
 
     Raises
     ------
@@ -306,39 +252,20 @@ def end_plates(
     >>> [(plate.name, plate.opening is not None) for plate in end_plates(lamp, Sheet.named("mdf-3"))]
     [('ring-start', True), ('ring-end', True)]
     """
-    sheet = Sheet.of(sheet)
-    groups = [tuple(ends)] if together or len(ends) == 1 else [(end,) for end in ends]
-    names = [name] if len(groups) == 1 else [f"{name}-{end}" for (end,) in groups]
-    sizes: dict[str, Any] = {"border": border, "play": play, "clearance": clearance, "shape": shape}
-    sizes |= {"shop": shop, "ignore_limits": ignore_limits}
+    sheet, asked = Sheet.of(sheet), RingOptions.of(options, "end plates")
+    groups = [tuple(asked.ends)] if together or len(asked.ends) == 1 else [(end,) for end in asked.ends]
+    names = [asked.name] if len(groups) == 1 else [f"{asked.name}-{end}" for (end,) in groups]
+    if gap is not None:
+        require_positive(gap, "the gap between two plates")
     found: list[BasePlate] = []
-    for group, called in zip(groups, names, strict=True):
-        plate = _plate(tabs_to_hold(placed, group), sheet, called, **sizes)
-        found += [plate] if gap is None else _pair_plate(placed, plate, gap=gap, **sizes)
+    for group, name in zip(groups, names, strict=True):
+        plate = _plate(tabs_to_hold(placed, group), sheet, replace(asked, name=name))
+        outer = replace(asked, name=f"{name}-outer")
+        found += [plate] if gap is None else _add_second(placed, plate, outer, gap)
     return tuple(found)
 
 
-def _pair_plate(
-    placed: Sequence[Placed],
-    plate: BasePlate,
-    *,
-    gap: float,
-    play: float = PLAY,
-    clearance: float = CLEARANCE,
-    **rest: Any,
-) -> tuple[BasePlate, BasePlate]:
-    """A plate and another behind it, so that inclined tabs keep their angle; the rest as for `plate_with`."""
-    require_positive(gap, "the gap between two plates")
-
-    def outer(slots: Sequence[TabSlot], ground: Frame) -> BasePlate:
-        return plate_with(slots, plate.sheet, ground, name=f"{plate.name}-outer", **rest)
-
-    return _add_second(placed, plate, outer, gap=gap, play=play, clearance=clearance)
-
-
-def facing_plates(
-    placed: Sequence[Placed], sheet: Sheet | str, *, name: str = "ring", **options: Any
-) -> tuple[BasePlate, ...]:
+def facing_plates(placed: Sequence[Placed], sheet: Sheet, options: PlateOptions) -> tuple[BasePlate, ...]:
     """Two plates: one for all tabs that go out one way, one for those that go out the other, the lower first.
 
     Raises
@@ -346,35 +273,23 @@ def facing_plates(
     InputError
         As `end_plates`.
     """
-    sheet = Sheet.of(sheet)
     tabs = tabs_to_hold(placed)
     outs = np.array([tab.frame.x_axis for tab in tabs])
     _, _, axes = np.linalg.svd(outs)
     way = outs @ axes[0] > 0
     sides = [[tab for tab, one in zip(tabs, way, strict=True) if one == side] for side in (False, True)]
     found = sorted((side for side in sides if side), key=lambda side: min(tab.tip[2] for tab in side))
-    names = [f"{name}-low", f"{name}-high"]
-    return tuple(_plate(side, sheet, called, **options) for side, called in zip(found, names, strict=False))
+    called = (replace(options, name=f"{options.name}-{side}") for side in ("low", "high"))
+    return tuple(_plate(side, sheet, own) for side, own in zip(found, called, strict=False))
 
 
-def _plate(
-    tabs: Sequence[PlacedTab],
-    sheet: Sheet,
-    name: str,
-    *,
-    border: float = BORDER,
-    play: float = PLAY,
-    clearance: float = CLEARANCE,
-    shape: Shape = "ring",
-    **gate: Any,
-) -> BasePlate:
-    frame = tab_plane(tabs, name)
-    slots = through_slots(tabs, frame, sheet, play=play, clearance=clearance, name=name)
-    return plate_with(slots, sheet, frame, border=border, shape=shape, name=name, **gate)
+def _plate(tabs: Sequence[PlacedTab], sheet: Sheet, options: PlateOptions) -> BasePlate:
+    frame = tab_plane(tabs, options.name)
+    return plate_with(through_slots(tabs, frame, sheet, options), sheet, frame, options, BasePlate)
 
 
 def through_slots(
-    tabs: Sequence[PlacedTab], frame: Frame, sheet: Sheet, *, play: float, clearance: float, name: str
+    tabs: Sequence[PlacedTab], frame: Frame, sheet: Sheet, options: PlateOptions
 ) -> list[TabSlot]:
     """A slot for every tab; one that does not reach half way through the plate is refused."""
     for tab in tabs:
@@ -383,11 +298,11 @@ def through_slots(
             raise InputError(
                 "{name}: the tab of {name_2} ends {tip:.4g} in front of the plate or within it: give "
                 "that strip a longer tab, or bring the ends of the strips into a plane",
-                name=name,
+                name=options.name,
                 name_2=tab.name,
                 tip=Length(max(tip, 0.0)),
             )
-    return [tab_slot(tab, frame, sheet.thickness, play=play, clearance=clearance, name=name) for tab in tabs]
+    return [tab_slot(tab, frame, sheet.thickness, options) for tab in tabs]
 
 
 def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:

@@ -1,9 +1,9 @@
 """Slotted plates that hold tabs: base plates, rings and caps."""
 
-from collections.abc import Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal, Self, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import several
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.defaults import BASE_BORDER, BASE_PLAY, BORDER, CLEARANCE, PLAY
-from elastica_cad.errors import InputError, refusing_old_names
+from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path
@@ -47,6 +47,59 @@ BELOW_MM = 1e-6
 """A tab goes through a plate if it ends farther below its face than this, mm."""
 
 Shape = Literal["hull", "rectangle", "ring"]
+
+Play: TypeAlias = Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)]
+Clearance: TypeAlias = Annotated[float, Asked("Added to the width of slots.", "mm", least=0, most=1000)]
+Border: TypeAlias = Annotated[
+    float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)
+]
+Outline: TypeAlias = Annotated[Shape, Asked("Outline of the plate.")]
+Name: TypeAlias = Annotated[str, Asked("Name of its files.")]
+
+
+@dataclass(frozen=True)
+class PlateOptions:
+    """Options of a plate that holds tabs.
+
+    `shape` is the outline around all slots; "ring" is round, with an opening where that would leave some of the
+    plate. `shop` is the workshop's limits: bridges between slots, the largest sheet. With `ignore_limits` a plate
+    beyond these limits is made, with warnings.
+    """
+
+    play: Play = BASE_PLAY
+    clearance: Clearance = CLEARANCE
+    slot_width: Annotated[float | None, Asked("Least width of slots.", "mm", least=0, most=1000)] = None
+    border: Border = BASE_BORDER
+    shape: Outline = "hull"
+    ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS
+    name: Name = "base"
+    shop: FabricationLimits | None = None
+    ignore_limits: bool = False
+
+    def __post_init__(self) -> None:
+        require_declared(PlateOptions, vars(self), f"{self.name}:")
+
+    @classmethod
+    def of(cls, options: Mapping[str, Any], what: str, without: Container[str] = ()) -> Self:
+        """Return the record of options by name, and refuse names that `what` does not have.
+
+        Examples
+        --------
+        >>> PlateOptions.of({"play": 0.2}, "a base plate").border
+        12.0
+        """
+        refuse_unknown(options, [name for name in cls.__dataclass_fields__ if name not in without], what)
+        return cls(**options)
+
+
+@dataclass(frozen=True)
+class RingOptions(PlateOptions):
+    """Options of a ring, and of plates in the plane that suits their tabs."""
+
+    play: Play = PLAY
+    border: Border = BORDER
+    shape: Outline = "ring"
+    name: Name = "ring"
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,7 +170,7 @@ class BasePlate:
         """All loops that are cut out."""
         return (*(slot.path for slot in self.slots), *(() if self.opening is None else (self.opening,)))
 
-    def checked(self, shop: FabricationLimits | None = None, *, ignore_limits: bool = False) -> Self:
+    def checked(self, options: PlateOptions) -> Self:
         """The plate with what is to be said of it; one that cannot be cut is refused without `ignore_limits`.
 
         Raises
@@ -129,9 +182,9 @@ class BasePlate:
         called = [note("the slot of {name}", name=slot.name) for slot in self.slots]
         faults = (
             *find_slot_faults(self.name, [(slot.name, slot.size[1], slot.through) for slot in self.slots]),
-            *find_plate_faults(self.name, self.sheet, self.outline, self._inner, shop, called),
+            *find_plate_faults(self.name, self.sheet, self.outline, self._inner, options.shop, called),
         )
-        return replace(self, warnings=accept_faults(faults, ignore_limits))
+        return replace(self, warnings=accept_faults(faults, options.ignore_limits))
 
     @property
     def solid(self) -> FlatSolid:
@@ -179,23 +232,8 @@ class BasePlate:
         return Text((float(start[0]), float(start[1])), name, height, angle, ENGRAVE)
 
 
-@refusing_old_names
 def base_plate(
-    placed: Sequence[Placed],
-    sheet: Sheet | str,
-    *,
-    frame: Frame | None = None,
-    play: Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)] = BASE_PLAY,
-    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0, most=1000)] = CLEARANCE,
-    slot_width: Annotated[float | None, Asked("Least width of slots.", "mm", least=0, most=1000)] = None,
-    border: Annotated[
-        float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)
-    ] = BASE_BORDER,
-    shape: Annotated[Shape, Asked("Outline of the plate.")] = "hull",
-    ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS,
-    name: Annotated[str, Asked("Name of its files.")] = "base",
-    shop: FabricationLimits | None = None,
-    ignore_limits: bool = False,
+    placed: Sequence[Placed], sheet: Sheet | str, *, frame: Frame | None = None, **options: Any
 ) -> BasePlate:
     """One plate with a slot for every tab that stands on it.
 
@@ -210,23 +248,8 @@ def base_plate(
         Of the plate.
     frame : Frame, optional
         The plate's upper face, z up; the plane z = 0 unless given.
-    play : float
-        Room beside the tab on either side, mm.
-    clearance : float
-        Added to the width of slots, mm.
-    slot_width : float, optional
-        Least width of slots, mm.
-    border : float
-        Least distance of slots from the edge, mm.
-    shape : "hull", "rectangle" or "ring"
-        The outline around all slots; "ring" is round, with an opening where that would leave some.
-    ends : sequence of "start" and "end"
-        Which tabs may stand on it.
-    name : str
-    shop : FabricationLimits, optional
-        What the workshop can make: bridges between slots, the largest sheet.
-    ignore_limits : bool
-        Make a plate that the workshop cannot, and say so in its warnings.
+    **options
+        Fields of `PlateOptions`: play, clearance, slot_width, border, shape, ends, name, shop, ignore_limits.
 
     Raises
     ------
@@ -234,10 +257,9 @@ def base_plate(
         No tab goes through the plate, one lies too flat, two slots meet, slots far wider than their tabs, bridges
         too thin to cut, a leaning strip wider than its tab that runs into the plate; the parts are named.
     """
-    require_declared(base_plate, locals(), f"{name}:")
-    sheet = Sheet.of(sheet)
+    asked = PlateOptions.of(options, "a base plate")
+    name, ends, sheet = asked.name, asked.ends, Sheet.of(sheet)
     placed, ground = require_placed(placed), frame_or_plain(frame)
-    slot_width = 0.0 if slot_width is None else slot_width
     require_ends(ends)
     widths = [one.strip.end_widths[ENDS.index(end)] for one in placed for end in ends]
     tabs = tabs_to_hold(placed, ends)
@@ -254,18 +276,14 @@ def base_plate(
             heights=min(heights),
             heights_2=Mm(max(heights)),
         )
-    slots = tuple(
-        tab_slot(tab, ground, sheet.thickness, play=play, clearance=clearance, least=slot_width, name=name)
-        for tab, _ in standing
-    )
+    slots = [tab_slot(tab, ground, sheet.thickness, asked) for tab, _ in standing]
     deep = [
         (tab.name, _shoulder_depth(tab, wide, ground), tab.thickness)
         for tab, wide in standing
-        if wide > tab.width + 2 * play
+        if wide > tab.width + 2 * asked.play
     ]
-    told = accept_faults(find_shoulder_faults(name, deep), ignore_limits)
-    gate: dict[str, Any] = {"shop": shop, "ignore_limits": ignore_limits}
-    plate = plate_with(slots, sheet, ground, border=border, shape=shape, name=name, **gate)
+    told = accept_faults(find_shoulder_faults(name, deep), asked.ignore_limits)
+    plate = plate_with(slots, sheet, ground, asked, BasePlate)
     return replace(plate, warnings=(*told, *plate.warnings)) if told else plate
 
 
@@ -279,24 +297,27 @@ def plate_with(
     slots: Sequence[TabSlot],
     sheet: Sheet,
     frame: Frame,
-    *,
-    border: float,
-    shape: Shape = "hull",
-    name: str = "base",
-    shop: FabricationLimits | None = None,
-    ignore_limits: bool = False,
-) -> BasePlate:
-    """The plate around slots; refused where two meet, and without `ignore_limits` where it cannot be made."""
-    points, opening = np.concatenate([slot.corners for slot in slots]), None
-    outline = _outline(points, border, "hull" if shape == "ring" else shape)
-    if shape == "ring":
-        center = np.mean([slot.corners.mean(axis=0) for slot in slots], axis=0)
-        inner, outer = around([slot.corners for slot in slots], center, border)
-        if inner > LEAST_OPENING_SHARE * outer:
-            outline, opening = Path.circle(center, outer), Path.circle(center, inner)
-    return BasePlate(sheet, frame, outline, tuple(slots), name, opening=opening).checked(
-        shop, ignore_limits=ignore_limits
-    )
+    options: PlateOptions,
+    kind: "type[Plate]",
+) -> "Plate":
+    """The plate around slots, or the ring about the axis of its frame; refused where two slots meet, and without
+    `ignore_limits` where it cannot be made.
+    """
+    loops = [slot.corners for slot in slots]
+    outline, opening = _outline(np.concatenate(loops), options.border, options.shape), None
+    if kind is Ring:
+        outline, opening = _round(loops, np.zeros(2), options.border)
+    elif options.shape == "ring":
+        rim, hole = _round(loops, np.mean([loop.mean(axis=0) for loop in loops], axis=0), options.border)
+        outline, opening = (outline, None) if hole is None else (rim, hole)
+    return kind(sheet, frame, outline, tuple(slots), options.name, opening=opening).checked(options)
+
+
+def _round(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[Path, Path | None]:
+    """A rim and an opening about loops (4, 2) with a border, mm; no opening where it would be too small."""
+    inner, outer = around(loops, center, border)
+    opening = Path.circle(center, inner) if inner > LEAST_OPENING_SHARE * outer else None
+    return Path.circle(center, outer), opening
 
 
 def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[float, float]:
@@ -312,23 +333,14 @@ def _stands_in(tab: PlacedTab, ground: Frame) -> bool:
     return bool(start > -tab.thickness and tip < -BELOW_MM)
 
 
-def tab_slot(
-    tab: PlacedTab,
-    ground: Frame,
-    thickness: float,
-    *,
-    play: float,
-    clearance: float,
-    least: float = 0.0,
-    name: str = "base",
-) -> TabSlot:
+def tab_slot(tab: PlacedTab, ground: Frame, thickness: float, options: PlateOptions) -> TabSlot:
     """The rectangle that lets the tab through both faces."""
     down = -float(tab.frame.x_axis @ ground.z_axis)
     if down < np.sin(FLATTEST_RAD):
         raise InputError(
             "{name}: the tab of {name_2} leans to {given:.3g} degrees from the plate: at "
             "{flattest_rad:.0f} degrees or less a slot cannot hold it; use a fixture there",
-            name=name,
+            name=options.name,
             name_2=tab.name,
             given=np.degrees(np.arcsin(max(0.0, down))),
             flattest_rad=np.degrees(FLATTEST_RAD),
@@ -342,8 +354,8 @@ def tab_slot(
     v = np.array([-u[1], u[0]])
     p = points @ np.array([u, v]).T
     low, high = p.min(axis=0), p.max(axis=0)
-    rest = max(clearance, least - (high[1] - low[1]))
-    room = np.array([play, rest / 2])
+    rest = max(options.clearance, (options.slot_width or 0.0) - (high[1] - low[1]))
+    room = np.array([options.play, rest / 2])
     low, high = low - room, high + room
     box = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
     return TabSlot(box @ np.array([u, v]), tab.name, tab.thickness, tab)
@@ -434,16 +446,6 @@ class Ring(BasePlate):
     holes: tuple[Path, ...] = ()
     seated: tuple[str, ...] = ()
 
-    @classmethod
-    def _around(
-        cls, loops: Sequence[FloatArray], border: float, sheet: Sheet, frame: Frame, name: str, **more: Any
-    ) -> Self:
-        """The ring that has loops (4, 2), slots or seats, with so much material about them, mm; without an opening
-        where that would be too small."""
-        inner, outer = around(loops, np.zeros(2), border)
-        opening = Path.circle((0.0, 0.0), inner) if inner > LEAST_OPENING_SHARE * outer else None
-        return cls(sheet, frame, Path.circle((0.0, 0.0), outer), name=name, opening=opening, **more)
-
     @property
     def radii(self) -> tuple[float, float]:
         """Of the opening, 0 of a cap, and of the rim, mm."""
@@ -467,6 +469,9 @@ class Ring(BasePlate):
         loops = [slot.corners for slot in self.slots] + [seat.points(0.1) for seat in self.seats]
         inner = max(float(np.hypot(*loop.T).max()) for loop in loops) + CLEAR_MM
         return _rim_text(self.name, inner, self.radii[1] - CLEAR_MM)
+
+
+Plate = TypeVar("Plate", bound=BasePlate)
 
 
 def _rim_text(
@@ -494,18 +499,8 @@ def slot_reach(radius: float, angle: float, thickness: float, tab: float) -> flo
     return min(radius, through) - tab / 2 / abs(float(np.sin(angle))) - CLEARANCE
 
 
-@refusing_old_names
 def ring_plate(
-    tabs: Sequence[PlacedTab],
-    sheet: Sheet | str,
-    *,
-    middle: float = np.inf,
-    border: float = BORDER,
-    play: float = PLAY,
-    clearance: float = CLEARANCE,
-    name: str = "ring",
-    shop: FabricationLimits | None = None,
-    ignore_limits: bool = False,
+    tabs: Sequence[PlacedTab], sheet: Sheet | str, *, middle: float = np.inf, **options: Any
 ) -> Ring:
     """The ring or cap about the z axis that holds one end of all strips of a surface of revolution.
 
@@ -520,17 +515,9 @@ def ring_plate(
         Of the ring.
     middle : float
         Height of the model's middle, mm: where tabs lie on the ring it keeps to their other side.
-    border : float
-        Least width of material beside slots and seats, mm.
-    play : float
-        Room beside a tab in its slot on either side, mm.
-    clearance : float
-        Added to the width of slots, mm.
-    name : str
-    shop : FabricationLimits, optional
-        What the workshop can make: bridges between slots, the largest sheet.
-    ignore_limits : bool
-        Make a ring that the workshop cannot, and say so in its warnings.
+    **options
+        Fields of `RingOptions` without shape and ends: border, play, clearance, slot_width, name, shop,
+        ignore_limits.
 
     Raises
     ------
@@ -538,9 +525,8 @@ def ring_plate(
         Tabs that have no length, lie over each other, or meet the plane at angles between; slots that meet or are
         far wider than their tabs, bridges too thin to cut.
     """
-    sheet = Sheet.of(sheet)
-    require_declared(base_plate, {"border": border, "play": play, "clearance": clearance}, f"{name}:")
-    tabs = several("tabs", tabs, PlacedTab, "PlacedTab")
+    sheet, asked = Sheet.of(sheet), RingOptions.of(options, "a ring", ("shape", "ends"))
+    name, tabs = asked.name, several("tabs", tabs, PlacedTab, "PlacedTab")
     if not tabs:
         raise InputError("{name}: there is no tab for it to hold: give it PlacedTab records", name=name)
     first = tabs[0]
@@ -549,12 +535,8 @@ def ring_plate(
     height, rise = float(first.frame.origin[2]), float(first.frame.x_axis[2])
     if abs(rise) >= np.sin(FLATTEST_RAD):
         frame = _facing(height, up=rise < 0)
-        slots = tuple(
-            tab_slot(tab, frame, sheet.thickness, play=play, clearance=clearance, name=name) for tab in tabs
-        )
-        return ring_around(
-            slots, sheet, frame, border=border, name=name, shop=shop, ignore_limits=ignore_limits
-        )
+        slots = [tab_slot(tab, frame, sheet.thickness, asked) for tab in tabs]
+        return plate_with(slots, sheet, frame, asked, Ring)
     if abs(rise) > np.sin(LYING_RAD):
         lean, steep, flat = np.degrees([np.arcsin(abs(rise)), FLATTEST_RAD, LYING_RAD])
         raise InputError(
@@ -577,26 +559,9 @@ def ring_plate(
     )
     loops = tuple(Path.polygon(seat) for seat in seats)
     seated = tuple(tab.name for tab in tabs)
-    found = Ring._around(seats, border, sheet, frame, name, seats=loops, holes=holes, seated=seated)
-    return found.checked(shop, ignore_limits=ignore_limits)
-
-
-def ring_around(
-    slots: Sequence[TabSlot],
-    sheet: Sheet | str,
-    frame: Frame,
-    *,
-    border: float = BORDER,
-    name: str = "ring",
-    shop: FabricationLimits | None = None,
-    ignore_limits: bool = False,
-) -> Ring:
-    """The ring about the axis of its frame that has these slots; see `ring_plate`."""
-    sheet = Sheet.of(sheet)
-    loops = [slot.corners for slot in slots]
-    return Ring._around(loops, border, sheet, frame, name, slots=tuple(slots)).checked(
-        shop, ignore_limits=ignore_limits
-    )
+    outline, opening = _round(seats, np.zeros(2), asked.border)
+    ring = Ring(sheet, frame, outline, (), name, (), opening, seats=loops, holes=holes, seated=seated)
+    return ring.checked(asked)
 
 
 def _facing(height: float, *, up: bool) -> Frame:

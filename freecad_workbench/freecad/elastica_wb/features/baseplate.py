@@ -14,11 +14,11 @@ from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.declared import declared
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.model.plates import BasePlate, base_plate
+from elastica_cad.model.plates import BasePlate, PlateOptions
 from elastica_cad.strip.solids import FlatSolid
 
 NAMES = {"play": "Play", "clearance": "Clearance", "border": "Border", "shape": "Outline"}
-SIZES = {NAMES[one.name]: one for one in declared(base_plate) if one.name in NAMES}
+SIZES = {NAMES[one.name]: one for one in declared(PlateOptions) if one.name in NAMES}
 """What a plate is asked for, by its properties."""
 
 
