@@ -1,4 +1,4 @@
-"""Compiled parts of scipy without the packages around them: LAPACK, Brent's method, trees of points.
+"""Compiled parts of scipy by themselves: LAPACK, Brent's method without the packages around them.
 
 `scipy.linalg` and `scipy.optimize` import some hundred modules before the first function can be called, a fifth
 and a third of a second. The functions used here are compiled ones in one file each, loaded alone in milliseconds.
@@ -58,16 +58,6 @@ def crossing(
 def _brent() -> Any:
     alone = _alone("optimize", "_zeros", "_brentq") or import_module("scipy.optimize._zeros")
     return alone._brentq
-
-
-def point_tree(points: FloatArray) -> Any:
-    """A `scipy.spatial.cKDTree` of points (n, k)."""
-    return _trees().cKDTree(points)
-
-
-@cache
-def _trees() -> Any:
-    return _alone("spatial", "_ckdtree", "cKDTree") or import_module("scipy.spatial")
 
 
 def _alone(package: str, name: str, needed: str) -> Any | None:

@@ -22,8 +22,8 @@ from elastica_cad.kernel.strip_on_path import (
     make_strip_on,
 )
 from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.model import FIXTURE_COLOR, sheet_color
+from elastica_cad.mechanics.sheets import Sheet, sheet_color
+from elastica_cad.model.model import FIXTURE_COLOR
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, PrismSolid, bent_sheets
 from elastica_cad.strip.strip import Strip

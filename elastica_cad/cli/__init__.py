@@ -9,11 +9,12 @@ import sys
 import warnings
 from typing import TYPE_CHECKING
 
-from elastica_cad._process import RARE_COLLECTIONS
 from elastica_cad.defaults import INTERRUPTED, OUTPUT_CLOSED
 
 if TYPE_CHECKING:
     import click
+
+    from elastica_cad.plot.drawing_process import DrawingProcess
 
 __all__ = ["main"]
 
@@ -32,38 +33,33 @@ def main(arguments: list[str] | None = None) -> None:
             warnings.simplefilter("ignore")  # Python's own are for programmers; what matters here is said
         # its matrices are small: threads cost more than they help, and on one the bytes are those of every machine
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-        # a command is short: looking for cycles among what imports made is a tenth of its time
-        gc.disable()
+        # looking for cycles among all that was imported would take a fifth of a command's time
+        gc.set_threshold(200_000, 20, 20)
     try:
-        code = _run(arguments)
+        from elastica_cad.plot.drawing_process import drawing_process
+
+        # a program that calls `main` draws in its own process, which may have imported matplotlib
+        with drawing_process(() if arguments is not None else sys.argv[1:]) as process:
+            code = _run(arguments, process)
     except KeyboardInterrupt:
         code = INTERRUPTED
     except BrokenPipeError:
         code = OUTPUT_CLOSED
     finally:
         if arguments is None:
-            gc.freeze()  # the process ends: it need not look through all it loaded for cycles once more
+            gc.freeze()  # not at the end of the process either
     if code == OUTPUT_CLOSED:
         _drop_output(1, 2)
     sys.exit(code)
 
 
-def _run(arguments: list[str] | None) -> int:
-    """The exit code of the command line."""
+def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
+    """Return the exit code of the command line."""
     elastica = _command()
     import click
 
-    if "_ELASTICA_COMPLETE" in os.environ:
-        from elastica_cad.cli import bash_completion
-
-        bash_completion.install()
-
-    if arguments is None:
-        gc.freeze()
-        gc.set_threshold(*RARE_COLLECTIONS)
-        gc.enable()
     try:
-        code = elastica.main(args=arguments, prog_name="elastica", standalone_mode=False)
+        code = elastica.main(args=arguments, prog_name="elastica", standalone_mode=False, obj=process)
     except click.ClickException as problem:
         problem.show()
         return problem.exit_code

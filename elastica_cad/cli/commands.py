@@ -18,6 +18,7 @@ from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE, OUTPUT_CLOSED
 from elastica_cad.errors import RENAMED, ElasticaError, InputError, NotMetError, StrainError, near_names
 from elastica_cad.formats.source_file import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad.plot.drawing_process import DrawingProcess
 
 COMMANDS = {
     "new": "new_command:new",
@@ -376,6 +377,8 @@ def _once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
 
 def _refuse(problem: ElasticaError) -> int:
     """Say what is wrong, then what would work, and give the exit code."""
+    if (process := click.get_current_context().find_object(DrawingProcess)) is not None:
+        process.end()
     begins, code = next((told for kind, told in TOLD.items() if isinstance(problem, kind)))
     said, option = f"{begins}: {problem}", problem.refusal.where.get("option")
     said += f" ({option})" if option and "--" not in said else ""

@@ -21,6 +21,7 @@ from elastica_cad.kit.kit import Kit, left_out
 from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_contents
 from elastica_cad.kit.model_kit import check_kit_folder, left_behind, model_kit
 from elastica_cad.model.model import Model
+from elastica_cad.plot.drawing_process import DrawingProcess
 from elastica_cad.refusals import Refusal, is_told, note
 
 MOST_SAID = 6
@@ -91,7 +92,12 @@ def model(
     say_step("laying parts on sheets" + (", bending strips with their slots" if effects else ""))
     contents = kit_contents(made, read.kit, entries=read.entries, effects=effects)
     kit = model_kit(contents, step=step, pictures=pictures, parts=parts, archives=archives)
-    kit.write(output, force=force, done=lambda name, total: say_step(f"wrote {name}", next(files), total))
+    kit.write(
+        output,
+        force=force,
+        done=lambda name, total: say_step(f"wrote {name}", next(files), total),
+        process=click.get_current_context().find_object(DrawingProcess),
+    )
     _tell(contents, kit, output)
     for text in left_out(step=step, pictures=pictures, paper=bool(read.kit.pages)):
         say(text)

@@ -31,6 +31,7 @@ from elastica_cad.kit.pair_kit import MadePair
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.pairs.flexure_spec import FlexureSpec
+from elastica_cad.plot.drawing_process import DrawingProcess
 from elastica_cad.refusals import Length, note
 
 FILE = click.Path(path_type=Path)
@@ -92,7 +93,8 @@ def pair(**chosen: Any) -> None:
     _ = spec.pair
     say_step("following it from one state to the other")
     made = MadePair(spec, spec.make(), name, cutting)
-    written = made.kit.write(chosen["output"], force=chosen["force"])
+    process = click.get_current_context().find_object(DrawingProcess)
+    written = made.kit.write(chosen["output"], force=chosen["force"], process=process)
     _tell(made)
     answer({"pair": made.kit.report})
     wrote(written)

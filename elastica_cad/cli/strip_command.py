@@ -44,6 +44,7 @@ from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.sheets import Sheet, sheet_names
 from elastica_cad.mechanics.theorem1 import stray_point
+from elastica_cad.plot.drawing_process import DrawingProcess
 from elastica_cad.refusals import is_told
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.holding_template import tell_ends
@@ -132,7 +133,8 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
                     "{kept} holds the drawn curve and is kept: name another folder, e.g. -o out",
                     kept=asked.path,
                 )
-            written = kit.write(chosen["output"], force=chosen["force"])
+            process = ctx.find_object(DrawingProcess)
+            written = kit.write(chosen["output"], force=chosen["force"], process=process)
             _tell(result, written, several=len(curves) > 1)
             reports.append(kit.report)
             made.append(asked)

@@ -21,8 +21,8 @@ from elastica_cad.kernel.strip_body import Point, StripBody, end_angles
 from elastica_cad.mechanics.bending import bend, bend_path
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.model.assembly import layer_names
-from elastica_cad.model.model import sheet_color
 from elastica_cad.strip.layers import Layer
 from elastica_cad.strip.solids import BentSolid, centred_thickness
 from elastica_cad.strip.strip import Strip

@@ -29,8 +29,9 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.drawn_edges import free_chains
 from elastica_cad.kernel.occt import make_location, make_solid, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
+from elastica_cad.mechanics.sheets import Color, sheet_color
 from elastica_cad.model.assembly import Holder, assembly_parts, bent_names, shape_parts
-from elastica_cad.model.model import Color, Model, sheet_color
+from elastica_cad.model.model import Model
 from elastica_cad.strip.solids import BentSolid, FlatSolid, bent_sheets, frame_beside
 from elastica_cad.strip.strip import Strip
 

@@ -1,6 +1,7 @@
 """A kit: the files of a strip, a model or a part with two states, and their report."""
 
 from collections.abc import Callable
+from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import partial
 from importlib.util import find_spec
@@ -13,6 +14,7 @@ from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.write_files import File, write_files
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.plot.drawing_process import DrawingProcess
 from elastica_cad.strip.drawing import Drawing
 
 
@@ -24,10 +26,17 @@ class Kit:
     report: dict[str, Any]
 
     def write(
-        self, folder: str | Path, *, force: bool = False, done: Callable[[str, int], None] | None = None
+        self,
+        folder: str | Path,
+        *,
+        force: bool = False,
+        done: Callable[[str, int], None] | None = None,
+        process: DrawingProcess | None = None,
     ) -> tuple[Path, ...]:
-        """Write all files, or none of them after any error; see `write_files`."""
-        return write_files(self.files, folder, force=force, done=done)
+        """Write all files, or none of them after any error; see `write_files`. `process` draws the pictures."""
+        with nullcontext(self.files) if process is None else process.drawing(self.files) as files:
+            write_files(files, folder, force=force, done=done)
+        return tuple(Path(folder, file.name) for file in self.files)
 
 
 def can_draw() -> bool:

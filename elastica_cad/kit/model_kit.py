@@ -9,7 +9,6 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 import numpy as np
 
-from elastica_cad._process import rare_collections
 from elastica_cad._values import and_more, counted, require_path, require_record
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting, KitSpec
 from elastica_cad.design.model_report import compose_start_page
@@ -230,10 +229,9 @@ def save_model(
         )
     folder = require_path(folder)
     check_kit_folder(model.name, folder, force=force)
-    with rare_collections():
-        contents = kit_contents(model, spec, effects=True)
-        kit = model_kit(contents, step=step, pictures=pictures, parts=parts)
-        kit.write(folder, force=force, done=done)
+    contents = kit_contents(model, spec, effects=True)
+    kit = model_kit(contents, step=step, pictures=pictures, parts=parts)
+    kit.write(folder, force=force, done=done)
     summary = f"{model.name}: {count_strips(model)} on {counted(len(contents.nests), 'sheet')}"
     missing = left_out(step=step, pictures=pictures, paper=bool(spec.pages))
     return SavedKit(folder, tuple(file.name for file in kit.files), missing, summary)

@@ -1,6 +1,6 @@
 """Everything that a part with two states becomes: cutting files, bodies, picture and report."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property, partial
 from pathlib import Path
@@ -50,7 +50,7 @@ class MadePair:
             files += [File(f"{name}.step", self._write_step)]
             files += [File(f"{name}.stl", partial(save_solid, part.solid))]
         if can_draw():
-            files.append(File(f"{name}.png", self._draw))
+            files.append(File(f"{name}.png", self._picture()))
         matched = self.spec.matched
         report = {
             "name": name,
@@ -98,8 +98,9 @@ class MadePair:
 
         write_step([NamedShape(self.name, make_solid(self.part.solid))], path, name=self.name)
 
-    def _draw(self, path: Path) -> None:
-        from elastica_cad.plot.canvas import save_figure
+    def _picture(self) -> Callable[[Path], object]:
+        """Return the function that draws the picture; it can be pickled."""
+        from elastica_cad.plot.canvas import draw_file
         from elastica_cad.plot.pair_pictures import pair_sheet
 
-        save_figure(pair_sheet(self.part, self.spec.faired), path)
+        return partial(draw_file, partial(pair_sheet, self.part, self.spec.faired))

@@ -107,7 +107,7 @@ class StripResult:
             )
             files += self._drawn("side", bench_drawing, asked, pdf=pictures or looked_at)
         more: dict[str, tuple[object, Callable[[Path], object]]] = {
-            "png": (pictures, self._draw_picture),
+            "png": (pictures, self._picture()),
             "pdf": (asked.paper, partial(self._draw_template, str(asked.paper))),
             "step": (asked.step and not step_trouble(), self._write_step),
             "stl": (asked.stl, lambda path: save_solid(BentSolid.layers(strip)[0], path)),
@@ -172,11 +172,13 @@ class StripResult:
             version = {"version": asked.cutting.version} if kind == "dxf" else {}
             save(drawing, path, **version)
 
-    def _draw_picture(self, path: Path) -> None:
-        from elastica_cad.plot.canvas import save_figure
+    def _picture(self) -> Callable[[Path], object]:
+        """Return the function that draws the picture; its pickle needs no modules of kits and designs."""
+        from elastica_cad.plot.canvas import draw_file
         from elastica_cad.plot.strip_pictures import strip_sheet
 
-        save_figure(strip_sheet(self.strip, wish=None if self.near is None else self.near.target), path)
+        target = None if self.near is None else self.near.target
+        return partial(draw_file, partial(strip_sheet, self.strip, wish=target))
 
     def _draw_template(self, paper: str, path: Path) -> None:
         from elastica_cad.plot.template_pages import save_template

@@ -1032,3 +1032,40 @@ def sheets_for_curve(
     known = [Sheet.named(name) for name in sheet_names()] if sheets is None else sheets
     found = [SheetForCurve(one, sharpest * one.thickness / (2 * one.max_strain)) for one in known]
     return tuple(sorted(found, key=lambda one: one.scale))
+
+
+Color: TypeAlias = tuple[float, float, float]
+"""Red, green and blue in 0..1, as on a screen."""
+
+_COLOR_BY_NAME = {
+    "pom": (0.93, 0.93, 0.90),
+    "polypropylene": (0.88, 0.91, 0.93),
+    "petg": (0.72, 0.85, 0.88),
+    "acrylic": (0.66, 0.82, 0.90),
+    "gfrp": (0.78, 0.80, 0.60),
+}
+_COLOR_BY_KIND = {
+    "plywood": (0.85, 0.70, 0.48),
+    "wood": (0.80, 0.62, 0.40),
+    "card": (0.94, 0.91, 0.84),
+    "board": (0.66, 0.50, 0.34),
+    "metal": (0.70, 0.72, 0.75),
+    "plastic": (0.85, 0.87, 0.88),
+    "composite": (0.78, 0.80, 0.60),
+}
+_USUAL_COLOR = (0.80, 0.74, 0.62)  # between wood and card
+
+
+def sheet_color(sheet: Sheet) -> Color:
+    """Return the colour of a sheet by its name, or else by its kind.
+
+    Examples
+    --------
+    >>> sheet_color(Sheet.named("card-200gsm"))
+    (0.94, 0.91, 0.84)
+    """
+    sheet = Sheet.of(sheet)
+    for name, color in _COLOR_BY_NAME.items():
+        if sheet.name.startswith(name):
+            return color
+    return _COLOR_BY_KIND.get(sheet.kind, _USUAL_COLOR)

@@ -1,3 +1,4 @@
+from elastica_cad.mechanics.sheets import sheet_color as sheet_color
 from elastica_cad.model.fixtures import (
     end_fixtures as end_fixtures,
     EndFixture as EndFixture,
@@ -17,7 +18,7 @@ from elastica_cad.model.held_tabs import (
 )
 from elastica_cad.model.interlocking import interlock as interlock, Joint as Joint, slot_width as slot_width
 from elastica_cad.model.leaf_stack import LeafStack as LeafStack
-from elastica_cad.model.model import Model as Model, sheet_color as sheet_color
+from elastica_cad.model.model import Model as Model
 from elastica_cad.model.nesting import (
     cut_list as cut_list,
     CutList as CutList,

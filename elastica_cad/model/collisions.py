@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad._compiled_scipy import point_tree
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import and_more
 from elastica_cad.geometry.plane_points import turns_along
@@ -101,26 +100,22 @@ class Body:
             return cls(replace(ruled, width=width), INSCRIBED * thinnest, strip)
         return cls(ruled, strip_thickness(strip), strip)
 
-    def samples(self, inset: float) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Return places (n,) and (n,) on edges and faces in the flat pattern, `inset` mm within the rim, and the
-        points and tangents (n, 2) of the curve there.
-        """
+    def samples(self, inset: float) -> tuple[FloatArray, FloatArray]:
+        """Places (n,) and (n,) on edges and faces in the flat pattern, `inset` mm within the rim."""
         length = self.ruled.length
         first, last = min(inset, length / 2), max(length - inset, length / 2)
         widest = self.ruled.width.extremes[1]
         along, ends = _steps(first, last, EDGE_PITCH_MM), _steps(-1.0, 1.0, 2 * EDGE_PITCH_MM / widest)
         rows, inner = _steps(first, last, FACE_PITCH_MM), _steps(-1.0, 1.0, 2 * FACE_PITCH_MM / widest)
-        stations = np.concatenate([along, [first, last], rows])
-        which = np.split(np.arange(stations.size), [along.size, along.size + 2])
-        grids = zip(which, (np.array([-1.0, 1.0]), ends, inner), strict=True)
-        k, share = np.concatenate([np.reshape(np.meshgrid(x, y), (2, -1)) for x, y in grids], axis=1)
-        k, reach = k.astype(np.int64), np.maximum(self.ruled.half_width(stations) - inset, 0.0)
-        place, tangent = self.ruled.in_plane(stations)
-        return stations[k], share * reach[k], place[k], tangent[k]
+        grids = [(along, np.array([-1.0, 1.0])), (np.array([first, last]), ends), (rows, inner)]
+        s, share = np.concatenate([np.reshape(np.meshgrid(x, y), (2, -1)) for x, y in grids], axis=1)
+        return s, share * np.maximum(self.ruled.half_width(s) - inset, 0.0)
 
     @cached_property
     def _tree(self) -> Any:
-        return point_tree(self.ruled.in_plane(self.ruled.stations)[0])
+        from scipy.spatial import cKDTree
+
+        return cKDTree(self.ruled.in_plane(self.ruled.stations)[0])
 
     def stations_near(self, points: FloatArray, reach: float) -> tuple[IntArray, FloatArray]:
         """Which points (n, 2) of the curve's plane may lie within reach of it, and the stations nearest to them."""
@@ -198,7 +193,8 @@ def _deepest(a: Body, b: Body, room: float, least: float, *, is_flush: bool) -> 
     inset = least if is_flush else min(least / 2, a.thickness / 4, b.thickness / 4)
     heights = [0.0] if is_flush else [inset - a.thickness / 2, a.thickness / 2 - inset]
     thick = (a.thickness + b.thickness) / 2 if is_flush else b.thickness / 2
-    s, across, place, tangent = a.samples(inset)
+    s, across = a.samples(inset)
+    place, tangent = a.ruled.in_plane(s)
     left = np.column_stack([-tangent[:, 1], tangent[:, 0]])
     place = np.concatenate([place + height * left for height in heights])
     s, across, left = (np.concatenate([rows] * len(heights)) for rows in (s, across, left))
@@ -374,6 +370,8 @@ def self_contact(strip: Strip) -> Places | None:
     >>> self_contact(Strip(Rod.straight(100), Sheet.named("card-200gsm"), max_width=20)) is None
     True
     """
+    from scipy.spatial import cKDTree
+
     rod, turned = strip.rod, turns_along(strip.rod.angle)
     # between two places that meet a curve turns by half a circle or more
     if np.ptp(rod.angle) < np.pi:
@@ -387,7 +385,7 @@ def self_contact(strip: Strip) -> Places | None:
     inner = np.clip(s, 0.0, rod.length)
     x, y, angle, turn = (np.interp(inner, rod.s, row) for row in (*rod.position.T, rod.angle, turned))
     middle = np.column_stack([x, y]) + (s - inner)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
-    pairs = point_tree(middle).query_pairs(max(thickness, long / count), output_type="ndarray")
+    pairs = cKDTree(middle).query_pairs(max(thickness, long / count), output_type="ndarray")
     between = np.abs(np.diff(turn[pairs], axis=1)[:, 0])
     if strip.is_closed:
         between = np.minimum(between, turned[-1] - between)

@@ -13,7 +13,7 @@ from elastica_cad._values import counted, direction, is_whole, several, three
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError, quoted, refuse_options_unlike, refusing_old_names
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.sheets import Sheet, require_printable
+from elastica_cad.mechanics.sheets import Color, Sheet, require_printable
 from elastica_cad.model.fixtures import EndFixture, end_fixtures
 from elastica_cad.model.frames import Rib, SlottedFrame, slotted_frame
 from elastica_cad.model.held_tabs import held_shapes
@@ -35,45 +35,8 @@ from elastica_cad.strip.pieces import (
 from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_placed, strip_names
 from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
-Color: TypeAlias = tuple[float, float, float]
-"""Red, green and blue in 0..1, as on a screen."""
-
 FIXTURE_COLOR: Color = (0.30, 0.36, 0.42)
 """Of printed blocks: dark, unlike any sheet."""
-
-_BY_NAME = {
-    "pom": (0.93, 0.93, 0.90),
-    "polypropylene": (0.88, 0.91, 0.93),
-    "petg": (0.72, 0.85, 0.88),
-    "acrylic": (0.66, 0.82, 0.90),
-    "gfrp": (0.78, 0.80, 0.60),
-}
-_BY_KIND = {
-    "plywood": (0.85, 0.70, 0.48),
-    "wood": (0.80, 0.62, 0.40),
-    "card": (0.94, 0.91, 0.84),
-    "board": (0.66, 0.50, 0.34),
-    "metal": (0.70, 0.72, 0.75),
-    "plastic": (0.85, 0.87, 0.88),
-    "composite": (0.78, 0.80, 0.60),
-}
-_UNKNOWN = (0.80, 0.74, 0.62)  # of sheets of no known kind: between wood and card
-
-
-def sheet_color(sheet: Sheet) -> Color:
-    """The colour of a sheet by its name, else by its kind.
-
-    Examples
-    --------
-    >>> sheet_color(Sheet.named("card-200gsm"))
-    (0.94, 0.91, 0.84)
-    """
-    sheet = Sheet.of(sheet)
-    for name, color in _BY_NAME.items():
-        if sheet.name.startswith(name):
-            return color
-    return _BY_KIND.get(sheet.kind, _UNKNOWN)
-
 
 LEAST_SPREAD = 0.2
 """Least ratio of the spread of slots across to that along, with which strips hold two plates to each other."""

@@ -1,8 +1,9 @@
 """Figures without a display, and files of them."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from io import BytesIO
 from os import PathLike
+from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -93,6 +94,11 @@ def save_figure(
     undated = {"png": {}, "svg": {"Date": None}, "pdf": _properties()}[kind]
     figure.savefig(stream, format=kind, dpi=resolution, metadata=undated)
     write_atomically(path, stream.getvalue(), force=force)
+
+
+def draw_file(draw: Callable[[], Figure], path: Path) -> None:
+    """Draw a figure and write it to a file of a kit."""
+    save_figure(draw(), path)
 
 
 def write_pages(

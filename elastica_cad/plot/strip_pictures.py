@@ -13,7 +13,7 @@ from elastica_cad.geometry.plane_points import box_about
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.model.model import sheet_color
+from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.holding_template import HeldEnd, distance_between, held_ends

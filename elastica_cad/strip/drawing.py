@@ -7,7 +7,6 @@ from typing import Annotated
 
 import numpy as np
 
-from elastica_cad._compiled_scipy import point_tree
 from elastica_cad._notebook import BLUE, GREY, INK, RED, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, numbers, require_number, require_record, several
@@ -162,8 +161,10 @@ def _without_twins(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     """The paths in order, without those that run where an earlier one of their layer, or a cut, runs."""
     if not items:
         return ()
+    from scipy.spatial import cKDTree
+
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
-    alike = point_tree(boxes).query_pairs(SAME_MM, p=np.inf, output_type="ndarray")
+    alike = cKDTree(boxes).query_pairs(SAME_MM, p=np.inf, output_type="ndarray")
     dropped: set[int] = set()
     for i, j in sorted(alike.tolist()):
         if not {i, j} & dropped and _twins(items[i], items[j]):

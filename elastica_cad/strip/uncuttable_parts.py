@@ -6,7 +6,6 @@ from typing import Annotated
 
 import numpy as np
 
-from elastica_cad._compiled_scipy import point_tree
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import and_more, require_record, told_apart
 from elastica_cad.declared import Asked, require_declared
@@ -211,10 +210,12 @@ def _opposed(
 
     The angle between the normals is bounded together with the distance, which is weighed by `least`.
     """
+    from scipy.spatial import cKDTree
+
     # one tree over places and directions: of facing points the normals' sum is at most 2 sin(acos(FACING)) long
     here, there = np.hstack([points, least * normals])[searching], np.hstack([points, -least * normals])
     radius = np.hypot(reach, 2 * least * np.sqrt(1 - FACING**2))
-    near = point_tree(here).sparse_distance_matrix(point_tree(there), radius, output_type="ndarray")
+    near = cKDTree(here).sparse_distance_matrix(cKDTree(there), radius, output_type="ndarray")
     return searching[near["i"]], near["j"]
 
 
@@ -250,7 +251,9 @@ def _widths_across(
 
 def _near_pairs(points: FloatArray, reach: float) -> IntArray:
     """The pairs (2, k) of points (n, 2) no farther apart than `reach`, the smaller number of each first."""
-    return np.asarray(point_tree(points).query_pairs(reach, output_type="ndarray").T)
+    from scipy.spatial import cKDTree
+
+    return np.asarray(cKDTree(points).query_pairs(reach, output_type="ndarray").T)
 
 
 def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:

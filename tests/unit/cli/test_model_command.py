@@ -18,6 +18,7 @@ from elastica_cad.formats.json_curves import curves_json
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.model.assembly import list_assembly_steps
 from elastica_cad.plot.assembly_sheet import save_assembly_sheet
+from elastica_cad.plot.drawing_process import drawing_process
 from elastica_cad.strip.drawing import CUT_OUTER
 
 DESIGN = """
@@ -45,8 +46,8 @@ version = "R12"
 """
 
 
-def run(*arguments):
-    return CliRunner().invoke(elastica, [str(argument) for argument in arguments])
+def run(*arguments, **options):
+    return CliRunner().invoke(elastica, [str(argument) for argument in arguments], **options)
 
 
 @pytest.fixture
@@ -59,7 +60,8 @@ def design(tmp_path):
 @pytest.mark.campaign
 def test_a_model_becomes_one_folder(design, tmp_path):
     out = tmp_path / "out"
-    result = run("model", design, "-o", out)
+    with drawing_process(["model"]) as process:  # as `main` starts it
+        result = run("model", design, "-o", out, obj=process)
     assert result.exit_code == 0, result.output
     assert "kit: 2 strips (1 different), 0 joints; 3 pieces of 2 shapes" in result.output
     names = {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}

@@ -9,6 +9,7 @@ import pytest
 from click.testing import CliRunner
 
 from elastica_cad.cli.commands import elastica
+from elastica_cad.plot.drawing_process import drawing_process
 
 EXAMPLES = Path(__file__).parents[3] / "examples" / "two_states"
 
@@ -23,7 +24,10 @@ def made(tmp_path_factory):
     """The files of the clip, whose curves are the two of one drawing."""
     folder = tmp_path_factory.mktemp("clip")
     drawing = EXAMPLES / "clip.svg"
-    return folder, typed(drawing, "--sheet", "pom-3", "--label", "CLIP", "--kerf", "0.2", "-o", folder)
+    with drawing_process(["pair"]) as process:  # as `main` starts it
+        return folder, typed(
+            drawing, "--sheet", "pom-3", "--label", "CLIP", "--kerf", "0.2", "-o", folder, obj=process
+        )
 
 
 def test_two_curves_become_cutting_files_bodies_picture_and_report(made):

@@ -34,8 +34,8 @@ from freecad.elastica_wb.solving.strip_faults import strip_faults
 
 from elastica_cad.design.reports import tell_blank
 from elastica_cad.errors import ElasticaError, InputError, StrainError
+from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import NotRealizable
-from elastica_cad.model.model import sheet_color
 from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.strip import Strip
 

@@ -1,0 +1,148 @@
+"""Pictures drawn in a second process, which imports matplotlib while the command computes.
+
+Importing matplotlib takes as long as computing a strip. If there is no second process, or if it ends early, the
+pictures are drawn in this process.
+"""
+
+import os
+import pickle
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import replace
+from functools import partial
+from importlib.util import find_spec
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from threading import Thread
+from typing import IO, TYPE_CHECKING, cast
+
+from elastica_cad._text import MADE_BY
+
+if TYPE_CHECKING:
+    from elastica_cad.formats.write_files import File
+
+PACKAGES = Path(__file__).parents[2]
+"""Folder of this package, which in a checkout is not among Python's folders."""
+
+PROGRAM = """
+import sys
+sys.path.append({folder!r})
+from elastica_cad.plot.drawing_process import serve
+serve()
+"""
+
+
+class DrawingProcess:
+    """The process, which is started here; `drawing_process` ends it.
+
+    Raises
+    ------
+    OSError
+        The system does not start a process.
+    """
+
+    def __init__(self) -> None:
+        code = PROGRAM.format(folder=str(PACKAGES))
+        self._process = subprocess.Popen(
+            # -P because `python` would search the working folder for modules first
+            [sys.executable, "-P", "-W", "ignore", "-c", code],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            # Ctrl-C reaches this process alone, which ends the other
+            start_new_session=True,
+            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+        )
+        self._input = cast(IO[bytes], self._process.stdin)
+        self._output = cast(IO[bytes], self._process.stdout)
+        self._folder = TemporaryDirectory()
+
+    @property
+    def pid(self) -> int:
+        """Number of the process in the system."""
+        return self._process.pid
+
+    @contextmanager
+    def drawing(self, files: "Sequence[File]") -> "Iterator[Sequence[File]]":
+        """Draw the pictures among the files of a kit, which are to be written in the block.
+
+        Yields the files in an order that lets the process draw while others are written. The writers of pictures
+        wait for the process, and draw here if it has ended. Archives follow, because they read other files.
+        """
+        pictures = [file for file in files if file.name.endswith((".png", ".pdf"))]
+        archives = [file for file in files if file.name.endswith(".zip")]
+        drawn = [(Path(self._folder.name, Path(file.name).name), file.write) for file in pictures]
+        request = pickle.dumps((MADE_BY.get(), drawn))
+        # a thread, because the process reads the request after it has imported matplotlib
+        Thread(target=self._send, args=(request,), daemon=True).start()
+        others = [file for file in files if file not in pictures and file not in archives]
+        received = [replace(file, write=partial(self._receive, file)) for file in pictures]
+        try:
+            yield [*others, *received, *archives]
+        except BaseException:
+            self.end()  # its other pictures are not needed
+            raise
+
+    def end(self) -> None:
+        """End the process at once."""
+        self._process.kill()
+        self._process.wait()
+        for pipe in (self._input, self._output):
+            with suppress(OSError):  # of a request that was not read
+                pipe.close()
+        self._folder.cleanup()
+
+    def _send(self, request: bytes) -> None:
+        with suppress(OSError, ValueError):  # the process has ended
+            self._input.write(request)
+            self._input.flush()
+
+    def _receive(self, file: "File", path: Path) -> None:
+        try:
+            content = pickle.load(self._output)
+        except (EOFError, OSError, ValueError, pickle.UnpicklingError):  # the process has ended
+            file.write(path)
+        else:
+            path.write_bytes(content)
+
+
+@contextmanager
+def drawing_process(words: Sequence[str]) -> Iterator[DrawingProcess | None]:
+    """Start the process for a command that will draw pictures, and end it after the block.
+
+    Yields None for other commands, without matplotlib, on a single processor, and where the system does not start a
+    process.
+    """
+    wanted = {"strip", "pair", "model"} & {*words} and not {"--no-pictures", "--help", "-h"} & {*words}
+    processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    process = None
+    if wanted and processors > 1 and find_spec("matplotlib") is not None:
+        with suppress(OSError):
+            process = DrawingProcess()
+    try:
+        yield process
+    finally:
+        if process is not None:
+            process.end()
+
+
+def serve() -> None:
+    """Import what draws, then draw the pictures of each request from standard input."""
+    import matplotlib.backends.backend_agg
+    import matplotlib.figure  # noqa: F401
+    from PIL import Image
+
+    import elastica_cad.plot.strip_pictures  # noqa: F401
+
+    Image.preinit()
+    with suppress(EOFError):  # the command has ended
+        while True:
+            command, pictures = pickle.load(sys.stdin.buffer)
+            MADE_BY.set(command)
+            for path, draw in pictures:
+                draw(path)
+                pickle.dump(path.read_bytes(), sys.stdout.buffer)
+                sys.stdout.buffer.flush()
+                path.unlink()
