@@ -2,19 +2,16 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from numbers import Real
 from typing import Annotated, Literal, TypeAlias, cast
 
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, is_one_of, is_series, numbers, pair, require_positive
+from elastica_cad._values import is_series, numbers, pair, require_positive, several
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.defaults import UNLIMITED_RATIO
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.loads import require_ratio
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import note
 
 Symmetry: TypeAlias = Literal["mirror", "turn"]
 Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
@@ -164,13 +161,13 @@ class Limits:
             common=True,
         ),
     ] = None
-    curvature: Annotated[float | None, Asked("Largest curvature.", "1/mm", least=0, group="limits")] = None
+    curvature: Annotated[float | None, Asked("Largest curvature.", "1/mm", above=0, group="limits")] = None
     sheet: Sheet | None = None
     strain: Annotated[
         float | None,
         Asked(
             "Largest strain: true for what the sheet bears, or a number.",
-            least=0,
+            above=0,
             group="limits",
             common=True,
             written=bool | float,
@@ -178,10 +175,10 @@ class Limits:
     ] = None
     width: Annotated[
         tuple[float, float] | None,
-        Asked("Least and largest width, which bound the ratio.", "mm", least=0, group="limits"),
+        Asked("Least and largest width, which bound the ratio.", "mm", above=0, group="limits"),
     ] = None
     length: Annotated[
-        tuple[float, float] | None, Asked("Least and largest length.", "mm", least=0, group="limits")
+        tuple[float, float] | None, Asked("Least and largest length.", "mm", above=0, group="limits")
     ] = None
     keep_out: Annotated[
         tuple[HalfPlane | Box, ...],
@@ -197,44 +194,27 @@ class Limits:
     ] = None
 
     def __post_init__(self) -> None:
-        for name in ("ratio", "margin", "curvature", "strain"):
-            value = getattr(self, name)
-            if not (value is None or isinstance(value, Real)):
-                raise InputError("limit {name}={given!r} must be a number, or None", name=name, given=value)
+        require_declared(Limits, vars(self), "limit")
         if not (self.sheet is None or isinstance(self.sheet, Sheet)):
             raise InputError(
                 'limit sheet={sheet!r}: give a Sheet record, such as Sheet.named("pom-1")', sheet=self.sheet
             )
-        if self.ratio is not None:
-            require_ratio(self.ratio, note("the ratio limit"))
-        if self.margin is not None and not is_number(self.margin):
-            raise InputError(
-                "limit margin={margin} must be a number; 0 is the border of stability, try 5",
-                margin=self.margin,
-            )
-        for name in ("curvature", "strain"):
-            value = getattr(self, name)
-            if value is not None and not (is_number(value) and value > 0):
-                raise InputError("limit {name}={given} must be positive", name=name, given=value)
-        if self.strain is not None and self.sheet is None:
-            raise InputError("a strain limit needs sheet=: the curvature it allows is 2 strain / thickness")
-        for name in ("width", "length"):
-            value = getattr(self, name)
-            if value is None:
-                continue
-            low, high = pair(value, f"limit {name}")
-            if not 0 < low <= high:
+        if self.strain is not None:
+            require_positive(self.strain, "limit strain", "mm/mm")
+            if self.sheet is None:
                 raise InputError(
-                    "limit {name}={given!r} must be a range (least, largest) of positive mm",
-                    name=name,
-                    given=value,
+                    "a strain limit needs sheet=: the curvature it allows is 2 strain / thickness"
+                )
+        for name in ("width", "length"):
+            if getattr(self, name) is None:
+                continue
+            low, high = getattr(self, name)
+            if low > high:
+                raise InputError(
+                    "limit {name} is {low} to {high}: the least comes first", name=name, low=low, high=high
                 )
             object.__setattr__(self, name, (float(low), float(high)))
-        several = is_series(self.keep_out)
-        keep_out = tuple(self.keep_out) if several else (self.keep_out,)
-        for region in keep_out:
-            if not isinstance(region, (HalfPlane, Box)):
-                raise InputError("keep_out takes HalfPlane and Box records, not {region!r}", region=region)
+        keep_out = several("keep_out", self.keep_out, HalfPlane | Box, "HalfPlane or Box")
         object.__setattr__(self, "keep_out", keep_out)
         bounds = self.stiffness_bounds
         if bounds is not None and not (isinstance(bounds, (tuple, list)) and len(bounds) == 2):
@@ -334,12 +314,7 @@ class Keep:
                     given=value,
                 )
             object.__setattr__(self, name, (bool(both[0]), bool(both[1])))
-        if not is_one_of(self.symmetry, (None, "mirror", "turn")):
-            raise InputError(
-                "keep symmetry={symmetry!r}: use 'mirror', 'turn' (a half turn) or None",
-                symmetry=self.symmetry,
-            )
-        require_declared(Keep, {"points": self.points}, "keep")
+        require_declared(Keep, vars(self), "keep")
         points = np.atleast_1d(numbers(self.points, "keep points"))
         if points.ndim != 1 or not np.all(np.isfinite(points)):
             raise InputError("keep points= takes arc lengths on the drawn curve, mm")

@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.forming.limits import MET, Keep, Limits
+from elastica_cad.forming.limits import MET, Keep, Limits, require_limits
 from elastica_cad.geometry.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
@@ -180,6 +180,7 @@ class NearestRod:
         """
         if self.again is None:
             raise self._no_rod
+        require_limits(limits, keep)
         return self.again(limits=limits or self.limits, keep=keep or self.keep)
 
     @cached_property

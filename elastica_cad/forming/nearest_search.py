@@ -8,10 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import is_one_of
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
 from elastica_cad.forming.curve_distance import TargetCurve, measure_deviation
 from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves, leaf_bends
-from elastica_cad.forming.limits import MET, Keep, Limits
+from elastica_cad.forming.limits import MET, Keep, Limits, require_limits
 from elastica_cad.forming.nearest_record import Binding, NearestRod, judge_search
 from elastica_cad.forming.nearest_task import Measure, NearestRequest, NearestTask, SearchPoint, Weights
 from elastica_cad.forming.rod_map import MappedRod
@@ -20,7 +21,16 @@ from elastica_cad.forming.sqp import SETTINGS as SQP
 from elastica_cad.forming.sqp import lift, minimize, worst_broken
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Gravity, NaturalCurvature, Supports
+from elastica_cad.mechanics.loads import (
+    Gravity,
+    NaturalCurvature,
+    Supports,
+    require_curve,
+    require_gravity,
+    require_natural_curvature,
+    require_supports,
+    whole_number,
+)
 from elastica_cad.mechanics.optimal_balance import far_too_heavy
 from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod
 from elastica_cad.mechanics.stability import stability
@@ -434,6 +444,7 @@ def _stricter(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
     return limits
 
 
+_MOST_NODES = 5000  # beyond, time grows and the shape hardly changes
 _UNBEARABLE = 50.0
 """Length of a curve, in elasto-gravity lengths, from which its weight is the reason that no first rod exists."""
 
@@ -515,19 +526,43 @@ def nearest_rod(
     >>> near.met, round(near.rod.ratio, 6)
     (True, 1.5)
     """
+    require_curve(curve)
+    require_gravity(gravity)
+    supports = require_supports(supports)
+    require_natural_curvature(natural_curvature)
+    require_limits(limits, keep)
+    if not (section is None or hasattr(section, "bent")):
+        raise InputError(
+            "section is {section!r}: give a law of sections, such as ThicknessLaw, or None", section=section
+        )
+    if whole_number(samples, "samples", 20) > _MOST_NODES:
+        raise InputError(
+            "samples={samples!r}: a rod needs 20 to {most_nodes} nodes, {search_samples} are usual",
+            samples=samples, most_nodes=_MOST_NODES, search_samples=SEARCH_SAMPLES,
+        )  # fmt: skip
+    if not is_one_of(measure, ("mean", "closest", "max")):
+        raise InputError("unknown measure {measure!r}: use 'mean', 'closest' or 'max'", measure=measure)
+    if coefficients is not None and whole_number(coefficients, "coefficients", 4) > (samples - 1) // 2:
+        raise InputError(
+            "coefficients={coefficients!r}: the stiffness needs 4 coefficients or more, and at "
+            "most half as many as there are edges ({samples})",
+            coefficients=coefficients, samples=samples - 1,
+        )  # fmt: skip
     if not (start is None or isinstance(start, NearestRod)):
         raise InputError(
             "start is {start!r}: give the record that nearest_rod gave for a like curve, or None", start=start
         )
-    request = NearestRequest(
-        curve, Limits() if limits is None else limits, Keep() if keep is None else keep, gravity,
-        Supports() if supports is None else supports, weights, measure, samples, coefficients, section,
-        natural_curvature,
+    return find_nearest(
+        NearestRequest(
+            curve, limits or Limits(), keep or Keep(), gravity, supports, weights, measure, samples,
+            coefficients, section, natural_curvature,
+        ),
+        start,
     )  # fmt: skip
-    return _solve(request, start)
 
 
-def _solve(request: NearestRequest, start: NearestRod | None = None) -> NearestRod:
+def find_nearest(request: NearestRequest, start: NearestRod | None = None) -> NearestRod:
+    """The nearest rod of a checked request, as `nearest_rod` returns it."""
     if isinstance(request.section, LeavesLaw):
         return _find_leaves(request, request.section)
     try:
@@ -541,4 +576,4 @@ def _solve(request: NearestRequest, start: NearestRod | None = None) -> NearestR
 
 def _again(request: NearestRequest, limits: Limits, keep: Keep) -> NearestRod:
     """Repeat a request within other limits."""
-    return _solve(replace(request, limits=limits, keep=keep))
+    return find_nearest(replace(request, limits=limits, keep=keep))

@@ -8,7 +8,7 @@ from typing import Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_one_of, numbers
+from elastica_cad._values import numbers
 from elastica_cad.errors import InputError
 from elastica_cad.forming.curve_distance import (
     ClosestDistance,
@@ -18,7 +18,7 @@ from elastica_cad.forming.curve_distance import (
     TargetCurve,
     even_steps,
 )
-from elastica_cad.forming.limits import Keep, Limits, require_limits
+from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.rod_map import MappedRod, SectionScale, StiffnessBasis, Unknowns
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
@@ -29,11 +29,6 @@ from elastica_cad.mechanics.loads import (
     RestCurvature,
     Supports,
     nodal_curvature,
-    require_curve,
-    require_gravity,
-    require_natural_curvature,
-    require_supports,
-    whole_number,
 )
 from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod, scaled_to_least
 from elastica_cad.mechanics.rod_system import RodState, RodSystem
@@ -43,64 +38,25 @@ from elastica_cad.refusals import Length as Mm
 Measure: TypeAlias = Literal["mean", "closest", "max"]
 Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
 
-_MOST_NODES = 5000  # beyond, time grows and the shape hardly changes
 _FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60  # of the stiffness unless told
 _COEFFICIENTS_PER_HALF_TURN = 4.2  # a curve that turns more often asks for a finer stiffness
 
 
 @dataclass(frozen=True, eq=False)
 class NearestRequest:
-    """Checked arguments of `nearest_rod`, which describes them.
-
-    Raises
-    ------
-    InputError
-        Arguments of the wrong kind.
-    """
+    """Checked arguments of `nearest_rod`, which describes them."""
 
     curve: PlaneCurve
     limits: Limits
     keep: Keep
     gravity: Gravity | None
     supports: Supports
-    weights: Weights
-    measure: Measure
-    samples: int
-    coefficients: int | None
-    section: BoundedLaw | None
-    natural_curvature: NaturalCurvature
-
-    def __post_init__(self) -> None:
-        require_curve(self.curve)
-        require_gravity(self.gravity)
-        require_natural_curvature(self.natural_curvature)
-        require_supports(self.supports)
-        require_limits(self.limits, self.keep)
-        if not (self.section is None or hasattr(self.section, "bent")):
-            raise InputError(
-                "section is {section!r}: give a law of sections, such as ThicknessLaw, or None",
-                section=self.section,
-            )
-        if whole_number(self.samples, "samples", 20) > _MOST_NODES:
-            raise InputError(
-                "samples={samples!r}: a rod needs 20 to {most_nodes} nodes, {search_samples} are usual",
-                samples=self.samples,
-                most_nodes=_MOST_NODES,
-                search_samples=SEARCH_SAMPLES,
-            )
-        if not is_one_of(self.measure, ("mean", "closest", "max")):
-            raise InputError(
-                "unknown measure {measure!r}: use 'mean', 'closest' or 'max'", measure=self.measure
-            )
-        if self.coefficients is None:
-            return
-        if whole_number(self.coefficients, "coefficients", 4) > (self.samples - 1) // 2:
-            raise InputError(
-                "coefficients={coefficients!r}: the stiffness needs 4 coefficients or more, and at "
-                "most half as many as there are edges ({samples})",
-                coefficients=self.coefficients,
-                samples=self.samples - 1,
-            )
+    weights: Weights = None
+    measure: Measure = "mean"
+    samples: int = SEARCH_SAMPLES
+    coefficients: int | None = None
+    section: BoundedLaw | None = None
+    natural_curvature: NaturalCurvature = 0.0
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,25 +7,22 @@ from typing import Any
 
 from elastica_cad._values import EqualByValue, require_record
 from elastica_cad.errors import Change, InputError, NotMetError, rounded_up
-from elastica_cad.forming.fairing_request import Smoothing, check_smooth, smooth_curve
-from elastica_cad.forming.limits import Keep, Limits, require_limits
+from elastica_cad.forming.fairing_request import Smoothing, check_smooth
+from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest_record import NearestRod, Status
+from elastica_cad.forming.nearest_task import NearestRequest
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.laminated_section import LaminatedSection
-from elastica_cad.mechanics.least_ratio import optimal_laminate, optimal_rod
+from elastica_cad.mechanics.least_ratio import optimal_laminate, rod_of_request
 from elastica_cad.mechanics.loads import (
     Gravity,
     NaturalCurvature,
     Supports,
     Weight,
-    require_curve,
-    require_gravity,
-    require_natural_curvature,
-    require_supports,
-    whole_number,
 )
+from elastica_cad.mechanics.moment_conditions import RodRequest
 from elastica_cad.mechanics.optimal_balance import OverloadError
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection, WidthRange
@@ -84,7 +81,7 @@ class RodSpec(EqualByValue):
     Raises
     ------
     InputError
-        Values of another kind, or requests that exclude each other.
+        An impossible smoothing, or requests that exclude each other.
     """
 
     curve: PlaneCurve
@@ -102,18 +99,7 @@ class RodSpec(EqualByValue):
     outline_widths: tuple[float | None, float | None] = (None, None)
 
     def __post_init__(self) -> None:
-        require_curve(self.curve)
-        require_gravity(self.gravity)
-        object.__setattr__(self, "supports", require_supports(self.supports))
         object.__setattr__(self, "smooth", check_smooth(self.smooth))
-        require_natural_curvature(self.natural_curvature)
-        if self.samples is not None:
-            whole_number(self.samples, "samples", 3)
-        require_limits(self.limits, self.keep)
-        self._require_agreement()
-
-    def _require_agreement(self) -> None:
-        """Refuse requests that exclude each other."""
         if self.layers is not None and (self.may_change or self.natural_curvature != 0.0):
             raise InputError(
                 "a laminate that carries its weight follows its curve exactly, from flat sheets: leave out limits, "
@@ -145,13 +131,7 @@ class RodSpec(EqualByValue):
     @cached_property
     def smoothing(self) -> Smoothing:
         """The drawn curve and the one that is bent instead."""
-        return smooth_curve(
-            self.curve,
-            self.smooth,
-            supports=self.supports,
-            natural_curvature=self.natural_curvature,
-            widths=self.outline_widths,
-        )
+        return Smoothing(self.curve, self.smooth, self.supports, self.natural_curvature, self.outline_widths)
 
     @cached_property
     def check(self) -> EquilibriumCheck:
@@ -170,17 +150,12 @@ class RodSpec(EqualByValue):
             As `optimal_rod`, `optimal_laminate` and `nearest_rod`.
         """
         if self.may_change:
-            from elastica_cad.forming.nearest_search import nearest_rod
+            from elastica_cad.forming.nearest_search import find_nearest
 
-            return nearest_rod(
-                self.smoothing.curve,
-                self.limits,
-                self.keep,
-                self.gravity,
-                supports=self.supports,
-                section=self.section,
-                natural_curvature=self.natural_curvature,
-            )
+            return find_nearest(NearestRequest(
+                self.smoothing.curve, self.limits or Limits(), self.keep or Keep(), self.gravity, self.supports,
+                section=self.section, natural_curvature=self.natural_curvature,
+            ))  # fmt: skip
         if self.layers is not None and self.gravity is not None:
             return optimal_laminate(
                 self.smoothing.curve,
@@ -194,17 +169,10 @@ class RodSpec(EqualByValue):
             ).rod
         limits: Any = {} if self.widths is None else self.widths.stiffness
         try:
-            rod = optimal_rod(
-                self.smoothing.curve,
-                self.gravity,
-                self.supports,
-                self.natural_curvature,
-                self.samples,
-                weight=self.weight,
-                section=self.section,
-                check=self.check,
-                **limits,
-            )
+            rod = rod_of_request(RodRequest(
+                self.check, self.supports, self.natural_curvature, self.gravity, self.weight,
+                section=self.section, samples=self.samples, **limits,
+            ))  # fmt: skip
         except OverloadError as error:
             raise (error if self.widths is None else _too_narrow(self.widths, error)) from None
         return rod if self.widths is None else _with_widest(rod, self.widths)

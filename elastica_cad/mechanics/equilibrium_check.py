@@ -31,6 +31,8 @@ from elastica_cad.mechanics.loads import (
     NaturalCurvature,
     RestCurvature,
     Supports,
+    require_curve,
+    require_natural_curvature,
     require_supports,
     require_tolerance,
 )
@@ -150,6 +152,8 @@ def check_equilibrium(
     >>> check.realizable, len(check.inflections)
     (True, 1)
     """
+    require_curve(curve)
+    require_natural_curvature(natural_curvature)
     require_tolerance(tolerance)
     supports = require_supports(supports)
     return examine(curve, supports, natural_curvature, tolerance)

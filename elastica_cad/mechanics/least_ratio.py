@@ -28,6 +28,7 @@ from elastica_cad.mechanics.loads import (
     nodal_curvature,
     require_curve,
     require_gravity,
+    require_natural_curvature,
     require_supports,
     require_tolerance,
     whole_number,
@@ -273,50 +274,53 @@ def optimal_rod(
     >>> round(optimal_rod(arch).ratio, 4)
     1.5699
     """
+    require_curve(curve)
     require_gravity(gravity)
     supports = require_supports(supports)
+    require_natural_curvature(natural_curvature)
     _check_options(gravity, samples, weight)
     _check_stiffness("bending_stiffness", bending_stiffness, weight)
     _check_stiffness("largest_stiffness", largest_stiffness, weight)
     _check_stiffness("least_stiffness", least_stiffness, weight)
-    if section is not None:
-        _check_section(section, weight, bending_stiffness, largest_stiffness, law)
-    elif bending_stiffness is not None and largest_stiffness is not None:
+    if section is None and bending_stiffness is not None and largest_stiffness is not None:
         raise InputError(
             "bending_stiffness settles how stiff the rod is, and leaves largest_stiffness nothing to bound: "
             "leave one of them out"
         )
-    elif least_stiffness is not None and largest_stiffness is None:
+    if section is None and least_stiffness is not None and largest_stiffness is None:
         raise InputError(
             "least_stiffness is a limit beside largest_stiffness. Pass largest_stiffness, or pass "
             "bending_stiffness instead."
         )
     require_tolerance(tolerance)
+    if law is not None:
+        require_record(law, MaterialLaw, "law", "a MaterialLaw record, or None")
     if check is None:
         check = examine(curve, supports, natural_curvature, tolerance, heavy=gravity is not None)
     require_record(check, EquilibriumCheck, "check", "what check_equilibrium answers")
-    if gravity is not None and not check.any_stiffness:
-        _require_load_at_free_end(check, supports, weight)
+    return rod_of_request(RodRequest(
+        check, supports, natural_curvature, gravity, weight, bending_stiffness, largest_stiffness,
+        least_stiffness, law, section, samples,
+    ))  # fmt: skip
+
+
+def rod_of_request(request: RodRequest) -> Rod:
+    """The rod of a checked request, as `optimal_rod` returns it."""
+    check, law = request.check, request.law
+    if request.section is not None:
+        _check_section(request, request.section)
+    if request.gravity is not None and not check.any_stiffness:
+        _require_load_at_free_end(check, request.supports, request.weight)
     if not check.realizable:
         raise NotRealizable(check)
     if law is not None:
-        require_record(law, MaterialLaw, "law", "a MaterialLaw record, or None")
         t = check.curve.parameter(np.linspace(0.0, check.length, _LAW_SAMPLES))
-        law.require_design(float(np.abs(ExcessCurvature(check.curve, natural_curvature).at(t)).max()))
-    asked = RodRequest(
-        check, supports, natural_curvature, gravity, weight, bending_stiffness, largest_stiffness,
-        least_stiffness, law, section, samples,
-    )  # fmt: skip
-    return _unbent_rod(asked) if check.any_stiffness else _bent_rod(asked, balance_of(asked))
+        law.require_design(float(np.abs(ExcessCurvature(check.curve, request.natural_curvature).at(t)).max()))
+    return _unbent_rod(request) if check.any_stiffness else _bent_rod(request, balance_of(request))
 
 
-def _check_section(
-    section: BoundedLaw,
-    weight: Weight | None,
-    bending_stiffness: float | None,
-    largest_stiffness: float | None,
-    law: MaterialLaw | None,
-) -> None:
+def _check_section(request: RodRequest, section: BoundedLaw) -> None:
+    weight = request.weight
     if isinstance(section, LeavesLaw):
         raise InputError(
             "glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such "
@@ -329,7 +333,9 @@ def _check_section(
             section=section,
         )
     alone = weight is None or (weight.own and not isinstance(weight.alpha, Profile) and weight.alpha == 0)
-    settled = any(one is not None for one in (bending_stiffness, largest_stiffness, law))
+    settled = any(
+        one is not None for one in (request.bending_stiffness, request.largest_stiffness, request.law)
+    )
     if settled or not alone:
         raise InputError(
             "a section settles its own stiffness and weight: leave out bending_stiffness, largest_stiffness "

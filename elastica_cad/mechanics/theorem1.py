@@ -19,8 +19,6 @@ from elastica_cad.mechanics.loads import (
     NaturalCurvature,
     RestCurvature,
     Supports,
-    require_curve,
-    require_natural_curvature,
 )
 from elastica_cad.refusals import Length, Listed, Refusal, note, sentences
 
@@ -628,8 +626,6 @@ def examine_curvature(
     curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature = 0.0
 ) -> EquilibriumCheck:
     """The conditions on the curvature alone: zeros of kappa - kappa_0, jumps, straight pieces, kinks."""
-    require_curve(curve)
-    require_natural_curvature(natural_curvature)
     require_bendable(curve)
     excess = ExcessCurvature(curve, natural_curvature)
     largest = _largest(excess)

@@ -9,7 +9,7 @@ from typing import Annotated, Literal, TypeAlias
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import counted, several
+from elastica_cad._values import counted, require_positive, several
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.defaults import TAB_LENGTH
 from elastica_cad.errors import InputError
@@ -192,6 +192,7 @@ class Tab:
 
         Goes from (0, -w/2) to (0, w/2), where w is the tab's width (`width`, the strip's, unless the tab has one).
         """
+        require_positive(width, "width")
         w, length = self.width or width, self.length
         cut = self.corner_radius or self.chamfer
         if cut > length or 2 * cut > w:
@@ -250,6 +251,7 @@ class Tab:
 
     def hole_paths(self, width: float) -> tuple[Path, ...]:
         """The holes as closed circles in the tab's frame; `width` as in `corners`."""
+        require_positive(width, "width")
         w = self.width or width
         for hole in self.holes:
             if self.depth_at(hole.at, hole.across, w) <= hole.diameter / 2:

@@ -12,7 +12,7 @@ import numpy as np
 from elastica_cad._values import EqualByValue, is_number, require_record, several
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import Change, InputError, refuse_renamed, refuse_unknown, rounded_up
-from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import LaminateLayers, RodSpec, accepted_rod
@@ -30,6 +30,7 @@ from elastica_cad.mechanics.loads import (
     Supports,
     Weight,
     require_curve,
+    require_natural_curvature,
     require_supports,
 )
 from elastica_cad.mechanics.rod import Rod
@@ -396,7 +397,7 @@ class StripSpec(EqualByValue):
         ),
     ] = 0.0
     samples: Annotated[
-        int | None, Asked("Nodes of the rod; chosen unless given.", least=2, most=10000, group="curve")
+        int | None, Asked("Nodes of the rod; chosen unless given.", least=3, most=10000, group="curve")
     ] = None
     ends: Annotated[
         tuple[Tab, Tab],
@@ -476,6 +477,7 @@ class StripSpec(EqualByValue):
         require_curve(self.curve)
         given = Sheet.of(self.sheet)
         object.__setattr__(self, "supports", require_supports(self.supports))
+        require_natural_curvature(self.natural_curvature)
         require_declared(StripSpec, vars(self))
         if self.frame is not None:
             require_record(self.frame, Frame, "the frame", "a Frame, the plane of the curve, or None")
@@ -747,7 +749,7 @@ class StripSpec(EqualByValue):
     def _bent(self) -> PlaneCurve:
         """The curve that the strip takes where it may not change."""
         widths = self.max_width, self.min_width
-        return smooth_curve(self._begun, self.smooth, supports=self.supports, widths=widths).curve
+        return Smoothing(self._begun, self.smooth, self.supports, widths=widths).curve
 
     def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
         """What the rod of a laminate is found from; its weight is known for sheets that stand upright only."""

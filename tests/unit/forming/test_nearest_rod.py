@@ -395,12 +395,12 @@ def test_a_straight_wish():
 @pytest.mark.parametrize(
     ("make", "words"),
     [
-        (lambda: Limits(ratio=0.5), "below 1"),
+        (lambda: Limits(ratio=0.5), "from 1"),
         (lambda: Limits(margin=np.nan), "margin"),
-        (lambda: Limits(curvature=-1), "positive"),
+        (lambda: Limits(curvature=-1), "above 0"),
         (lambda: Limits(strain=0.01), "needs sheet"),
-        (lambda: Limits(width=(20, 10)), "range"),
-        (lambda: Limits(length=(0, 10)), "range"),
+        (lambda: Limits(width=(20, 10)), "the least comes first"),
+        (lambda: Limits(length=(0, 10)), "above 0"),
         (lambda: Limits(keep_out=(3,)), "keep_out"),
         (lambda: HalfPlane((0, 0), (0, 0)), "zero"),
         (lambda: Box((0, 0), (-1, 1)), "lower left"),
