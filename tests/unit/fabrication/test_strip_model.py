@@ -11,7 +11,8 @@ from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.model.model import Model
-from elastica_cad.model.plate_pairs import plate_pair, ring_pair
+from elastica_cad.model.plate_pairs import end_plates, plate_pair, ring_pair
+from elastica_cad.model.plates import ring_plate
 from elastica_cad.strip.outline import Hole, Tab
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.pieces import count_shapes
@@ -249,6 +250,8 @@ def test_tables_are_written_as_text():
             "boarder is no option of a pair of plates",
         ),
         (lambda model: ring_pair((), (), "mdf-3", boarder=9), "boarder is no option of a pair of rings"),
+        (lambda model: end_plates(model.placed, "mdf-3", boarder=9), "boarder is no option of end plates"),
+        (lambda model: ring_plate((), "mdf-3", shape="hull"), "shape is no option of a ring"),
     ],
 )
 def test_options_that_nothing_takes_are_named_with_the_nearest(asked, message):
