@@ -130,6 +130,37 @@ def numbers_in_groups(counts: IntArray) -> IntArray:
     return np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
 
 
+_ROW, _FINEST_CELL = 2**31, 2.0**-30
+"""Cells of a row, and the width of a cell as a fraction of the extent of all points."""
+
+
+def near_pairs(points: FloatArray, others: FloatArray, reach: float) -> tuple[IntArray, IntArray]:
+    """Numbers (k,) of points (n, d) and of other points (m, d) at most `reach` apart, in order of the points.
+
+    The plane of the first two coordinates is divided into cells at least as wide as `reach`, and each point is
+    compared with the points of nine cells.
+
+    Examples
+    --------
+    >>> row = np.array([[0.0, 0.0], [1.0, 0.0], [3.0, 0.0]])
+    >>> [numbers.tolist() for numbers in near_pairs(row, row[:2], 1.0)]
+    [[0, 0, 1, 1], [0, 1, 0, 1]]
+    """
+    both = np.concatenate([points, others])[:, :2]
+    cells = both - both.min(axis=0, initial=np.inf)
+    cell = max(reach, _FINEST_CELL * float(cells.max(initial=0.0)))
+    row, column = np.floor(cells / cell).astype(np.int64).T
+    numbers = (row * _ROW + column)[:, None] + np.array([-_ROW, 0, _ROW])
+    order = numbers[len(points) :, 1].argsort(kind="stable")
+    in_order, near = numbers[len(points) :, 1][order], numbers[: len(points)].ravel()
+    first = in_order.searchsorted(near - 1)
+    counts = in_order.searchsorted(near + 1, side="right") - first
+    i = (np.arange(near.size) // 3).repeat(counts)
+    j = order[first.repeat(counts) + numbers_in_groups(counts)]
+    kept = ((points[i] - others[j]) ** 2).sum(axis=1) <= reach**2
+    return i[kept], j[kept]
+
+
 def distinct(values: FloatArray) -> FloatArray:
     """The values (n,) in order, each once. (numpy's `unique` loads its masked arrays first.)
 

@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from elastica_cad._compiled_scipy import crossing
+from elastica_cad._compiled_scipy import crossing, lapack
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, require_number
 from elastica_cad.errors import InputError, NotConvergedError
@@ -443,23 +443,27 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
 
     It lies between the two lowest ones of A, where <row, (A - mu)^-1 row> vanishes.
     """
-    from scipy.linalg import eig_banded, solve_banded
-
     if not np.all(np.isfinite(lower)):
         raise NotConvergedError("no lower bound of the rod's second variation: its entries are not finite")
-    found = eig_banded(lower, lower=True, eigvals_only=True, select="i", select_range=(0, 1))
-    first, second = float(found[0]), float(found[1])
+    found = lapack().dsbevx(
+        lower, 0.0, 0.0, 1, 2, compute_v=0, range=2, lower=1, overwrite_ab=0, abstol=2 * np.finfo(float).tiny
+    )
+    if found[-1]:
+        raise NotConvergedError(
+            "no lower bound of the rod's second variation: its eigenvalues do not converge"
+        )
+    first, second = float(found[0][0]), float(found[0][1])
     if row is None:
         return first
-    full = np.zeros((7, lower.shape[1]))
-    full[3:] = lower
+    full = np.zeros((10, lower.shape[1]))  # LAPACK needs three rows more
+    full[6:] = lower
     for k in (1, 2, 3):
-        full[3 - k, k:] = lower[k, : lower.shape[1] - k]
+        full[6 - k, k:] = lower[k, : lower.shape[1] - k]
 
     def along(mu: float) -> float:
         shifted = full.copy()
-        shifted[3] -= mu
-        return float(row @ solve_banded((3, 3), shifted, row))
+        shifted[6] -= mu
+        return float(row @ lapack().dgbsv(3, 3, shifted, row[:, None], overwrite_ab=1)[2][:, 0])
 
     gap = second - first
     # clear of both poles, which are known to rounding of the stiffest entry

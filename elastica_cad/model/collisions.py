@@ -14,7 +14,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import and_more
-from elastica_cad.geometry.plane_points import turns_along
+from elastica_cad.geometry.plane_points import near_pairs, turns_along
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.model.crossings import RuledStrip, strip_crossings, strips_may_meet
 from elastica_cad.model.interlocking import (
@@ -370,7 +370,6 @@ def self_contact(strip: Strip) -> Places | None:
     >>> self_contact(Strip(Rod.straight(100), Sheet.named("card-200gsm"), max_width=20)) is None
     True
     """
-    from scipy.spatial import cKDTree
 
     rod, turned = strip.rod, turns_along(strip.rod.angle)
     # between two places that meet a curve turns by half a circle or more
@@ -385,7 +384,7 @@ def self_contact(strip: Strip) -> Places | None:
     inner = np.clip(s, 0.0, rod.length)
     x, y, angle, turn = (np.interp(inner, rod.s, row) for row in (*rod.position.T, rod.angle, turned))
     middle = np.column_stack([x, y]) + (s - inner)[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
-    pairs = cKDTree(middle).query_pairs(max(thickness, long / count), output_type="ndarray")
+    pairs = np.transpose(near_pairs(middle, middle, max(thickness, long / count)))
     between = np.abs(np.diff(turn[pairs], axis=1)[:, 0])
     if strip.is_closed:
         between = np.minimum(between, turned[-1] - between)

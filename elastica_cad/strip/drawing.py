@@ -16,7 +16,13 @@ from elastica_cad.geometry.nurbs_curve import turn_between
 from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path, distances
 from elastica_cad.geometry.path_intersections import encloses, polylines_cross
-from elastica_cad.geometry.plane_points import box_around, is_similarity, similarity_of, transform_points
+from elastica_cad.geometry.plane_points import (
+    box_around,
+    is_similarity,
+    near_pairs,
+    similarity_of,
+    transform_points,
+)
 from elastica_cad.geometry.segments import Segment, Spline, place, trim_segment
 from elastica_cad.mechanics.sheets import require_printable
 from elastica_cad.refusals import Length as Mm
@@ -161,13 +167,11 @@ def _without_twins(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     """The paths in order, without those that run where an earlier one of their layer, or a cut, runs."""
     if not items:
         return ()
-    from scipy.spatial import cKDTree
-
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
-    alike = cKDTree(boxes).query_pairs(SAME_MM, p=np.inf, output_type="ndarray")
+    alike = np.transpose(near_pairs(boxes, boxes, 2 * SAME_MM))  # each corner within SAME_MM in x and in y
     dropped: set[int] = set()
     for i, j in sorted(alike.tolist()):
-        if not {i, j} & dropped and _twins(items[i], items[j]):
+        if i < j and not {i, j} & dropped and _twins(items[i], items[j]):
             dropped.add(j)
     return tuple(item for i, item in enumerate(items) if i not in dropped)
 

@@ -11,7 +11,7 @@ from elastica_cad._values import and_more, require_record, told_apart
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import numbers_in_groups
+from elastica_cad.geometry.plane_points import near_pairs, numbers_in_groups
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import Length, Listed, Point, note, sentences
 from elastica_cad.strip.lamination import Laminated
@@ -210,13 +210,11 @@ def _opposed(
 
     The angle between the normals is bounded together with the distance, which is weighed by `least`.
     """
-    from scipy.spatial import cKDTree
-
-    # one tree over places and directions: of facing points the normals' sum is at most 2 sin(acos(FACING)) long
+    # places and directions are compared together: normals of facing points sum to at most 2 sin(acos(FACING))
     here, there = np.hstack([points, least * normals])[searching], np.hstack([points, -least * normals])
     radius = np.hypot(reach, 2 * least * np.sqrt(1 - FACING**2))
-    near = cKDTree(here).sparse_distance_matrix(cKDTree(there), radius, output_type="ndarray")
-    return searching[near["i"]], near["j"]
+    i, j = near_pairs(here, there, float(radius))
+    return searching[i], j
 
 
 def _widths_across(
@@ -251,9 +249,8 @@ def _widths_across(
 
 def _near_pairs(points: FloatArray, reach: float) -> IntArray:
     """The pairs (2, k) of points (n, 2) no farther apart than `reach`, the smaller number of each first."""
-    from scipy.spatial import cKDTree
-
-    return np.asarray(cKDTree(points).query_pairs(reach, output_type="ndarray").T)
+    pairs = np.array(near_pairs(points, points, reach))
+    return pairs[:, pairs[0] < pairs[1]]
 
 
 def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:
