@@ -97,7 +97,10 @@ class ElasticaError(Exception):
             where, changes = {**text.where, **(where or {})}, (*changes, *text.changes)
             values = {**text.values, **values}
             text = text.text
-        values = {name: _said(value) for name, value in values.items()}
+        # an error as a value is kept as its text, which can be handed to another process
+        values = {
+            name: str(value) if isinstance(value, BaseException) else value for name, value in values.items()
+        }
         self.refusal = Refusal(kind or self.KIND, str(text), values, where, changes)
         super().__init__(str(self.refusal))
 
@@ -111,11 +114,6 @@ class ElasticaError(Exception):
         """This error, with more places: `raise problem.at(strip="A1")`, or `raise` alone behind it."""
         self.refusal = self.refusal.at(**where)
         return self
-
-
-def _said(value: Any) -> Any:
-    """A value of a template; of an error what it says, for that can be handed to another process."""
-    return str(value) if isinstance(value, BaseException) else value
 
 
 def _restored(kind: type[ElasticaError], said: str) -> ElasticaError:

@@ -26,11 +26,6 @@ CORNERS = ("bottom_left", "bottom_right", "top_right", "top_left")
 """Handles of the box around the drawn curves, by name."""
 
 
-def _box_around_curves(curves: Sequence[PlaneCurve]) -> FloatArray:
-    """Lower left and upper right corner (2, 2) of the box around curves, mm."""
-    return box_around(np.array([curve.bounds for curve in curves]))
-
-
 def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -> FloatArray:
     """Return the projective map (3, 3) that takes corners of the box around curves to `places`, mm; other corners
     stay.
@@ -52,7 +47,7 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
             raise InputError(
                 "a box has no corner {name!r}: use {corners}", name=name, corners=", ".join(CORNERS)
             )
-    (left, low), (right, high) = _box_around_curves(curves)
+    (left, low), (right, high) = box_around(np.array([curve.bounds for curve in curves]))
     if min(right - left, high - low) <= 1e-9 * max(right - left, high - low):
         raise InputError(
             "the box around the curve measures {left:.4g} by {low:.4g}: too thin for handles at "

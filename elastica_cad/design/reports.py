@@ -12,7 +12,6 @@ from elastica_cad.formats.json_curves import curve_record
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.mechanics.stability import Stability
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.held_shape import HeldShape, Reactions
@@ -152,7 +151,11 @@ def report_strip(
         "check": None if rod.check is None else report_check(rod.check),
         "nearest": None if near is None else _nearest_report(near),
         "stability": None if stability is None else _stability_report(stability),
-        "sideways": _sideways(strip.sideways),
+        "sideways": {
+            "word": strip.sideways.word,
+            "margin": round_numbers(strip.sideways.margin),
+            "meaning": strip.sideways.meaning,
+        },
         "creep": _creep(strip),
         "moved_by_snapping": round_numbers(rod.moved),
         "smoothing": None if smoothing is None else _smoothing_report(smoothing),
@@ -259,11 +262,6 @@ def _creep(strip: Strip) -> dict[str, Any] | None:
         "word": found.stability.word,
         "kept_bend": round_numbers(found.kept_share),
     }
-
-
-def _sideways(found: SidewaysStability) -> dict[str, Any]:
-    """Does the strip stay in the plane of its curve? The margin is the least where bounds are known only."""
-    return {"word": found.word, "margin": round_numbers(found.margin), "meaning": found.meaning}
 
 
 def _smoothing_report(smoothing: Smoothing) -> dict[str, Any]:

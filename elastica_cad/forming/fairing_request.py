@@ -144,7 +144,7 @@ class Smoothing:
         So of a curve that is refused: the refusal tells of the noise.
         """
         points = measured_points(self.drawn)
-        if points is None or not _can_be_bent(self.drawn, self.supports):
+        if points is None or not check_equilibrium(self.drawn, self.supports).realizable:
             return 0.0
         drawn, smooth = (
             one.sample(PLACES).curvature for one in (self.drawn, round_corners(self.drawn, points.reach)[0])
@@ -306,7 +306,3 @@ def _faired(curve: PlaneCurve, smooth: float, unbent: tuple[bool, bool]) -> Fair
         return Fairing(rounded, moved, smooth)
     fairing = fair_curve(rounded, smooth - moved, unbent)
     return replace(fairing, moved=fairing.moved + moved, tolerance=smooth)
-
-
-def _can_be_bent(curve: PlaneCurve, supports: Supports | None) -> bool:
-    return check_equilibrium(curve, supports).realizable

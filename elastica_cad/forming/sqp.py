@@ -298,11 +298,6 @@ def all_equalities(at: Iterate[Point]) -> ActiveSet:
     return ActiveSet(keys, np.zeros(keys.size))
 
 
-def _find_free(program: NonlinearProgram[Point], z: FloatArray) -> BoolArray:
-    """Which unknowns (p,) have room on both sides."""
-    return np.asarray(np.minimum(z - program.lower, program.upper - z) > CLOSING.room * program.scale)
-
-
 def _row_keys(rows: ConstraintRows) -> IntArray:
     """One number for each row, the same from point to point."""
     return rows.constraint * KEY_STRIDE + rows.index
@@ -316,7 +311,8 @@ def _with_active(
     if active.keys.size:
         rows = local.rows
         _, here, there = np.intersect1d(_row_keys(rows), active.keys, assume_unique=True, return_indices=True)
-        free = _find_free(program, local.z)
+        room = np.minimum(local.z - program.lower, program.upper - local.z)
+        free = room > CLOSING.room * program.scale
         s = program.scale[free]
         gap = active.aim[there] - rows.value[here]
         # where more rows are kept than unknowns are free the rows that react most come first

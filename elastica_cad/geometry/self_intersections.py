@@ -51,7 +51,8 @@ def find_self_intersections(
     found: list[FloatArray] = []
     for _ in range(_MOST_HALVINGS):
         first, second = _meeting(part, (low, high), first, second)
-        size = _sizes(_boxes(part))
+        box = _boxes(part)
+        size = (box[:, 1] - box[:, 0]).max(axis=1)
         tiny = np.maximum(size[first], size[second]) < small
         if first.size > _MOST_PAIRS:
             thinned = np.linspace(0, first.size - 1, _MOST_PAIRS // 10).astype(int)
@@ -68,10 +69,6 @@ def find_self_intersections(
 
 def _boxes(part: FloatArray) -> FloatArray:
     return boxes_about(part[..., :2] / part[..., 2:])
-
-
-def _sizes(box: FloatArray) -> FloatArray:
-    return np.asarray((box[:, 1] - box[:, 0]).max(axis=1))
 
 
 def _meeting(

@@ -628,7 +628,7 @@ def examine_curvature(
     """The conditions on the curvature alone: zeros of kappa - kappa_0, jumps, straight pieces, kinks."""
     require_bendable(curve)
     excess = ExcessCurvature(curve, natural_curvature)
-    largest = _largest(excess)
+    largest = float(np.abs(excess.survey).max())
     excess, begun = _begun_clear(excess, largest)
     curve = excess.curve
     zeros = _zeros_of(excess, supports, largest)
@@ -716,11 +716,6 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
             s = length if is_end else 0.0
             found.append(CurvatureZero(s, t, "end", s, t, *sign))
     return tuple(sorted(found, key=lambda z: z.s))
-
-
-def _largest(excess: ExcessCurvature) -> float:
-    """Largest |kappa - kappa_0|, nearly: the size against which others are small."""
-    return float(np.abs(excess.survey).max())
 
 
 def faint_places(

@@ -445,7 +445,8 @@ class StripAsMade:
     def rod(self) -> Rod:
         """The rod with all causes together, whose stiffness follows its bend: out of balance until bent."""
         made = _with_shares(self.cut, list(self.shares.values()))
-        made = made if self.lap is None else _lapped(made, self.lap)
+        if self.lap is not None:  # stiffer there, and glued in a shape that it keeps in part
+            made = replace(_with_shares(made, [self.lap.share]), natural_curvature=self.lap.rest)
         return made if self.curl is None else self.curl.on(made)
 
     @property
@@ -612,8 +613,3 @@ class StripAsMade:
 def _cause(end: int, seat: TabSeat) -> str:
     """Name of a holder as a cause; the end is 0 or 1."""
     return f"{('start', 'end')[end]}: {seat.name}"
-
-
-def _lapped(made: Rod, lap: LapJoint) -> Rod:
-    """The rod with its joint: stiffer there, and glued in a shape that it keeps in part."""
-    return replace(_with_shares(made, [lap.share]), natural_curvature=lap.rest)

@@ -416,7 +416,7 @@ class _Loop:
                 for end, before, after in zip(
                     self.ends, self.segments, (*self.segments[1:], self.segments[0]), strict=True
                 )
-                if _turn(before, after) > CORNER_RAD
+                if abs(turn_between(before.tangent_at(1.0), after.tangent_at(0.0))) > CORNER_RAD
             ]
         )
 
@@ -472,7 +472,3 @@ def _part(segment: Segment, a: float, b: float) -> Segment:
     t0, t1 = segment.curve.domain
     u: FloatArray = (segment.curve.parameter(np.clip([a, b], 0.0, length)) - t0) / (t1 - t0)
     return trim_segment(segment, float(max(u[0], 0.0)), float(min(u[1], 1.0)))
-
-
-def _turn(before: Segment, after: Segment) -> float:
-    return abs(float(turn_between(before.tangent_at(1.0), after.tangent_at(0.0))))

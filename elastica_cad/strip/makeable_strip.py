@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_one_of, require_flag, require_positive, require_record
+from elastica_cad._values import is_one_of, require_positive, require_record
 from elastica_cad.errors import Change, InputError, NotConvergedError, StrainError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import clip_across, trim_across
@@ -521,7 +521,7 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
         With the place, the radius there and the least one; not with `ignore_limits`, where the strip warns of it.
     """
     judged = strip.strain_verdict
-    if require_flag(ignore_limits, "ignore_limits") or not judged.refused:
+    if ignore_limits or not judged.refused:
         return
     thinner = thinner_for(strip.sheet, judged.used * strip.strain_limit)
     raise StrainError(

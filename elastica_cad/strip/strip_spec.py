@@ -232,11 +232,6 @@ def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Fab
     return max_width / max(min_width, least)
 
 
-def _masses_of(loads: object) -> tuple[PointMass, ...]:
-    """Masses hung on a strip: one, or several."""
-    return several("loads", loads, PointMass, "PointMass")
-
-
 @contextmanager
 def told_in_python(curve: PlaneCurve, may_change: bool) -> Iterator[None]:
     """A refusal of the curve ends with the argument that lets it change, where a program asked for the strip.
@@ -491,7 +486,9 @@ class StripSpec(EqualByValue):
         _check_seam(self.seam_position, self.curve)
         settled = {
             "sheet": given,
-            "loads": self.loads if isinstance(self.loads, Weight) else _masses_of(self.loads),
+            "loads": self.loads
+            if isinstance(self.loads, Weight)
+            else several("loads", self.loads, PointMass, "PointMass"),
             "ends": ends,
             "slots": slots,
             "creep": require_creep(self.creep),

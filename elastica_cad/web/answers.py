@@ -206,7 +206,8 @@ def _shape(made: Strip, rod: Rod | None = None) -> Record:
     rod = rod or made.rod
     k = np.unique(np.linspace(0, rod.s.size - 1, DRAWN_NODES + 1).round().astype(int))
     s, kappa = rod.s[k], rod.curvature[k]
-    layers = made.layout.strains(Bends(np.abs(kappa - _natural(rod)[k]), s))
+    rest = np.broadcast_to(rod.natural_curvature, rod.s.shape)[k]
+    layers = made.layout.strains(Bends(np.abs(kappa - rest), s))
     share = np.max([layer.strain / layer.limit for layer in layers], axis=0)
     position, width = rod.position[k], made.width(s)
     along = np.column_stack([np.cos(rod.angle[k]), np.sin(rod.angle[k])])
@@ -219,10 +220,6 @@ def _shape(made: Strip, rod: Rod | None = None) -> Record:
         "curvature": _rounded(kappa, 6),
         "shares": _rounded(share, 3),
     }
-
-
-def _natural(rod: Rod) -> FloatArray:
-    return np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
 
 
 def _numbers(made: Strip, found: Rod | NearestRod) -> Record:
