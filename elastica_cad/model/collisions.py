@@ -100,29 +100,31 @@ class Body:
             return cls(replace(ruled, width=width), INSCRIBED * thinnest, strip)
         return cls(ruled, strip_thickness(strip), strip)
 
-    def samples(self, inset: float) -> tuple[FloatArray, FloatArray]:
-        """Places (n,) and (n,) on edges and faces in the flat pattern, `inset` mm within the rim."""
+    def samples(self, inset: float) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        """Return places (n,) and (n,) on edges and faces in the flat pattern, `inset` mm within the rim, and the
+        points and tangents (n, 2) of the curve there.
+        """
         length = self.ruled.length
         first, last = min(inset, length / 2), max(length - inset, length / 2)
         widest = self.ruled.width.extremes[1]
         along, ends = _steps(first, last, EDGE_PITCH_MM), _steps(-1.0, 1.0, 2 * EDGE_PITCH_MM / widest)
         rows, inner = _steps(first, last, FACE_PITCH_MM), _steps(-1.0, 1.0, 2 * FACE_PITCH_MM / widest)
-        grids = [(along, np.array([-1.0, 1.0])), (np.array([first, last]), ends), (rows, inner)]
-        s, share = np.concatenate([np.reshape(np.meshgrid(x, y), (2, -1)) for x, y in grids], axis=1)
-        return s, share * np.maximum(self.ruled.half_width(s) - inset, 0.0)
-
-    @cached_property
-    def _tree(self) -> Any:
-        from scipy.spatial import cKDTree
-
-        return cKDTree(self.ruled.in_plane(self.ruled.stations)[0])
+        stations = np.concatenate([along, [first, last], rows])
+        which = np.split(np.arange(stations.size), [along.size, along.size + 2])
+        grids = zip(which, (np.array([-1.0, 1.0]), ends, inner), strict=True)
+        k, share = np.concatenate([np.reshape(np.meshgrid(x, y), (2, -1)) for x, y in grids], axis=1)
+        k, reach = k.astype(np.int64), np.maximum(self.ruled.half_width(stations) - inset, 0.0)
+        place, tangent = self.ruled.in_plane(stations)
+        return stations[k], share * reach[k], place[k], tangent[k]
 
     def stations_near(self, points: FloatArray, reach: float) -> tuple[IntArray, FloatArray]:
-        """Which points (n, 2) of the curve's plane may lie within reach of it, and the stations nearest to them."""
+        """Return which points (n, 2) of the curve's plane may be within reach of it, and their nearest stations."""
         stations = self.ruled.stations
-        away, k = self._tree.query(points, distance_upper_bound=reach + float(np.diff(stations).max()))
-        near = np.flatnonzero(np.isfinite(away))
-        return near, stations[k[near]]
+        line = self.ruled.in_plane(stations)[0]
+        i, k = near_pairs(points, line, reach + float(np.diff(stations).max()))
+        order = np.lexsort((np.hypot(*(points[i] - line[k]).T), i))
+        near, first = np.unique(i[order], return_index=True)
+        return near, stations[k[order[first]]]
 
     def nearest(self, points: FloatArray, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Arc lengths (n,) near s at which the curve is nearest to points (n, 2), its places and tangents there."""
@@ -193,8 +195,7 @@ def _deepest(a: Body, b: Body, room: float, least: float, *, is_flush: bool) -> 
     inset = least if is_flush else min(least / 2, a.thickness / 4, b.thickness / 4)
     heights = [0.0] if is_flush else [inset - a.thickness / 2, a.thickness / 2 - inset]
     thick = (a.thickness + b.thickness) / 2 if is_flush else b.thickness / 2
-    s, across = a.samples(inset)
-    place, tangent = a.ruled.in_plane(s)
+    s, across, place, tangent = a.samples(inset)
     left = np.column_stack([-tangent[:, 1], tangent[:, 0]])
     place = np.concatenate([place + height * left for height in heights])
     s, across, left = (np.concatenate([rows] * len(heights)) for rows in (s, across, left))
@@ -370,7 +371,6 @@ def self_contact(strip: Strip) -> Places | None:
     >>> self_contact(Strip(Rod.straight(100), Sheet.named("card-200gsm"), max_width=20)) is None
     True
     """
-
     rod, turned = strip.rod, turns_along(strip.rod.angle)
     # between two places that meet a curve turns by half a circle or more
     if np.ptp(rod.angle) < np.pi:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import pairwise
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import distinct, lengths_along
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Spline
+from elastica_cad.geometry.splines import SplineFunction
 
 STATIONS = 400
 """Least number of samples of a strip from which crossings are found; between them it is known to 1e-5 mm."""
@@ -61,7 +62,7 @@ class RuledStrip:
     @property
     def stations(self) -> FloatArray:
         """Arc lengths (n,) dense enough to find crossings from."""
-        return np.asarray(self._spline.x)
+        return self._spline.knots[2:-2:2]
 
     def half_width(self, s: FloatArray) -> FloatArray:
         """Half the width (n,) at arc lengths (n,), mm."""
@@ -88,7 +89,7 @@ class RuledStrip:
         return self._spline(s), self._spline(s, 1)
 
     @property
-    def _spline(self) -> Any:
+    def _spline(self) -> SplineFunction:
         return _over_arc_length(self.curve, self.length)
 
 
@@ -118,18 +119,17 @@ def strips_may_meet(strips: Sequence[RuledStrip], rooms: FloatArray | None = Non
 
 
 @lru_cache(maxsize=_TABLES)
-def _over_arc_length(curve: PlaneCurve, length: float) -> Any:
+def _over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
     """Cubic spline of a curve over arc lengths that end at `length`, with the curve's own tangents at its nodes."""
-    from scipy.interpolate import CubicHermiteSpline
-
     panels = curve.smooth_panels
     each = -(-STATIONS // (panels.size - 1))
     inner = (panels[:-1, None] + np.diff(panels)[:, None] * np.arange(each) / each).ravel()
     t = np.append(inner, panels[-1])
-    way = curve.evaluate(t, 1)
-    return CubicHermiteSpline(
-        curve.arc_length(t) * length / curve.length, curve.evaluate(t), way / np.hypot(*way.T)[:, None]
-    )
+    s, points, way = curve.arc_length(t) * length / curve.length, curve.evaluate(t), curve.evaluate(t, 1)
+    ahead, thirds = way / np.hypot(*way.T)[:, None], np.diff(s)[:, None] / 3
+    handles = np.stack([points[:-1] + thirds * ahead[:-1], points[1:] - thirds * ahead[1:]], axis=1)
+    coefficients = np.concatenate([points[:1], handles.reshape(-1, 2), points[-1:]])
+    return SplineFunction(np.pad(np.repeat(s, 2), 2, mode="edge"), coefficients, 3)
 
 
 ZERO = 1e-11
