@@ -1,7 +1,7 @@
 """Linear programs in few numbers: the smallest ratio of largest to least stiffness, and the smoothest near it."""
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -17,6 +17,8 @@ class Exchange(NamedTuple):
     ----------
     start_rows, most_rounds : int
         Samples along a curve to begin with where rows are added, and rounds of adding.
+    first_rows : int
+        Samples of a long curve, evenly spread, that a program begins with.
     box : float
         Size that unknowns of order 1 are held below at first, so that there is a vertex to start from.
     feasible : float
@@ -28,6 +30,7 @@ class Exchange(NamedTuple):
     """
 
     start_rows: int = 9
+    first_rows: int = 500
     most_rounds: int = 200
     box: float = 1e7
     feasible: float = 1e-10
@@ -96,13 +99,21 @@ def minimax_ratio(
     if m == 1 and side_rows is None and not offset.any():
         return _single(rows[:, 0])
     program = MinimaxProgram(rows, side_rows=side_rows, side_offset=side_offset)
-    program.demand(rows, offset, rows, offset)
-    answer = program.solve()
-    if answer is None:
-        return None
-    x, ratio = answer
-    values = rows @ x + offset
-    return MinimaxSolution(x, max(ratio, float(values.max())), values)
+    step = max(1, n // METHOD.first_rows)
+    new: Any = slice(None, None, step)
+    for _ in range(METHOD.most_rounds):
+        program.demand(rows[new], offset[new], rows[new], offset[new])
+        answer = program.solve()
+        if answer is None:
+            return None
+        x, ratio = answer
+        values = rows @ x + offset
+        before, new = new, [int(values.argmin()), int(values.argmax())]
+        least, largest = values[new].tolist()
+        holds = least >= 1 - METHOD.feasible and largest <= ratio + METHOD.feasible * max(1.0, ratio)
+        if step == 1 or holds or new == before:
+            return MinimaxSolution(x, max(ratio, largest), values)
+    raise unsettled(ratio)
 
 
 def start_rows(count: int) -> list[int]:
@@ -162,18 +173,18 @@ class MinimaxProgram:
         self, low: FloatArray, low_offset: FloatArray, high: FloatArray, high_offset: FloatArray
     ) -> None:
         """Add the rows 1 <= low @ x + low_offset and high @ x + high_offset <= R."""
-        self._add(low, low_offset - 1, 1.0, 0.0)
-        self._add(high, high_offset, -1.0, 1.0)
+        share = np.repeat([0.0, 1.0], [len(low), len(high)])
+        self._add(np.concatenate([low, -high]), np.concatenate([low_offset - 1, -high_offset]), share)
 
     def hold(self, rows: FloatArray, offset: FloatArray) -> None:
         """Add the rows rows @ x + offset >= 0."""
-        self._add(rows, offset, 1.0, 0.0)
+        self._add(rows, offset, np.zeros(len(rows)))
 
-    def _add(self, rows: FloatArray, offset: FloatArray, sign: float, share: float) -> None:
-        """Demand sign * (rows @ x + offset) + share * R >= 0."""
-        more = np.column_stack([sign * rows @ self.basis, np.full(len(rows), share)])
+    def _add(self, rows: FloatArray, offset: FloatArray, share: FloatArray) -> None:
+        """Demand rows @ x + offset + share * R >= 0."""
+        more = np.concatenate([rows @ self.basis, share[:, None]], axis=1)
         self.rows = np.concatenate([self.rows, more])
-        self.limits = np.concatenate([self.limits, -sign * offset])
+        self.limits = np.concatenate([self.limits, -offset])
 
     def solve(self) -> tuple[FloatArray, float] | None:
         """x and R, or None when no x meets the demands."""
@@ -185,26 +196,29 @@ class MinimaxProgram:
 
     def _exchanged(self) -> FloatArray | None:
         """The vertex (x, R); None for an unbounded program, one without answer, or one all but degenerate."""
-        holds_largest, active, unknowns = self.rows[:, -1], self.active, self.basis.shape[1]
+        active, unknowns = self.active, self.basis.shape[1]
+        rows, limits = self.rows[active], self.limits[active]
         for _ in range(METHOD.most):
-            rows, limits = self.rows[active], self.limits[active]
             try:
                 inverse = np.linalg.inv(rows)
             except np.linalg.LinAlgError:
                 return None
-            vertex = inverse @ limits
-            vertex += inverse @ (limits - rows @ vertex)  # to rounding of the conditions themselves
-            excess = (self.rows @ vertex - self.limits) / (1 + holds_largest * max(vertex[-1] - 1, 0.0))
+            vertex = inverse.dot(limits)  # of arrays so small `dot` takes half the time of `@`
+            vertex += inverse.dot(limits - rows.dot(vertex))  # to rounding of the conditions themselves
+            excess = self.rows.dot(vertex) - self.limits
+            if vertex[-1] > 1:
+                excess /= 1 + self.rows[:, -1] * (vertex[-1] - 1)
             worst = int(excess.argmin())
             if excess[worst] >= -METHOD.feasible:
                 boxed = (active < 2 * unknowns + 1) & (active != unknowns)
                 return vertex if not boxed.any() and np.isfinite(vertex).all() else None
             # the entering row is so much of each active one; R is the sum of the active ones by `share`
-            parts, share = self.rows[worst] @ inverse, inverse[-1]
-            leaving = np.flatnonzero(parts > METHOD.pivot * np.abs(parts).max())
+            parts, share = self.rows[worst].dot(inverse), inverse[-1]
+            leaving = (parts > METHOD.pivot * np.abs(parts).max()).nonzero()[0]
             if leaving.size == 0:
                 return None
-            active[leaving[(share[leaving] / parts[leaving]).argmin()]] = worst
+            out = leaving[(share[leaving] / parts[leaving]).argmin()]
+            active[out], rows[out], limits[out] = worst, self.rows[worst], self.limits[worst]
         return None
 
 
