@@ -1,4 +1,4 @@
-"""Compiled parts of scipy by themselves: LAPACK, Brent's method without the packages around them.
+"""Compiled parts of scipy by themselves: LAPACK, Brent's method, convex hulls without the packages around them.
 
 `scipy.linalg` and `scipy.optimize` import some hundred modules before the first function can be called, a fifth
 and a third of a second. The functions used here are compiled ones in one file each, loaded alone in milliseconds.
@@ -58,6 +58,16 @@ def crossing(
 def _brent() -> Any:
     alone = _alone("optimize", "_zeros", "_brentq") or import_module("scipy.optimize._zeros")
     return alone._brentq
+
+
+def convex_hull(points: FloatArray) -> Any:
+    """The `scipy.spatial.ConvexHull` of points (n, k)."""
+    return _spatial().ConvexHull(points)
+
+
+@cache
+def _spatial() -> Any:
+    return _alone("spatial", "_qhull", "ConvexHull") or import_module("scipy.spatial")
 
 
 def _alone(package: str, name: str, needed: str) -> Any | None:

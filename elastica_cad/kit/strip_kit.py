@@ -149,7 +149,7 @@ class StripResult:
             return replace(joined, ends=self.joints).drawings
         drawings = strip.drawings()
         if any(self.joints):
-            base, cuts = drawings[0], Cuts(strip.holes, outline=strip.outline)
+            base, cuts = drawings[0], Cuts(strip.holes, rim=strip.layers[0].rim)
             marks = end_numbers(strip.width, cuts, base.texts, self.joints)
             drawings = (replace(base, texts=(*base.texts, *marks)), *drawings[1:])
         return drawings

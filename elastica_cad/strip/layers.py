@@ -22,6 +22,7 @@ from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, Laye
 from elastica_cad.strip.lettering import Text, fit_label
 from elastica_cad.strip.outline import Ends, add_register_holes, end_holes, fix_tab_widths, flat_rim
 from elastica_cad.strip.slots import (
+    Cut,
     Cuts,
     Slot,
     cut_slots,
@@ -75,6 +76,11 @@ class Layer:
     def called(self, strip: str) -> str:
         """Return the layer's name in files: the strip's, and which layer it is."""
         return f"{strip}-{self.name.replace(' ', '-')}" if self.name else strip
+
+    @cached_property
+    def rim(self) -> Cut:
+        """The outline as a line that letters avoid."""
+        return Cut(self.outline, "outside")
 
     @cached_property
     def area(self) -> float:
@@ -263,7 +269,7 @@ def _label_texts(
 ) -> tuple[Text, ...]:
     """The label, off cuts: along the middle; where there are holes across a tab, the first if there is room."""
     if layout.pattern is None:
-        return (label_off_cuts(label, width, Cuts(outline=layer.outline if slotted else None)),)
+        return (label_off_cuts(label, width, Cuts(rim=layer.rim if slotted else None)),)
     length = width.length
     spans = ((-ends[0].length, 0.0), (length, length + ends[1].length))
     tabs = [
@@ -272,7 +278,7 @@ def _label_texts(
         if span[0] < span[1]
     ]
     near = [hole for hole in layer.holes if hole.bounds[0, 0] < 0 or hole.bounds[1, 0] > length]
-    return (label_on_tabs(label, tabs, Cuts(near, outline=layer.outline)),) if tabs else ()
+    return (label_on_tabs(label, tabs, Cuts(near, rim=layer.rim)),) if tabs else ()
 
 
 END_MM = 1e-6

@@ -25,7 +25,7 @@ from elastica_cad.strip.held_shape import LEAST_TOLD_MM, closes, shape_responses
 from elastica_cad.strip.layers import LapPlates, Layer
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.pieces import Piece
-from elastica_cad.strip.slots import Cuts, Slot, end_numbers, label_off_cuts, mating_marks, slot_cut
+from elastica_cad.strip.slots import Cut, Cuts, Slot, end_numbers, label_off_cuts, mating_marks, slot_cut
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults, find_strip_faults
 
@@ -326,7 +326,7 @@ class Splice:
         span = max(low, 0.0), min(high, self.strip.rod.length)
         if isinstance(self.strip.style, Perforated) and not plate:
             span = self._clear_of_holes(whole, low, high)
-        cuts = Cuts(holes, marks, outline=outline)
+        cuts = Cuts(holes, marks, rim=Cut(outline, "outside"))
         called = self.strip.label or "strip"
         text = f"{called if self.strip.engrave is None else self.strip.engrave}{name.removeprefix(called)}"
         label = label_off_cuts(text.lstrip("-"), whole.width, cuts, span)

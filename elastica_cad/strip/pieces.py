@@ -353,7 +353,7 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
             called = layer.called(name)
             marks: tuple[Text, ...] = ()
             if numbered and i == 0:
-                cuts = Cuts(layer.holes, drawing.on(MARK), outline=layer.outline)
+                cuts = Cuts(layer.holes, drawing.on(MARK), rim=layer.rim)
                 marks = end_numbers(strip.width, cuts, drawing.texts)
             texts = (*drawing.texts, *marks)
             sheet, worked = _blank(strip, layer)

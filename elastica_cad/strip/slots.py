@@ -409,7 +409,7 @@ def _on_free_part(box: FloatArray, width: Profile) -> bool:
     return bool(np.abs(box[:, 1]).max() < float(width(x).min()) / 2)
 
 
-class _Cut:
+class Cut:
     """A line that letters keep off; of a loop also the side where no material is, "inside" or "outside"."""
 
     def __init__(self, line: Path, gone: str = "") -> None:
@@ -421,12 +421,12 @@ class _Cut:
         points = self.line.points(COARSE_MM)
         return _around(points) if self.gone or self.line.closed else points
 
-    def reaches(self, box: FloatArray, rim: FloatArray) -> bool:
+    def reaches(self, box: FloatArray, edge: FloatArray) -> bool:
         """Whether the cut runs through a box, or leaves no material there."""
         low, high = box_about(box)
         if bool(np.any(np.all((self.points > low) & (self.points < high), axis=1))):
             return True
-        if polylines_cross(rim, self.points) is not None:
+        if polylines_cross(edge, self.points) is not None:
             return True
         return bool(self.gone) and encloses(self.points, box[0]) == (self.gone == "inside")
 
@@ -440,23 +440,23 @@ class Cuts:
         holes: Sequence[Path] = (),
         lines: Sequence[Path] = (),
         *,
-        outline: Path | None = None,
-        slots: Sequence[Path] = (),
+        rim: Cut | None = None,
+        slots: Sequence[Cut] = (),
     ) -> None:
-        self._outline = None if outline is None else _Cut(outline, "outside")
-        self._cuts = [] if self._outline is None else [self._outline]
-        self._cuts += [_Cut(hole, "inside") for hole in (*holes, *slots)]
-        self._cuts += [_Cut(line) for line in lines]
+        self._rim = rim
+        self._cuts = [*slots] if rim is None else [rim, *slots]
+        self._cuts += [Cut(hole, "inside") for hole in holes]
+        self._cuts += [Cut(line) for line in lines]
         self._bounds = np.array([cut.line.bounds for cut in self._cuts]).reshape(-1, 2, 2)
 
     def clear_of(self, box: FloatArray) -> bool:
         """Whether a box avoids all of them."""
         bounds = box_about(box)
-        if self._outline and not boxes_meet(self._outline.line.bounds, bounds):
+        if self._rim and not boxes_meet(self._rim.line.bounds, bounds):
             return False
-        rim = _around(box)
+        edge = _around(box)
         met = np.flatnonzero(boxes_meet(self._bounds, bounds)).tolist()
-        return not any(self._cuts[k].reaches(box, rim) for k in met)
+        return not any(self._cuts[k].reaches(box, edge) for k in met)
 
 
 def _around(points: FloatArray) -> FloatArray:
@@ -493,12 +493,12 @@ def mating_marks(
     Each stands at the inner end of its slot, or else beside the slot, as large as fits; where nothing fits the
     slot stays without.
     """
-    rims = [slot_cut(slot, width, beyond=slot.width) for slot in slots]
+    rims = [Cut(slot_cut(slot, width, beyond=slot.width), "inside") for slot in slots]
     cuts = Cuts(holes, marks, slots=rims)
     boxes = [box_about(_text_box(text)) for text in taken]
     found = []
     for slot, rim in zip(slots, rims, strict=True):
-        for text in _choices(slot, rim.points(COARSE_MM), width) if slot.mate else ():
+        for text in _choices(slot, rim.points, width) if slot.mate else ():
             box = _text_box(text)
             if _clear(box, width, boxes, cuts):
                 found.append(text)

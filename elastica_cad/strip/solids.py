@@ -8,6 +8,7 @@ from typing import TypeAlias
 
 import numpy as np
 
+from elastica_cad._compiled_scipy import convex_hull
 from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers, require_positive, require_record, several
 from elastica_cad.errors import InputError
@@ -482,7 +483,5 @@ def convex_corners(points: FloatArray) -> FloatArray:
     >>> convex_corners(np.array([[0.0, 0.0], [1.0, 0.5], [2.0, 0.0], [1.0, 0.0], [1.0, 2.0]])).tolist()
     [[0.0, 0.0], [2.0, 0.0], [1.0, 2.0]]
     """
-    from scipy.spatial import ConvexHull
-
-    corners = np.asarray(points, dtype=float)[ConvexHull(points).vertices]
+    corners = np.asarray(points, dtype=float)[convex_hull(points).vertices]
     return np.roll(corners, -int(np.lexsort(corners.T[::-1])[0]), axis=0)
