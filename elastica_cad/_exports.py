@@ -34,10 +34,6 @@ def exports(file: str, package: str) -> tuple[Callable[[str], Any], Callable[[],
 
     def get(name: str) -> Any:
         if name not in homes:
-            from elastica_cad.errors import RENAMED
-
-            if RENAMED.get(name) in homes:
-                raise AttributeError(f"{package}.{name} is now called {RENAMED[name]}")
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
         home = homes[name]
         with installed_modules():

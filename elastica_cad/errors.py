@@ -4,7 +4,7 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import date, time
-from functools import cache, wraps
+from functools import cache
 from math import ceil, floor, isfinite, log10
 from pathlib import Path
 from reprlib import Repr
@@ -27,9 +27,7 @@ __all__ = [
     "near_names",
     "quoted",
     "refuse_options_unlike",
-    "refuse_renamed",
     "refuse_unknown",
-    "refusing_old_names",
     "rounded_down",
     "rounded_up",
     "toml_slip",
@@ -203,40 +201,6 @@ def how_to_install(package: str) -> str:
     return " ".join(words)
 
 
-RENAMED = {"anyway": "ignore_limits", "joint": "seam_position", "Shop": "FabricationLimits"}
-"""Public names that were changed, by the old one."""
-
-
-def refuse_renamed(asked: Iterable[str]) -> None:
-    """Refuse the first name that is an old one of an option.
-
-    Raises
-    ------
-    UnknownOptionError
-        There is one.
-
-    Examples
-    --------
-    >>> refuse_renamed(["anyway"])
-    Traceback (most recent call last):
-    elastica_cad.errors.UnknownOptionError: anyway is now called ignore_limits
-    """
-    for name in asked:
-        if name in RENAMED:
-            raise UnknownOptionError("{name} is now called {near}", name=name, near=RENAMED[name])
-
-
-def refusing_old_names(function: Callable[P, R]) -> Callable[P, R]:
-    """Make a function refuse names of options that were changed, and say what they are called now."""
-
-    @wraps(function)
-    def call(*args: P.args, **options: P.kwargs) -> R:
-        refuse_renamed(options)
-        return function(*args, **options)
-
-    return call
-
-
 def refuse_unknown(asked: Iterable[str], known: Iterable[str], what: str) -> None:
     """Refuse names of options that `what` does not have.
 
@@ -261,7 +225,6 @@ def refuse_unknown(asked: Iterable[str], known: Iterable[str], what: str) -> Non
     names = sorted(known)
     for name in asked:
         if name not in names:
-            refuse_renamed([name])
             near = near_names(name, names)
             hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(names)}"
             raise UnknownOptionError(

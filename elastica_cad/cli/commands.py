@@ -15,7 +15,7 @@ from elastica_cad.cli.options import UNITS, Length, option_name
 from elastica_cad.cli.suggestions import TYPED, suggestion_below
 from elastica_cad.cli.voice import echo, progress_shown, remake_on_change, voice, warn
 from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE, OUTPUT_CLOSED
-from elastica_cad.errors import RENAMED, ElasticaError, InputError, NotMetError, StrainError, near_names
+from elastica_cad.errors import ElasticaError, InputError, NotMetError, StrainError, near_names
 from elastica_cad.formats.source_file import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.plot.drawing_process import DrawingProcess
@@ -41,26 +41,6 @@ COMMANDS = {
 MM_IN_KEYS = ("settings",)
 PER_MM = ("natural_curvature",)
 """Options that `--units` does not reach: keys as in a design file, and curvatures."""
-
-GONE = {
-    "--slot": "slots", "--hang": "loads", "--max-strain": "limits.strain", "--max-curvature": "limits.curvature",
-    "--length-range": "limits.length", "--width-range": "limits.width", "--keep-tangent": "keep.tangents",
-    "--keep-symmetry": "keep.symmetry", "--keep-point": "keep.points", "--keep-line": "keep.line",
-    "--inflection-line": "keep.line", "--tab-radius": "ends.corner_radius", "--start-tab": "ends",
-    "--end-tab": "ends", "--down-in-space": "gravity", "--gravity-length": "gravity.length",
-    "--dxf-version": "cut.version", "--corner-radius": "style.corner_radius",
-    "--holding": "cut.holding.width", "--curves": "cut.curves",
-    "--tolerance": "cut.tolerance",
-}  # fmt: skip
-"""Options that a strip had, by the key that is set instead, where it is called otherwise."""
-
-GONE_VALUES = {
-    "slots": "'[{ at = 40, width = 1.2 }]'", "loads": "'[{ at = 40, mass = 3 }]'",
-    "ends": "'[{ length = 12 }, { length = 8 }]'",
-    "limits.length": "'[200, 220]'", "limits.width": "'[14, 20]'", "keep.tangents": "'[true, false]'",
-    "keep.points": "'[40, 90]'", "keep.line": "'[[0, 20], [150, 25]]'", "gravity": "'[0, 0, -1]'",
-}  # fmt: skip
-"""What is written for values that are no single word."""
 
 ALIKE = {"name": "label"}
 """Options of one command by what others call them."""
@@ -186,11 +166,10 @@ def _instead_of(problem: click.NoSuchOption) -> str:
     typed = problem.option_name
     name = typed.lstrip("-").replace("-", "_")
     context = problem.ctx
-    if (new := (RENAMED | ALIKE).get(name)) is not None:
+    if (new := ALIKE.get(name)) is not None:
         typed_new = option_name(new)
-        known = context is not None and any(typed_new in one.opts for one in context.command.params)
-        if known:
-            return f"{typed} is {'now ' if name in RENAMED else ''}called {typed_new}"
+        if context is not None and any(typed_new in one.opts for one in context.command.params):
+            return f"{typed} is called {typed_new}"
         name = new
     records = [] if context is None else [getattr(one.type, "record", None) for one in context.command.params]
     for record in filter(None, records):
@@ -199,9 +178,8 @@ def _instead_of(problem: click.NoSuchOption) -> str:
 
         keys = paths_of(record)
         listed = [path for path in keys if path.count(".") <= DEEPEST]
-        if path := GONE[typed] if GONE.get(typed) in keys else near_path(name, listed):
-            example = GONE_VALUES.get(path, "VALUE")
-            return f"{typed} is given by --set {path}={example} now: `elastica help {path}` explains it"
+        if path := near_path(name, listed):
+            return f"{typed} is given by --set {path}=VALUE: `elastica help {path}` explains it"
     return problem.format_message()
 
 

@@ -1,12 +1,9 @@
 """The command that was typed, and suggestions of one that would work."""
 
-import re
 import shutil
 import sys
-import threading
-import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
@@ -15,7 +12,6 @@ import click
 import numpy as np
 
 from elastica_cad._text import quote_words
-from elastica_cad.cli.voice import voice
 from elastica_cad.errors import Change, ElasticaError
 
 if TYPE_CHECKING:
@@ -72,13 +68,7 @@ def first_told(refused: int) -> str:
 
 
 MOST_TRIED = 3
-"""Candidates of one refusal."""
-
-TRIAL_S, TRIAL_BYTES = 2.0, 300 * 2**20
-"""What all of them may take together, beyond what the refusal took."""
-
-LONGEST_REFUSED_S = 2.0
-"""A request that took longer is not tried again otherwise."""
+"""Candidates of a refusal; each takes as long as the request."""
 
 WIDEST_SHARE = 0.5
 """Of its length: what is wider bends as a plate."""
@@ -88,10 +78,6 @@ SUGGEST = "elastica.suggest"
 
 Candidate: TypeAlias = "tuple[str, Callable[[], Sequence[StripSpec]]]"
 """What would be said of it, and the requests of its strips."""
-
-
-class _OutOfTimeError(BaseException):
-    """The trials have taken as long as they may; no reader of files takes it for an error of the system."""
 
 
 def suggest_later(look: Callable[[ElasticaError], str]) -> None:
@@ -118,49 +104,20 @@ def changed_requests(spec: "StripSpec", change: Change) -> "Sequence[StripSpec]"
 
 
 def first_that_holds(candidates: Iterable[Candidate], nearest: Iterable[Candidate] = ()) -> str:
-    """A sentence with the first candidate of which strips were made that hold; else with all of `nearest` that do,
-    which change more than the request; empty where none was in time.
+    """Return a sentence with the first of `MOST_TRIED` candidates of which strips were made that hold.
+
+    If none holds, the sentence lists all of `nearest` that do, which change more than the request. It is empty if
+    none of them holds, or after Ctrl-C.
     """
-    if time.perf_counter() - voice().since > LONGEST_REFUSED_S:
-        return ""
     found = []
-    with suppress(KeyboardInterrupt, _OutOfTimeError, MemoryError), _limits():
-        for told, requests in islice(candidates, MOST_TRIED):
+    with suppress(KeyboardInterrupt, MemoryError):
+        for message, requests in islice(candidates, MOST_TRIED):
             if held := _held(requests):
-                return f"This works: {told} ({held})."
-        for told, requests in nearest:
+                return f"This works: {message} ({held})."
+        for message, requests in nearest:
             if held := _held(requests):
-                found.append(f"{told} ({held})")
+                found.append(f"{message} ({held})")
     return f"Nearest to working: {'; or '.join(found)}." if found else ""
-
-
-@contextmanager
-def _limits() -> Iterator[None]:
-    """Ends what runs inside by an error of its own or MemoryError; where the system cannot, before it begins."""
-    try:
-        import resource
-        from signal import ITIMER_REAL, SIGALRM, setitimer, signal
-    except ImportError:  # Windows
-        raise _OutOfTimeError from None
-    if threading.current_thread() is not threading.main_thread():
-        raise _OutOfTimeError
-    most = resource.getrlimit(resource.RLIMIT_DATA)
-
-    def end(*_: object) -> None:
-        raise _OutOfTimeError
-
-    before = signal(SIGALRM, end)
-    with suppress(OSError, ValueError):  # systems that do not tell have the limit of time alone
-        used = re.search(r"VmData:\s+(\d+) kB", Path("/proc/self/status").read_text(encoding="ascii"))
-        if used is not None:
-            resource.setrlimit(resource.RLIMIT_DATA, (1024 * int(used[1]) + TRIAL_BYTES, most[1]))
-    setitimer(ITIMER_REAL, TRIAL_S)
-    try:
-        yield
-    finally:
-        setitimer(ITIMER_REAL, 0)
-        signal(SIGALRM, before)
-        resource.setrlimit(resource.RLIMIT_DATA, most)
 
 
 def _held(requests: Callable[[], Sequence["StripSpec"]]) -> str:

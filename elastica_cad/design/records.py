@@ -23,7 +23,7 @@ from elastica_cad.declared import (
 from elastica_cad.defaults import KERF
 from elastica_cad.design.kit_spec import Cutting, cutting_keys
 from elastica_cad.design.tables import Formula, Table
-from elastica_cad.errors import RENAMED, InputError, near_names, quoted
+from elastica_cad.errors import InputError, near_names, quoted
 from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import EndName, RestCurvature, Supports
@@ -488,8 +488,6 @@ def require_path_of(path: str, record: Record) -> Field:
         There is none; the message names the nearest.
     """
     known = paths_of(record)
-    if RENAMED.get(path) in known:
-        raise InputError("{old} is now called {new}", old=path, new=RENAMED[path])
     if path not in known:
         near = near_path(path, known)
         hint = f"did you mean {near}?" if near else "`elastica help` lists them"

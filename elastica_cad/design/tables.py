@@ -12,7 +12,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH
-from elastica_cad.errors import RENAMED, InputError, near_names, quoted
+from elastica_cad.errors import InputError, near_names, quoted
 from elastica_cad.formats.source_file import LARGEST_NUMBER
 from elastica_cad.refusals import Refusal, note, sentences
 
@@ -354,12 +354,7 @@ class Table:
         """Return this table, and refuse it where it holds any other key."""
         slips = Slips()
         for key in self.data:
-            if RENAMED.get(key) in keys:
-                slips.add(note(
-                    "{place}: {key!r} is now called {near}",
-                    place=self.where, key=key, near=RENAMED[key],
-                ))  # fmt: skip
-            elif key not in keys:
+            if key not in keys:
                 meant = OTHER_WORDS.get(key.lower(), "")
                 near = [meant] if meant in keys or "." in meant else near_names(key.lower(), keys, cutoff=0.5)
                 hint = (

@@ -12,7 +12,7 @@ import numpy as np
 from elastica_cad._values import and_more, counted, require_path, require_record
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting, KitSpec
 from elastica_cad.design.model_report import compose_start_page
-from elastica_cad.errors import InputError, refusing_old_names
+from elastica_cad.errors import InputError
 from elastica_cad.files import step_trouble
 from elastica_cad.formats.write_files import File, check_folder, write_json, write_text
 from elastica_cad.geometry.path import Path as ClosedPath
@@ -158,7 +158,6 @@ def left_behind(kit: Kit, folder: str | Path) -> tuple[str, ...]:
     )
 
 
-@refusing_old_names
 def save_model(
     model: Model,
     folder: str | Path,

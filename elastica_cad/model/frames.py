@@ -10,7 +10,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, several
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.defaults import BORDER, CLEARANCE, PLAY
-from elastica_cad.errors import InputError, refusing_old_names
+from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.nurbs_curve import cross
 from elastica_cad.geometry.path import Path
@@ -135,7 +135,6 @@ class SlottedFrame:
         return tuple((part.name, part.solid) for part in self.parts)
 
 
-@refusing_old_names
 def slotted_frame(
     placed: Sequence[Placed],
     sheet: Sheet | str,

@@ -11,7 +11,7 @@ from elastica_cad._notebook import html_table
 from elastica_cad._types import ArrayLike
 from elastica_cad._values import counted, direction, is_whole, several, three
 from elastica_cad.declared import Asked, require_declared
-from elastica_cad.errors import InputError, quoted, refuse_options_unlike, refusing_old_names
+from elastica_cad.errors import InputError, quoted, refuse_options_unlike
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Color, Sheet, require_printable
 from elastica_cad.model.fixtures import EndFixture, end_fixtures
@@ -57,7 +57,6 @@ class Stand:
     sentence: str
 
 
-@refusing_old_names
 def stand(
     placed: Sequence[Placed],
     sheet: Sheet | str,

@@ -9,7 +9,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_whole, require_flag, require_number, require_record
 from elastica_cad.defaults import PLAY, RING_TAB_LENGTH
-from elastica_cad.errors import InputError, refusing_old_names
+from elastica_cad.errors import InputError
 from elastica_cad.forming.meridians import Meridian, meridian
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve, line_crossings
@@ -180,7 +180,6 @@ BRIDGE_FACTOR = 1.02
 """Factor on the least material between slots, so that they are not refused because of rounding."""
 
 
-@refusing_old_names
 def revolution(
     a: float,
     b: ArrayLike,
@@ -246,7 +245,6 @@ def revolution(
     )
 
 
-@refusing_old_names
 def revolve(
     meridian: Meridian,
     strips: int,

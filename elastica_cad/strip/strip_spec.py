@@ -11,7 +11,7 @@ import numpy as np
 
 from elastica_cad._values import EqualByValue, is_number, require_record, several
 from elastica_cad.declared import Asked, require_declared
-from elastica_cad.errors import Change, InputError, refuse_renamed, refuse_unknown, rounded_up
+from elastica_cad.errors import Change, InputError, refuse_unknown, rounded_up
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest_record import NearestRod
@@ -462,11 +462,6 @@ class StripSpec(EqualByValue):
     tolerance: Annotated[
         MakingTolerance, Asked("What is off in sheet, cut and clamps; what that adds is told.", group="sheet")
     ] = USUAL_TOLERANCE
-
-    def __new__(cls, *_: Any, **fields: Any) -> "StripSpec":
-        """Refuse old names of fields with what they are called now."""
-        refuse_renamed(fields)
-        return super().__new__(cls)
 
     def __post_init__(self) -> None:
         require_curve(self.curve)

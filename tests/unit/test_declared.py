@@ -7,9 +7,8 @@ from typing import Annotated, Literal
 
 import pytest
 
-import elastica_cad as ec
 from elastica_cad.declared import Asked, declared, kind_of
-from elastica_cad.design.records import Reader, described, parsed_line, require_path_of
+from elastica_cad.design.records import Reader, described, parsed_line
 from elastica_cad.design.strip_table import StripKeys
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
@@ -58,18 +57,6 @@ def test_forms_know_all_fields_of_a_strip():
     assert (ratio["kind"], ratio["least"], ratio["common"]) == ("number", 1, True)
     words = [one["word"] for one in fields["style"]["of"]]
     assert words == ["plain", "perforated", "laminated"]
-
-
-def test_old_names_are_refused_with_the_new_ones():
-    arch = ec.PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
-    with pytest.raises(AttributeError, match="Shop is now called FabricationLimits"):
-        ec.Shop  # noqa: B018
-    with pytest.raises(InputError, match="joint is now called seam_position"):
-        ec.make_strip(arch, "birch-plywood-0.8", max_width=30, joint=4.0)
-    with pytest.raises(InputError, match="'joint' is now called seam_position"):
-        Reader().given(StripSpec, Table({"sheet": "pom-1", "joint": 4}, "design", {}))
-    with pytest.raises(InputError, match="joint is now called seam_position"):
-        require_path_of("joint", StripSpec)
 
 
 def test_what_no_file_can_hold_is_declared_by_what_is_written():

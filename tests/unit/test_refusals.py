@@ -9,19 +9,15 @@ from click.testing import CliRunner
 
 from elastica_cad import PlaneCurve
 from elastica_cad.cli.commands import elastica
-from elastica_cad.design.tables import Table
 from elastica_cad.errors import (
     Change,
     InputError,
     Length,
     NotConvergedError,
-    UnknownOptionError,
-    refusing_old_names,
 )
 from elastica_cad.mechanics.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.refusals import Listed, Point, note, sentences
-from elastica_cad.strip.strip_spec import StripSpec
 
 WAVE = [(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)]  # no strip takes it
 FAR = InputError(
@@ -59,18 +55,7 @@ def test_errors_are_pickled_with_their_records(kind):
     assert again.refusal.changes
 
 
-def test_old_names_are_refused_with_the_new_ones():
-    said = "anyway'? is now called ignore_limits"
-    with pytest.raises(UnknownOptionError, match=said):
-        StripSpec(PlaneCurve.spline([(0, 0), (50, 60), (100, 0)], degree=2), "pom-0.5", anyway=True)
-    with pytest.raises(UnknownOptionError, match=said):
-        refusing_old_names(dict)(anyway=True)
-    with pytest.raises(InputError, match=said):
-        Table({"anyway": True}, "kit.toml", {}).only("ignore_limits")
-    assert (
-        "--anyway is now called --ignore-limits"
-        in CliRunner().invoke(elastica, ["strip", "a.dxf", "--anyway"]).output
-    )
+def test_an_option_is_named_that_other_commands_call_otherwise():
     said = CliRunner().invoke(elastica, ["strip", "a.dxf", "--name", "x"]).output
     assert said.endswith("--name is called --label\n")
 

@@ -116,7 +116,10 @@ def test_other_keys_of_the_strip_are_set(tmp_path):
         ("--set samples=301", "name one, and its --sheet"),
         ("--sheet pom-1 --max-width 10 --set max_width=12", "--max-width and --set max_width say the same"),
         ("--sheet pom-1 --set max_widht=12", "did you mean max_width?"),
-        ("--sheet pom-1 --ratio 3", "--ratio is given by --set limits.ratio=VALUE now"),
+        (
+            "--sheet pom-1 --ratio 3",
+            "--ratio is given by --set limits.ratio=VALUE: `elastica help limits.ratio`",
+        ),
     ],
 )
 def test_settings_are_refused_in_a_sentence(words, says, tmp_path):
