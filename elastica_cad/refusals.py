@@ -1,6 +1,7 @@
 """The record of a refusal: its English template, the values in it, where it is, and which changes would mend it."""
 
-from collections.abc import Iterable, Mapping, Sequence, Set
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
+from contextvars import ContextVar
 from dataclasses import dataclass
 from decimal import Decimal
 from math import isfinite
@@ -29,6 +30,27 @@ class Length(float):
 
     def __str__(self) -> str:
         return format(self)
+
+
+class FieldName(str):
+    """The name of a field of a request: its key in design files, with the table that it is in.
+
+    Each front end shows it in its own spelling: see `Wording.field` and `SPELLING`.
+
+    Examples
+    --------
+    >>> f"set {FieldName('max_width')} to 30"
+    'set max_width to 30'
+    """
+
+    __slots__ = ()
+
+    def __format__(self, spec: str) -> str:
+        return ENGLISH.format_field(self, spec)
+
+
+SPELLING: ContextVar[Callable[[str], str]] = ContextVar("spelling", default=str)
+"""Spelling of a field's name in English messages; the command line sets it to that of its options."""
 
 
 class Listed(tuple[Any, ...]):
@@ -115,9 +137,15 @@ class Wording(Formatter):
         text = self.template(said.text)
         return _with_places(self.vformat(text, (), said.values) if said.values else text, said.where)
 
+    def field(self, name: str) -> str:
+        """Return a field's name in the spelling of the front end."""
+        return SPELLING.get()(name)
+
     def format_field(self, value: Any, spec: str) -> str:
         """A value as a text shows it."""
         match value:
+            case FieldName():
+                return self.field(str(value))
             case Refusal():
                 return self.sentence(value)
             case Length():

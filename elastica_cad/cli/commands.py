@@ -19,6 +19,7 @@ from elastica_cad.errors import ElasticaError, InputError, NotMetError, StrainEr
 from elastica_cad.formats.source_file import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.plot.drawing_process import DrawingProcess
+from elastica_cad.refusals import SPELLING
 
 COMMANDS = {
     "new": "new_command:new",
@@ -125,6 +126,8 @@ class _Sentences(click.Group):
     def invoke(self, ctx: click.Context) -> Any:
         before = MADE_BY.set(command_of_drawings(ctx.meta[TYPED]))
         ctx.call_on_close(lambda: MADE_BY.reset(before))
+        spelled = SPELLING.set(_spelled)
+        ctx.call_on_close(lambda: SPELLING.reset(spelled))
         with _quiet_pipes():
             return self._invoked(ctx)
 
@@ -140,6 +143,18 @@ class _Sentences(click.Group):
                 said = problem.format_message().rstrip(".")
                 raise click.UsageError(f"{said}: {asked}.", problem.ctx) from problem
             raise
+
+
+def _spelled(path: str) -> str:
+    """Return the option of the running command that sets a field; the field's key where there is none."""
+    context, typed = click.get_current_context(), option_name(path.rpartition(".")[2])
+    if any(typed in one.opts for one in context.command.params):
+        return typed
+    if context.info_name != "strip":
+        return path
+    from elastica_cad.cli.strip_options import typed_name  # imports all records
+
+    return typed_name(path) or path
 
 
 ANYWHERE = {"-q": 0, "--quiet": 0, "--watch": 0, "--units": 1}
@@ -358,7 +373,8 @@ def _refuse(problem: ElasticaError) -> int:
     if (process := click.get_current_context().find_object(DrawingProcess)) is not None:
         process.end()
     begins, code = next((told for kind, told in TOLD.items() if isinstance(problem, kind)))
-    said, option = f"{begins}: {problem}", problem.refusal.where.get("option")
-    said += f" ({option})" if option and "--" not in said else ""
+    said, option = f"{begins}: {problem}", problem.refusal.where.get("option", "")
+    unnamed = [one for one in option.split(", ") if one and one not in said]
+    said += f" ({', '.join(unnamed)})" if unnamed else ""
     voice().refuse(said, problem, code, partial(suggestion_below, problem))
     return code

@@ -12,6 +12,7 @@ from elastica_cad.formats.drawing_style import Scheme
 from elastica_cad.formats.dxf_drawing import DxfVersion
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.nesting import Nesting
+from elastica_cad.refusals import FieldName
 from elastica_cad.strip.drawing import Drawing, HoldingTabs, separate_parts
 from elastica_cad.strip.strip import strip_names
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
@@ -85,8 +86,10 @@ class Cutting:
         require_declared(Cutting, vars(self), "cutting")
         if self.service and self.holding is not None:
             raise InputError(
-                "cut.holding interrupts the outlines, and cut.for = service needs closed ones: leave out one of "
-                "these keys"
+                "{holding} interrupts the outlines, and {recipient} = service needs closed ones: leave out one of "
+                "these keys",
+                holding=FieldName("cut.holding"),
+                recipient=FieldName("cut.for"),
             )
 
     @property

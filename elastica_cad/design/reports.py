@@ -13,7 +13,7 @@ from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stability import Stability
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.held_shape import HeldShape, Reactions
 from elastica_cad.strip.holding_template import (
     distance_between,
@@ -71,12 +71,15 @@ def tell_blank(strip: Strip) -> str:
         if even
         else (
             "bend it beforehand to a radius of {radius} at its sharpest, {s} from its start, the way it stands "
-            "bent there: its widths count on that; `blank` in the report has its curvature along the strip",
+            "bent there: its widths count on that; {field} in the report or the properties has its "
+            "curvature along the strip",
             "bend it beforehand to a radius of {radius} at its sharpest, {s} from its start, the other way than it "
-            "stands bent there: its widths count on that; `blank` in the report has its curvature along the strip",
+            "stands bent there: its widths count on that; {field} in the report or the properties has its "
+            "curvature along the strip",
         )
     )
-    return note(ways[0 if same else 1], radius=Length(1 / abs(rest[at])), s=Length(rod.s[at]))
+    radius = Length(1 / abs(rest[at]))
+    return note(ways[0 if same else 1], field=FieldName("blank"), radius=radius, s=Length(rod.s[at]))
 
 
 REPORT_SCHEMA = "elastica-report/1"

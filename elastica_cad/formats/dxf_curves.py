@@ -19,6 +19,7 @@ from elastica_cad.formats.edges import Edge, Run, Source
 from elastica_cad.formats.placed_curve import flatten_run
 from elastica_cad.formats.source_file import (
     MOST_SHAPES,
+    UNIT,
     check_count,
     check_degree,
     check_places,
@@ -122,7 +123,8 @@ _INCHES_BELOW = 40.0
 """Drawing units: a smaller drawing of a program that measures in inches is in inches."""
 
 _ASSUMED = (
-    "its unit is assumed: {unit}, because {reason}; if that is wrong, give the unit, such as --unit {other}"
+    "its unit is assumed: {unit}, because {reason}; if that is wrong, set {field} to the right one, "
+    "such as {other}"
 )
 
 
@@ -287,9 +289,9 @@ def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
             size = float(np.ptp(np.concatenate(points), axis=0).max()) if points else 0.0
             if 0 < size < _INCHES_BELOW:
                 reason = note("it names none, has $MEASUREMENT = 0 and is {size:.3g} units large", size=size)
-                assumed = note(_ASSUMED, unit="in", reason=reason, other="mm")
+                assumed = note(_ASSUMED, field=UNIT, unit="in", reason=reason, other="mm")
                 return MM_PER_INCH, ReadUnit("in", note=assumed)
-    assumed = note(_ASSUMED, unit="mm", reason=note("it names none ($INSUNITS)"), other="in")
+    assumed = note(_ASSUMED, field=UNIT, unit="mm", reason=note("it names none ($INSUNITS)"), other="in")
     return 1.0, ReadUnit("mm", note=assumed)
 
 
@@ -301,8 +303,8 @@ def _unit_code(document: "Drawing") -> int:
         code = -1
     if code not in _INSUNITS:
         raise InputError(
-            "is drawn in a unit that is not known here ($INSUNITS = {given}): say which, --unit "
-            'mm or unit = "mm"',
+            "is drawn in a unit that is not known here ($INSUNITS = {given}): say which ({field})",
+            field=UNIT,
             given=code if -1 < code < 1000 else "no number from 0 to 21",
         )
     return code

@@ -19,6 +19,7 @@ from elastica_cad.formats.chains import curve_from_points
 from elastica_cad.formats.drawn_file import DrawnCurve, DrawnFile, ReadUnit
 from elastica_cad.formats.source_file import (
     MOST_PIECES,
+    UNIT,
     check_count,
     check_degree,
     check_size,
@@ -334,8 +335,9 @@ def _units(said: Sequence[str], titles: Sequence[str]) -> list[str]:
     for word in words:
         if read_unit(word) is None:
             raise InputError(
-                "its heading names {word}, which is not a unit known here: give the unit, --unit mm or "
-                'unit = "mm", or take {word} out of the heading',
+                "its heading names {word}, which is not a unit known here: give the unit "
+                "({field}), or take {word} out of the heading",
+                field=UNIT,
                 word=quoted(word[:40]),
             )
     return list(dict.fromkeys(unit for word in words if (unit := read_unit(word))))

@@ -13,7 +13,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_path
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import FieldName, Length
 
 FileMark: TypeAlias = tuple[int, int, int] | None
 """What changes when a file does: time, size and number on the disk; None where there is no file."""
@@ -21,6 +21,9 @@ FileMark: TypeAlias = tuple[int, int, int] | None
 _read: ContextVar[dict[Path, FileMark] | None] = ContextVar("files read", default=None)
 
 _below: ContextVar[tuple[Path, ...]] = ContextVar("folders that may be read", default=())
+
+UNIT = FieldName("unit")
+"""Name of the option and key for the unit of a file, as messages show it."""
 
 LARGEST_FILE = 64 * 2**20
 """Bytes of a file of curves."""
@@ -76,7 +79,8 @@ def require_below(path: Path) -> None:
     if folders and not any(real.is_relative_to(folder) for folder in folders):
         raise InputError(
             "{path} lies outside of {folders}, and a design reads files below its own folder or "
-            "the one you work in: copy it there, or allow its folder (--below FOLDER)",
+            "the one you work in: copy it there, or allow its folder ({field})",
+            field=FieldName("below"),
             path=path,
             folders=folders[0],
         )
@@ -193,7 +197,8 @@ def check_size(points: FloatArray) -> None:
     if size != 0 and not SMALLEST_SIZE <= size <= LARGEST_SIZE:
         raise InputError(
             "a curve is {size} large; {smallest_size:g} to {largest_size:g} are read: check the "
-            "unit (--unit), or leave it out",
+            "unit ({field}), or leave it out",
+            field=UNIT,
             size=Length(size),
             smallest_size=SMALLEST_SIZE,
             largest_size=Length(LARGEST_SIZE),

@@ -15,7 +15,7 @@ from elastica_cad._units import MILLIMETRES, MM_PER_INCH, look_up_unit
 from elastica_cad.errors import InputError, MissingDependencyError, how_to_install, quoted
 from elastica_cad.formats.drawn_file import DrawnFile, ReadUnit, collect_curves
 from elastica_cad.formats.edges import Edge, Run, Source
-from elastica_cad.formats.source_file import MOST_EDGES, NUMBER, check_count
+from elastica_cad.formats.source_file import MOST_EDGES, NUMBER, UNIT, check_count
 from elastica_cad.formats.svg_path_data import PathData, arc_between, bezier_edge, path_data
 from elastica_cad.formats.svg_tree import CLIPPED, CLONE, MARK, PHYSICAL, Box, SvgTree, read_length, svg_tree
 from elastica_cad.geometry.measured_points import Provenance
@@ -75,26 +75,26 @@ def read_svg_drawing(
 
 _IN_POINTS = (
     "its units are taken as points, 72 to the inch, as Adobe Illustrator draws, which calls them px; where 96 "
-    "make an inch, say --unit px"
+    "make an inch, set {field} to px"
 )
 
 
 _OF_AFFINITY = (
     "its pixels are taken as 96 to the inch; Affinity counts in those of its document: where that has not 96 DPI "
-    "(Document Setup), set 96 and export it anew, or say --unit pt for 72"
+    "(Document Setup), set 96 and export it anew, or set {field} to pt for 72"
 )
 
 _WITHOUT_UNIT = (
     "its size has no unit, so its pixels are taken as 96 to the inch, as browsers do; where its numbers are "
-    "millimetres, say --unit mm"
+    "millimetres, set {field} to mm"
 )
 
 _OF_OTHER_UNIT = (
     "its size, {size}, is not in mm or the like, so its pixels are taken as 96 to the inch and a font as 16 pixels "
-    "high, as browsers do; where its numbers are millimetres, say --unit mm"
+    "high, as browsers do; where its numbers are millimetres, set {field} to mm"
 )
 
-_OF_INKSCAPE = "its pixels are taken as 90 to the inch, as Inkscape before 0.92 drew; else say --unit px"
+_OF_INKSCAPE = "its pixels are taken as 90 to the inch, as Inkscape before 0.92 drew; else set {field} to px"
 
 
 def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
@@ -106,18 +106,19 @@ def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
     sized = any(length and length[1] in PHYSICAL for _, length in sizes)
     other = next((text for text, _ in sizes if re.search(r"\d\s*(?!px)[a-z]+\s*$", text.lower())), "")
     if not sized and (_ILLUSTRATOR in tree.head or _is_exported_for_screens(tree)):
-        return ReadUnit("pt", "guessed", note=_IN_POINTS), _PT
+        return ReadUnit("pt", "guessed", note=note(_IN_POINTS, field=UNIT)), _PT
     if _AFFINITY in tree.head and not sized:
-        return ReadUnit("px", "guessed", note=_OF_AFFINITY), _PX
+        return ReadUnit("px", "guessed", note=note(_OF_AFFINITY, field=UNIT)), _PX
     version = re.match(r"0\.(\d+)", tree.root.get(_INKSCAPE, ""))
     if version and int(version[1][:2]) < 92 and not (sized and tree.root.get("viewBox")):
-        return ReadUnit("px", "guessed", note=_OF_INKSCAPE), MM_PER_INCH / 90
+        return ReadUnit("px", "guessed", note=note(_OF_INKSCAPE, field=UNIT)), MM_PER_INCH / 90
     if sized:
         name = next(length[1] for _, length in sizes if length and length[1] in PHYSICAL)
         return ReadUnit(name, "stated", "width and height"), _PX
     if tree.root.get(_INKSCAPE) and not other:
         return ReadUnit("px", "guessed"), _PX
-    return ReadUnit("px", note=note(_OF_OTHER_UNIT, size=quoted(other)) if other else _WITHOUT_UNIT), _PX
+    doubt = note(_OF_OTHER_UNIT, size=quoted(other), field=UNIT) if other else note(_WITHOUT_UNIT, field=UNIT)
+    return ReadUnit("px", note=doubt), _PX
 
 
 def _is_exported_for_screens(tree: SvgTree) -> bool:

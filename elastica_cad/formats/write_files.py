@@ -15,6 +15,7 @@ from typing import Any, BinaryIO
 
 from elastica_cad._values import require_flag, require_path
 from elastica_cad.errors import InputError
+from elastica_cad.refusals import FieldName
 
 
 def write_text(path: Path, text: str) -> None:
@@ -56,8 +57,8 @@ def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
         )
     if target.exists() and not force:
         raise InputError(
-            "{path} exists already: choose another name, or allow it to be overwritten (--force, "
-            "or force=True)",
+            "{path} exists already: choose another name, or allow it to be overwritten ({field})",
+            field=FieldName("force"),
             path=path,
             kind="exists",
         )

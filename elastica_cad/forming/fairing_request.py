@@ -21,7 +21,7 @@ from elastica_cad.mechanics.loads import (
 )
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.theorem1 import curvature_jump, measured_points, require_bendable, stray_point
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import FieldName, Length, note
 
 LARGEST_SMOOTH = 1000.0
 """Largest smoothing distance, mm."""
@@ -191,9 +191,8 @@ class Smoothing:
             )
             found.append(note(
                 "The curvature jumped where pieces meet: made fair, {far:.2g} from the drawn curve "
-                "at most; {before} (smooth = 0, --smooth 0, takes it as drawn, a larger number "
-                "makes it fairer).",
-                far=Length(self.moved), before=ratio, severity="warning",
+                "at most; {before}. {field} sets how far the curve may move.",
+                far=Length(self.moved), before=ratio, field=FieldName("smooth"), severity="warning",
             ))  # fmt: skip
         if self.fairing is not None and self.drawn.tangent_breaks:
             sharpest = max(np.degrees(abs(corner.angle)) for corner in self.drawn.tangent_breaks)

@@ -28,7 +28,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection, WidthRange
 from elastica_cad.mechanics.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import FieldName, Length, note
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,24 +102,35 @@ class RodSpec(EqualByValue):
         object.__setattr__(self, "smooth", check_smooth(self.smooth))
         if self.layers is not None and (self.may_change or self.natural_curvature != 0.0):
             raise InputError(
-                "a laminate that carries its weight follows its curve exactly, from flat sheets: leave out limits, "
-                "keep and natural_curvature, or gravity",
+                "a laminate that carries its weight follows its curve exactly, from flat sheets: do without the "
+                "nearest curve ({limits}) and {natural_curvature}, or without {gravity}",
+                limits=FieldName("limits"),
+                natural_curvature=FieldName("natural_curvature"),
+                gravity=FieldName("gravity"),
                 where={"field": ("limits", "natural_curvature", "gravity")},
             )
         if self.weight is not None and self.gravity is None:
             raise InputError(
-                "loads hang where gravity pulls in the plane of the curve: give gravity=True or a direction in "
-                "that plane, or leave loads out",
+                "loads hang where gravity pulls in the plane of the curve: set {gravity}, with a direction "
+                "in that plane, or leave out {loads}",
+                gravity=FieldName("gravity"),
+                loads=FieldName("loads"),
                 where={"field": ("gravity", "loads")},
             )
         if self.may_change and self.samples is not None:
             raise InputError(
-                "samples are of a strip that follows its curve exactly: leave limits and keep out, or samples",
+                "samples are of a strip that follows its curve exactly: do without the nearest curve ({limits}), "
+                "or without {samples}",
+                limits=FieldName("limits"),
+                samples=FieldName("samples"),
                 where={"field": ("limits", "samples")},
             )
         if self.may_change and self.weight is not None:
             raise InputError(
-                "a strip with loads hung on it follows its curve exactly: leave limits and keep out, or the loads",
+                "a strip with loads hung on it follows its curve exactly: do without the nearest curve ({limits}), "
+                "or without {loads}",
+                limits=FieldName("limits"),
+                loads=FieldName("loads"),
                 where={"field": ("limits", "loads")},
             )
 
@@ -188,8 +199,8 @@ def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
     if widths.largest is None or widest > widths.largest - WIDTH_TOLERANCE_MM:
         return rod
     told = note(
-        "This load determines the width: the widest place is {widest:.4g} wide, below max_width {largest:g}.",
-        widest=Length(widest), largest=Length(widths.largest), severity="warning",
+        "This load determines the width: the widest place is {widest:.4g} wide, below {field} {largest:g}.",
+        field=FieldName("max_width"), widest=Length(widest), largest=Length(widths.largest), severity="warning",
     )  # fmt: skip
     return replace(rod, warnings=(*rod.warnings, told))
 
@@ -203,8 +214,9 @@ def _too_narrow(widths: WidthRange, error: OverloadError) -> InputError:
         changes.append(Change("thickness", thickness))
         otherwise = note(", or use a sheet {thickness:.4g} thick or thicker", thickness=Length(thickness))
     return InputError(
-        "No strip between {least:.4g} and {largest:.4g} wide carries this load. Set max_width to {needed:.4g} "
+        "No strip between {least:.4g} and {largest:.4g} wide carries this load. Set {field} to {needed:.4g} "
         "or more{otherwise}.",
+        field=FieldName("max_width"),
         least=Length(widths.least),
         largest=Length(widths.largest or 0.0),
         needed=Length(needed),

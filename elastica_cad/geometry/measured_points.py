@@ -10,7 +10,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import rounded_up
 from elastica_cad.geometry.plane_points import lengths_along
 from elastica_cad.geometry.tangent_healing import Turn
-from elastica_cad.refusals import Length, Point, Refusal, note
+from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
 ORDERS = range(2, 8)
 """Of the divided differences that tell noise from shape."""
@@ -143,8 +143,8 @@ class MeasuredPoints:
     def told(self) -> str:
         """The noise, in a sentence without its full stop."""
         return note(
-            "the points waver by about {waver}: smooth them within {reach} (smooth = {mm:g}, --smooth {mm:g})",
-            waver=self.shown, reach=Length(self.reach), mm=self.reach,
+            "the points waver by about {waver}: set {field} to {reach:g} to smooth them",
+            waver=self.shown, field=FieldName("smooth"), reach=Length(self.reach),
         )  # fmt: skip
 
 

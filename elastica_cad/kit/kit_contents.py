@@ -221,7 +221,7 @@ def _tell_no_bar(spec: KitSpec) -> list[str]:
     """That a cutting service gets no reference bar."""
     if spec.reference_bar is None or not spec.cutting.service:
         return []
-    return [note("no reference bar is cut: it checks your own machine, and cut.for is service")]
+    return [note("no reference bar is cut: it checks your own machine, and the files are for a service")]
 
 
 def _tell_unheld(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -> list[str]:

@@ -15,7 +15,7 @@ from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, save_solid
 from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.pairs.flexure_spec import FlexureSpec
-from elastica_cad.refusals import Length, Refusal, note
+from elastica_cad.refusals import FieldName, Length, Refusal, note
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,8 +74,8 @@ class MadePair:
             yield note(
                 "a curve was moved by up to {far}, {percent:.2g} % of its size, to make both equally long; the "
                 "picture shows them dashed as they were drawn: draw both nearer to one length, or have them made "
-                "equal in another way (--match)",
-                severity="warning", far=Length(far), percent=100 * share,
+                "equal in another way ({field})",
+                severity="warning", field=FieldName("match"), far=Length(far), percent=100 * share,
             )  # fmt: skip
 
     def _cut_away(self) -> Iterator[Refusal]:
@@ -86,10 +86,10 @@ class MadePair:
         left = max(thin - kerf, 0.0)
         yield note(
             "the files hold the part's own outline: a laser's cut of {kerf} leaves {left} of {thin} where it is "
-            "thinnest, and {percent:.0f} % of the force: give the width of the cut (--kerf), unless the program of "
-            "the laser makes up for it",
-            severity="warning", kerf=Length(kerf), left=Length(left), thin=Length(thin),
-            percent=100 * (left / thin) ** 3,
+            "thinnest, and {percent:.0f} % of the force: give the width of the cut ({field}), unless the program "
+            "of the laser makes up for it",
+            severity="warning", field=FieldName("cut.kerf"), kerf=Length(kerf), left=Length(left),
+            thin=Length(thin), percent=100 * (left / thin) ** 3,
         )  # fmt: skip
 
     def _write_step(self, path: Path) -> None:

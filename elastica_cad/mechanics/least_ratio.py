@@ -41,7 +41,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
 from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw
 from elastica_cad.mechanics.theorem1 import AT_END_SHARE, EquilibriumCheck, InflectionLine, NotRealizable
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import FieldName, Length, note
 
 TOLERANCE = 1e-6
 """Error of the stiffness profile, relative to its largest value; its extremes are exact."""
@@ -323,8 +323,9 @@ def _check_section(request: RodRequest, section: BoundedLaw) -> None:
     weight = request.weight
     if isinstance(section, LeavesLaw):
         raise InputError(
-            "glued leaves go in steps, so no stack follows a drawn curve exactly: give limits or keep, such "
-            "as keep=Keep(), or call nearest_rod, and the nearest stack is found"
+            "glued leaves go in steps, so no stack follows a drawn curve exactly: ask for the "
+            "nearest curve ({field}), and the nearest stack is found",
+            field=FieldName("limits"),
         )
     missing = [name for name in ("limits", "bent", "bending_stiffness") if not hasattr(section, name)]
     if missing:
@@ -349,7 +350,9 @@ def _check_options(gravity: Gravity | None, samples: int | None, weight: Weight 
     if weight is not None:
         require_record(weight, Weight, "weight", "a Weight record, or None")
     if weight is not None and gravity is None:
-        raise InputError("a weight in newtons needs gravity too: pass gravity=Gravity(...) for its direction")
+        raise InputError(
+            "a weight in newtons needs {field} too, for its direction", field=FieldName("gravity")
+        )
 
 
 def _check_stiffness(name: str, value: float | None, weight: Weight | None) -> None:

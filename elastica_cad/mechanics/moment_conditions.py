@@ -692,7 +692,7 @@ class ConditionedRows:
         if family is None or (family.freedom == 0 and family.offset is None):
             reason = note(
                 "With this weight and these supports the moment cannot vanish in all places without "
-                "curvature (at {places}) at once: move the inflections (nearest_rod does), or hold "
+                "curvature (at {places}) at once: move the inflections (the nearest curve does), or hold "
                 "more at the ends.",
                 places=Listed(Length(z.s) for z in self.check.zeros),
             )

@@ -28,7 +28,7 @@ from elastica_cad.mechanics.quadrature_panels import REFINEMENTS, Panels
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
 from elastica_cad.mechanics.stiffness_law import BoundedLaw, StiffnessLaw
 from elastica_cad.mechanics.theorem1 import NotRealizable
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import FieldName, Length, note
 
 LEAST_SHARE = 1e-6
 """Least stiffness over the largest one, where only the largest is limited: an even thinner place cannot be made."""
@@ -530,8 +530,9 @@ def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiff
         s = float(balance.panels.s.flat[int(asked.argmin())])
         raise InputError(
             "the curve asks for a {quantity} of {given:.4g} at {s:.4g} where its largest is "
-            "{largest:g}: the limits allow {least:g} at least; widen them, or give limits or "
-            "keep and the curve may change",
+            "{largest:g}: the limits allow {least:g} at least; widen them, or ask for the "
+            "nearest curve ({field})",
+            field=FieldName("limits"),
             quantity=law.quantity,
             given=Length(float(asked.min())),
             s=Length(s),

@@ -20,7 +20,7 @@ from elastica_cad.mechanics.loads import (
     RestCurvature,
     Supports,
 )
-from elastica_cad.refusals import Length, Listed, Refusal, note, sentences
+from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sentences
 
 
 @dataclass(frozen=True)
@@ -499,9 +499,12 @@ def _tell_smooth(curve: PlaneCurve) -> str:
     slight = _taken_out(curve)
     if not slight:
         return ""
-    mm = slight[0].value
-    within = ", or take it out within {size:g} (smooth = {mm:g}, --smooth {mm:g})"
-    return note(within, size=Length(mm), mm=mm)
+    size = Length(slight[0].value)
+    return note(", or set {field} to {size:g}, which takes it out", field=SMOOTH, size=size)
+
+
+SMOOTH, SMOOTH_WITHIN = FieldName("smooth"), Length(0.1)
+"""Field and distance, mm, that messages suggest for a curvature that jumps."""
 
 
 PLACES = 721
@@ -822,8 +825,10 @@ def _tell_jumps(jumps: Sequence[float]) -> Iterable[str]:
         yield note(
             "The bending is reversed by a jump of the curvature at {places}, where the stiffness "
             "would have to go to 0: support the strip there, or let the curvature pass through zero "
-            "smoothly (smooth = 0.1, --smooth 0.1, does that within 0.1 mm).",
+            "smoothly (set {field} to {within:g}).",
             places=lengths(jumps),
+            field=SMOOTH,
+            within=SMOOTH_WITHIN,
         )
 
 
@@ -862,19 +867,20 @@ def _warn_of_widths(
     if steps:
         yield Refusal(
             "kinks",
-            "The width of the strip steps at {places}, where the curvature jumps: smooth = 0.1 "
-            "(--smooth 0.1) makes it a fair curve of degree 4 within 0.1 mm.",
-            {"places": lengths(steps)}, severity="warning",
+            "The width of the strip steps at {places}, where the curvature jumps: set {field} to "
+            "{within:g} for a fair curve of degree 4 within that distance.",
+            {"places": lengths(steps), "field": SMOOTH, "within": SMOOTH_WITHIN}, severity="warning",
         )  # fmt: skip
     if kinks:
         yield Refusal(
             "kinks",
             "The width of the strip has a kink at {places}, where the slope of the curvature jumps: "
-            "smooth = 0.1 (--smooth 0.1) makes it a fair curve of degree 4 within 0.1 mm."
+            "set {field} to {within:g} for a fair curve of degree 4 within that distance."
             if curve.degree < 4 else
             "The width of the strip has a kink at {places}, where the slope of the curvature jumps: do not "
             "repeat the knot there.",
-            {"places": lengths(b.s for b in kinks)}, severity="warning" if sharp else "note",
+            {"places": lengths(b.s for b in kinks), "field": SMOOTH, "within": SMOOTH_WITHIN},
+            severity="warning" if sharp else "note",
         )  # fmt: skip
 
 

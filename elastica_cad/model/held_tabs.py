@@ -10,7 +10,7 @@ from elastica_cad._values import and_more, is_series
 from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.model.fixtures import EndFixture, Key, PlacedTab
 from elastica_cad.model.plates import GAP_MM, BasePlate, Ring, needed_length
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import cut_key
@@ -226,7 +226,7 @@ def _shape(one: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
 def _cure(one: Placed, end: StripEnd, holders: Sequence[object]) -> str:
     """Suggest what would hold a tab: two plates instead of one, or another fixture."""
     key = PlacedTab.of(one.strip, end, one.frame).key
-    others = note("end fixtures or feet (feet = 10) glued at its angle")
+    others = note("end fixtures or feet ({field} = 10) glued at its angle", field=FieldName("feet"))
     lengths = [
         needed_length(slot.tab, plate, GAP_MM)
         for plate in _plates_of(holders)
@@ -237,6 +237,6 @@ def _cure(one: Placed, end: StripEnd, holders: Sequence[object]) -> str:
         return note("use {others}", others=others)
     long = max(*lengths, *(tab.length for tab in one.strip.ends))
     return note(
-        "use two plates (gap = {gap:g}) and tabs of {length:.0f}, or {others}",
-        gap=GAP_MM, length=Length(long), others=others,
+        "use two plates ({field} = {gap:g}) and tabs of {length:.0f}, or {others}",
+        field=FieldName("gap"), gap=GAP_MM, length=Length(long), others=others,
     )  # fmt: skip

@@ -30,7 +30,7 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.pairs.pushed_rod import PushPath, RestShape, push_path, rest_shape
 from elastica_cad.pairs.two_state_rods import TwoStateRod
-from elastica_cad.refusals import Length, Refusal, note
+from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.corner_rounding import round_corners
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, fit_label
@@ -227,7 +227,7 @@ class Flexure:
             return self.least_thickness
         if self.pair.check.any_stiffness:
             raise InputError("both curves have the same shape, so nothing is bent: say how thick the part shall be "
-                             "(least_thickness, --least-thickness)")  # fmt: skip
+                             "({field})", field=FieldName("least_thickness"))  # fmt: skip
         states, most = self.pair.states, self.sheet.max_strain
         scale = self._thickest(self._bends_of(states), self._pull_of(states), most)
         try:
@@ -733,8 +733,9 @@ class Flexure:
         """Messages about rest shapes that do not exist or are far from the drawn states."""
         if self.pair.bistable and not self.bistable:
             return (note("the part is not bistable: its forces stretch it, and it rests near one curve only, the "
-                         "{name}; make it thinner (least_thickness, --least-thickness), or bend the curves more",
-                         severity="warning", name=STATES[int(np.argmin(self.rest_deviations))]),)  # fmt: skip
+                         "{name}; make it thinner ({field}), or bend the curves more",
+                         severity="warning", field=FieldName("least_thickness"),
+                         name=STATES[int(np.argmin(self.rest_deviations))]),)  # fmt: skip
         found = []
         for name, far, stays in zip(STATES, self.rest_deviations, self.pair.stability, strict=True):
             if not stays.stable:
@@ -742,10 +743,10 @@ class Flexure:
                                   "up to {far} away", severity="warning", name=name, far=Length(far)))  # fmt: skip
             elif far > REST_SHARE * self.pair.length:
                 found.append(note("the part rests up to {far} from the {name} curve, {percent:.2g} % of its "
-                                  "length, because its forces stretch it; make it thinner (least_thickness, "
-                                  "--least-thickness), or bend the curves more",
-                                  severity="warning", far=Length(far), name=name,
-                                  percent=100 * far / self.pair.length))  # fmt: skip
+                                  "length, because its forces stretch it; make it thinner ({field}), or "
+                                  "bend the curves more",
+                                  severity="warning", field=FieldName("least_thickness"), far=Length(far),
+                                  name=name, percent=100 * far / self.pair.length))  # fmt: skip
         return tuple(found)
 
     def as_dict(self) -> dict[str, Any]:

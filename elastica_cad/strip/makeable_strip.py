@@ -18,8 +18,8 @@ from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import bezier_spans
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import thinner_for
+from elastica_cad.refusals import FieldName, Listed, note, sentences
 from elastica_cad.refusals import Length as Mm
-from elastica_cad.refusals import Listed, note, sentences
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
 from elastica_cad.strip.held_shape import LEAST_TOLD_MM, closes, shape_responses, strayed
 from elastica_cad.strip.layers import LapPlates, Layer
@@ -525,7 +525,8 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
         return
     thinner = thinner_for(strip.sheet, judged.used * strip.strain_limit)
     raise StrainError(
-        "{strains} To make it all the same, set ignore_limits (--ignore-limits).",
+        "{strains} To make it all the same, set {field}.",
+        field=FieldName("ignore_limits"),
         strains=sentences(strip.strain_warnings, ". ", "."),
         percent=judged.percent,
         where={"at": judged.at},

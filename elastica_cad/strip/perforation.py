@@ -21,7 +21,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
 from elastica_cad.mechanics.sections import PerforatedSection
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Either, note
+from elastica_cad.refusals import Either, FieldName, note
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.corner_rounding import rounded_where_they_fit, too_small_for
 from elastica_cad.strip.outline import Ends, Tab, close_chain, graphs
@@ -495,15 +495,18 @@ class _Fit:
                 i = self.by_ligaments.highest_at
                 raise InputError(
                     "the rod's bending stiffness asks for {needed:.4g} of material at {s:.1f}, "
-                    "{given:.4g} fit: widen the outline or raise max_width",
+                    "{given:.4g} fit: widen the outline or raise {field}",
+                    field=FieldName("max_width"),
                     needed=Mm(asked * self.K[i] / rigidity),
                     s=Mm(self.s[i]),
                     given=Mm(scale * self.K[i] / rigidity),
                 )
             scale = asked
         if scale < self.lowest * (1 - SLACK):
-            way = note(
-                "raise max_width" if self.rod.bending_stiffness is None else "use a thinner or softer sheet"
+            way = (
+                note("raise {field}", field=FieldName("max_width"))
+                if self.rod.bending_stiffness is None
+                else note("use a thinner or softer sheet")
             )
             raise InputError(
                 "{too_little}: the ligaments need {needed:.4g} in all where they are widest, not "
@@ -515,8 +518,9 @@ class _Fit:
             )
         if min_width is not None and scale * low / rigidity < min_width * (1 - SLACK):
             raise InputError(
-                "the ligaments are {ligaments:.4g} in all at the narrowest place, below min_width "
+                "the ligaments are {ligaments:.4g} in all at the narrowest place, below {field} "
                 "{min_width:g}: widen the outline or lower the stiffness ratio",
+                field=FieldName("min_width"),
                 ligaments=Mm(scale * low / rigidity),
                 min_width=Mm(min_width),
             )
@@ -535,7 +539,13 @@ class _Fit:
         fewer = [n for n in range(style.columns - 1, 0, -1) if self._would_do(n)]
         if self.by_ratio.lowest > self.by_ligaments.lowest:
             share = 1 - float((self.highest * self.K / (rigidity * self.w)).min())
-            ways.append(note("allow a hole_ratio of {share:.3f}", share=np.ceil(1000 * share) / 1000))
+            ways.append(
+                note(
+                    "allow a {field} of {share:.3f}",
+                    field=FieldName("style.hole_ratio"),
+                    share=np.ceil(1000 * share) / 1000,
+                )
+            )
         elif fewer:
             ways.append(note("use {columns}", columns=counted(fewer[0], "column")))
         ratio = self.rod.ratio * self.highest / self.lowest

@@ -37,7 +37,7 @@ from elastica_cad.mechanics.sideways import (
     stations_of_sideways,
 )
 from elastica_cad.mechanics.stiffness_law import RoundLaw
-from elastica_cad.refusals import Length, Span, note
+from elastica_cad.refusals import FieldName, Length, Span, note
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance, Reactions, closes
 from elastica_cad.strip.layers import Layer, cut_layers, draw_layers
@@ -267,7 +267,8 @@ def _warn_of_width(width: Profile, length: float, *, closed: bool) -> Iterator[s
     if widest > length:
         yield note(
             "it is {width} wide and {length} long: what is wider than long bends as a plate, not as a "
-            "strip; give a smaller max_width, and look at its unit",
+            "strip; give a smaller {field}, and look at its unit",
+            field=FieldName("max_width"),
             width=Length(widest), length=Length(length), severity="warning",
         )  # fmt: skip
 

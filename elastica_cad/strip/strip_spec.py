@@ -38,7 +38,7 @@ from elastica_cad.mechanics.sections import WidthLaw, WidthRange
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stiffness_law import BoundedLaw
 from elastica_cad.mechanics.theorem1 import NotRealizable, begin_at, flattest_place, measured_points
-from elastica_cad.refusals import Length, Refusal, note
+from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.makeable_strip import make_within
@@ -121,15 +121,17 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
     """Refuse a place to begin that is not on the curve, or on one that is open."""
     if seam_position is not None and seam_position > curve.length:
         raise InputError(
-            "seam_position is {seam:g}: give a place along the curve, 0 to {length:.4g}, or none",
+            "{field} is {seam:g}: give a place along the curve, 0 to {length:.4g}, or none",
+            field=FieldName("seam_position"),
             seam=seam_position,
             length=Length(curve.length),
             where={"field": "seam_position"},
         )
     if seam_position is not None and not curve.is_closed:
         raise InputError(
-            "seam_position is {seam:g}, but the curve is open and begins at its own end: leave it "
+            "{field} is {seam:g}, but the curve is open and begins at its own end: leave it "
             "out, or close the curve",
+            field=FieldName("seam_position"),
             seam=Length(seam_position),
             where={"field": "seam_position"},
         )
@@ -143,8 +145,13 @@ def _check_law(
     shaped = shaped and getattr(law, "quantity", "") != "width"
     if not isinstance(style, Plain) or sized or shaped:
         raise InputError(
-            "a law says what the section is and how large: leave out style, slots, max_width and min_width, "
-            "and give tabs a length only, or leave out law",
+            "a law says what the section is and how large: leave out {style}, {slots}, {max_width} and "
+            "{min_width}, and give tabs a length only, or leave out {law}",
+            style=FieldName("style"),
+            slots=FieldName("slots"),
+            max_width=FieldName("max_width"),
+            min_width=FieldName("min_width"),
+            law=FieldName("law"),
             where={"field": "law"},
         )
     other = getattr(law, "sheet", sheet)
@@ -190,7 +197,7 @@ def _limits_beside(
             raise InputError(
                 "{name} is {width:g}, outside the limit width of {low:g} to {high:g}: change one of "
                 "them, or leave the limit out",
-                name=name,
+                name=FieldName(name),
                 width=Length(width),
                 low=low,
                 high=Length(high),
@@ -213,16 +220,19 @@ def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Fab
     least = shop.width_for(sheet)
     if min_width > max_width:
         raise InputError(
-            "min_width is {min_width:g}, more than max_width, {max_width:g}: give the larger one "
-            "as max_width",
+            "{field} is {min_width:g}, more than {wider}, {max_width:g}: give the larger one as {wider}",
+            field=FieldName("min_width"),
+            wider=FieldName("max_width"),
             min_width=Length(min_width),
             max_width=Length(max_width),
             where={"field": "max_width"},
         )
     if least >= max_width:
         raise InputError(
-            "max_width is {max_width:g}, but {name} needs {least} at its narrowest: widen the "
-            "strip, take another sheet, or allow less with shop=FabricationLimits(least_width=...)",
+            "{field} is {max_width:g}, but {name} needs {least} at its narrowest: widen the "
+            "strip, take another sheet, or allow less with {least_width}",
+            field=FieldName("max_width"),
+            least_width=FieldName("shop.least_width"),
             max_width=Length(max_width),
             name=sheet.name,
             least=Length(least),
@@ -748,7 +758,8 @@ class StripSpec(EqualByValue):
         if abs(gravity.length / self.material.elasto_gravity_length - 1) > SAME_LENGTH:
             raise InputError(
                 "a laminate that carries its weight must stand upright and weigh what its sheets do: turn its "
-                "plane, give gravity=True or the base sheet's gravity, or leave gravity out"
+                "plane, give {field} the length of the base sheet, or leave it out",
+                field=FieldName("gravity"),
             )
         return LaminateLayers(
             LaminatedSection(self.material, style.backing),

@@ -26,7 +26,7 @@ from elastica_cad.mechanics.stiffness_law import (
     ThicknessLaw,
     scale_within,
 )
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.outline import Ends, long_sides
 from elastica_cad.strip.slots import Slot
 
@@ -55,7 +55,10 @@ GUIDE_MM = 0.5
 """A backing that is nearer than this to the base's edge everywhere is not marked on the base."""
 
 
-NO_WIDTH = "a strip needs max_width or min_width, in mm: its curve fixes only how widths compare"
+NO_WIDTH = note(
+    "a strip needs {max_width} or {min_width}, in mm: its curve fixes only how widths compare",
+    max_width=FieldName("max_width"), min_width=FieldName("min_width"),
+)  # fmt: skip
 """Message of a plain strip without a width; other styles have their own outline."""
 
 
@@ -267,8 +270,10 @@ def _within(
     narrow, wide = width.extremes
     if min_width is not None and narrow * (1 + slack) < min_width:
         raise InputError(
-            "the narrowest place is {narrow:.4g}, below min_width {min_width:g}: the ratio is "
-            "{ratio:.3g}, so max_width must be {needed:g} or more",
+            "the narrowest place is {narrow:.4g}, below {field} {min_width:g}: the ratio is "
+            "{ratio:.3g}, so {wider} must be {needed:g} or more",
+            field=FieldName("min_width"),
+            wider=FieldName("max_width"),
             narrow=Length(narrow),
             min_width=Length(min_width),
             ratio=rod.ratio,
@@ -276,8 +281,9 @@ def _within(
         )
     if max_width is not None and wide > max_width * (1 + slack):
         raise InputError(
-            "the rod's bending stiffness asks for a width of {wide:.4g}, above max_width "
+            "the rod's bending stiffness asks for a width of {wide:.4g}, above {field} "
             "{max_width:g}: choose a thicker or stiffer sheet",
+            field=FieldName("max_width"),
             wide=Length(wide),
             max_width=Length(max_width),
         )

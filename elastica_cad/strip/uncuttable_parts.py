@@ -13,7 +13,7 @@ from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_points import near_pairs, numbers_in_groups
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Length, Listed, Point, note, sentences
+from elastica_cad.refusals import FieldName, Length, Listed, Point, note, sentences
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.layers import Layer
 from elastica_cad.strip.perforation import Perforated
@@ -365,8 +365,9 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
     if faults and not ignore_limits:
         changes = dict.fromkeys(change for fault in faults for change in fault.changes)
         raise InputError(
-            "{faults} To make it all the same, set ignore_limits (--ignore-limits).",
+            "{faults} To make it all the same, set {field}.",
             faults=_tell_faults(faults),
+            field=FieldName("ignore_limits"),
             kind="fault",
             changes=[*changes],
         )
@@ -525,17 +526,20 @@ def _thin_strip(
 def _cures_of_necks(strip: Strip, times: float, least: float, wavers: bool) -> tuple[str, tuple[Change, ...]]:
     """What helps a strip that must be so many times as wide to have no neck below `least` mm."""
     wider = _wider(strip, times)
+    field = FieldName("max_width")
     if not wider:
-        cure = note("make it wider (max_width), or ask for the nearest curve with a smaller ratio")
+        cure = note("make it wider ({field}), or ask for the nearest curve with a smaller ratio", field=field)
     elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
         wider = ()  # the tips of its bulges grow thinner
         cure = note("ask for the nearest curve with a smaller ratio")
     else:
         cure = note(
-            "make it wider (max_width = {width:g} or more), or ask for the nearest curve with a smaller ratio",
+            "make it wider ({field} = {width:g} or more), or ask for the nearest curve with a smaller ratio",
+            field=field,
             width=Length(wider[0].value),
         )
-    more = [note("smoothing its points more helps too (smooth, --smooth)")] if wavers else []
+    smoothing = note("smoothing its points more helps too ({field})", field=FieldName("smooth"))
+    more = [smoothing] if wavers else []
     return sentences([cure, *more]), (*wider, Change("nearest", True))
 
 
@@ -611,7 +615,8 @@ def _too_large(
         )  # fmt: skip
         if width > length or (width > stock[1] and length <= stock[0]):
             fits = Change("max_width", rounded_down(min(stock[1], length / TIMES_AS_LONG), 2))
-            yield Fault(name, what, note("give a smaller max_width, or name a larger stock"), (fits,))
+            cure = note("give a smaller {field}, or name a larger stock", field=FieldName("max_width"))
+            yield Fault(name, what, cure, (fits,))
         else:
             cure = note("name a larger stock, join a strip of pieces by plates (lap), or scale the curve")
             lap = Change("lap", float(round(LAP_THICKNESSES * sheet.thickness)))

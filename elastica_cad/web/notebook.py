@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 MODULES = (
     "channel.js", "colors.js", "design.js", "drawing.js", "flat.js", "forms.js", "vendor/three.module.min.js",
-    "space.js", "starts.js", "words.js", "studio.js",
+    "space.js", "starts.js", "studio.js",
 )  # fmt: skip
 """Files of the page, those before that others import."""
 

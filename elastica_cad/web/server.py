@@ -26,7 +26,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.formats.write_files import write_atomically
-from elastica_cad.refusals import Refusal
+from elastica_cad.refusals import FieldName, Refusal
 from elastica_cad.web.answers import CHANGED
 from elastica_cad.web.saved_design import file_mark, open_design, start_designs
 from elastica_cad.web.vocabulary import page_words
@@ -236,7 +236,8 @@ def bound_socket(port: int) -> socket.socket:
     except (OSError, OverflowError) as problem:
         bound.close()
         raise InputError(
-            "port {port} cannot be had: leave --port out, and a free one is taken",
+            "port {port} cannot be had: leave {field} out, and a free one is taken",
+            field=FieldName("port"),
             port=port,
             where={"option": "--port"},
         ) from problem

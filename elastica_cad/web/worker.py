@@ -9,7 +9,6 @@ import sys
 import traceback
 from collections.abc import Mapping
 from contextlib import suppress
-from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -21,17 +20,8 @@ from elastica_cad.words import Translated
 MOST_MEMORY = 3 * 2**30
 """Bytes of address space; a CAD kernel takes a third of that."""
 
-FREECAD_NAMES = ("MaxWidth", "MinWidth", "LeastWidth", "Anyway", "NaturalCurvature", "HoleRatio")
-GERMAN_NAMES = (
-    "größte Breite",
-    "kleinste Breite",
-    "Werkstatt",
-    "Grenzen übergehen",
-    "Vorkrümmung",
-    "Lochanteil",
-)
-CHINESE_NAMES = ("最大宽度", "最小宽度", "车间", "忽略限制", "初始曲率", "孔比例")
-"""Names of fields in catalogues, and in the page."""
+CATALOGUES = {"de": "de", "zh": "zh-CN"}
+"""Catalogues by the languages of the page besides English."""
 
 
 def read_question(text: str | bytes) -> dict[str, Any]:
@@ -85,36 +75,25 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
     ):  # a page that is of another version, or nonsense: the next question is answered all the same
         traceback.print_exc()
         found = _refused("this design cannot be read: its values are of the wrong kind")
-    words, head = wording_of(request.get("language", "en")), head_of(request)
+    words, head = _PageWords(request.get("language", "en")), head_of(request)
     if isinstance(found, Download):
         return b"file", json.dumps(head | {"name": found.name}).encode() + b"\n" + found.content
     return b"text", json.dumps(head | _worded(found, words), allow_nan=False).encode()
 
 
 class _PageWords(Translated):
-    """Sentences with the names of fields that the page shows, where catalogues have those of FreeCAD."""
+    """Sentences in a language of the page, with fields called as the page labels them."""
 
-    def __init__(self, language: str, names: Mapping[str, str]) -> None:
-        super().__init__(language)
-        self._names, self.point = names, "," if language == "de" else "."
+    def __init__(self, language: str) -> None:
+        super().__init__(CATALOGUES.get(language, "en"))
+        self.point = "," if language == "de" else "."
 
-    def template(self, text: str) -> str:
-        """From the catalogue."""
-        said = super().template(text)
-        for shown, name in self._names.items():
-            said = said.replace(shown, name)
-        return said
-
-
-@lru_cache(maxsize=8)
-def wording_of(language: str) -> Wording:
-    """How the page speaks a language: "de", "zh", or else English."""
-    match language:
-        case "de":
-            return _PageWords("de", dict(zip(FREECAD_NAMES, GERMAN_NAMES, strict=True)))
-        case "zh":
-            return _PageWords("zh-CN", dict(zip(FREECAD_NAMES, CHINESE_NAMES, strict=True)))
-    return Wording()
+    def field(self, name: str) -> str:
+        """Return the label of a field in quotation marks."""
+        label = name.rpartition(".")[2].replace("_", " ")
+        said = self.template(f"page|{label}")
+        said = self.template(label) if said.startswith("page|") else said
+        return f"„{said}“" if self.point == "," else f"“{said}”"
 
 
 def _worded(value: Any, words: Wording) -> Any:

@@ -1,4 +1,4 @@
-"""What the program says in other languages: for each English template of a record the one of a language."""
+"""Catalogues of other languages: translations of English templates, and of the texts of the page as "page|TEXT"."""
 
 import json
 from functools import cache
@@ -12,8 +12,8 @@ LANGUAGES = ("de", "zh-CN")
 
 @cache
 def catalogue(language: str) -> dict[str, str]:
-    """What a language has for English templates; nothing for a language that is not known."""
-    if language not in ("en", *LANGUAGES):
+    """Return the translations by their English texts; none for a language without a catalogue."""
+    if language not in LANGUAGES:
         return {}
     words: dict[str, str] = json.loads(
         files("elastica_cad.words").joinpath(f"{language}.json").read_text("utf-8")
@@ -36,7 +36,7 @@ class Translated(Wording):
     """
 
     def __init__(self, language: str) -> None:
-        self._catalogue = catalogue("en") | catalogue(language)
+        self._catalogue = catalogue(language)
 
     def template(self, text: str) -> str:
         """Return the template in the catalogue's language."""

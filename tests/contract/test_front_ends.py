@@ -25,6 +25,7 @@ from elastica_cad.errors import ElasticaError
 from elastica_cad.files import read_curves
 from elastica_cad.formats.curve_writer import write_curves
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.refusals import Wording
 from elastica_cad.strip.strip import Strip
 from elastica_cad.web.answers import asked_spec
 from tests.contract import answers
@@ -140,6 +141,26 @@ def edge(asked):
     return bd.Edge(BRepBuilderAPI_MakeEdge(Geom_BSplineCurve(poles, knots, counts, curve.degree)).Edge())
 
 
+SPELLED = {
+    "command line": {
+        "max_width": "--max-width", "min_width": "--min-width", "ignore_limits": "--ignore-limits",
+        "gravity": "--gravity", "loads": "--set loads", "shop.least_width": "--set shop.least_width",
+        "style.hole_ratio": "--set style.hole_ratio",
+    },
+    "design file": {"ignore_limits": "--ignore-limits"},  # an option of `elastica model`
+}  # fmt: skip
+
+
+class Spelled(Wording):
+    """English with the names of fields of a front end."""
+
+    def __init__(self, front_end):
+        self.names = SPELLED.get(front_end, {})
+
+    def field(self, name):
+        return self.names.get(name, name)
+
+
 def assert_same_answer(asked, front_end, folder):
     expected = answers.in_python(asked)
     try:
@@ -147,7 +168,7 @@ def assert_same_answer(asked, front_end, folder):
     except ElasticaError as raised:
         made = raised
     if isinstance(expected, ElasticaError):
-        assert answers.same_refusal(expected, made), made
+        assert answers.same_refusal(expected, made, Spelled(front_end).sentence), made
     elif isinstance(made, Strip):
         answers.assert_same_strip(made, expected)
     else:

@@ -55,7 +55,9 @@ def test_a_blank_along_the_strip_is_the_property_blank(document, bent):
     assert bent.Reasons[0].startswith(
         "Bend it beforehand to a radius of 100 mm at its sharpest, 101 mm from its start, the"
     )
-    assert bent.Reasons[0].endswith("; the property Blank has its curvature along the strip")
+    assert bent.Reasons[0].endswith(
+        "; Blank in the report or the properties has its curvature along the strip"
+    )
 
 
 def test_what_is_cut_tells_it(document, bent, drawn, tmp_path):

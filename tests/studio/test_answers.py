@@ -133,7 +133,24 @@ def test_fields_are_explained_in_the_language_of_the_page(language, fields):
     told = page_words()
     helps = re.findall(r'"help": "(.*?)"', json.dumps(told[fields]))
     assert len(helps) > len(told[fields])  # those of fields in tables too
-    assert set(helps) - set(told["helps"][language]) == set()
+    assert set(helps) - set(told["words"][language]) == set()
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "“min width” is 50 mm, more than “max width”, 40 mm: give the larger one as “max width”"),
+        (
+            "de",
+            "„kleinste Breite“ ist 50 mm, mehr als „größte Breite“ mit 40 mm: das größere Maß als „größte Breite“",
+        ),
+        ("zh", "“最小宽度” 为 50 mm，大于 “最大宽度” 的 40 mm：请把较大的值填为 “最大宽度”"),
+    ],
+)
+def test_fields_in_messages_are_called_as_their_labels(language, said):
+    keys = {"max_width": 40, "min_width": 50}
+    question = {"do": "strip", "language": language, "design": design(limits={}, **keys)}
+    assert said in json.loads(reply(json.dumps(question).encode())[1])["refused"]["message"]
 
 
 def test_a_dropped_file_brings_its_curves():

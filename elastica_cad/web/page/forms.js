@@ -1,5 +1,6 @@
 // Controls made of declared fields: the server says what can be asked, and in which words and units.
 
+const LABELS = { true: "yes", false: "no", base: "base plate", fixtures: "printed blocks", stand: "whatever fits" }; // of values
 const PER = { mm: 1, cm: 10, m: 1000, in: 25.4, inch: 25.4, '"': 25.4 };
 
 export function html(name, attributes = {}, ...children) {
@@ -65,9 +66,9 @@ export class Form {
 
   plain(field, path) {
     const { t } = this, id = idOf(path), values = valuesOf(field), [value] = values;
-    const absent = field.default === null || Array.isArray(field.default) ? "–" : `${t({ true: "yes", false: "no" }[field.default] ?? `${field.default}`)}`;
+    const absent = field.default === null || Array.isArray(field.default) ? "–" : t(LABELS[field.default] ?? `${field.default}`);
     if (value.size === 2 && value.of[0].choices) return this.pair(field, path, value.of[0].choices);
-    const words = (value.kind === "flag" && values.length === 1 ? ["true", "false"] : value.choices ?? []).map((one) => [one, t({ true: "yes", false: "no" }[one] ?? one)]);
+    const words = (value.kind === "flag" && values.length === 1 ? ["true", "false"] : value.choices ?? []).map((one) => [one, t(LABELS[one] ?? one)]);
     const choices = field.sheets || ["sheet", "backing"].includes(field.name) ? this.sheets : words;
     const changed = ({ target }) => this.set(path, value.kind === "text" || value.kind === "choice" ? target.value || undefined : read(target.value, field.unit));
     const input = choices.length

@@ -6,8 +6,8 @@ import { Form, html } from "./forms.js";
 import { Space } from "./space.js";
 import { STARTS } from "./starts.js";
 import { COLORS, STEPS } from "./colors.js";
-import { LANGUAGES, speaker } from "./words.js";
 
+const LANGUAGES = { en: "English", de: "Deutsch", zh: "中文" };
 const FILES = { dxf: "DXF", svg: "SVG", pdf: "PDF at 1:1", step: "STEP", stl: "STL", kit: "Kit as zip" };
 const HOLDERS = ["rings", "base", "fixtures", "stand"];
 const STATES = ["first", "second"]; // of a part that rests in two curves
@@ -60,7 +60,7 @@ class Studio {
   // ---- what is seen
 
   build(language) {
-    const t = this.t = speaker(language, this.hello.helps), digits = new Intl.NumberFormat(language, { maximumSignificantDigits: 5 });
+    const words = this.hello.words[language] ?? {}, t = this.t = (text) => words[`page|${text}`] ?? words[text] ?? text, digits = new Intl.NumberFormat(language, { maximumSignificantDigits: 5 });
     this.language = language;
     this.number = (value) => digits.format(value);
     const button = (text, onclick, more = {}) => html("button", { type: "button", onclick, ...more }, t(text));

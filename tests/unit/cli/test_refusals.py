@@ -369,9 +369,16 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
     ("words", "options"),
     [
         ("--set smooth=-1", "(--smooth)"),
-        ("--nearest --set samples=99", "(--nearest, --set samples)"),
-        ("--set loads=[{at=20,mass=5}]", "(--gravity, --set loads)"),
-        ("--nearest --set limits.width=[10,15] --max-width 20", "(--max-width, --set limits.width)"),
+        ("--nearest --set samples=99", "without the nearest curve (--nearest), or without --set samples"),
+        (
+            "--set loads=[{at=20,mass=5}]",
+            "set --gravity, with a direction in that plane, or leave out --set loads",
+        ),
+        (
+            "--nearest --set limits.width=[10,15] --max-width 20",
+            "outside the limit width of 10 to 15 mm: change one of them, or leave the limit out "
+            "(--set limits.width)",
+        ),
     ],
 )
 def test_the_options_that_set_a_refused_field_are_named(words, options, tmp_path):

@@ -162,7 +162,7 @@ def test_a_heavy_strip_of_leaves_carries_them():
 
 
 def test_leaves_only_come_near():
-    with pytest.raises(InputError, match="give limits or keep, such as keep="):
+    with pytest.raises(InputError, match=r"ask for the nearest curve \(limits\)"):
         make_strip(ARCH, LEAF, law=LEAVES)
     with pytest.raises(InputError, match="the strip is not of leaves"):
         LeafStack(make_strip(ARCH, GLASS, law=THICKNESS))

@@ -48,7 +48,7 @@ def test_chamfers_are_corners(tmp_path, kind, turn):
     curve = read(tmp_path, vertices, kind)
     assert np.abs(np.degrees([abs(corner.angle) for corner in curve.tangent_breaks]) - turn).max() < 1e-3
     assert curve.length == pytest.approx(220, abs=1e-4)
-    with pytest.raises(InputError, match="--smooth") as refused:
+    with pytest.raises(InputError, match="set smooth to") as refused:
         require_bendable(curve)
     smooth = refused.value.refusal.changes[0].value
     rounded, moved = round_corners(curve, smooth)

@@ -298,7 +298,7 @@ def test_a_unit_that_the_file_does_not_name_is_assumed_and_reported(drawing, ver
     (told,) = curves.notes
     unit, other = ("in", "mm") if mm > 1 else ("mm", "in")
     assert f"its unit is assumed: {unit}, because it names none" in told
-    assert f"--unit {other}" in told
+    assert f"set unit to the right one, such as {other}" in told
     for given in ("mm", "in"):
         assert not drawing(draw, units=0, version=version, unit=given).notes
 

@@ -310,7 +310,7 @@ def test_tables_as_other_programs_write_them(csv, text):
     "x (rods),y (rods),y (rods)",
 ])  # fmt: skip
 def test_no_unknown_unit_is_read_as_mm(csv, heading):
-    with pytest.raises(InputError, match="not a unit known here: give the unit, --unit mm"):
+    with pytest.raises(InputError, match="not a unit known here: give the unit \\(unit\\)"):
         csv(table(f"{heading}\n"))
     assert csv(table(f"{heading}\n"), unit="cm")[0].length > 20_000
 

@@ -263,7 +263,7 @@ def test_illustrator_counts_in_points(tmp_path, size):
         (30, -150), abs=0.01
     )  # mm, as the ruler of Illustrator says
     assert found.notes == (found.file.unit.note,)
-    assert "say --unit px" in found.file.unit.note
+    assert "set unit to px" in found.file.unit.note
     pixels = read_curves(file, unit="px")
     assert pixels[0].length == pytest.approx(0.75 * found[0].length)
     assert pixels.notes == ()
@@ -302,7 +302,7 @@ def test_old_inkscape_has_ninety_pixels_to_the_inch(tmp_path, version, size, uni
     found = read_curves(file)
     assert found[0].length == pytest.approx(60 * np.pi * unit)
     old = unit == 25.4 / 90
-    assert [("90 to the inch" in note and "--unit px" in note) for note in found.notes] == [True] * old
+    assert [("90 to the inch" in note and "set unit to px" in note) for note in found.notes] == [True] * old
     assert read_curves(file, unit="px")[0].length == pytest.approx(60 * np.pi * 25.4 / 96)
 
 
@@ -540,7 +540,7 @@ def test_a_size_without_a_unit_is_told(tmp_path, size, told):
     )
     found = read_curves(file)
     assert found[0].length == pytest.approx(140 * np.pi * (25.4 / 96 if told else 1))
-    assert ["no unit" in note and "--unit mm" in note for note in found.notes] == [True] * told
+    assert ["no unit" in note and "set unit to mm" in note for note in found.notes] == [True] * told
     assert not read_curves(file, unit="mm").notes
 
 
@@ -548,7 +548,7 @@ def test_a_size_without_a_unit_is_told(tmp_path, size, told):
 def test_a_size_of_another_unit_is_named(svg, size):
     (told,) = svg(path("M 0 0 C 30 50 70 0 100 50"), f'width="{size}" viewBox="0 0 300 200"').notes
     assert f"its size, '{size}', is not in mm or the like" in told
-    assert "--unit mm" in told
+    assert "set unit to mm" in told
 
 
 def test_lengths_of_shapes_have_units_in_any_writing(svg):

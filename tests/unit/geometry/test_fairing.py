@@ -104,7 +104,7 @@ def test_slight_corners_are_taken_out_within_what_was_asked_for(degrees):
     assert not smoothing.curve.tangent_breaks
     assert two_sided_distance(drawn, smoothing.curve, 20000) <= smoothing.moved <= smooth
     assert f"corners, of {degrees:.2g} degrees at most, were rounded" in smoothing.notes[-1]
-    with pytest.raises(InputError, match=rf"take it out within {smooth:g} mm \(smooth = {smooth:g}, "):
+    with pytest.raises(InputError, match=f"set smooth to {smooth:g} mm, which takes it out"):
         require_bendable(drawn)
 
 

@@ -92,7 +92,8 @@ def test_smoothing_within_what_is_told_takes_all_inflections_out():
 def test_a_check_tells_of_them_before_all_else():
     """Also where a strip happens to take the curve; nobody smooths by a mistyped point."""
     wavering, mistyped = (PlaneCurve.fit(points, tolerance=0.01) for points in (wave(25, 0.3), offsets(1.0)))
-    assert "waver by about 0.3 mm: smooth them" in str(check_equilibrium(wavering)).split(". ")[3]
+    told = str(check_equilibrium(wavering)).split(". ")[3]
+    assert "waver by about 0.3 mm: set smooth to 0.82 mm to smooth them" in told
     told = str(check_equilibrium(mistyped))
     assert "number 8 of 12" in told.split(": ", maxsplit=1)[0]
     assert "smooth" not in told

@@ -311,7 +311,7 @@ class TestWeight:
 class TestBadInput:
     @pytest.mark.parametrize(("options", "message"), [
         ({"samples": 2}, "whole number, 3 or more"),
-        ({"weight": Weight(1.0)}, "needs gravity too"),
+        ({"weight": Weight(1.0)}, "needs gravity too, for its direction"),
         ({"bending_stiffness": 5.0}, "pass weight"),
         ({"gravity": LEANING, "weight": Weight(1.0), "bending_stiffness": -5.0}, "must be positive"),
         ({"gravity": LEANING, "weight": Weight(own=True)}, "every bending stiffness will do"),

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 import FreeCAD as App
 from freecad.elastica_wb.features.proxy import CONTAINERS
+from freecad.elastica_wb.host.property_names import name_of
 from freecad.elastica_wb.host.property_table import Property, declared_property, result
 
 from elastica_cad.declared import Field, declared
@@ -23,12 +24,6 @@ FOLLOW = ["Exactly", "Nearest"]
 ENDS = ["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
 KEPT_ENDS = ["both", "start", "end", "none"]
 TANGENT_ENDS = KEPT_ENDS[:3]
-
-NAMES = {
-    "style.width": "OuterWidth", "style.corner_radius": "HoleRadius", "style.sides": "HoleSides",
-    "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText",
-}  # fmt: skip
-"""Properties that are not called as their keys: users' files have these names."""
 
 DEFAULTS = {"MaxWidth": MAX_WIDTH, "OuterWidth": MAX_WIDTH, "RatioLimit": RATIO}
 """Of a new strip, where it is another than that of the field."""
@@ -52,17 +47,6 @@ OWN_TABLES = ("style", "limits", "keep")
 
 GROUPS = {"style": "Style", "limits": "Nearest", "keep": "Nearest", "curve": "Curve", "sheet": "Sheet",
           "widths": "Width", "ends": "Ends", "weight": "Mechanics"}  # fmt: skip
-
-
-def name_of(path: str) -> str:
-    """The property that holds a key: MaxWidth, RatioLimit, KeepLength."""
-    if path in NAMES:
-        return NAMES[path]
-    table, _, key = path.rpartition(".")
-    name = key.title().replace("_", "")
-    if table == "limits" and name not in EXAMPLES:
-        return f"{name}Limit"
-    return f"Keep{name}" if table == "keep" else name
 
 
 def _property_of(path: str, field: Field) -> Property:

@@ -9,7 +9,8 @@ from dataclasses import replace
 from typing import Any
 
 from freecad.elastica_wb.curves.sketch_curves import DrawnCurve
-from freecad.elastica_wb.features.strip_properties import EXAMPLES, FIELDS, PROPERTIES, name_of
+from freecad.elastica_wb.features.strip_properties import EXAMPLES, FIELDS, PROPERTIES
+from freecad.elastica_wb.host.property_names import name_of
 from freecad.elastica_wb.host.property_table import NOTHING, require_choices
 from freecad.elastica_wb.host.sheet_store import sheet_called
 

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import FreeCAD as App
+from freecad.elastica_wb.host.property_names import name_of
 from freecad.elastica_wb.host.resources import translate
 
 from elastica_cad._text import printable
@@ -39,6 +40,10 @@ class Words(Translated):
     def __init__(self, language: str, unit: Unit, point: str) -> None:
         super().__init__(language)
         self.unit, self.size, self.point = unit.name, unit.size, point
+
+    def field(self, name: str) -> str:
+        """Return the property that holds a field."""
+        return name_of(name)
 
 
 def user_language() -> str:
