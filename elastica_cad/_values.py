@@ -104,7 +104,7 @@ def numbers(values: object, what: str) -> FloatArray:
     """
     array = None if values is None else as_floats(values)  # numpy takes None for NaN
     if array is None:
-        raise InputError("{what} must be numbers, not {values}", what=what, values=quoted(values))
+        raise InputError(f"{what} must be numbers, not {quoted(values)}")
     return array
 
 
@@ -118,7 +118,7 @@ def pair(value: object, what: str) -> FloatArray:
     """
     found = None if value is None else as_floats(value)
     if found is None or found.shape != (2,) or not np.isfinite(found).all():
-        raise InputError("{what} must be two finite numbers, not {given}", what=what, given=quoted(value))
+        raise InputError(f"{what} must be two finite numbers, not {quoted(value)}")
     return found
 
 
@@ -156,9 +156,7 @@ def alike(**values: object) -> tuple[FloatArray, ...]:
         np.broadcast_shapes(*(array.shape for array in arrays))
     except ValueError:
         shapes = " and ".join(f"{name} {array.shape}" for name, array in zip(values, arrays, strict=True))
-        raise InputError(
-            "the shapes of {shapes} do not go together: give as many of each, or one", shapes=shapes
-        ) from None
+        raise InputError(f"the shapes of {shapes} do not go together: give as many of each, or one") from None
     return arrays
 
 
@@ -195,7 +193,7 @@ def require_record(value: object, record: type[Any] | UnionType, what: str, cure
         `what` names the value.
     """
     if not isinstance(value, record):
-        raise InputError("{what} is a {name}: give {cure}", what=what, name=type(value).__name__, cure=cure)
+        raise InputError(f"{what} is a {type(value).__name__}: give {cure}")
 
 
 def require_path(path: object) -> Path:
@@ -207,9 +205,7 @@ def require_path(path: object) -> Path:
         Something else, such as a number or None.
     """
     if not isinstance(path, str | PathLike):
-        raise InputError(
-            "the name of a file or folder is needed, such as 'arch.dxf', not {path!r}", path=path
-        )
+        raise InputError(f"the name of a file or folder is needed, such as 'arch.dxf', not {path!r}")
     return Path(path)
 
 
@@ -229,13 +225,7 @@ def several(
     found: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
     for one in found:
         if not isinstance(one, record):
-            raise InputError(
-                "{name} hold {one}: give {thing} records{cure}",
-                name=name,
-                one=quoted(one),
-                thing=kind,
-                cure=cure and f", {cure}",
-            )
+            raise InputError(f"{name} hold {quoted(one)}: give {kind} records{cure and f', {cure}'}")
     return found
 
 

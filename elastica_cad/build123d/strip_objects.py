@@ -67,8 +67,8 @@ class _Made(StripBody):
     def _start(self) -> Frame | None:
         if self._parts:
             raise InputError(
-                "This body holds {count} copies of a strip. Take one of them, such as body.copies[0].",
-                count=len(self._parts),
+                f"This body holds {len(self._parts)} copies of a strip. Take one of them, such as "
+                "body.copies[0]."
             )
         joints: dict[str, bd.Joint] = getattr(self, "joints", {})
         return _read_frame(joints["start"].location) if "start" in joints else None
@@ -315,9 +315,7 @@ class AngleSlider(_Travelled, bd.RevoluteJoint):
         """Where a joint is put on the end; the base class leaves open where angles are counted from."""
         require_record(other, bd.RigidJoint, "the other joint", "a RigidJoint")
         if angle is not None and not 0 <= require_number(angle, "the angle", "degrees") <= self.travel.length:
-            raise InputError(
-                "the angle is {angle:g} degrees: give 0 to {most:g}", angle=angle, most=self.travel.length
-            )
+            raise InputError(f"the angle is {angle:g} degrees: give 0 to {self.travel.length:g}")
         super().relative_to(other, angle=angle)
         return self._home * bd.Rotation(0, 0, self._angle) * other.relative_location.inverse()
 

@@ -68,9 +68,7 @@ def elastic_strip(
     """
     forms: dict[str, Any] = {"flat": FlatStrip, "bent": BentStrip, "outline": StripOutline}
     if not isinstance(form, str) or form not in forms:
-        raise InputError(
-            "form {form!r} is not known: choose one of {forms}", form=form, forms=", ".join(forms)
-        )
+        raise InputError(f"form {form!r} is not known: choose one of {', '.join(forms)}")
     builder = bd.BuildSketch if form == "outline" else bd.BuildPart
     context = builder._get_context("elastic_strip")
     if path is None:

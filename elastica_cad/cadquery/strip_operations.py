@@ -231,10 +231,8 @@ def register() -> None:
     for owner, method in methods.items():
         if getattr(owner, METHOD, method) is not method:
             raise InputError(
-                "cq.{name} has an {method} of another library already: use the functions of "
-                "elastica_cad.cadquery instead",
-                name=owner.__name__,
-                method=METHOD,
+                f"cq.{owner.__name__} has an {METHOD} of another library already: use the functions of "
+                "elastica_cad.cadquery instead"
             )
     for owner, method in methods.items():
         setattr(owner, METHOD, method)
@@ -274,7 +272,7 @@ def _workplane_strip(
         are tagged "start" and "end".
     """
     if form not in get_args(Form):
-        raise InputError("form {form!r} is not known: choose flat, bent or outline", form=form)
+        raise InputError(f"form {form!r} is not known: choose flat, bent or outline")
     if form == "outline" and combine:
         raise InputError(
             "an outline is a face, which joins no solid: extrude it first, or choose form='flat'"

@@ -286,7 +286,7 @@ class _Ended(_Jointed):
     def end_face(self, end: StripEnd) -> cq.Face:
         """The plane face that closes the strip at one end."""
         if end not in ENDS:
-            raise InputError('a strip has the ends "start" and "end", not {end!r}', end=end)
+            raise InputError(f'a strip has the ends "start" and "end", not {end!r}')
         tab = self.strip.ends[0 if end == "start" else 1].length
         if self.strip.is_closed and self._made.home is not None:  # bent, its lap is another body
             tab = 0.0

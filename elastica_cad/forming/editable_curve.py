@@ -81,8 +81,7 @@ def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
         return _in_millimetres(_fitted(shape, np.linspace(0, float(shape.s[-1]), spans + 1)), rod)
     except np.linalg.LinAlgError as error:
         raise NotConvergedError(
-            "a spline of {spans} spans does not meet the inflections of the rest shape: take more",
-            spans=spans,
+            f"a spline of {spans} spans does not meet the inflections of the rest shape: take more"
         ) from error
 
 

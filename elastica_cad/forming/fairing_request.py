@@ -223,9 +223,7 @@ def check_smooth(smooth: object) -> float | None:
         return None
     if isinstance(smooth, bool) or not isinstance(smooth, float | int | np.number):
         raise InputError(
-            "smooth is {smooth!r}: give a distance in mm, 0 for none, or None",
-            smooth=smooth,
-            where={"field": "smooth"},
+            f"smooth is {smooth!r}: give a distance in mm, 0 for none, or None", where={"field": "smooth"}
         )
     if not 0 <= smooth <= LARGEST_SMOOTH:
         raise InputError(
@@ -281,7 +279,7 @@ def smooth_curve(
     require_natural_curvature(natural_curvature)
     each = tuple(widths) if is_series(widths) else ()
     if len(each) != 2 or not all(width is None or (is_number(width) and width > 0) for width in each):
-        raise InputError("widths are {given}: give two positive numbers or None, mm", given=quoted(widths))
+        raise InputError(f"widths are {quoted(widths)}: give two positive numbers or None, mm")
     smoothing = Smoothing(curve, check_smooth(smooth), supports, natural_curvature, widths)
     _ = smoothing.fairing
     return smoothing

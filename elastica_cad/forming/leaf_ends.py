@@ -96,7 +96,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
         No stack comes to rest between the same ends.
     """
     if not isinstance(law, LeavesLaw):
-        raise InputError("the law is {law!r}: give a LeavesLaw(sheet, leaves, width)", law=law)
+        raise InputError(f"the law is {law!r}: give a LeavesLaw(sheet, leaves, width)")
     drawn = relaxed.curve.sample(NODES).position
     searches: dict[tuple[tuple[int, ...], ...], _Search] = {}
     for rounding in ROUNDINGS:
@@ -105,8 +105,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
     found = [answer for search in searches.values() if (answer := search.answer()) is not None]
     if not found:
         raise NotConvergedError(
-            "no stack of {leaves} leaves comes to rest near this curve: take more and thinner leaves",
-            leaves=law.leaves,
+            f"no stack of {law.leaves} leaves comes to rest near this curve: take more and thinner leaves"
         )
     best = min(found, key=lambda one: one.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:

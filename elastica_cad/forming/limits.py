@@ -74,9 +74,7 @@ class Box:
         lower, upper = pair(self.lower, "lower corner of a box"), pair(self.upper, "upper corner of a box")
         if np.any(lower >= upper):
             raise InputError(
-                "box corners {given} and {tolist_2}: the first must be lower left",
-                given=lower.tolist(),
-                tolist_2=upper.tolist(),
+                f"box corners {lower.tolist()} and {upper.tolist()}: the first must be lower left"
             )
         object.__setattr__(self, "lower", (float(lower[0]), float(lower[1])))
         object.__setattr__(self, "upper", (float(upper[0]), float(upper[1])))
@@ -196,9 +194,7 @@ class Limits:
     def __post_init__(self) -> None:
         require_declared(Limits, vars(self), "limit")
         if not (self.sheet is None or isinstance(self.sheet, Sheet)):
-            raise InputError(
-                'limit sheet={sheet!r}: give a Sheet record, such as Sheet.named("pom-1")', sheet=self.sheet
-            )
+            raise InputError(f'limit sheet={self.sheet!r}: give a Sheet record, such as Sheet.named("pom-1")')
         if self.strain is not None:
             require_positive(self.strain, "limit strain", "mm/mm")
             if self.sheet is None:
@@ -210,9 +206,7 @@ class Limits:
                 continue
             low, high = getattr(self, name)
             if low > high:
-                raise InputError(
-                    "limit {name} is {low} to {high}: the least comes first", name=name, low=low, high=high
-                )
+                raise InputError(f"limit {name} is {low} to {high}: the least comes first")
             object.__setattr__(self, name, (float(low), float(high)))
         keep_out = several("keep_out", self.keep_out, HalfPlane | Box, "HalfPlane or Box")
         object.__setattr__(self, "keep_out", keep_out)
@@ -308,11 +302,7 @@ class Keep:
             alone = isinstance(value, (bool, np.bool_))
             both = (value, value) if alone else tuple(value) if is_series(value) else ()
             if len(both) != 2 or not all(isinstance(v, (bool, np.bool_)) for v in both):
-                raise InputError(
-                    "keep {name}={given!r}: use True, False, or a pair for (start, end)",
-                    name=name,
-                    given=value,
-                )
+                raise InputError(f"keep {name}={value!r}: use True, False, or a pair for (start, end)")
             object.__setattr__(self, name, (bool(both[0]), bool(both[1])))
         require_declared(Keep, vars(self), "keep")
         points = np.atleast_1d(numbers(self.points, "keep points"))
@@ -341,9 +331,4 @@ def require_limits(limits: object, keep: object) -> None:
     """Refuse what is neither None nor a record of limits, or of what is kept."""
     for name, value, record in (("limits", limits, Limits), ("keep", keep, Keep)):
         if not (value is None or isinstance(value, record)):
-            raise InputError(
-                "{name} is {given!r}: give a {name_2} record, or None",
-                name=name,
-                given=value,
-                name_2=record.__name__,
-            )
+            raise InputError(f"{name} is {value!r}: give a {record.__name__} record, or None")

@@ -67,12 +67,11 @@ def nearest_rods(
     [True, True]
     """
     if isinstance(curves, PlaneCurve) or not is_series(curves):
-        raise InputError("nearest_rods takes a list of curves, not a {name}", name=type(curves).__name__)
+        raise InputError(f"nearest_rods takes a list of curves, not a {type(curves).__name__}")
     _require_executor(executor)
     if not (progress is None or callable(progress)):
         raise InputError(
-            "progress is {progress!r}: give a function of (curves done, curves in all), or None",
-            progress=progress,
+            f"progress is {progress!r}: give a function of (curves done, curves in all), or None"
         )
     _require_options("nearest_rods", options)
     curves = list(curves)
@@ -136,9 +135,7 @@ def stream_nearest_rods(
     [(0, True), (1, True), (2, True)]
     """
     if isinstance(curves, PlaneCurve) or not is_series(curves):
-        raise InputError(
-            "stream_nearest_rods takes curves to be read, not a {name}", name=type(curves).__name__
-        )
+        raise InputError(f"stream_nearest_rods takes curves to be read, not a {type(curves).__name__}")
     _require_executor(executor)
     _require_options("stream_nearest_rods", options)
     whole_number(ahead, "ahead", 1)
@@ -216,27 +213,15 @@ def _spread(name: str, value: Any, count: int) -> list[Any]:
     if value is None or not isinstance(value, (list, tuple)):
         return [value] * count
     if len(value) != count:
-        raise InputError(
-            "{name}: {count} given for {count_2} curves; give one for all, or one a curve",
-            name=name,
-            count=len(value),
-            count_2=count,
-        )
+        raise InputError(f"{name}: {len(value)} given for {count} curves; give one for all, or one a curve")
     return list(value)
 
 
 def _require_executor(executor: object) -> None:
     if not (executor is None or hasattr(executor, "submit")):
-        raise InputError(
-            "executor is {executor!r}: give a concurrent.futures.Executor, or None", executor=executor
-        )
+        raise InputError(f"executor is {executor!r}: give a concurrent.futures.Executor, or None")
 
 
 def _require_options(asked_of: str, options: dict[str, Any]) -> None:
     if unknown := set(options) - _OPTIONS:
-        raise InputError(
-            "{asked_of} knows no option {unknown!r}: use {names}",
-            asked_of=asked_of,
-            unknown=min(unknown),
-            names=", ".join(sorted(_OPTIONS)),
-        )
+        raise InputError(f"{asked_of} knows no option {min(unknown)!r}: use {', '.join(sorted(_OPTIONS))}")

@@ -423,9 +423,7 @@ class Meridian:
     def width(self, strips: int) -> Profile:
         """Width of each of so many strips, 2 tan(pi / strips) times the distance from the axis, mm."""
         if strips < 3:
-            raise InputError(
-                "strips={strips}: a surface of revolution is tiled by 3 strips or more", strips=strips
-            )
+            raise InputError(f"strips={strips}: a surface of revolution is tiled by 3 strips or more")
         return self.distance.scaled(2 * float(np.tan(np.pi / strips)))
 
     def to_ring(self, ring: float) -> "Meridian":
@@ -554,9 +552,7 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         curve = _curve(found, size, end)
     except NotConvergedError as problem:
         way_out = TO_THE_POLE if data[-1, 0] < NEAR_AXIS_SHARE * data[:, 0].max() else ""
-        raise NotConvergedError(
-            "{problem}: {hopeless}{way_out}", problem=problem, hopeless=HOPELESS, way_out=way_out
-        ) from problem
+        raise NotConvergedError(f"{problem}: {HOPELESS}{way_out}") from problem
     closes = end < length
     if len(chosen) == len(data):
         gaps = np.hypot(*(size * found.points - data).T)
@@ -622,9 +618,8 @@ def _profile(points: ArrayLike) -> FloatArray:
     if beyond.any():
         i = int(np.argmax(beyond))
         raise InputError(
-            "point {i} at {given} lies on or beyond the axis x = 0: keep x positive (the last may lie on it)",
-            i=i + 1,
-            given=data[i].tolist(),
+            f"point {i + 1} at {data[i].tolist()} lies on or beyond the axis x = 0: keep x positive "
+            "(the last may lie on it)"
         )
     return data
 

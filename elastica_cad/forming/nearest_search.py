@@ -532,25 +532,19 @@ def nearest_rod(
     require_natural_curvature(natural_curvature)
     require_limits(limits, keep)
     if not (section is None or hasattr(section, "bent")):
-        raise InputError(
-            "section is {section!r}: give a law of sections, such as ThicknessLaw, or None", section=section
-        )
+        raise InputError(f"section is {section!r}: give a law of sections, such as ThicknessLaw, or None")
     if whole_number(samples, "samples", 20) > _MOST_NODES:
         raise InputError(
-            "samples={samples!r}: a rod needs 20 to {most_nodes} nodes, {search_samples} are usual",
-            samples=samples, most_nodes=_MOST_NODES, search_samples=SEARCH_SAMPLES,
-        )  # fmt: skip
+            f"samples={samples!r}: a rod needs 20 to {_MOST_NODES} nodes, {SEARCH_SAMPLES} are usual"
+        )
     if not is_one_of(measure, ("mean", "closest", "max")):
-        raise InputError("unknown measure {measure!r}: use 'mean', 'closest' or 'max'", measure=measure)
+        raise InputError(f"unknown measure {measure!r}: use 'mean', 'closest' or 'max'")
     if coefficients is not None and whole_number(coefficients, "coefficients", 4) > (samples - 1) // 2:
-        raise InputError(
-            "coefficients={coefficients!r}: the stiffness needs 4 coefficients or more, and at "
-            "most half as many as there are edges ({samples})",
-            coefficients=coefficients, samples=samples - 1,
-        )  # fmt: skip
+        raise InputError(f"coefficients={coefficients!r}: the stiffness needs 4 coefficients or more, and at most "
+f"half as many as there are edges ({samples - 1})")  # fmt: skip
     if not (start is None or isinstance(start, NearestRod)):
         raise InputError(
-            "start is {start!r}: give the record that nearest_rod gave for a like curve, or None", start=start
+            f"start is {start!r}: give the record that nearest_rod gave for a like curve, or None"
         )
     return find_nearest(
         NearestRequest(

@@ -358,7 +358,6 @@ def values_along(given: object, x: FloatArray, size: float, what: str) -> FloatA
         array = np.full(2, float(array))
     if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)):
         raise InputError(
-            "{what} must be a finite number, values at equal distances, or a function of arc length",
-            what=what,
+            f"{what} must be a finite number, values at equal distances, or a function of arc length"
         )
     return np.asarray(np.interp(x, np.linspace(0, 1, array.size), array))

@@ -95,7 +95,7 @@ class Mesh:
             A factor that is not positive.
         """
         if not (is_number(factor) and factor > 0):
-            raise InputError("a mesh is scaled by a positive factor, not {factor!r}", factor=factor)
+            raise InputError(f"a mesh is scaled by a positive factor, not {factor!r}")
         return Mesh(self.vertices * factor, self.faces)
 
 
@@ -106,10 +106,8 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
         raise InputError("a mesh is rows of numbers: vertices (n, 3) and triangles (m, 3)") from None
     if points.ndim != 2 or points.shape[1] != 3 or rows.ndim != 2 or rows.shape[1] != 3:
         raise InputError(
-            "a mesh is vertices (n, 3) and triangles (m, 3), not {shape} and {shape_2}: cut "
-            "faces of more corners into triangles first",
-            shape=points.shape,
-            shape_2=rows.shape,
+            f"a mesh is vertices (n, 3) and triangles (m, 3), not {points.shape} and {rows.shape}: "
+            "cut faces of more corners into triangles first"
         )
     if not rows.size:
         raise InputError("the mesh has no triangles: nothing can be cut")
@@ -117,9 +115,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
         raise InputError("the triangles of a mesh are rows of whole numbers that count its vertices from 0")
     if not np.all(np.isfinite(points)):
         bad = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
-        raise InputError(
-            "vertex {bad} of the mesh is not finite: {given}", bad=bad, given=points[bad].tolist()
-        )
+        raise InputError(f"vertex {bad} of the mesh is not finite: {points[bad].tolist()}")
     far = float(np.abs(points).max())
     if far > FARTHEST_MM:
         bad = int(np.abs(points).max(axis=1).argmax())
@@ -130,9 +126,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
         )
     if rows.min() < 0 or rows.max() >= len(points):
         raise InputError(
-            "a triangle names vertex {given} of {count}",
-            given=rows.max() if rows.min() >= 0 else rows.min(),
-            count=len(points),
+            f"a triangle names vertex {rows.max() if rows.min() >= 0 else rows.min()} of {len(points)}"
         )
     return points, rows.astype(np.intp)
 
@@ -269,7 +263,7 @@ def refuse_odd_planes(planes: object) -> None:
     """Raise where planes are not a sequence of frames."""
     if not (isinstance(planes, Sequence) and all(isinstance(frame, Frame) for frame in planes)):
         raise InputError(
-            "planes must be a sequence of Frames, not {name}: put one in a list", name=type(planes).__name__
+            f"planes must be a sequence of Frames, not {type(planes).__name__}: put one in a list"
         )
 
 

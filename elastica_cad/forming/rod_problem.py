@@ -344,9 +344,8 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
     ):
         image = "mirror image" if kind == "mirror" else "half turn"
         raise InputError(
-            "the blank is not its own {image} before it is bent: give one that is, or leave out "
-            "keep symmetry",
-            image=image,
+            f"the blank is not its own {image} before it is bent: give one that is, or leave out keep "
+            "symmetry"
         )
     if kind == "turn":
         if task.request.gravity is not None:
@@ -378,9 +377,8 @@ def _stiffness_box(task: NearestTask, count: int) -> tuple[FloatArray, FloatArra
         high = np.minimum(high, np.where(support, values[:, None], np.inf).min(axis=0))
     if low.min() > 1:
         raise InputError(
-            "stiffness_bounds ask for at least {least:.4g} everywhere, but K / min K is 1 "
-            "somewhere: let the lower bound come down to 1",
-            least=low.min(),
+            f"stiffness_bounds ask for at least {low.min():.4g} everywhere, but K / min K is 1 "
+            "somewhere: let the lower bound come down to 1"
         )
     if np.any(low > high):
         at = float(s[int(np.argmax(support[:, int(np.argmax(low - high))]))]) * task.target.size

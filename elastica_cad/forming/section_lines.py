@@ -80,7 +80,7 @@ class SectionLine:
         """
         wanted = np.atleast_2d(np.asarray(points, dtype=float))
         if wanted.shape[1] != 2 or not np.all(np.isfinite(wanted)):
-            raise InputError("{name} is split at points (k, 2) of its plane, mm", name=self.name)
+            raise InputError(f"{self.name} is split at points (k, 2) of its plane, mm")
         return self._split(np.sort([_nearest(self.points, p) for p in wanted]))
 
     def split_by(self, point: ArrayLike, normal: ArrayLike) -> tuple["SectionLine", ...]:
@@ -109,7 +109,7 @@ class SectionLine:
             An angle that is not between 0 and pi.
         """
         if not 0 < turn < np.pi:
-            raise InputError("corners turn by an angle between 0 and pi rad, not {turn!r}", turn=turn)
+            raise InputError(f"corners turn by an angle between 0 and pi rad, not {turn!r}")
         points = np.concatenate([self.points, self.points[1:2]]) if self.is_closed else self.points
         corners = 1.0 + np.flatnonzero(_inner_turns(points) > turn)
         if self.is_closed:
@@ -406,15 +406,11 @@ def section_curves(
     ('arch', 4, ())
     """
     if not (is_number(wavelength) and wavelength >= 0):
-        raise InputError(
-            "wavelength={wavelength!r}: it must be 0 mm (no smoothing) or more", wavelength=wavelength
-        )
+        raise InputError(f"wavelength={wavelength!r}: it must be 0 mm (no smoothing) or more")
     if not (is_number(tolerance) and tolerance > 0):
-        raise InputError("tolerance={tolerance!r}: it must be positive, in mm", tolerance=tolerance)
+        raise InputError(f"tolerance={tolerance!r}: it must be positive, in mm")
     if not (is_number(false_turn) and 0 <= false_turn <= np.pi):
-        raise InputError(
-            "false_turn={false_turn!r}: it must be an angle from 0 to pi rad", false_turn=false_turn
-        )
+        raise InputError(f"false_turn={false_turn!r}: it must be an angle from 0 to pi rad")
     found: list[SectionCurve] = []
     reports: list[str] = []
     for item in several("sections", sections, PlaneSection | SectionLine, "PlaneSection or SectionLine"):
@@ -589,19 +585,11 @@ def smooth_polyline(
     """
     given = numbers(points, "points to smooth")
     if given.ndim != 2 or not len(given) or not np.isfinite(given).all():
-        raise InputError(
-            "points to smooth are finite rows (n, 2), in mm, not of shape {shape}", shape=given.shape
-        )
+        raise InputError(f"points to smooth are finite rows (n, 2), in mm, not of shape {given.shape}")
     if not (is_whole(count) and 4 <= count <= MOST_SMOOTHED):
-        raise InputError(
-            "count is {count!r}: smoothing gives points (k, 2), k from 4 to {most_smoothed}",
-            count=count,
-            most_smoothed=MOST_SMOOTHED,
-        )
+        raise InputError(f"count is {count!r}: smoothing gives points (k, 2), k from 4 to {MOST_SMOOTHED}")
     if not (is_number(wavelength) and wavelength > 0):
-        raise InputError(
-            "smoothing needs a positive wavelength in mm, not {wavelength!r}", wavelength=wavelength
-        )
+        raise InputError(f"smoothing needs a positive wavelength in mm, not {wavelength!r}")
     s = lengths_along(given)
     if s[-1] == 0:
         raise InputError("the points to smooth are all the same")

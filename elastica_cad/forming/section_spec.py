@@ -101,13 +101,11 @@ def planes_along(
     """
     points = _numbers("path", path)
     if points.ndim != 2 or points.shape[1] != 3:
-        raise InputError("a path is points (n, 3) in mm, not {shape}", shape=points.shape)
+        raise InputError(f"a path is points (n, 3) in mm, not {points.shape}")
     if not is_whole(count) or not 1 <= count <= MOST_PLANES or (require_flag(ends, "ends") and count < 2):
         raise InputError(
-            "count={count}: a path is cut by a whole number of planes, one plane at least, two "
-            "with ends=True, and {most_planes} at most",
-            count=quoted(count),
-            most_planes=MOST_PLANES,
+            f"count={quoted(count)}: a path is cut by a whole number of planes, one plane at least, "
+            f"two with ends=True, and {MOST_PLANES} at most"
         )
     points = points[np.append(True, np.any(np.diff(points, axis=0) != 0, axis=1))]
     if len(points) < 2:
@@ -137,11 +135,7 @@ def _rejected(name: str, value: ArrayLike, along: FloatArray) -> FloatArray:
     part = v - (v @ along) * along
     size = float(np.linalg.norm(part))
     if size < 1e-9:
-        raise InputError(
-            "{name}={given} is at right angles to the plane: choose another direction",
-            name=name,
-            given=v.tolist(),
-        )
+        raise InputError(f"{name}={v.tolist()} is at right angles to the plane: choose another direction")
     return np.asarray(part / size)
 
 
@@ -149,14 +143,14 @@ def _direction(name: str, value: ArrayLike) -> FloatArray:
     v = _vector(name, value)
     size = float(np.linalg.norm(v))
     if size == 0:
-        raise InputError("{name} is zero: give a direction of three numbers", name=name)
+        raise InputError(f"{name} is zero: give a direction of three numbers")
     return np.asarray(v / size)
 
 
 def _vector(name: str, value: ArrayLike) -> FloatArray:
     v = _numbers(name, value)
     if v.shape != (3,):
-        raise InputError("{name} must be three numbers, not {shape}", name=name, shape=np.shape(value))
+        raise InputError(f"{name} must be three numbers, not {np.shape(value)}")
     return v
 
 
@@ -164,24 +158,18 @@ def _row(name: str, value: ArrayLike) -> list[float]:
     """One number or several in a row."""
     v = np.atleast_1d(_numbers(name, value))
     if v.ndim != 1:
-        raise InputError(
-            "{name} must be one number or a row of numbers, not an array of shape {shape}",
-            name=name,
-            shape=v.shape,
-        )
+        raise InputError(f"{name} must be one number or a row of numbers, not an array of shape {v.shape}")
     return [float(x) for x in v]
 
 
 def _numbers(name: str, value: ArrayLike) -> FloatArray:
     v = as_floats(value)
     if v is None:
-        raise InputError("{name} must be numbers, not {given!r}", name=name, given=str(value)[:60])
+        raise InputError(f"{name} must be numbers, not {str(value)[:60]!r}")
     if not np.all(np.isfinite(v)):
-        raise InputError("{name} must be finite numbers, got {given}", name=name, given=v.tolist())
+        raise InputError(f"{name} must be finite numbers, got {v.tolist()}")
     if np.abs(v).max(initial=0.0) > FARTHEST_MM:
-        raise InputError(
-            "{name} holds {most:.3g}: nothing made of strips is so far away", name=name, most=np.abs(v).max()
-        )
+        raise InputError(f"{name} holds {np.abs(v).max():.3g}: nothing made of strips is so far away")
     return v
 
 
@@ -376,9 +364,7 @@ class CornerSplit:
 
     def __post_init__(self) -> None:
         if not 0 < self.corners < np.pi:
-            raise InputError(
-                "corners is {turn:g}: corners turn by an angle between 0 and pi", turn=self.corners
-            )
+            raise InputError(f"corners is {self.corners:g}: corners turn by an angle between 0 and pi")
 
     @property
     def name(self) -> str:
@@ -430,8 +416,7 @@ class SectionSpec:
         )
         if not curves:
             raise InputError(
-                "no plane gives a strip: {reasons}",
-                reasons=_reasons(reports),
+                f"no plane gives a strip: {_reasons(reports)}",
                 changes=[change for one in reports if isinstance(one, Refusal) for change in one.all_changes],
             )
         idle = [split.name for split in self.splits if not any(split.name in used for _, used in divided)]
@@ -489,17 +474,10 @@ def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) ->
     twice = np.flatnonzero(np.abs(steps) <= SAME_PLANE * largest)
     if len(values) > 1 and twice.size:
         i, j = sorted((int(ring[twice[0]]), int(ring[twice[0] + 1])))
-        raise InputError(
-            "{name} holds one plane twice, as its numbers {i} and {j}: leave one out",
-            name=name,
-            i=i + 1,
-            j=j + 1,
-        )
+        raise InputError(f"{name} holds one plane twice, as its numbers {i + 1} and {j + 1}: leave one out")
 
 
 def _plane_count(count: int) -> int:
     if count > MOST_PLANES:
-        raise InputError(
-            "count is {count}: {most_planes} planes are the most", count=count, most_planes=MOST_PLANES
-        )
+        raise InputError(f"count is {count}: {MOST_PLANES} planes are the most")
     return count

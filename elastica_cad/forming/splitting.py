@@ -238,7 +238,7 @@ def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | Non
         return None
     given = as_floats(places)
     if given is None:
-        raise InputError("places must be arc lengths in mm, not {places!r}", places=places)
+        raise InputError(f"places must be arc lengths in mm, not {places!r}")
     s = np.unique(given)
     if not np.all(np.isfinite(s)):
         raise InputError("places of supports must be finite arc lengths, in mm")

@@ -243,11 +243,10 @@ def least_norm_newton(
     require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
     require_positive(tolerance, "the tolerance of constraints", "shares of the size")
     if not (is_whole(max_steps) and max_steps >= 1):
-        raise InputError("max_steps is {max_steps!r}: allow at least one step", max_steps=max_steps)
+        raise InputError(f"max_steps is {max_steps!r}: allow at least one step")
     if not isinstance(constraints, Sequence) or not all(hasattr(one, "equations") for one in constraints):
         raise InputError(
-            "constraints are {constraints}: give a list of EndPositions, FixedLength and the like",
-            constraints=quoted(constraints),
+            f"constraints are {quoted(constraints)}: give a list of EndPositions, FixedLength and the like"
         )
     size = float(np.ptp(curve.control_points, axis=0).max())
     residual, jacobian = _assembled(curve, constraints)
@@ -258,10 +257,8 @@ def least_norm_newton(
             break
         if len(norms) > max_steps:
             raise NotConvergedError(
-                "the constraints on the curve are not met after {max_steps} steps: {norms:.3g} is "
-                "left; give up one of them, or start from a curve that is nearer",
-                max_steps=max_steps,
-                norms=norms[-1],
+                f"the constraints on the curve are not met after {max_steps} steps: {norms[-1]:.3g} is "
+                "left; give up one of them, or start from a curve that is nearer"
             )
         step = np.asarray(np.linalg.lstsq(jacobian, -residual, rcond=1e-12)[0].reshape(-1, 2), dtype=float)
         try:
@@ -294,9 +291,8 @@ def _advanced(
         if np.linalg.norm(residual) < norm:
             return moved, residual, jacobian
     raise NotConvergedError(
-        "the constraints on the curve cannot be met: no step lessens the residual "
-        "{norm:.3g}; give up one of them, or start from a curve that is nearer",
-        norm=norm,
+        f"the constraints on the curve cannot be met: no step lessens the residual {norm:.3g}; "
+        "give up one of them, or start from a curve that is nearer"
     ) from lost
 
 
@@ -340,10 +336,8 @@ def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) ->
     found = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
     if found.size < near.size:
         raise NotConvergedError(
-            "the curve has {size} inflections where {size_2} are to be kept: the move is too "
-            "large or an inflection is too shallow",
-            size=found.size,
-            size_2=near.size,
+            f"the curve has {found.size} inflections where {near.size} are to be kept: the move is "
+            "too large or an inflection is too shallow"
         )
     if found.size == near.size:
         return np.asarray(found[np.argsort(np.argsort(near))])

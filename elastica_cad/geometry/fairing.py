@@ -168,8 +168,7 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
     """
     if not (np.isfinite(tolerance) and tolerance > 0):
         raise InputError(
-            "a curve is made fair within a positive distance, not {tolerance!r} mm: give 0.1, for one",
-            tolerance=tolerance,
+            f"a curve is made fair within a positive distance, not {tolerance!r} mm: give 0.1, for one"
         )
     if curve.has_corners:
         raise InputError("a curve with corners cannot be made fair: round the corners, or cut it at them")

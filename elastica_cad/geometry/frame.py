@@ -86,7 +86,7 @@ class Frame:
         local = numbers(local, "local coordinates")
         if local.shape[-1:] not in ((2,), (3,)):
             raise InputError(
-                "local coordinates are rows of two or three numbers, not of shape {shape}", shape=local.shape
+                f"local coordinates are rows of two or three numbers, not of shape {local.shape}"
             )
         found: FloatArray = local @ (self.axes if local.shape[-1] == 3 else self._plane_axes)
         return found
@@ -95,9 +95,7 @@ class Frame:
         """Return local coordinates (..., 3) of points in space (..., 3), mm."""
         points = numbers(points, "points in space")
         if points.shape[-1:] != (3,):
-            raise InputError(
-                "points in space are rows of three numbers, not of shape {shape}", shape=points.shape
-            )
+            raise InputError(f"points in space are rows of three numbers, not of shape {points.shape}")
         return np.asarray((points - self.origin) @ self.axes.T, dtype=float)
 
     def within(self, outer: "Frame") -> "Frame":
@@ -134,13 +132,11 @@ def frame_or_plain(frame: Frame | None, what: str = "the frame") -> Frame:
 def _row(name: str, given: ArrayLike) -> FloatArray:
     row = as_floats(given)
     if row is None:
-        raise InputError("frame {name} must be three finite numbers, got {given!r}", name=name, given=given)
+        raise InputError(f"frame {name} must be three finite numbers, got {given!r}")
     _require_finite(name, row)
     return row.copy()
 
 
 def _require_finite(name: str, row: FloatArray) -> None:
     if row.shape != (3,) or not all(map(isfinite, row.tolist())):
-        raise InputError(
-            "frame {name} must be three finite numbers, got {given}", name=name, given=row.tolist()
-        )
+        raise InputError(f"frame {name} must be three finite numbers, got {row.tolist()}")

@@ -204,7 +204,7 @@ class RationalPieces:
         a, b = self.edges[0], self.edges[-1]
         inside = np.minimum(np.maximum(t, a), b)
         if not np.abs(t - inside).max(initial=0.0) <= 1e-9 * (b - a):
-            raise InputError("parameter outside the curve: use {a:g} to {b:g}", a=a, b=b)
+            raise InputError(f"parameter outside the curve: use {a:g} to {b:g}")
         return np.asarray(inside)
 
     def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:
@@ -484,33 +484,22 @@ class NurbsCurve:
         object.__setattr__(self, "degree", whole_degree(self.degree))
         points = finite("control_points", self.control_points)
         if points.ndim != 2 or points.shape[1] != 2:
-            raise InputError(
-                "control_points must be rows of x, y: shape (m, 2), not {shape}", shape=points.shape
-            )
+            raise InputError(f"control_points must be rows of x, y: shape (m, 2), not {points.shape}")
         object.__setattr__(self, "control_points", points)
         object.__setattr__(self, "knots", finite("knots", self.knots))
         check_knots(self.knots, points.shape[0], self.degree)
         if self.weights is not None:
             weights = finite("weights", self.weights)
             if weights.shape != (points.shape[0],):
-                raise InputError(
-                    "{shape} control points need as many weights, not {size}",
-                    shape=points.shape[0],
-                    size=weights.size,
-                )
+                raise InputError(f"{points.shape[0]} control points need as many weights, not {weights.size}")
             if weights.min() <= 0:
                 raise InputError(
-                    "weight {given} is {least:g}: weights must be positive",
-                    given=int(weights.argmin()),
-                    least=weights.min(),
+                    f"weight {int(weights.argmin())} is {weights.min():g}: weights must be positive"
                 )
             if weights.max() > MOST_UNEVEN * weights.min():
                 raise InputError(
-                    "weights run from {least:.3g} to {most:.3g}: the largest may be {most_uneven:g} "
-                    "times the least; export the curve without them",
-                    least=weights.min(),
-                    most=weights.max(),
-                    most_uneven=MOST_UNEVEN,
+                    f"weights run from {weights.min():.3g} to {weights.max():.3g}: the largest may be "
+                    f"{MOST_UNEVEN:g} times the least; export the curve without them"
                 )
             object.__setattr__(self, "weights", weights if np.ptp(weights) > 0 else None)
         drawn = self.provenance
@@ -550,10 +539,7 @@ class NurbsCurve:
         count = points.shape[0] if points.ndim else 0
         if count <= degree:
             raise InputError(
-                "{count} control points are too few for degree {degree}: give {degree_2} or more",
-                count=count,
-                degree=degree,
-                degree_2=degree + 1,
+                f"{count} control points are too few for degree {degree}: give {degree + 1} or more"
             )
         inner = np.linspace(0.0, 1.0, count - degree + 1)
         knots = np.concatenate([np.zeros(degree), inner, np.ones(degree)])
@@ -586,18 +572,15 @@ class NurbsCurve:
         """The ellipse arc (a cos v, b sin v), v from start to end (rad), turned and moved; exact."""
         centre, axes = finite("center", center), finite("semi_axes", semi_axes)
         if centre.shape != (2,):
-            raise InputError("the center must be two numbers, in mm, not {given}", given=centre.tolist())
+            raise InputError(f"the center must be two numbers, in mm, not {centre.tolist()}")
         if axes.shape != (2,) or axes.min() <= 0:
-            raise InputError("semi-axes (or the radius) must be positive, not {given}", given=axes.tolist())
+            raise InputError(f"semi-axes (or the radius) must be positive, not {axes.tolist()}")
         turn, first, last = finite("angles", [rotation, start, end]).tolist()
         if first == last:
             raise InputError("the arc has zero length: start and end angle are the same")
         if not abs(last - first) <= MOST_TURNS * 2 * np.pi:
             raise InputError(
-                "the arc runs from {first:g} to {last:g} rad: give angles at most {most_turns} turns apart",
-                first=first,
-                last=last,
-                most_turns=MOST_TURNS,
+                f"the arc runs from {first:g} to {last:g} rad: give angles at most {MOST_TURNS} turns apart"
             )
         knots, points, weights = unit_circle_arc(first, last)
         c, s = np.cos(turn), np.sin(turn)
@@ -690,9 +673,7 @@ class NurbsCurve:
         At a knot of low continuity the right-hand value is given, with `left=True` the left-hand one.
         """
         if not (is_whole(derivative) and 0 <= derivative <= 3):
-            raise InputError(
-                "derivatives of order 0 to 3 are known, not {derivative!r}", derivative=derivative
-            )
+            raise InputError(f"derivatives of order 0 to 3 are known, not {derivative!r}")
         t = numbers(t, "parameters")
         return self._pieces.at(t.ravel(), derivative, left=left)[derivative].reshape(*t.shape, 2)
 

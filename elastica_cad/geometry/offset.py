@@ -63,9 +63,7 @@ def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path
     left = distance
     if path.closed:
         if path.area == 0:
-            raise InputError(
-                "the loop at {start} encloses nothing: it has no inside to offset", start=place(path.start)
-            )
+            raise InputError(f"the loop at {place(path.start)} encloses nothing: it has no inside to offset")
         left = -distance * float(np.sign(path.area))
     ring = _Ring(_elements(path, left, tolerance), path.closed, distance)
     moved = Path(ring.joined(), path.closed)

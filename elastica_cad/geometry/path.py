@@ -215,11 +215,7 @@ class Path:
     def rectangle(cls, width: float, height: float, *, corner: ArrayLike = (0.0, 0.0)) -> "Path":
         """A closed rectangle, anticlockwise from its lower left `corner`, mm."""
         if not (is_number(width) and is_number(height) and width > 0 and height > 0):
-            raise InputError(
-                "a rectangle of {width} by {height} mm: both sides must be positive",
-                width=width,
-                height=height,
-            )
+            raise InputError(f"a rectangle of {width} by {height} mm: both sides must be positive")
         x, y = point(corner, "the corner of a rectangle")
         return cls.polygon([(x, y), (x + width, y), (x + width, y + height), (x, y + height)])
 

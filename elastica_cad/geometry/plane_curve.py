@@ -223,7 +223,7 @@ class PlaneCurve(NurbsCurve):
         """Position, angle and curvature at arc lengths s (n,)."""
         s = np.atleast_1d(numbers(s, "arc lengths"))
         if s.ndim > 1:
-            raise InputError("arc lengths are an array of {count} dimensions: give one row", count=s.ndim)
+            raise InputError(f"arc lengths are an array of {s.ndim} dimensions: give one row")
         t = self.parameter(s)
         position, d1, d2 = self._pieces.at(t, 2)
         return CurveSamples(s, position, self._turning.at(t, d1), curvature(d1, d2), t)
@@ -231,7 +231,7 @@ class PlaneCurve(NurbsCurve):
     def sample(self, count: int) -> CurveSamples:
         """`count` points at equal distances along the curve, both ends included."""
         if not (is_number(count) and count >= 2):
-            raise InputError("a curve is sampled at 2 points or more, not {count!r}", count=count)
+            raise InputError(f"a curve is sampled at 2 points or more, not {count!r}")
         return self.at(np.linspace(0.0, self.length, int(count)))
 
     @cached_property
@@ -275,10 +275,8 @@ class PlaneCurve(NurbsCurve):
             Where it has a kink, and whether it is continuous there.
         """
         if not callable(function) or not (is_number(size) and size > 0):
-            raise InputError(
-                "zeros of {function}, whose size is {size}, cannot be found: give a callable and a positive size",
-                function=quoted(function), size=quoted(size),
-            )  # fmt: skip
+            raise InputError(f"zeros of {quoted(function)}, whose size is {quoted(size)}, cannot be found: give a "
+"callable and a positive size")  # fmt: skip
         low, high = self.domain
         places = dict(
             zip(self._pieces.edges[1:-1].tolist(), self._curvature_continuous.tolist(), strict=True)
@@ -431,11 +429,9 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[Curvature
     require_record(curve, PlaneCurve, "what a line crosses", "a PlaneCurve")
     normal, constant = finite("b", b), finite("a", a)
     if constant.shape:
-        raise InputError("the constant of a line is one number, not {given}", given=constant.tolist())
+        raise InputError(f"the constant of a line is one number, not {constant.tolist()}")
     if normal.shape != (2,) or not normal.any():
-        raise InputError(
-            "the normal of a line must be two numbers, not both zero: {given}", given=normal.tolist()
-        )
+        raise InputError(f"the normal of a line must be two numbers, not both zero: {normal.tolist()}")
     edges, bezier = curve.bezier_table
     found = line_places(bezier, edges, float(constant), normal)
     return curve._measured(found)

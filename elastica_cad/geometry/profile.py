@@ -54,20 +54,15 @@ class Profile:
             array = finite(f"profile {name}", getattr(self, name))
             if array.ndim != 1:
                 raise InputError(
-                    "profile {name} must be a row of numbers, not an array of shape {shape}",
-                    name=name,
-                    shape=array.shape,
+                    f"profile {name} must be a row of numbers, not an array of shape {array.shape}"
                 )
             object.__setattr__(self, name, array)
         if not (is_whole(self.degree) and self.degree >= 1):
-            raise InputError("a profile has a whole degree of 1 or more, not {degree!r}", degree=self.degree)
+            raise InputError(f"a profile has a whole degree of 1 or more, not {self.degree!r}")
         if self.knots.size != self.coefficients.size + self.degree + 1:
             raise InputError(
-                "profile has {size} knots and {size_2} coefficients: degree {degree} needs {given} knots",
-                size=self.knots.size,
-                size_2=self.coefficients.size,
-                degree=self.degree,
-                given=self.coefficients.size + self.degree + 1,
+                f"profile has {self.knots.size} knots and {self.coefficients.size} coefficients: degree "
+                f"{self.degree} needs {self.coefficients.size + self.degree + 1} knots"
             )
         clamped = self.knots[0] == self.knots[self.degree] and self.knots[-1] == self.knots[-self.degree - 1]
         if (self.knots[1:] < self.knots[:-1]).any() or not self.knots[-1] > self.knots[0] or not clamped:
@@ -106,7 +101,7 @@ class Profile:
             When the function has a break that was not declared, or noise above the tolerance.
         """
         if not (is_number(length) and length > 0):
-            raise InputError("a profile needs a positive length, not {length!r} mm", length=length)
+            raise InputError(f"a profile needs a positive length, not {length!r} mm")
         found, coefficients = adaptive_spline(
             function,
             (0.0, float(length)),
@@ -136,9 +131,7 @@ class Profile:
     def __call__(self, s: ArrayLike, derivative: int = 0) -> FloatArray:
         """Values (or derivatives per mm) at arc lengths `s`, same shape; continued beyond the ends."""
         if not (is_whole(derivative) and derivative >= 0):
-            raise InputError(
-                "a profile has derivatives of order 0, 1, 2 ..., not {derivative!r}", derivative=derivative
-            )
+            raise InputError(f"a profile has derivatives of order 0, 1, 2 ..., not {derivative!r}")
         return self._function(numbers(s, "arc lengths of a profile"), derivative)
 
     @property

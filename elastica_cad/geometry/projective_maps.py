@@ -62,14 +62,10 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
     """The matrix that takes the unit vectors and their sum to the four points, homogeneous."""
     handles = finite(name, points)
     if handles.shape != (4, 2):
-        raise InputError(
-            "{name} must be four handles (x, y), shape (4, 2), not {shape}", name=name, shape=handles.shape
-        )
+        raise InputError(f"{name} must be four handles (x, y), shape (4, 2), not {handles.shape}")
     middle, size = handles.mean(axis=0), float(np.ptp(handles, axis=0).max())
     if size == 0:
-        raise InputError(
-            "{name}: all four handles lie at {place}: take them apart", name=name, place=_place(handles[0])
-        )
+        raise InputError(f"{name}: all four handles lie at {_place(handles[0])}: take them apart")
     rows = np.column_stack([(handles - middle) / size, np.ones(4)])
     for i, j in combinations(range(4), 2):
         if np.linalg.norm(rows[i] - rows[j]) <= IN_LINE_SHARE:
@@ -85,11 +81,7 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
                     size=Length(size),
                 )
             raise InputError(
-                "{name}: handles {i} and {j} lie in one place, {place}: move one",
-                name=name,
-                i=i + 1,
-                j=j + 1,
-                place=_place(handles[i]),
+                f"{name}: handles {i + 1} and {j + 1} lie in one place, {_place(handles[i])}: move one"
             )
     for three in combinations(range(4), 3):
         corner = rows[list(three)]
@@ -98,11 +90,8 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
         if abs(ux * vy - uy * vx) <= IN_LINE_SHARE * longest:
             numbers = ", ".join(str(i + 1) for i in three)
             raise InputError(
-                "{name}: handles {numbers} lie in one line, through {place} and {place_2}: move one off it",
-                name=name,
-                numbers=numbers,
-                place=_place(handles[three[0]]),
-                place_2=_place(handles[three[2]]),
+                f"{name}: handles {numbers} lie in one line, through {_place(handles[three[0]])} and "
+                f"{_place(handles[three[2]])}: move one off it"
             )
     shares = np.linalg.solve(rows[:3].T, rows[3])
     back = np.array([[size, 0.0, middle[0]], [0.0, size, middle[1]], [0.0, 0.0, 1.0]])
@@ -139,7 +128,7 @@ def map_spline(
     """
     m = finite("matrix", matrix)
     if m.shape != (3, 3):
-        raise InputError("a projective map is a 3 x 3 matrix, not {shape}", shape=m.shape)
+        raise InputError(f"a projective map is a 3 x 3 matrix, not {m.shape}")
     if np.linalg.matrix_rank(m) < 3:
         raise InputError("the matrix is singular: it would flatten the plane; use an invertible one")
     affine = not m[2, :2].any()
@@ -176,9 +165,8 @@ def _positive_pieces(
         if min(piece[0, 2], piece[-1, 2]) <= 0 or depth == _MOST_HALVINGS:
             x, y, w = back @ _vanishing(piece)
             raise InputError(
-                "the projective map sends the curve through infinity, near {place}: keep the map's "
-                "vanishing line off the curve (move the handles less)",
-                place=_place(np.array([x, y]) / w),
+                f"the projective map sends the curve through infinity, near {_place(np.array([x, y]) / w)}"
+                ": keep the map's vanishing line off the curve (move the handles less)"
             )
         left, right = (np.ascontiguousarray(h.T) for h in subdivide(piece.T))
         middle = (a + b) / 2

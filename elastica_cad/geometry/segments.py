@@ -56,7 +56,7 @@ class Line:
         object.__setattr__(self, "start", point(start, "line start"))
         object.__setattr__(self, "end", point(end, "line end"))
         if self.start.tolist() == self.end.tolist():
-            raise InputError("a line at {start} has no length: leave it out", start=place(self.start))
+            raise InputError(f"a line at {place(self.start)} has no length: leave it out")
 
     @property
     def length(self) -> float:
@@ -139,9 +139,7 @@ class Arc:
             )
         if self.sweep == 0 or abs(self.sweep) > 2 * np.pi * (1 + 1e-12):
             raise InputError(
-                "arc at {center} turns by {sweep:g} rad: give more than 0 and at most 2 pi",
-                center=place(self.center),
-                sweep=self.sweep,
+                f"arc at {place(self.center)} turns by {self.sweep:g} rad: give more than 0 and at most 2 pi"
             )
 
     @classmethod
@@ -151,9 +149,7 @@ class Arc:
         require_number(bulge, "the bulge of an arc")
         (x0, y0), (x1, y1) = start.tolist(), end.tolist()
         if not bulge or (x0, y0) == (x1, y1):
-            raise InputError(
-                "an arc at {start} needs two different ends and a bulge other than 0", start=place(start)
-            )
+            raise InputError(f"an arc at {place(start)} needs two different ends and a bulge other than 0")
         square = bulge * bulge
         off = (1 - square) / (4 * bulge)
         x, y = (x0 + x1) / 2 - (y1 - y0) * off, (y0 + y1) / 2 + (x1 - x0) * off
@@ -356,7 +352,7 @@ def point(value: ArrayLike, name: str) -> FloatArray:
     """Check a point (2,), mm, and return it as a read-only array."""
     p = numbers(value, name).copy()
     if p.shape != (2,) or not all(map(isfinite, p.tolist())):
-        raise InputError("{name} must be two finite numbers in mm, got {given!r}", name=name, given=value)
+        raise InputError(f"{name} must be two finite numbers in mm, got {value!r}")
     p.setflags(write=False)
     return p
 
@@ -392,9 +388,7 @@ def _beyond_sine(x: FloatArray) -> FloatArray:
 def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
     """The part of a segment between 0 <= u0 < u1 <= 1, exact."""
     if not 0 <= u0 < u1 <= 1:
-        raise InputError(
-            "a segment is trimmed between 0 <= u0 < u1 <= 1, got {u0:g} and {u1:g}", u0=u0, u1=u1
-        )
+        raise InputError(f"a segment is trimmed between 0 <= u0 < u1 <= 1, got {u0:g} and {u1:g}")
     if (u0, u1) == (0, 1):
         return segment
     if isinstance(segment, Line):
@@ -417,7 +411,7 @@ MOST_ROUNDS = 40
 def require_tolerance_mm(tolerance: float) -> float:
     """The tolerance, mm, refused unless it is positive and finite."""
     if not (is_number(tolerance) and tolerance > 0):
-        raise InputError("the tolerance is {tolerance}: it must be positive, in mm", tolerance=tolerance)
+        raise InputError(f"the tolerance is {tolerance}: it must be positive, in mm")
     return float(tolerance)
 
 

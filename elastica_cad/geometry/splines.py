@@ -67,13 +67,11 @@ def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray
     """A read-only float array of `values`; refuses what is no number, NaN and infinity."""
     given = as_floats(values)
     if given is None:
-        raise InputError("{name} must be numbers", name=name)
+        raise InputError(f"{name} must be numbers")
     array = given.copy()
     if not np.isfinite(array).all():
         first = np.argwhere(~np.isfinite(array))[0].tolist()
-        raise InputError(
-            "{name} holds NaN or infinite values, the first at index {first}", name=name, first=first
-        )
+        raise InputError(f"{name} holds NaN or infinite values, the first at index {first}")
     array.setflags(write=False)
     return array
 
@@ -81,9 +79,9 @@ def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray
 def whole_degree(degree: int) -> int:
     """The degree as a plain int; refuses what is no whole number of 2 or more."""
     if isinstance(degree, bool) or not isinstance(degree, int | float | np.integer | np.floating):
-        raise InputError("a curve needs degree 2 or more, not {degree!r}", degree=degree)
+        raise InputError(f"a curve needs degree 2 or more, not {degree!r}")
     if not (degree == np.floor(degree) and 2 <= degree < 100):
-        raise InputError("a curve needs a whole degree of 2 or more, not {degree!r}", degree=degree)
+        raise InputError(f"a curve needs a whole degree of 2 or more, not {degree!r}")
     return int(degree)
 
 
@@ -97,53 +95,33 @@ def _check_knots(written: bytes, count: int, degree: int) -> None:
     """The same of knots as bytes: curves side by side have the same."""
     knots = np.frombuffer(written)
     if count < degree + 1:
-        raise InputError(
-            "{count} control points are too few for degree {degree}: give {degree_2} or more",
-            count=count,
-            degree=degree,
-            degree_2=degree + 1,
-        )
+        raise InputError(f"{count} control points are too few for degree {degree}: give {degree + 1} or more")
     if knots.shape != (count + degree + 1,):
         raise InputError(
-            "{count} control points of degree {degree} need {given} knots (the full vector, end "
-            "knots repeated), not {size}",
-            count=count,
-            degree=degree,
-            given=count + degree + 1,
-            size=knots.size,
+            f"{count} control points of degree {degree} need {count + degree + 1} knots (the full "
+            f"vector, end knots repeated), not {knots.size}"
         )
     down = np.flatnonzero(np.diff(knots) < 0)
     if down.size:
-        raise InputError(
-            "knots must not decrease: knot {given} is less than knot {down}", given=down[0] + 1, down=down[0]
-        )
+        raise InputError(f"knots must not decrease: knot {down[0] + 1} is less than knot {down[0]}")
     start, end = knots[degree], knots[-degree - 1]
     if not end > start:
         raise InputError("the knots leave no domain: the first and last inner knot coincide")
     if not (end - start >= SHORTEST_DOMAIN and np.abs(knots).max() <= FARTHEST_KNOT):
         raise InputError(
-            "the knots run from {start:.3g} to {end:.3g}, where cubes of differences overflow or "
-            "vanish: scale them to 0..1",
-            start=start,
-            end=end,
+            f"the knots run from {start:.3g} to {end:.3g}, where cubes of differences overflow or "
+            "vanish: scale them to 0..1"
         )
     values, counts = knot_runs(knots)
     inside = (values > start) & (values < end)
     if inside.any() and counts[inside].max() > degree:
         where = values[inside][counts[inside].argmax()]
         raise InputError(
-            "knot {place:g} is repeated {most} times: more than the degree {degree} breaks the curve apart",
-            place=where,
-            most=counts[inside].max(),
-            degree=degree,
+            f"knot {where:g} is repeated {counts[inside].max()} times: more than the degree {degree} "
+            "breaks the curve apart"
         )
     if counts.max() > degree + 1:
-        raise InputError(
-            "an end knot is repeated {most} times: degree {degree} allows {degree_2}",
-            most=counts.max(),
-            degree=degree,
-            degree_2=degree + 1,
-        )
+        raise InputError(f"an end knot is repeated {counts.max()} times: degree {degree} allows {degree + 1}")
 
 
 @dataclass(frozen=True, eq=False)
@@ -455,15 +433,10 @@ def adaptive_spline(
     require_positive(tolerance, "the tolerance of a fit", "the unit of the values")
     if not callable(function):
         raise InputError(
-            "what is followed is {function}: give a function of the places along the curve",
-            function=quoted(function),
+            f"what is followed is {quoted(function)}: give a function of the places along the curve"
         )
     if not (is_whole(degree) and 1 <= degree <= _MOST_DEGREE):
-        raise InputError(
-            "a function is followed by a spline of degree 1 to {most_degree}, not {degree!r}",
-            most_degree=_MOST_DEGREE,
-            degree=degree,
-        )
+        raise InputError(f"a function is followed by a spline of degree 1 to {_MOST_DEGREE}, not {degree!r}")
     edges, order = _first_edges(domain, _checked_breaks(breaks), np.asarray(knots, dtype=float))
     sites, weight = gauss_rule(degree + 3)
     while True:
@@ -528,12 +501,10 @@ def _sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> Flo
     """Values (p, k, ...) at places (p, k)."""
     values = numbers(function(x.ravel()), "values of a function")
     if values.shape[:1] != (x.size,):
-        raise InputError(
-            "a function along the curve must give a value for each of {size} places", size=x.size
-        )
+        raise InputError(f"a function along the curve must give a value for each of {x.size} places")
     if not np.isfinite(values).all():
         first = np.argwhere(~np.isfinite(values.reshape(x.size, -1)).all(axis=1))[0, 0]
-        raise InputError("the function is not finite at {ravel:.6g}", ravel=x.ravel()[first])
+        raise InputError(f"the function is not finite at {x.ravel()[first]:.6g}")
     return values.reshape(*x.shape, *values.shape[1:])
 
 
@@ -574,11 +545,8 @@ def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolera
     if narrow.any() or edges.size + np.count_nonzero(bad) > _MOST_SPANS:
         worst = int(np.where(bad, error, 0.0).argmax())
         raise NotConvergedError(
-            "no spline follows the function to {tolerance:g}: near {edges:.6g} the error stays "
-            "{error:.3g}; declare the break there or ask for less",
-            tolerance=tolerance,
-            edges=edges[worst],
-            error=error[worst],
+            f"no spline follows the function to {tolerance:g}: near {edges[worst]:.6g} the error "
+            f"stays {error[worst]:.3g}; declare the break there or ask for less"
         )
 
 
@@ -764,11 +732,11 @@ def _smoothed(
 
 def _check_options(degree: int, tolerance: float, smoothing: float | None) -> None:
     if degree not in (3, 4, 5):
-        raise InputError("curves are fitted with degree 3, 4 or 5, not {degree!r}", degree=degree)
+        raise InputError(f"curves are fitted with degree 3, 4 or 5, not {degree!r}")
     if not (is_number(tolerance) and tolerance > 0):
-        raise InputError("the tolerance of a fit must be positive, not {tolerance!r} mm", tolerance=tolerance)
+        raise InputError(f"the tolerance of a fit must be positive, not {tolerance!r} mm")
     if smoothing is not None and not (is_number(smoothing) and smoothing >= 0):
-        raise InputError("the smoothing of a fit must be 0 or more, not {smoothing!r}", smoothing=smoothing)
+        raise InputError(f"the smoothing of a fit must be 0 or more, not {smoothing!r}")
 
 
 def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
@@ -819,7 +787,7 @@ def distinct_points(points: ArrayLike) -> FloatArray:
     """
     data = finite("points", points)
     if data.ndim != 2 or data.shape[1] != 2:
-        raise InputError("points to fit must be rows of x, y: shape (n, 2), not {shape}", shape=data.shape)
+        raise InputError(f"points to fit must be rows of x, y: shape (n, 2), not {data.shape}")
     moved = np.hypot(*np.diff(data, axis=0).T) > 1e-12 * np.abs(data).max(initial=0.0)
     data = data[np.concatenate([[True], moved])] if data.shape[0] > 1 else data
     if data.shape[0] < 2:

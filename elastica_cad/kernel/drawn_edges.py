@@ -88,9 +88,8 @@ def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
     if not isinstance(shape, k.TopoDS_Shape):
         if not is_series(shape):
             raise InputError(
-                "an edge or wire of a CAD kernel is needed, not {name}: through points draw a spline "
-                "first, of a builder give its line",
-                name=type(shape).__name__,
+                f"an edge or wire of a CAD kernel is needed, not {type(shape).__name__}: through points "
+                "draw a spline first, of a builder give its line"
             )
         return [edge for item in shape for edge in drawn_edges(item)]
     return [_drawn_edge(k.as_edge(edge)) for edge in sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)]

@@ -168,17 +168,15 @@ class Travel:
             point = np.asarray(self.end, dtype=float)
             if point.shape != (2,) or not np.all(np.isfinite(point)):
                 raise InputError(
-                    "the end of a travel is {end!r}: give two numbers, mm, in the curve's plane", end=self.end
+                    f"the end of a travel is {self.end!r}: give two numbers, mm, in the curve's plane"
                 )
             object.__setattr__(self, "end", point)
             apart = float(np.hypot(*(point - self._rod.position[0])))
             if apart > self._rod.length:
                 far, long = told_apart(apart, self._rod.length, ".4g")
                 raise InputError(
-                    "the travel ends {far} mm from the start of a strip that is {long} mm long: give a "
-                    "nearer point",
-                    far=far,
-                    long=long,
+                    f"the travel ends {far} mm from the start of a strip that is {long} mm long: give a "
+                    "nearer point"
                 )
         if self.length < 1e-6:
             raise InputError("the end of the strip is there already: give it another place to go to")
@@ -232,9 +230,7 @@ class Travel:
         before.
         """
         if not isinstance(frames, int) or frames < 2:
-            raise InputError(
-                "a travel of {frames} frames shows no motion: give a whole number, 2 or more", frames=frames
-            )
+            raise InputError(f"a travel of {frames} frames shows no motion: give a whole number, 2 or more")
         shares = np.linspace(0.0, 1.0, frames)[1:]
         return (self._rod, *bend_path(self.strip.rod_to_bend, [self._ends(share) for share in shares]))
 
@@ -243,12 +239,7 @@ class Travel:
         share = position / self.length if is_number(position) else np.nan
         if not -1e-9 <= share <= 1 + 1e-9:
             told = f"{position:g}" if is_number(position) else repr(position)
-            raise InputError(
-                "position is {told} {unit}: the travel goes from 0 to {length:.4g}",
-                told=told,
-                unit=self.unit,
-                length=self.length,
-            )
+            raise InputError(f"position is {told} {self.unit}: the travel goes from 0 to {self.length:.4g}")
         return bend(self._stations[round(share * STATIONS)], **self._ends(share))
 
     def write_glb(
@@ -278,12 +269,11 @@ class Travel:
         """
         if FilePath(path).suffix.lower() != ".glb":
             raise InputError(
-                "{name}: animations are written as binary glTF: name the file .glb", name=FilePath(path).name
+                f"{FilePath(path).name}: animations are written as binary glTF: name the file .glb"
             )
         if not (is_number(seconds) and seconds > 0):
             raise InputError(
-                "an animation of {seconds!r} s shows nothing: give a positive number of seconds",
-                seconds=seconds,
+                f"an animation of {seconds!r} s shows nothing: give a positive number of seconds"
             )
         rods = self.rods(frames)
         names = layer_names(self.strip.label or "strip", self.strip)

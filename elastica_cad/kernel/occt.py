@@ -98,7 +98,7 @@ def _only_solid(shape: Shape) -> Shape:
     """The one solid in a compound."""
     found = sub_shapes(shape, kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
     if len(found) != 1:
-        raise InputError("the prisms of a body leave {count} pieces: they must make one", count=len(found))
+        raise InputError(f"the prisms of a body leave {len(found)} pieces: they must make one")
     return found[0]
 
 

@@ -53,8 +53,7 @@ def kernel() -> SimpleNamespace:
         import OCP
     except ModuleNotFoundError as error:
         raise MissingDependencyError(
-            "solids and STEP need OpenCASCADE: {how_to_install} (or cadquery)",
-            how_to_install=how_to_install("build123d"),
+            f"solids and STEP need OpenCASCADE: {how_to_install('build123d')} (or cadquery)"
         ) from error
     except ImportError as error:
         raise _unsound(error) from error
@@ -62,9 +61,8 @@ def kernel() -> SimpleNamespace:
     arrays = ARRAYS.get(version.split(".", maxsplit=1)[0])
     if arrays is None:
         raise MissingDependencyError(
-            "OCP {version} is installed, but only 7.x and 8.x are known here: install a "
-            "build123d or cadquery release that brings one of these",
-            version=version,
+            f"OCP {version} is installed, but only 7.x and 8.x are known here: install a build123d or "
+            "cadquery release that brings one of these"
         )
     names: dict[str, Any] = {}
     called = ("Points", "Remarks")
@@ -110,14 +108,12 @@ def _unsound(error: Exception) -> MissingDependencyError:
     if len({version.split(".", maxsplit=1)[0] for version in brought.values()}) > 1:
         both = " and ".join(f"{name} {version}" for name, version in brought.items())
         return MissingDependencyError(
-            "{reason}: {both} lie in one environment, where each writes over the other; make an "
+            f"{reason}: {both} lie in one environment, where each writes over the other; make an "
             "environment for build123d and one for CadQuery, or one with build123d==0.12.* and "
-            "cadquery==2.8.*",
-            reason=reason,
-            both=both,
+            "cadquery==2.8.*"
         )
     return MissingDependencyError(
-        "{reason}: install what it names, or another release of build123d or cadquery", reason=reason
+        f"{reason}: install what it names, or another release of build123d or cadquery"
     )
 
 

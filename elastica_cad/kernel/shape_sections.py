@@ -82,7 +82,7 @@ def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
     from OCP.TopExp import TopExp_Explorer
 
     if not isinstance(shape, kernel().TopoDS_Shape):
-        raise InputError("a body to cut is a face, shell or solid, not {name}", name=type(shape).__name__)
+        raise InputError(f"a body to cut is a face, shell or solid, not {type(shape).__name__}")
     if scale != 1.0:
         larger = gp_Trsf()
         larger.SetScaleFactor(scale)

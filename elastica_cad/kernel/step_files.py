@@ -80,9 +80,7 @@ def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
         os.kill(copy, signal.SIGKILL)
         raise
     if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGALRM):
-        raise InputError(
-            "OpenCASCADE has not read this file within {seconds} s: export its curves alone", seconds=seconds
-        )
+        raise InputError(f"OpenCASCADE has not read this file within {seconds} s: export its curves alone")
     if status:
         raise InputError("OpenCASCADE breaks down on this file, which is damaged: export it anew")
 

@@ -246,9 +246,7 @@ class StripBody:
             return row
         if len(row) != 3:
             raise InputError(
-                "{name} is {point!r}: give a point in space, or two numbers in the strip's frame, mm",
-                name=name,
-                point=point,
+                f"{name} is {point!r}: give a point in space, or two numbers in the strip's frame, mm"
             )
         x, y, z = self.frame.local(row).tolist()
         if abs(z) > OFF_PLANE_MM * max(1.0, hypot(x, y) / 100):

@@ -103,8 +103,7 @@ def make_strip_on(
         late = [*(("sheet",) if sheet is not None else ()), *asked]
         if late:
             raise InputError(
-                "{late} cannot be given for a strip that is made: leave out, or give the curve",
-                late=", ".join(late),
+                f"{', '.join(late)} cannot be given for a strip that is made: leave out, or give the curve"
             )
         if isinstance(path, Strip):
             _warn_of(path)
@@ -112,7 +111,7 @@ def make_strip_on(
         return MadeStrip(path.strip, frame or path.frame, path.deviation)
     given = type(path).__name__
     if given in NO_CURVES:
-        raise InputError("a {given} is no curve: give {no_curves}", given=given, no_curves=NO_CURVES[given])
+        raise InputError(f"a {given} is no curve: give {NO_CURVES[given]}")
     if sheet is None:
         raise InputError(
             'a curve needs a sheet to be cut from: give a Sheet or the name of one, like "mdf-3"'
@@ -230,9 +229,7 @@ def _refuse_unknown(asked: Mapping[str, Any], sizes: Sequence[str] = ()) -> None
     known = {"plane", *sizes, *(field.name for field in fields(StripSpec))} - {"curve", "sheet", "frame"}
     for name in asked:
         if name in GIVEN_OTHERWISE and name not in known:
-            raise UnknownOptionError(
-                "{name} is no option of a strip: give {otherwise}", name=name, otherwise=GIVEN_OTHERWISE[name]
-            )
+            raise UnknownOptionError(f"{name} is no option of a strip: give {GIVEN_OTHERWISE[name]}")
     refuse_unknown(asked, known, "a fixture" if sizes else "a strip")
 
 
@@ -243,7 +240,7 @@ def _frame_of(plane: Any) -> Frame:
     for names in (("origin", "x_dir", "y_dir"), ("origin", "xDir", "yDir")):
         if all(hasattr(plane, name) for name in names):
             return Frame(*(numbers_of(getattr(plane, name)) for name in names))
-    raise InputError("plane is {plane!r}: give a Plane of your library, or a Frame", plane=plane)
+    raise InputError(f"plane is {plane!r}: give a Plane of your library, or a Frame")
 
 
 def _is_vector(value: Any) -> bool:

@@ -113,7 +113,7 @@ def bend(
     """
     if not isinstance(rod, Rod):
         raise InputError(
-            "bend needs a Rod, as optimal_rod or Rod.straight makes one, not {name}", name=type(rod).__name__
+            f"bend needs a Rod, as optimal_rod or Rod.straight makes one, not {type(rod).__name__}"
         )
     rod = rod.following()
     ends = rod.position[0], rod.position[-1]
@@ -121,9 +121,9 @@ def bend(
     if samples is not None and not is_one_of(samples, [rod.s.size]):
         rod = resample(rod, samples)
     if not (gravity is None or isinstance(gravity, Gravity) or is_one_of(gravity, ["keep"])):
-        raise InputError('gravity must be a Gravity record, None or "keep", not {gravity!r}', gravity=gravity)
+        raise InputError(f'gravity must be a Gravity record, None or "keep", not {gravity!r}')
     if not is_one_of(side, (None, 1, -1)):
-        raise InputError("side must be +1 or -1, got {side!r}", side=side)
+        raise InputError(f"side must be +1 or -1, got {side!r}")
     whole_number(mode, "mode", 1)
     wanted = replace(
         rod,
@@ -210,9 +210,7 @@ def bend_path(
         try:
             bent = bend(rods[-1], **step, side=side if k == 0 else None, mode=mode if k == 0 else 1)
         except NotConvergedError as error:
-            raise NotConvergedError(
-                "step {k} of {count} of the path: {error}", k=k + 1, count=len(steps), error=error
-            ) from error
+            raise NotConvergedError(f"step {k + 1} of {len(steps)} of the path: {error}") from error
         rods.append(bent)
     progress = Movement.of(rods).progress
     return tuple(
@@ -276,18 +274,14 @@ def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, 
         for step in steps:
             if set(step) - known:
                 raise InputError(
-                    "unknown entry {sorted!r} in a path: use {names}",
-                    sorted=sorted(set(step) - known)[0],
-                    names=", ".join(sorted(known)),
+                    f"unknown entry {sorted(set(step) - known)[0]!r} in a path: use {', '.join(sorted(known))}"
                 )
         return steps
     points = as_floats(path)
     if points is None:
         raise InputError("a path is a row of (x, y) of the end, or of mappings with keywords of bend")
     if points.ndim != 2 or points.shape[1] != 2 or not np.all(np.isfinite(points)):
-        raise InputError(
-            "a path of end positions must be finite with shape (k, 2), got {shape}", shape=points.shape
-        )
+        raise InputError(f"a path of end positions must be finite with shape (k, 2), got {points.shape}")
     return [{"end": point} for point in points]
 
 
@@ -303,7 +297,7 @@ def system_of(
 ) -> RodSystem:
     """The equations of `rod` (stiffness, weight, supports); what is not given is kept from `present`."""
     if rod.s.size < 4:
-        raise InputError("a rod of {size} nodes cannot be bent: use samples=4 or more", size=rod.s.size)
+        raise InputError(f"a rod of {rod.s.size} nodes cannot be bent: use samples=4 or more")
     system = RodSystem(
         stiffness=np.asarray(rod.stiffness), edge_length=rod.length / (rod.s.size - 1), load=rod.nodal_load,
         natural_curvature=rod.natural_curvature, supports=rod.supports,
@@ -366,10 +360,7 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
             edges = (edges[:-1] + edges[1:]) / 2
         if edges.shape != (n,) or not np.all(np.isfinite(edges)):
             raise InputError(
-                "guess must be a Rod or {n} angles at the nodes (or {n_2} at the edges), got {shape}",
-                n=n + 1,
-                n_2=n,
-                shape=edges.shape,
+                f"guess must be a Rod or {n + 1} angles at the nodes (or {n} at the edges), got {edges.shape}"
             )
     state = system.state(edges)
     if not system.held:
@@ -387,17 +378,17 @@ def _end_angles(
         return found
     given = np.atleast_1d(np.asarray(angles, dtype=object))
     if given.shape != (2,) or not all(isinstance(v, float | int | np.number | None) for v in given):
-        raise InputError("angles must be two numbers, rad, for start and end, got {angles!r}", angles=angles)
+        raise InputError(f"angles must be two numbers, rad, for start and end, got {angles!r}")
     for i, (value, support, name) in enumerate(zip(given, supports.ends, ("start", "end"), strict=True)):
         if value is None:
             continue
         if not support.angle:
             raise InputError(
-                "an angle is given at the {name}, but its support leaves the angle free: give None", name=name
+                f"an angle is given at the {name}, but its support leaves the angle free: give None"
             )
         found[i] = float(value)
     if not np.all(np.isfinite(found)):
-        raise InputError("angles must be finite, rad, got {angles!r}", angles=angles)
+        raise InputError(f"angles must be finite, rad, got {angles!r}")
     return found
 
 
@@ -442,7 +433,7 @@ def _end_moments(moment: float | tuple[float, float] | None, supports: Supports,
     elif given is not None and given.shape == (2,):
         own[:] = given
     else:
-        raise InputError("moment must be one number or two (start, end), 1/mm, got {moment!r}", moment=moment)
+        raise InputError(f"moment must be one number or two (start, end), 1/mm, got {moment!r}")
     for k, name in enumerate(("start", "end")):
         if own[k] != 0 and not free[k]:
             raise InputError(
@@ -450,5 +441,5 @@ def _end_moments(moment: float | tuple[float, float] | None, supports: Supports,
                 name=name,
             )
     if not np.all(np.isfinite(own)):
-        raise InputError("moment must be finite, 1/mm, got {moment!r}", moment=moment)
+        raise InputError(f"moment must be finite, 1/mm, got {moment!r}")
     return own

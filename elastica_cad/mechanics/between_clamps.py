@@ -136,13 +136,9 @@ def elastica_between(
     """
     first, (near, far) = _point(start, "start"), _pair_of_angles(angles)
     if not (is_number(length) or isinstance(length, float)):
-        raise InputError(
-            "length must be a number, mm, more than the distance of the ends, got {length!r}", length=length
-        )
+        raise InputError(f"length must be a number, mm, more than the distance of the ends, got {length!r}")
     if not is_one_of(side, (1, -1)):
-        raise InputError(
-            "side is {side!r}: give 1 for left of the way from start to end, -1 for right", side=side
-        )
+        raise InputError(f"side is {side!r}: give 1 for left of the way from start to end, -1 for right")
     if end is None:
         require_positive(length, "length")
         if near is None:
@@ -193,7 +189,7 @@ def _led_by_loads(
     """A straight rod with a free end under its loads: a great force is raised step by step."""
     load = np.zeros(2) if force is None else _pair(force)
     if load is None:
-        raise InputError("force must be two numbers, 1/mm2, got {force!r}", force=force)
+        raise InputError(f"force must be two numbers, 1/mm2, got {force!r}")
     angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
     bent = rod
     for share in _load_shares(float(np.hypot(*load)) * rod.length**2):
@@ -226,11 +222,7 @@ def _load_shares(load: float) -> list[float]:
 def _point(point: object, name: str) -> FloatArray:
     place = _pair(point)
     if place is None:
-        raise InputError(
-            "{name} must be a point of the plane without z, two numbers, mm, got {point!r}",
-            name=name,
-            point=point,
-        )
+        raise InputError(f"{name} must be a point of the plane without z, two numbers, mm, got {point!r}")
     return place
 
 
@@ -256,7 +248,7 @@ def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
     """
     near, far = _pair_of_angles(angles)
     if any(angle is not None and abs(angle) > 360 for angle in (near, far)):
-        raise InputError("angles are in degrees, a whole turn (360) at most: got {angles!r}", angles=angles)
+        raise InputError(f"angles are in degrees, a whole turn (360) at most: got {angles!r}")
     return None if near is None else radians(near), None if far is None else radians(far)
 
 
@@ -264,8 +256,7 @@ def _pair_of_angles(angles: object) -> tuple[float | None, float | None]:
     pair = tuple(angles) if isinstance(angles, Sequence | np.ndarray) and is_series(angles) else ()
     if len(pair) != 2 or not all(angle is None or is_number(angle) for angle in pair):
         raise InputError(
-            "angles must be two, at start and end, None where the strip turns freely, got {angles!r}",
-            angles=angles,
+            f"angles must be two, at start and end, None where the strip turns freely, got {angles!r}"
         )
     near, far = pair
     return near, far

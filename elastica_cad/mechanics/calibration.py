@@ -197,7 +197,7 @@ def calibrate_cantilever(
     errors = {"reading": reading_error, "thickness": thickness_error, "density": density_error}
     for name, value in errors.items():
         if not (is_number(value) and value >= 0):
-            raise InputError("{name} error is {given!r}: it can't be negative", name=name, given=value)
+            raise InputError(f"{name} error is {value!r}: it can't be negative")
     for number, name, unit in ((thickness, "thickness", "mm"), (density, "density", "kg/m3")):
         if number is not None:
             require_positive(number, name, unit)

@@ -135,9 +135,7 @@ def creep(rod: Rod, factor: float) -> Creep:
     (True, 0.556)
     """
     if not isinstance(rod, Rod):
-        raise InputError(
-            "creep needs a Rod, as optimal_rod or bend makes one, not {name}", name=type(rod).__name__
-        )
+        raise InputError(f"creep needs a Rod, as optimal_rod or bend makes one, not {type(rod).__name__}")
     phi = require_creep(factor)
     first = later = rod
     if phi > 0 and feels_modulus(rod):
@@ -147,9 +145,8 @@ def creep(rod: Rod, factor: float) -> Creep:
             later = bend(_softened(first, 1 + phi), force=force, moment=moment, guess=rod.angle)
         except NotConvergedError as problem:
             raise NotConvergedError(
-                "with a creep factor of {phi:g} no shape is left near the first: it collapses under "
-                "its load; take a stiffer sheet or support it",
-                phi=phi,
+                f"with a creep factor of {phi:g} no shape is left near the first: it collapses under its "
+                "load; take a stiffer sheet or support it"
             ) from problem
     return Creep(phi, first, later, exact=_is_linear(rod.law))
 
@@ -163,9 +160,7 @@ def require_creep(factor: object) -> float:
         Negative, not finite, or no number.
     """
     if not is_number(factor):
-        raise InputError(
-            "creep is {factor!r}: give the creep factor, a number of 0 or more, such as 0.8", factor=factor
-        )
+        raise InputError(f"creep is {factor!r}: give the creep factor, a number of 0 or more, such as 0.8")
     if factor < 0:
         raise InputError(
             "creep is {factor:g}: it must be 0 or more; plywood indoors has 0.8 (Eurocode 5)", factor=factor

@@ -148,9 +148,7 @@ def lowest_constrained(
     basis = orthonormal_rows(rows)
     rank = basis.shape[0]
     if n - rank < count:
-        raise NotConvergedError(
-            "a rod of {n} edges has fewer than {count} free modes: use more samples", n=n, count=count
-        )
+        raise NotConvergedError(f"a rod of {n} edges has fewer than {count} free modes: use more samples")
     if n < _FEW:
         return _dense(diagonal, off, basis, count)
     from scipy.sparse.linalg import LinearOperator, eigsh

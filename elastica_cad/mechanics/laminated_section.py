@@ -199,10 +199,7 @@ class LaminatedSection:
         """
         w1 = positive(base_width, "base width")
         if not (is_number(least_backing) and least_backing >= 0):
-            raise InputError(
-                "least backing width is {least_backing!r}: it can't be negative, in mm",
-                least_backing=least_backing,
-            )
+            raise InputError(f"least backing width is {least_backing!r}: it can't be negative, in mm")
         return ScaleRange.of(
             self._stiffness(w1, np.minimum(least_backing, w1)), self._stiffness(w1, w1), stiffness
         )
@@ -361,12 +358,7 @@ def stack_stiffness(layers: Sequence[tuple[Sheet, ArrayLike]]) -> FloatArray:
 def _refuse_stations(bad: NDArray[np.bool_], bending_stiffness: FloatArray, text: str) -> None:
     if bad.any():
         i = int(np.argmax(bad))
-        raise InputError(
-            "station {i} asks for E I = {flat:.4g} N mm2, {typed}",
-            i=i,
-            flat=bending_stiffness.flat[i],
-            typed=text,
-        )
+        raise InputError(f"station {i} asks for E I = {bending_stiffness.flat[i]:.4g} N mm2, {text}")
 
 
 PIECES = 8

@@ -330,8 +330,7 @@ def _check_section(request: RodRequest, section: BoundedLaw) -> None:
     missing = [name for name in ("limits", "bent", "bending_stiffness") if not hasattr(section, name)]
     if missing:
         raise InputError(
-            "section is {section!r}: give a law with limits, such as ThicknessLaw(sheet, 3, 8, width=20)",
-            section=section,
+            f"section is {section!r}: give a law with limits, such as ThicknessLaw(sheet, 3, 8, width=20)"
         )
     alone = weight is None or (weight.own and not isinstance(weight.alpha, Profile) and weight.alpha == 0)
     settled = any(
@@ -359,15 +358,9 @@ def _check_stiffness(name: str, value: float | None, weight: Weight | None) -> N
     if value is None:
         return
     if weight is None:
-        raise InputError(
-            "{name} is for rods with a weight in newtons: pass weight=Weight(...) as well", name=name
-        )
+        raise InputError(f"{name} is for rods with a weight in newtons: pass weight=Weight(...) as well")
     if not (is_number(value) and value > 0):
-        raise InputError(
-            "{replace} is {given!r}: it must be positive, in N mm2",
-            replace=name.replace("_", " "),
-            given=value,
-        )
+        raise InputError(f"{name.replace('_', ' ')} is {value!r}: it must be positive, in N mm2")
 
 
 def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weight: Weight | None) -> None:
@@ -604,9 +597,8 @@ def optimal_laminate(
     if isinstance(base_width, Profile):
         raise NotConvergedError(
             "weight and stiffness of the laminate do not settle (the stiffness still moves by "
-            "{change:.2g}): give the base one width all along, which is searched for more "
-            "closely, or use stiffer or lighter sheets",
-            change=change,
+            f"{change:.2g}): give the base one width all along, which is searched for more closely, "
+            "or use stiffer or lighter sheets"
         )
     rod = _by_short_steps(solve, section, float(base_width), masses)
     return base.laminate(rod, base.scale(rod), _MOST_ROUNDS)
@@ -738,10 +730,8 @@ def _scale(
     if not found.feasible:
         ratio = section.thickness_ratio(base_width, stiffness, least_backing=least_backing)
         raise InputError(
-            "the laminate cannot be as soft in one place and as stiff in another as the curve "
-            "needs: with the backing {least:g} times as thick as the base (now "
-            "{thickness:.3g} times) or more it could",
-            least=rounded_up(1 / ratio, 3),
-            thickness=section.backing.thickness / section.base.thickness,
+            "the laminate cannot be as soft in one place and as stiff in another as the curve needs: "
+            f"with the backing {rounded_up(1 / ratio, 3):g} times as thick as the base (now "
+            f"{section.backing.thickness / section.base.thickness:.3g} times) or more it could"
         )
     return found.scale

@@ -58,14 +58,12 @@ class Gravity:
     def __post_init__(self) -> None:
         if not (is_number(self.length) and self.length > 0):
             raise InputError(
-                "gravity length is {length!r}; it must be positive, in mm (200 gsm card: 96)",
-                length=self.length,
+                f"gravity length is {self.length!r}; it must be positive, in mm (200 gsm card: 96)"
             )
         d = as_floats(self.direction)
         if d is None or d.shape != (2,) or not np.all(np.isfinite(d)) or not np.any(d):
             raise InputError(
-                "gravity direction {direction!r} must be two numbers, not both zero, e.g. (0, -1)",
-                direction=self.direction,
+                f"gravity direction {self.direction!r} must be two numbers, not both zero, e.g. (0, -1)"
             )
         d = d / np.hypot(*d)
         object.__setattr__(self, "direction", (float(d[0]), float(d[1])))
@@ -114,9 +112,7 @@ class PointMass:
 
     def __post_init__(self) -> None:
         if not is_number(self.at):
-            raise InputError(
-                "a point mass hangs at {at!r}: give a finite number of mm along the strip", at=self.at
-            )
+            raise InputError(f"a point mass hangs at {self.at!r}: give a finite number of mm along the strip")
         if not (is_number(self.mass) and self.mass >= 0):
             raise InputError("a point mass is {mass!r}: it can't be negative, in g", mass=self.mass)
 
@@ -150,9 +146,7 @@ class Weight:
             value = getattr(self, name)
             # a profile may dip below 0: alpha + beta K as the tangent of a laminate's law
             if not isinstance(value, Profile) and not (is_number(value) and value >= 0):
-                raise InputError(
-                    "weight {name} is {given!r}: it can't be negative, in N/mm", name=name, given=value
-                )
+                raise InputError(f"weight {name} is {value!r}: it can't be negative, in N/mm")
 
     def scaled(self, alpha: float = 1.0, beta: float = 1.0) -> "Weight":
         """Return the weight with alpha and beta multiplied by these factors; the masses stay."""
@@ -214,9 +208,8 @@ class End:
         for name in ("x", "y", "angle"):
             if not isinstance(getattr(self, name), bool | np.bool_):
                 raise InputError(
-                    "{name} of an End is {given!r}: give True where it is held, False where it is free",
-                    name=name,
-                    given=getattr(self, name),
+                    f"{name} of an End is {getattr(self, name)!r}: give True where it is held, False where it "
+                    "is free"
                 )
 
     @classmethod
@@ -231,11 +224,7 @@ class End:
             "free": cls(x=False, y=False, angle=False),
         }
         if not isinstance(name, str) or name not in ends:
-            raise InputError(
-                "unknown end support {name!r}: use one of {ends}, or an End record",
-                name=name,
-                ends=", ".join(ends),
-            )
+            raise InputError(f"unknown end support {name!r}: use one of {', '.join(ends)}, or an End record")
         return ends[name]
 
 
@@ -268,16 +257,12 @@ class Supports:
             if isinstance(value, str):
                 object.__setattr__(self, side, End.named(value))
             elif not isinstance(value, End):
-                raise InputError(
-                    "the support of the {side} is {given!r}: give a name or an End record",
-                    side=side,
-                    given=value,
-                )
+                raise InputError(f"the support of the {side} is {value!r}: give a name or an End record")
         a, b = self.ends
         for axis in ("x", "y"):
             if not (getattr(a, axis) or getattr(b, axis)):
                 raise InputError(
-                    "the rod is free to fly: no end holds {axis}; hold {axis} at one end at least", axis=axis
+                    f"the rod is free to fly: no end holds {axis}; hold {axis} at one end at least"
                 )
         if not (a.angle or b.angle or (a.x and b.x) or (a.y and b.y)):
             raise InputError("the rod is free to spin: hold the angle of one end, or the position of both")
@@ -307,8 +292,7 @@ def require_curve(curve: object) -> None:
     """Refuse what is no `PlaneCurve`."""
     if not isinstance(curve, PlaneCurve):
         raise InputError(
-            "the curve is a {name}: give a PlaneCurve, as PlaneCurve.fit(points) makes one",
-            name=type(curve).__name__,
+            f"the curve is a {type(curve).__name__}: give a PlaneCurve, as PlaneCurve.fit(points) makes one"
         )
 
 
@@ -316,9 +300,8 @@ def require_gravity(gravity: object) -> None:
     """Refuse what is neither a `Gravity` nor None."""
     if not (gravity is None or isinstance(gravity, Gravity)):
         raise InputError(
-            "gravity is {gravity!r}: give a Gravity record, such as sheet.gravity() or "
-            "Gravity(96.0), or None",
-            gravity=gravity,
+            f"gravity is {gravity!r}: give a Gravity record, such as sheet.gravity() or "
+            "Gravity(96.0), or None"
         )
 
 
@@ -328,8 +311,7 @@ def require_supports(supports: object) -> Supports:
         return Supports()
     if not isinstance(supports, Supports):
         raise InputError(
-            'supports is {supports!r}: give a Supports record, such as Supports("clamped", "pinned")',
-            supports=supports,
+            f'supports is {supports!r}: give a Supports record, such as Supports("clamped", "pinned")'
         )
     return supports
 
@@ -338,8 +320,7 @@ def require_tolerance(tolerance: object) -> None:
     """Refuse a tolerance that is negative or no number."""
     if not (is_number(tolerance) and tolerance >= 0):
         raise InputError(
-            "tolerance is {tolerance!r}: it must be a number, 0 or more, in lengths of the curve",
-            tolerance=tolerance,
+            f"tolerance is {tolerance!r}: it must be a number, 0 or more, in lengths of the curve"
         )
 
 
@@ -429,7 +410,7 @@ class RestCurvature(EqualByValue):
         """The curvature of a blank as it lies unbent, drawn on the side from which the bent strip is drawn."""
         if not isinstance(blank, PlaneCurve):
             raise InputError(
-                "the blank is {blank!r}: give the PlaneCurve in which it lies before it is bent", blank=blank
+                f"the blank is {blank!r}: give the PlaneCurve in which it lies before it is bent"
             )
         if blank.tangent_breaks:
             raise InputError(
@@ -523,9 +504,8 @@ def require_natural_curvature(value: object) -> None:
     """Refuse what is neither a finite number nor a `RestCurvature`."""
     if not (isinstance(value, RestCurvature) or is_number(value)):
         raise InputError(
-            "natural_curvature is {given!r}: give a finite number, in 1/mm, or a RestCurvature "
-            "for a blank that is bent beforehand",
-            given=value,
+            f"natural_curvature is {value!r}: give a finite number, in 1/mm, or a RestCurvature for a "
+            "blank that is bent beforehand"
         )
 
 

@@ -124,11 +124,9 @@ def start_rows(count: int) -> list[int]:
 def unsettled(ratio: float) -> NotConvergedError:
     """The error of rows that are generated without end."""
     return NotConvergedError(
-        "the linear program for the stiffness ratio did not settle in {most_rounds} rounds "
-        "(ratio {ratio:.6g}): the curve has almost straight places; move its control points "
-        "a little",
-        most_rounds=METHOD.most_rounds,
-        ratio=ratio,
+        f"the linear program for the stiffness ratio did not settle in {METHOD.most_rounds} "
+        f"rounds (ratio {ratio:.6g}): the curve has almost straight places; move its control "
+        "points a little"
     )
 
 
@@ -311,9 +309,7 @@ def least_variation(
     result = linprog(cost, A_eq=matrix, b_eq=np.zeros(len(matrix)), bounds=bounds, method="highs",
                      options={"presolve": False})  # fmt: skip
     if result.status != 0:
-        raise NotConvergedError(
-            "the second phase for a smooth stiffness stopped: {message}", message=result.message
-        )
+        raise NotConvergedError(f"the second phase for a smooth stiffness stopped: {result.message}")
     return np.asarray(basis @ result.eqlin.marginals, dtype=float)
 
 
@@ -343,7 +339,5 @@ def largest_number(rows: FloatArray, number: FloatArray, largest: float) -> Floa
         -cost / np.abs(cost).max(), np.concatenate([-rows, rows]), limit, bounds=(None, None), method="highs"
     )
     if result.status != 0:
-        raise NotConvergedError(
-            "the linear program for the bending stiffness stopped: {message}", message=result.message
-        )
+        raise NotConvergedError(f"the linear program for the bending stiffness stopped: {result.message}")
     return np.asarray(basis @ result.x, dtype=float)

@@ -101,10 +101,8 @@ class MaterialLaw(ABC):
         reached = float(self.effective_curvature(top))
         if largest > reached * (1 + _ROUNDING_SHARE):
             raise InputError(
-                "an effective curvature of {largest:.4g} 1/mm is beyond the {reached:.4g} 1/mm that "
-                "the material law reaches",
-                largest=largest,
-                reached=reached,
+                f"an effective curvature of {largest:.4g} 1/mm is beyond the {reached:.4g} 1/mm that the "
+                "material law reaches"
             )
         low, high = np.zeros(m.shape), np.full(m.shape, top)
         for _ in range(100):
@@ -139,11 +137,7 @@ class PolynomialLaw(MaterialLaw):
     def __post_init__(self) -> None:
         for name in ("quadratic", "quartic"):
             if not is_number(getattr(self, name)):
-                raise InputError(
-                    "{name} coefficient of the law is {given}: it must be finite",
-                    name=name,
-                    given=getattr(self, name),
-                )
+                raise InputError(f"{name} coefficient of the law is {getattr(self, name)}: it must be finite")
         require_positive(self.curvature_scale, "the law's curvature scale", "1/mm")
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
@@ -320,21 +314,19 @@ class TabulatedLaw(MaterialLaw):
         for name in ("curvatures", "moments"):
             array = numbers(getattr(self, name), f"the law's {name}").copy()
             if array.ndim != 1 or array.size < 2 or not np.all(np.isfinite(array)) or np.any(array <= 0):
-                raise InputError("the law's {name} must be at least two positive, finite numbers", name=name)
+                raise InputError(f"the law's {name} must be at least two positive, finite numbers")
             array.setflags(write=False)
             object.__setattr__(self, name, array)
         if self.curvatures.shape != self.moments.shape:
             raise InputError(
-                "the law has {size} curvatures and {size_2} moments: give one for each",
-                size=self.curvatures.size,
-                size_2=self.moments.size,
+                f"the law has {self.curvatures.size} curvatures and {self.moments.size} moments: give one "
+                "for each"
             )
         if np.any(np.diff(self.curvatures) <= 0):
             i = int(np.argmin(np.diff(self.curvatures)))
             raise InputError(
-                "the law's curvatures must increase: {curvatures:g} follows {curvatures_2:g} 1/mm",
-                curvatures=self.curvatures[i + 1],
-                curvatures_2=self.curvatures[i],
+                f"the law's curvatures must increase: {self.curvatures[i + 1]:g} follows "
+                f"{self.curvatures[i]:g} 1/mm"
             )
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
@@ -368,10 +360,8 @@ class TabulatedLaw(MaterialLaw):
         """See `MaterialLaw`; a curvature beyond the table is refused as well."""
         if largest_curvature > self.curvatures[-1] * (1 + _ROUNDING_SHARE):
             raise InputError(
-                "the law's table ends at a curvature of {curvatures:.4g} 1/mm, but "
-                "{largest_curvature:.4g} 1/mm occurs: measure further or draw a gentler curve",
-                curvatures=self.curvatures[-1],
-                largest_curvature=largest_curvature,
+                f"the law's table ends at a curvature of {self.curvatures[-1]:.4g} 1/mm, but "
+                f"{largest_curvature:.4g} 1/mm occurs: measure further or draw a gentler curve"
             )
         super().require_injective(largest_curvature)
 

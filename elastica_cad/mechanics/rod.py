@@ -146,9 +146,7 @@ def _stiffness_profile_of(
     if isinstance(stiffness, Profile):
         if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
             raise InputError(
-                "the stiffness profile is {length:.6g} long, the rod {length_2:.6g}",
-                length=Mm(stiffness.length),
-                length_2=Mm(length),
+                f"the stiffness profile is {Mm(stiffness.length):.6g} long, the rod {Mm(length):.6g}"
             )
         return stiffness, samples or DEFAULT_SAMPLES
     given = as_floats(stiffness)
@@ -422,23 +420,18 @@ class Rod:
         }.items():  # fmt: skip
             array = numbers(getattr(self, name), f"rod {name}").copy()
             if array.shape != shape or np.count_nonzero(np.isfinite(array)) < array.size:
-                raise InputError(
-                    "rod {name} must be finite with shape {shape}, got {shape_2}",
-                    name=name,
-                    shape=shape,
-                    shape_2=array.shape,
-                )
+                raise InputError(f"rod {name} must be finite with shape {shape}, got {array.shape}")
             array.setflags(write=False)
             object.__setattr__(self, name, array)
         rest = numbers(self.natural_curvature, "natural curvature")
         if rest.size not in (1, n) or not np.isfinite(rest).all():
             raise InputError(
-                "natural curvature must be one finite number, or one for each of the {n} nodes, 1/mm", n=n
+                f"natural curvature must be one finite number, or one for each of the {n} nodes, 1/mm"
             )
         if (self.stiffness <= 0).any():
             at = float(self.s[int(np.argmin(self.stiffness))])
             raise InputError(
-                "rod stiffness is not positive at {at:.6g}: every cross-section needs some width", at=Mm(at)
+                f"rod stiffness is not positive at {Mm(at):.6g}: every cross-section needs some width"
             )
 
     @classmethod
@@ -651,7 +644,7 @@ class Rod:
         apart = (steps[:, 0] != 0) | (steps[:, 1] != 0)
         if not apart.all():
             at = float(self.s[int(np.argmin(apart))])
-            raise InputError("two neighbouring nodes of the rod coincide at {at:.6g}", at=Mm(at))
+            raise InputError(f"two neighbouring nodes of the rod coincide at {Mm(at):.6g}")
         angles = _edge_angles(self.position, self.angle)
         force = np.zeros((angles.size, 2))
         nodal = np.zeros_like(self.force)
@@ -690,14 +683,13 @@ class Rod:
             self.s.size,
         ):
             raise InputError(
-                "stiffness has {size} values, the rod {size_2} nodes: give one a node, or a Profile",
-                size=np.size(stiffness),
-                size_2=self.s.size,
+                f"stiffness has {np.size(stiffness)} values, the rod {self.s.size} nodes: give one a "
+                "node, or a Profile"
             )
         profile, _ = _stiffness_profile_of(stiffness, self.length, self.s.size)
         K = profile(self.s)
         if np.any(K <= 0):
-            raise InputError("stiffness is not positive at {s:.6g}", s=Mm(self.s[int(np.argmin(K))]))
+            raise InputError(f"stiffness is not positive at {Mm(self.s[int(np.argmin(K))]):.6g}")
         K, profile = K / K.min(), profile.scaled(1 / K.min())
         size = np.abs(self.moment).max()
         imbalance = np.abs(K * self.effective_curvature - self.moment).max()

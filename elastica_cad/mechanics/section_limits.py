@@ -225,14 +225,10 @@ class ScaleRange:
         """
         if not self.feasible:
             raise InputError(
-                "no scale fits: station {lowest_at} needs E I of at least {lowest:.4g} N mm2 per "
-                "unit of stiffness and station {highest_at} takes at most {highest:.4g}; widen the "
-                "strip at station {highest_at}, narrow it at station {lowest_at} or lower the "
-                "stiffness ratio",
-                lowest_at=self.lowest_at,
-                lowest=self.lowest,
-                highest_at=self.highest_at,
-                highest=self.highest,
+                f"no scale fits: station {self.lowest_at} needs E I of at least {self.lowest:.4g} N mm2 "
+                f"per unit of stiffness and station {self.highest_at} takes at most {self.highest:.4g}; "
+                f"widen the strip at station {self.highest_at}, narrow it at station {self.lowest_at} or "
+                "lower the stiffness ratio"
             )
         return self.highest
 
@@ -244,8 +240,7 @@ def matched(*rows: FloatArray) -> tuple[FloatArray, ...]:
     except ValueError:
         sizes = " and ".join(str(row.size) for row in rows)
         raise InputError(
-            "there are {sizes} finite values: give one a station, as many in each, or one for all",
-            sizes=sizes,
+            f"there are {sizes} finite values: give one a station, as many in each, or one for all"
         ) from None
 
 
@@ -255,7 +250,5 @@ def positive(values: ArrayLike, name: str) -> FloatArray:
     good = np.isfinite(array) & (array > 0)
     if not good.all():
         i = int(np.argmin(good))
-        raise InputError(
-            "{name} is {flat:.6g} at station {i}: it must be positive", name=name, flat=array.flat[i], i=i
-        )
+        raise InputError(f"{name} is {array.flat[i]:.6g} at station {i}: it must be positive")
     return array

@@ -206,9 +206,7 @@ class SheetCurl:
 def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:
     require_positive(thickness, "thickness")
     if not (is_number(poisson_ratio) and 0 <= poisson_ratio < 1):
-        raise InputError(
-            "Poisson's ratio is {poisson_ratio}: it must lie between 0 and 1", poisson_ratio=poisson_ratio
-        )
+        raise InputError(f"Poisson's ratio is {poisson_ratio}: it must lie between 0 and 1")
     return float(thickness), float(poisson_ratio)
 
 
@@ -263,9 +261,7 @@ def crack_energy(poisson_ratio: float, grain: float = 1.0) -> float:
     """
     nu = require_number(poisson_ratio, "Poisson's ratio")
     if not 0 <= nu <= 0.5:
-        raise InputError(
-            "Poisson's ratio is {poisson_ratio}: it must lie between 0 and 0.5", poisson_ratio=poisson_ratio
-        )
+        raise InputError(f"Poisson's ratio is {poisson_ratio}: it must lie between 0 and 0.5")
     require_positive(grain, "grain")
     twist = (1 + nu) * grain
     return float(np.pi / 2 * twist * np.sqrt(2 * (twist + 1 - nu)) / (twist + 2))
@@ -386,14 +382,10 @@ class PerforatedSection(PlainSection):
     def __post_init__(self) -> None:
         if not (is_number(self.ligaments) and self.ligaments >= 1 and self.ligaments == int(self.ligaments)):
             raise InputError(
-                "a perforated strip has {ligaments!r} ligaments: give a whole number from 1",
-                ligaments=self.ligaments,
+                f"a perforated strip has {self.ligaments!r} ligaments: give a whole number from 1"
             )
         if not (is_number(self.least_ligament) and self.least_ligament >= 0):
-            raise InputError(
-                "least ligament is {least_ligament!r}: it can't be negative, in mm",
-                least_ligament=self.least_ligament,
-            )
+            raise InputError(f"least ligament is {self.least_ligament!r}: it can't be negative, in mm")
 
     def scale_range(self, outer_width: ArrayLike, stiffness: ArrayLike) -> ScaleRange:
         """Scales for which the ligaments fit the outer width (n,), mm, and none is too narrow; K is (n,)."""
@@ -433,9 +425,8 @@ class WidthLaw:
         high = np.inf if is_one_of(self.largest, [np.inf]) else require_number(self.largest, "width limit")
         if not 0 <= low <= high or (low, high) in ((0, 0), (0, np.inf)):
             raise InputError(
-                "width limits are {low:g} and {high:g}: give the least first, 0 for none, such as 0 and 40",
-                low=low,
-                high=Mm(high),
+                f"width limits are {low:g} and {Mm(high):g}: give the least first, 0 for none, such as 0 "
+                "and 40"
             )
 
     @property

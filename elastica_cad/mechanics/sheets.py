@@ -95,15 +95,10 @@ def _advise_key(key: str, keys: Mapping[str, Field]) -> str:
 def require_printable(text: str, where: str) -> str:
     """The text, unless it holds signs that break lines, steer a terminal or have no place in files."""
     if not isinstance(text, str):
-        raise InputError("{place} is {typed!r}: give a text", place=where, typed=text)
+        raise InputError(f"{where} is {text!r}: give a text")
     if not text.isprintable():
         odd = ", ".join(sorted({repr(sign) for sign in text if not sign.isprintable()}))
-        raise InputError(
-            "{place} {typed!r} holds {odd}: use signs that can be printed, in one line",
-            place=where,
-            typed=text,
-            odd=odd,
-        )
+        raise InputError(f"{where} {text!r} holds {odd}: use signs that can be printed, in one line")
     return text
 
 
@@ -115,15 +110,13 @@ def even_shear_ratio(poisson_ratio: float) -> float:
 def _finite_number(value: Any, where: str) -> float:
     """The number, unless it is none or not finite."""
     if isinstance(value, bool | str | bytes) or value is None:
-        raise InputError("{place} is {given!r}; it must be a number", place=where, given=value)
+        raise InputError(f"{where} is {value!r}; it must be a number")
     try:
         number = float(value)
     except (TypeError, ValueError, OverflowError) as error:
-        raise InputError(
-            "{place} is {given}; it must be a number", place=where, given=quoted(value)
-        ) from error
+        raise InputError(f"{where} is {quoted(value)}; it must be a number") from error
     if not isfinite(number):
-        raise InputError("{place} is {number}; it must be a finite number", place=where, number=number)
+        raise InputError(f"{where} is {number}; it must be a finite number")
     return number
 
 
@@ -173,7 +166,7 @@ def _checked_poisson_ratio(value: Any, where: str) -> float:
     """
     nu = _finite_number(value, f"{where}: poisson_ratio")
     if not 0 <= nu < 1:
-        raise InputError("{place}: poisson_ratio is {nu:g}; it must lie between 0 and 1", place=where, nu=nu)
+        raise InputError(f"{where}: poisson_ratio is {nu:g}; it must lie between 0 and 1")
     return NominalRatio(nu) if isinstance(value, NominalRatio) else nu
 
 
@@ -316,48 +309,32 @@ def _read_figures(path: str | Path, keys: Mapping[str, Field]) -> dict[str, dict
 
     path = require_path(path)
     if os.path.isdir(path):  # False, not an error, for a name that no disk takes
-        raise InputError("{path} is a folder, not a file of sheets: name the TOML file inside it", path=path)
+        raise InputError(f"{path} is a folder, not a file of sheets: name the TOML file inside it")
     if os.path.exists(path) and not path.is_file():
-        raise InputError("{path} is no file but a device or a pipe: name a file of sheets", path=path)
+        raise InputError(f"{path} is no file but a device or a pipe: name a file of sheets")
     try:
         if path.stat().st_size > LARGEST_FILE:
             raise InputError(
-                "{path} has more than {largest_file} MB, which is no file of sheets: name one",
-                path=path,
-                largest_file=LARGEST_FILE // 2**20,
+                f"{path} has more than {LARGEST_FILE // 2**20} MB, which is no file of sheets: name one"
             )
         text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
         data = parse_toml(text)
     except RecursionError as error:
-        raise InputError("{path} nests lists or tables too deep for a file of sheets", path=path) from error
+        raise InputError(f"{path} nests lists or tables too deep for a file of sheets") from error
     except OSError as error:
         raise InputError(
-            "{path} cannot be read: {strerror}; name a file that is there",
-            path=path,
-            strerror=error.strerror or error,
+            f"{path} cannot be read: {error.strerror or error}; name a file that is there"
         ) from error
     except UnicodeDecodeError as error:
-        raise InputError(
-            "{path} is not a TOML file, which are UTF-8: save it as text in UTF-8", path=path
-        ) from error
+        raise InputError(f"{path} is not a TOML file, which are UTF-8: save it as text in UTF-8") from error
     except tomllib.TOMLDecodeError as error:
-        raise InputError(
-            "{path} is not a TOML file: {error}; {toml_slip}",
-            path=path,
-            error=error,
-            toml_slip=toml_slip(text, error),
-        ) from error
+        raise InputError(f"{path} is not a TOML file: {error}; {toml_slip(text, error)}") from error
     for key in data:
         if key not in ("schema", "sheets"):
-            raise InputError(
-                "{path}: unknown entry {key!r}; sheets are tables [sheets.NAME]", path=path, key=key
-            )
+            raise InputError(f"{path}: unknown entry {key!r}; sheets are tables [sheets.NAME]")
     if data.get("schema", SCHEMA) != SCHEMA:
         raise InputError(
-            "{path}: schema {given} is not known; this version reads schema {schema}",
-            path=path,
-            given=quoted(data["schema"]),
-            schema=SCHEMA,
+            f"{path}: schema {quoted(data['schema'])} is not known; this version reads schema {SCHEMA}"
         )
     return _figures_from_table(data.get("sheets", {}), str(path), keys)
 
@@ -367,7 +344,7 @@ def _figures_from_table(table: object, where: str, keys: Mapping[str, Field]) ->
     messages.
     """
     if not isinstance(table, Mapping) or not table:
-        raise InputError("{place} holds no sheet: write at least one table [sheets.NAME]", place=where)
+        raise InputError(f"{where} holds no sheet: write at least one table [sheets.NAME]")
     return {name: _fields(name, entry, where, keys) for name, entry in table.items()}
 
 
@@ -375,40 +352,22 @@ def _fields(name: str, entry: object, file: str, keys: Mapping[str, Field]) -> d
     """Fields of one sheet."""
     where = f"{file}: sheet {name!r}"
     if not isinstance(entry, Mapping):
-        raise InputError(
-            "{place} must be a table [sheets.{name}], got {entry}",
-            place=where,
-            name=name,
-            entry=quoted(entry),
-        )
+        raise InputError(f"{where} must be a table [sheets.{name}], got {quoted(entry)}")
     values: dict[str, Any] = {}
     for key, value in entry.items():
         if key not in keys:
-            raise InputError(
-                "{place}: unknown key {key!r}{advise_key}",
-                place=where,
-                key=key,
-                advise_key=_advise_key(key, keys),
-            )
+            raise InputError(f"{where}: unknown key {key!r}{_advise_key(key, keys)}")
         field_name, kind = keys[key].name, keys[key].kind.name
         if kind == "either" and not isinstance(value, str):
             values[field_name] = _finite_number(value, f"{where}: {key}")
         elif kind in ("text", "either"):
             if not isinstance(value, str):
-                raise InputError(
-                    "{place}: {key} is {given}; it must be text in quotes",
-                    place=where,
-                    key=key,
-                    given=quoted(value),
-                )
+                raise InputError(f"{where}: {key} is {quoted(value)}; it must be text in quotes")
             values[field_name] = value
         elif kind == "list":
             if not isinstance(value, list) or len(value) != 2:
                 raise InputError(
-                    "{place}: {key} is {given}; it must be two numbers, [lowest, highest]",
-                    place=where,
-                    key=key,
-                    given=quoted(value),
+                    f"{where}: {key} is {quoted(value)}; it must be two numbers, [lowest, highest]"
                 )
             values[field_name] = tuple(plausible_number(v, key, where) for v in value)
         else:
@@ -416,13 +375,11 @@ def _fields(name: str, entry: object, file: str, keys: Mapping[str, Field]) -> d
             values[field_name] = NominalRatio(number) if key == NOMINAL_KEY else number
     if NOMINAL_KEY in entry and "poisson_ratio" in entry:
         raise InputError(
-            "{place}: poisson_ratio is given twice; leave out {nominal_key}, now that it is known",
-            place=where,
-            nominal_key=NOMINAL_KEY,
+            f"{where}: poisson_ratio is given twice; leave out {NOMINAL_KEY}, now that it is known"
         )
     for key in ("thickness_mm", "youngs_modulus_MPa", "density_kg_m3", "max_strain"):
         if key not in entry:
-            raise InputError("{place}: {key} is missing; give it a number", place=where, key=key)
+            raise InputError(f"{where}: {key} is missing; give it a number")
     return values
 
 
@@ -602,7 +559,7 @@ class Sheet:
 
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name.strip():
-            raise InputError("a sheet needs a name, got {name!r}", name=self.name)
+            raise InputError(f"a sheet needs a name, got {self.name!r}")
         require_printable(self.name, "the sheet's name")
         sides = tuple(self.stock) if is_series(self.stock) else ()
         if self.stock is not None and len(sides) != 2:
@@ -628,10 +585,7 @@ class Sheet:
             object.__setattr__(self, "grain", self._grain_at(asked))
         if not is_one_of(self.grain, get_args(Grain)):
             raise InputError(
-                "sheet {name!r}: grain is {grain!r}; use one of {names}",
-                name=self.name,
-                grain=self.grain,
-                names=", ".join(get_args(Grain)),
+                f"sheet {self.name!r}: grain is {self.grain!r}; use one of {', '.join(get_args(Grain))}"
             )
 
     def _checked(self, field_name: str, given: Any, unit: str) -> float:
@@ -653,11 +607,9 @@ class Sheet:
         turned: dict[float, Grain] = {0.0: "along", 90.0: "across"}
         if degrees % 180 not in turned:
             raise InputError(
-                "sheet {name!r}: grain is {degrees:g} degrees; a strip that lies askew to its grain "
-                "twists when it is bent, and takes no plane curve: lay it along (0) or across (90) "
-                "the grain",
-                name=self.name,
-                degrees=degrees,
+                f"sheet {self.name!r}: grain is {degrees:g} degrees; a strip that lies askew to its grain "
+                "twists when it is bent, and takes no plane curve: lay it along (0) or across (90) the "
+                "grain"
             )
         return turned[degrees % 180]
 
@@ -667,18 +619,11 @@ class Sheet:
             return
         where = f"sheet {self.name!r}: {field_name}_range"
         if not isinstance(given, list | tuple) or len(given) != 2:
-            raise InputError(
-                "{place} is {given!r}; it must be two numbers, lowest and highest", place=where, given=given
-            )
+            raise InputError(f"{where} is {given!r}; it must be two numbers, lowest and highest")
         low, high = (_finite_number(v, where) for v in given)
         if not 0 <= low <= value <= high:
             raise InputError(
-                "{place} is {low:g} to {high:g}; it must hold {field_name} = {given:g}, lowest first",
-                place=where,
-                low=low,
-                high=high,
-                field_name=field_name,
-                given=value,
+                f"{where} is {low:g} to {high:g}; it must hold {field_name} = {value:g}, lowest first"
             )
         object.__setattr__(self, f"{field_name}_range", (low, high))
 
@@ -700,9 +645,8 @@ class Sheet:
             return cls.named(given)
         if not isinstance(given, Sheet):
             raise InputError(
-                "a Sheet or the name of one is needed, such as 'birch-plywood-0.8', not {name}: "
-                "`sheet_names()` lists them",
-                name=type(given).__name__,
+                "a Sheet or the name of one is needed, such as 'birch-plywood-0.8', not "
+                f"{type(given).__name__}: `sheet_names()` lists them"
             )
         return given
 
@@ -724,9 +668,8 @@ class Sheet:
         """
         if not isinstance(name, str | PathLike):
             raise InputError(
-                "the name of a sheet is needed, such as 'birch-plywood-0.8', not {name}: "
-                "`sheet_names()` lists them",
-                name=type(name).__name__,
+                f"the name of a sheet is needed, such as 'birch-plywood-0.8', not {type(name).__name__}: "
+                "`sheet_names()` lists them"
             )
         figures = built_in_figures()
         if name in figures:
@@ -821,11 +764,7 @@ class Sheet:
     def range_of(self, quantity: str) -> Range:
         """Lowest and highest `quantity` ("youngs_modulus", "thickness", ...); the number twice if certain."""
         if not isinstance(quantity, str) or quantity not in UNITS:
-            raise InputError(
-                "a sheet has no range of {quantity!r}: use one of {units}",
-                quantity=quantity,
-                units=", ".join(UNITS),
-            )
+            raise InputError(f"a sheet has no range of {quantity!r}: use one of {', '.join(UNITS)}")
         given: Range | None = getattr(self, f"{quantity}_range")
         value = float(getattr(self, quantity))
         return (value, value) if given is None else given
@@ -937,7 +876,7 @@ def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
         else note("there are {count} sheets", count=len(found))
     )
     choices = " or ".join(f"{path.name}:{one}" for one in found)
-    raise InputError("{path}: {several}: name one, {choices}", path=path, several=several, choices=choices)
+    raise InputError(f"{path}: {several}: name one, {choices}")
 
 
 def load_sheets(path: str | Path) -> dict[str, Sheet]:
@@ -982,7 +921,7 @@ def _sheets(figures: Mapping[str, Mapping[str, Any]], file: str) -> dict[str, Sh
     try:
         return {name: Sheet(name=name, **fields) for name, fields in figures.items()}
     except InputError as error:
-        raise InputError("{file}: {error}", file=file, error=error) from error
+        raise InputError(f"{file}: {error}") from error
 
 
 @dataclass(frozen=True)

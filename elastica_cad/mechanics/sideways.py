@@ -165,7 +165,7 @@ def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> flo
         )
     ratio = even_shear_ratio(nu) if shear_ratio is None else require_number(shear_ratio, "shear_ratio")
     if not 0 < ratio < np.inf:
-        raise InputError("shear_ratio is {shear_ratio}: G / E is positive", shear_ratio=shear_ratio)
+        raise InputError(f"shear_ratio is {shear_ratio}: G / E is positive")
     return ratio
 
 
@@ -317,9 +317,7 @@ def sideways_stability(
     'ample'
     """
     if not isinstance(rod, Rod):
-        raise InputError(
-            "sideways stability needs a Rod, not {name}: bend one first", name=type(rod).__name__
-        )
+        raise InputError(f"sideways stability needs a Rod, not {type(rod).__name__}: bend one first")
     s = stations_of_sideways(rod)
     section = SidewaysSection.rectangle(
         np.interp(s, rod.s, rod.flat_stiffness),
@@ -395,14 +393,14 @@ def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:
     else:
         given = np.atleast_1d(numbers(width, name))
         if given.ndim != 1 or not given.size:
-            raise InputError("{name} is one finite number, a row of them, or a Profile, in mm", name=name)
+            raise InputError(f"{name} is one finite number, a row of them, or a Profile, in mm")
         found = (
             np.interp(s, np.linspace(0, s[-1], given.size), given)
             if given.size > 1
             else np.full(s.size, given[0])
         )
     if not (np.all(np.isfinite(found)) and np.all(found > 0)):
-        raise InputError("{name} must be positive everywhere, in mm", name=name)
+        raise InputError(f"{name} must be positive everywhere, in mm")
     return found
 
 

@@ -116,9 +116,7 @@ def determinant_gradient(
     for name, values in (("weights", weights), ("moments", moments)):
         if numbers(values, name).shape != (rod.angles.size + 1,):
             raise InputError(
-                "{name} are numbers ({size},) of this rod: one more than it has edges",
-                name=name,
-                size=rod.angles.size + 1,
+                f"{name} are numbers ({rod.angles.size + 1},) of this rod: one more than it has edges"
             )
     n, lengths, T, rows = rod.angles.size, rod.edge_lengths, rod.tangents, rod.constraint_rows
     z = stability_determinant(rod)
@@ -374,13 +372,10 @@ def stability(rod: Rod) -> Stability:
     True
     """
     if not isinstance(rod, Rod):
-        raise InputError(
-            "stability needs a Rod, as optimal_rod or bend makes one, not {name}", name=type(rod).__name__
-        )
+        raise InputError(f"stability needs a Rod, as optimal_rod or bend makes one, not {type(rod).__name__}")
     if rod.residual > OUT_OF_BALANCE:
         raise InputError(
-            "the rod is out of balance (residual {residual:.2g}), so it has no stability: bend it first",
-            residual=rod.residual,
+            f"the rod is out of balance (residual {rod.residual:.2g}), so it has no stability: bend it first"
         )
     discrete = rod.discrete
     negative, margin = discrete.unstable_modes, discrete.margin

@@ -124,8 +124,8 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     margin = state.discrete.margin
     if margin.value <= 0:
         raise InputError(
-            "the rod is unstable from the start of the path (margin {given:.3g}): start from a stable shape",
-            given=margin.value,
+            f"the rod is unstable from the start of the path (margin {margin.value:.3g}): start from "
+            "a stable shape"
         )
     visited = [(t, margin.value)]
     step = course.end / max(FIRST_STEPS * course.legs, 1)
@@ -217,7 +217,7 @@ def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, Rod
         reached = reach(state_of(rod, course.system(t)), side if t > 0 else None, 1)
         if not reached.arrived:
             raise NotConvergedError(
-                "the start of the path was not reached: {fraction:.1%} of the way", fraction=reached.fraction
+                f"the start of the path was not reached: {reached.fraction:.1%} of the way"
             )
         if (
             not is_straight(reached.state)
@@ -307,7 +307,7 @@ def _entry(step: Any) -> dict[str, Any]:
     value = numbers(step, "a step of the path")
     if value.ndim == 0:
         if not (np.isfinite(value) and value >= 0):
-            raise InputError("load factors must be finite and not negative, got {given}", given=value)
+            raise InputError(f"load factors must be finite and not negative, got {value}")
         return {"load": float(value)}
     return as_steps(value[None])[0]
 

@@ -58,9 +58,7 @@ class _PowerLaw(FixedLaw):
 
     def __post_init__(self) -> None:
         if not isinstance(self.sheet, Sheet):
-            raise InputError(
-                "a Sheet is needed for the material of the section, not {sheet!r}", sheet=self.sheet
-            )
+            raise InputError(f"a Sheet is needed for the material of the section, not {self.sheet!r}")
         low, high = (require_number(value, f"{self.quantity} limit") for value in (self.least, self.largest))
         if not 0 < low <= high:
             raise InputError(
@@ -174,8 +172,7 @@ class RoundLaw(_PowerLaw):
         super().__post_init__()
         if not 0 <= require_number(self.bore, "bore") < 1:
             raise InputError(
-                "bore is {bore:g}: give the inner over the outer diameter, from 0 (a rod) to below 1",
-                bore=self.bore,
+                f"bore is {self.bore:g}: give the inner over the outer diameter, from 0 (a rod) to below 1"
             )
 
     @property
@@ -219,19 +216,11 @@ class LeavesLaw(FixedLaw):
 
     def __post_init__(self) -> None:
         if not isinstance(self.sheet, Sheet):
-            raise InputError("a Sheet is needed for the leaves, not {sheet!r}", sheet=self.sheet)
+            raise InputError(f"a Sheet is needed for the leaves, not {self.sheet!r}")
         if not is_whole(self.leaves) or not 2 <= self.leaves <= MOST_LEAVES:
-            raise InputError(
-                "leaves is {leaves!r}: give a whole number from 2 to {most_leaves}",
-                leaves=self.leaves,
-                most_leaves=MOST_LEAVES,
-            )
+            raise InputError(f"leaves is {self.leaves!r}: give a whole number from 2 to {MOST_LEAVES}")
         if not is_whole(self.fewest) or not 1 <= self.fewest <= self.leaves:
-            raise InputError(
-                "fewest is {fewest!r}: give a whole number of leaves, 1 to {leaves}",
-                fewest=self.fewest,
-                leaves=self.leaves,
-            )
+            raise InputError(f"fewest is {self.fewest!r}: give a whole number of leaves, 1 to {self.leaves}")
         _ = self.relaxed  # which refuses a width that is none
 
     @property

@@ -52,7 +52,7 @@ class InflectionLine:
         """Signed distances (n,) of points (n, 2), mm."""
         points = numbers(position, "positions")
         if points.shape[-1:] != (2,):
-            raise InputError("positions are points (n, 2), in mm, not of shape {shape}", shape=points.shape)
+            raise InputError(f"positions are points (n, 2), in mm, not of shape {points.shape}")
         return np.asarray((points - np.asarray(self.point)) @ self.b)
 
     def as_dict(self) -> dict[str, Any]:

@@ -236,25 +236,14 @@ class ToleranceRanges:
         for name, given in vars(self).items():
             pair = numbers(given, f"the range of {name}")
             if pair.shape != (2,):
-                raise InputError(
-                    "range of {name} is {given!r}: give the lowest and the highest",
-                    name=name,
-                    given=given,
-                )
+                raise InputError(f"range of {name} is {given!r}: give the lowest and the highest")
             low, high = pair.tolist()
             if not low <= high:
-                raise InputError(
-                    "range of {name} is {low:g} to {high:g}: give the lowest first",
-                    name=name,
-                    low=low,
-                    high=high,
-                )
+                raise InputError(f"range of {name} is {low:g} to {high:g}: give the lowest first")
             if name not in SIGNED and low <= 0:
-                raise InputError("range of {name} begins at {low:g}: it must be positive", name=name, low=low)
+                raise InputError(f"range of {name} begins at {low:g}: it must be positive")
             if name in SIGNED and not np.isfinite([low, high]).all():
-                raise InputError(
-                    "range of {name} is {low:g} to {high:g}: it must be finite", name=name, low=low, high=high
-                )
+                raise InputError(f"range of {name} is {low:g} to {high:g}: it must be finite")
 
     @classmethod
     def of(
@@ -337,9 +326,8 @@ class ToleranceStudy:
             if effect.name == name:
                 return effect
         raise InputError(
-            "no effect is called {name!r}: use one of {names}",
-            name=name,
-            names=", ".join(e.name for e in (*self.effects, self.combined)),
+            f"no effect is called {name!r}: use one of "
+            f"{', '.join(e.name for e in (*self.effects, self.combined))}"
         )
 
     @property
@@ -414,19 +402,13 @@ def tolerance_study(
     """
     require_record(rod, Rod, "the rod", "a Rod, as bend makes one")
     if not (is_whole(samples) and 1 <= samples <= MOST_SAMPLES):
-        raise InputError(
-            "samples is {samples!r}: give a whole number from 1 to {most_samples}",
-            samples=samples,
-            most_samples=MOST_SAMPLES,
-        )
+        raise InputError(f"samples is {samples!r}: give a whole number from 1 to {MOST_SAMPLES}")
     if not (ranges is None or isinstance(ranges, ToleranceRanges)):
-        raise InputError("ranges are {ranges}: give a ToleranceRanges record, or None", ranges=quoted(ranges))
+        raise InputError(f"ranges are {quoted(ranges)}: give a ToleranceRanges record, or None")
     if not (executor is None or callable(getattr(executor, "map", None))):
-        raise InputError(
-            "executor is {executor}: give one of concurrent.futures, or None", executor=quoted(executor)
-        )
+        raise InputError(f"executor is {quoted(executor)}: give one of concurrent.futures, or None")
     if not (is_whole(seed) and seed >= 0):
-        raise InputError("seed is {seed!r}: give a whole number from 0", seed=seed)
+        raise InputError(f"seed is {seed!r}: give a whole number from 0")
     found = ranges or (ToleranceRanges.of(sheet) if sheet is not None else ToleranceRanges())
     if max_width is None:
         found = replace(found, width_loss=(0.0, 0.0))

@@ -175,31 +175,21 @@ class BattenSpec:
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.length) and self.length > 0):
-            raise InputError(
-                "the batten's length is {length:g}: it must be positive, in mm", length=self.length
-            )
+            raise InputError(f"the batten's length is {self.length:g}: it must be positive, in mm")
         if not 0 < self.camber <= MOST_CAMBER:
             raise InputError(
-                "the camber is {camber:g} % of the chord: give 1 to {most_camber:g}",
-                camber=100 * self.camber,
-                most_camber=100 * MOST_CAMBER,
+                f"the camber is {100 * self.camber:g} % of the chord: give 1 to {100 * MOST_CAMBER:g}"
             )
         if not 0 < self.place < 1:
-            raise InputError(
-                "the camber's place is {place:g} % of the chord: give 1 to 99", place=100 * self.place
-            )
+            raise InputError(f"the camber's place is {100 * self.place:g} % of the chord: give 1 to 99")
         if not 0 <= self.full <= MOST_FULL:
             raise InputError(
-                "{full:g} % of the batten is to keep its full size: give 0 to {most_full:g}",
-                full=100 * self.full,
-                most_full=100 * MOST_FULL,
+                f"{100 * self.full:g} % of the batten is to keep its full size: give 0 to {100 * MOST_FULL:g}"
             )
         if not isinstance(self.stock, ThicknessLaw | RoundLaw):
-            raise InputError("stock is {stock!r}: give a ThicknessLaw or a RoundLaw", stock=self.stock)
+            raise InputError(f"stock is {self.stock!r}: give a ThicknessLaw or a RoundLaw")
         if self.lying not in (None, "up", "down"):
-            raise InputError(
-                'lying is {lying!r}: give "up" or "down", which way it bulges, or None', lying=self.lying
-            )
+            raise InputError(f'lying is {self.lying!r}: give "up" or "down", which way it bulges, or None')
 
     def make(self) -> "Batten":
         """The batten: its size falls evenly towards one end, by as much as the place asks for.
@@ -274,10 +264,8 @@ class BattenSpec:
         if np.abs(found.fun).max() < SETTLED:
             return float(found.x[0]), float(found.x[1])
         raise NotConvergedError(
-            "no taper brings a camber of {camber:g} % to {place:g} % of the chord: move it "
-            "nearer to the middle",
-            camber=100 * self.camber,
-            place=100 * self.place,
+            f"no taper brings a camber of {100 * self.camber:g} % to {100 * self.place:g} % of the "
+            "chord: move it nearer to the middle"
         )
 
 
@@ -378,9 +366,8 @@ def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
     heavy = bend(replace(light, gravity=_level(spec.lying), weight=Weight(alpha=newtons)))
     if heavy.position[nodes // 2, 1] <= 0:
         raise NotConvergedError(
-            "the batten does not stay bulging {lying}: its own weight snaps it over; take "
-            "stiffer or lighter stock, or more camber",
-            lying=spec.lying,
+            f"the batten does not stay bulging {spec.lying}: its own weight snaps it over; take "
+            "stiffer or lighter stock, or more camber"
         )
     return heavy
 

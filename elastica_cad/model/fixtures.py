@@ -122,16 +122,16 @@ def require_ends(ends: object) -> None:
     """Refuse what names no ends of strips."""
     named = ends if isinstance(ends, Sequence) and not isinstance(ends, str) else (ends,)
     if not all(isinstance(end, str) and end in ENDS for end in named):
-        raise InputError('ends are {ends!r}: give a list of "start" and "end" of the records', ends=ends)
+        raise InputError(f'ends are {ends!r}: give a list of "start" and "end" of the records')
 
 
 def _require_holdable(strip: Strip, name: str | None = None) -> None:
     """Refuse a strip whose ends fit none of our holders."""
     if strip.layout.stack is not None:
         raise InputError(
-            "{name}: a stack of leaves lies on one side of its curve, where none of our holders "
-            "is: hold its ends in clamps, and name the other strips as those that are held",
-            name=name or strip.label or "strip",
+            f"{name or strip.label or 'strip'}: a stack of leaves lies on one side of its curve, "
+            "where none of our holders is: hold its ends in clamps, and name the other strips as "
+            "those that are held"
         )
 
 
@@ -214,7 +214,7 @@ class EndFixture(EqualByValue):
             require_record(self.floor, Frame, "the floor", "a Frame")
         who = f"fixture {self.tab.name}"
         if self.tab.length <= 0:
-            raise InputError("{who}: the strip has no tab there to hold; give it one, e.g. Tab(10)", who=who)
+            raise InputError(f"{who}: the strip has no tab there to hold; give it one, e.g. Tab(10)")
         require_declared(EndFixture, vars(self), f"{who}:")
         if self.foot and self.screw > 0.8 * min(self.foot, self.across):
             raise InputError(

@@ -198,9 +198,7 @@ def slotted_frame(
     step, behind = (0.0, 0.0) if gap is None else (STEP_MM, sheet.thickness + gap)
     if tongue <= 2 * step:
         raise InputError(
-            "frame tongue is {tongue:g}: between two rails it must be more than {step:g}",
-            tongue=tongue,
-            step=Mm(2 * step),
+            f"frame tongue is {tongue:g}: between two rails it must be more than {Mm(2 * step):g}"
         )
     options = PlateOptions(play, clearance, border=border, shop=shop, ignore_limits=ignore_limits)
     rails = [_RailPlan.of(placed, end, sheet, options) for end in ENDS]
@@ -318,8 +316,7 @@ class _RibPlan:
                 label = centred_text(self.name, a.at(0.0, half), min(LABEL_MM, 0.6 * depth), 1.6 * rest)
                 return Rib(self.name, sheet, frame, Path.polygon(drawn), label)
         raise InputError(
-            "{name}: the rails face each other, so that no rib can join them from behind: use fixtures",
-            name=self.name,
+            f"{self.name}: the rails face each other, so that no rib can join them from behind: use fixtures"
         )
 
 
@@ -414,11 +411,7 @@ def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib,
     """
     plates = several("plates", plates, BasePlate, "BasePlate")
     if not (is_number(size) and size >= LEAST_GLUED_MM):
-        raise InputError(
-            "feet are {size!r} mm: make them {least_glued_mm:g} or larger",
-            size=size,
-            least_glued_mm=Mm(LEAST_GLUED_MM),
-        )
+        raise InputError(f"feet are {size!r} mm: make them {Mm(LEAST_GLUED_MM):g} or larger")
     glued = tuple(replace(plate, glued=True) for plate in plates)
     return (*glued, *_distinctly_named([foot for plate in plates for foot in _feet(plate, size)]))
 
@@ -441,10 +434,8 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
             reach = min(size, tab.length - begin)
             if reach < LEAST_GLUED_MM:
                 raise InputError(
-                    "{name}: the tab of {name_2} is too short to glue feet to: make it {ceil:.0f} long",
-                    name=plate.name,
-                    name_2=tab.name,
-                    ceil=Mm(np.ceil(begin + LEAST_GLUED_MM)),
+                    f"{plate.name}: the tab of {tab.name} is too short to glue feet to: make it "
+                    f"{Mm(np.ceil(begin + LEAST_GLUED_MM)):.0f} long"
                 )
             corner = np.array([begin, face])
             past = float(((walls[:, :2] - corner) @ (side * level)).max())

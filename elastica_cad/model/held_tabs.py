@@ -79,8 +79,7 @@ def _require_holders(holders: object) -> tuple[object, ...]:
     """Holders as a tuple; refuses what cannot be gone through."""
     if not is_series(holders):
         raise InputError(
-            "holders are {holders}: give a list of base plates, rings, frames and fixtures",
-            holders=quoted(holders),
+            f"holders are {quoted(holders)}: give a list of base plates, rings, frames and fixtures"
         )
     return tuple(holders)
 

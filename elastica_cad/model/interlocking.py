@@ -244,11 +244,7 @@ def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[
     for pair in tuple(pairs) if is_series(pairs) else (pairs,):
         two = isinstance(pair, Sequence) and len(pair) == 2 and all(map(is_whole, pair))
         if not two or pair[0] == pair[1] or not all(0 <= place < count for place in pair):
-            raise InputError(
-                "pair {pair!r}: name two different strips by their places 0 to {count}",
-                pair=pair,
-                count=count - 1,
-            )
+            raise InputError(f"pair {pair!r}: name two different strips by their places 0 to {count - 1}")
         found.append((min(pair), max(pair)))
     return sorted(set(found))
 

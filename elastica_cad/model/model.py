@@ -201,10 +201,7 @@ def _require_count(count: int, of: int) -> None:
     require_declared(repeat, {"count": count}, "pattern")
     if count * of > MOST_PLACED:
         raise InputError(
-            "a pattern of {of} strips, {count} times: a model holds {most_placed} at most",
-            of=of,
-            count=quoted(count),
-            most_placed=MOST_PLACED,
+            f"a pattern of {of} strips, {quoted(count)} times: a model holds {MOST_PLACED} at most"
         )
 
 
@@ -242,7 +239,7 @@ class Model:
         object.__setattr__(self, "reports", several("reports", self.reports, str, "text"))
         require_printable(self.name, "the model's name")
         if not self.placed:
-            raise InputError("the model {name!r} has no strips", name=self.name)
+            raise InputError(f"the model {self.name!r} has no strips")
 
     @property
     def strips(self) -> tuple[Strip, ...]:
@@ -260,9 +257,7 @@ class Model:
     def _place(self, index: int) -> int:
         if not is_whole(index) or not -len(self.placed) <= index < len(self.placed):
             raise InputError(
-                "{index!r} is no strip of this model: give one of the places 0 to {given}",
-                index=index,
-                given=len(self.placed) - 1,
+                f"{index!r} is no strip of this model: give one of the places 0 to {len(self.placed) - 1}"
             )
         return index
 
@@ -296,9 +291,7 @@ class Model:
         new = several("strips", strips, Strip, "Strip")
         if len(new) != len(self.placed):
             raise InputError(
-                "the model has {count} strips, not {count_2}: give a Strip record for each",
-                count=len(self.placed),
-                count_2=len(new),
+                f"the model has {len(self.placed)} strips, not {len(new)}: give a Strip record for each"
             )
         pairs = zip(self.placed, new, strict=True)
         return replace(self, placed=tuple(placed.with_strip(strip) for placed, strip in pairs))
@@ -373,10 +366,8 @@ class Model:
     def _arranged(self, placed: tuple[Placed, ...]) -> "Model":
         if self.plates:
             raise InputError(
-                "the model {name!r} has {name_2}, made for its strips where they are: repeat the "
-                "strips without rings",
-                name=self.name,
-                name_2=self.plates[0].name,
+                f"the model {self.name!r} has {self.plates[0].name}, made for its strips where they are: "
+                "repeat the strips without rings"
             )
         return replace(self, placed=placed)
 

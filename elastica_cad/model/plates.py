@@ -269,12 +269,10 @@ def base_plate(
     if not standing:
         heights = [float(ground.local(tab.tip)[2]) for tab in tabs]
         raise InputError(
-            "{name}: no tab of the model goes down through the plate, their tips are "
-            "{heights:.0f} to {heights_2:.0f} above its upper face: move the plate to where the "
-            "strips end, give the strips longer tabs, or hold ends that come from below by rings",
-            name=name,
-            heights=min(heights),
-            heights_2=Mm(max(heights)),
+            f"{name}: no tab of the model goes down through the plate, their tips are "
+            f"{min(heights):.0f} to {Mm(max(heights)):.0f} above its upper face: move the plate to "
+            "where the strips end, give the strips longer tabs, or hold ends that come from below by "
+            "rings"
         )
     slots = [tab_slot(tab, ground, sheet.thickness, asked) for tab, _ in standing]
     deep = [
@@ -528,7 +526,7 @@ def ring_plate(
     sheet, asked = Sheet.of(sheet), RingOptions.of(options, "a ring", ("shape", "ends"))
     name, tabs = asked.name, several("tabs", tabs, PlacedTab, "PlacedTab")
     if not tabs:
-        raise InputError("{name}: there is no tab for it to hold: give it PlacedTab records", name=name)
+        raise InputError(f"{name}: there is no tab for it to hold: give it PlacedTab records")
     first = tabs[0]
     if first.length == 0:
         raise InputError("{name}: strips without tabs cannot be held by a ring: give them tabs", name=name)

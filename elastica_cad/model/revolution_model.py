@@ -88,9 +88,7 @@ def touching_widths(
     """
     require_number(gap, "the gap", "mm")
     if not (isinstance(strips, Sequence) and all(isinstance(p, Placed | tuple) for p in strips)):
-        raise InputError(
-            "strips are {strips!r}: give a list of Placed, or of (PlaneCurve, Frame)", strips=strips
-        )
+        raise InputError(f"strips are {strips!r}: give a list of Placed, or of (PlaneCurve, Frame)")
     pairs = [(p.strip.rod.curve, p.frame) if isinstance(p, Placed) else p for p in strips]
     names = [
         p.strip.label or f"strip {i + 1}" if isinstance(p, Placed) else f"strip {i + 1}"
@@ -120,11 +118,7 @@ def _bound(
     normal = z - r  # of the points as far from either plane, on the sides that face each other
     pace = float(normal @ z)
     if not (np.any(z) and np.any(r)) or pace < PARALLEL:
-        raise InputError(
-            "{names} and {names_2} lie in the same plane: no plane passes between them",
-            names=names[0],
-            names_2=names[1],
-        )
+        raise InputError(f"{names[0]} and {names[1]} lie in the same plane: no plane passes between them")
     offset = z @ frame.origin - r @ opposite.origin - gap * np.linalg.norm(normal)
     return _Bound(
         float(offset - normal @ frame.origin) / pace,
@@ -275,9 +269,7 @@ def revolve(
     require_record(meridian, Meridian, "what is turned", "a Meridian, as meridian_through makes one")
     if not (is_whole(strips) and 3 <= strips <= MOST_STRIPS):
         raise InputError(
-            "strips={strips!r}: a surface of revolution is tiled by 3 strips or more, {most_strips} at most",
-            strips=strips,
-            most_strips=MOST_STRIPS,
+            f"strips={strips!r}: a surface of revolution is tiled by 3 strips or more, {MOST_STRIPS} at most"
         )
     sheet = Sheet.of(sheet)
     rings = None if rings is None else Sheet.of(rings)
@@ -293,9 +285,7 @@ def revolve(
         if works is None:
             raise
         said = f"{problem}".rstrip(".")
-        raise InputError(
-            "{said}; ring={works} is the smallest, in whole mm, that works here", said=said, works=works
-        ) from problem
+        raise InputError(f"{said}; ring={works} is the smallest, in whole mm, that works here") from problem
     return Model(placed, name=name, plates=plates, reports=told)
 
 

@@ -121,7 +121,7 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
         if curve.is_closed:
             raise InputError("a closed curve has no ends to be held: open it somewhere")
     if not is_one_of(keep, ("ends", "shape")):
-        raise InputError("keep is {keep!r}: give 'ends' or 'shape'", keep=keep)
+        raise InputError(f"keep is {keep!r}: give 'ends' or 'shape'")
     if keep == "shape":
         return _scaled(first, second)
     drawn = _Drawn.of(first), _Drawn.of(second)
@@ -281,9 +281,7 @@ class _Drawn:
         """The changed curve."""
         found = self.numbers(length)
         if found is None:
-            raise NotConvergedError(
-                "no small change of the curve gives it the length {length}", length=length
-            )
+            raise NotConvergedError(f"no small change of the curve gives it the length {length}")
         start, _, angles = self.clamps
         curve = self.curve
         own = curve.at(np.array([0.0]))

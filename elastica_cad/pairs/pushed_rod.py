@@ -155,9 +155,7 @@ def push_path(
                          length=Length(rod.length), at=Length(at))  # fmt: skip
     away = pair(direction, "the direction of the push")
     if not away.any():
-        raise InputError(
-            "the direction of the push is {direction!r}: give two numbers, not both 0", direction=direction
-        )
+        raise InputError(f"the direction of the push is {direction!r}: give two numbers, not both 0")
     away = away / np.hypot(*away)
     frame = np.array([away, [-away[1], away[0]]])
     chain = _Chain.of(rod, at, frame, thickness)

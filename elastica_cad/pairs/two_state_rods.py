@@ -204,12 +204,7 @@ def two_state_rod(
         ("objective", objective, ("ratio", "thickness")),
     ):
         if not is_one_of(value, known):
-            raise InputError(
-                "{name} is {given!r}: give one of {known}",
-                name=name,
-                given=value,
-                known=", ".join(map(repr, known)),
-            )
+            raise InputError(f"{name} is {value!r}: give one of {', '.join(map(repr, known))}")
     check, paired, least = examine_pair(first, second)
     if free is not None:
         return _within(limits, _with_free_state(check, free, count))

@@ -78,18 +78,12 @@ def save_figure(
         resolution.
     """
     if not (is_number(resolution) and 1 <= resolution <= MOST_RESOLUTION):
-        raise InputError(
-            "resolution is {resolution!r}: give 1 to {most_resolution:g} dots per inch",
-            resolution=resolution,
-            most_resolution=MOST_RESOLUTION,
-        )
+        raise InputError(f"resolution is {resolution!r}: give 1 to {MOST_RESOLUTION:g} dots per inch")
     if not hasattr(figure, "savefig"):
-        raise InputError(
-            "the figure is a {name}: give what elastica_cad.plot draws", name=type(figure).__name__
-        )
+        raise InputError(f"the figure is a {type(figure).__name__}: give what elastica_cad.plot draws")
     kind = require_path(path).suffix.lower().removeprefix(".")
     if kind not in PICTURES:
-        raise InputError("{path} has no ending of a picture: .png, .svg and .pdf are written", path=path)
+        raise InputError(f"{path} has no ending of a picture: .png, .svg and .pdf are written")
     stream = BytesIO()
     undated = {"png": {}, "svg": {"Date": None}, "pdf": _properties()}[kind]
     figure.savefig(stream, format=kind, dpi=resolution, metadata=undated)
@@ -148,9 +142,7 @@ def _properties() -> dict[str, str | None]:
 
 def _needs_matplotlib(what: str) -> MissingDependencyError:
     """The refusal where it is not installed; `what` are the files or pictures that need it."""
-    return MissingDependencyError(
-        "{what} need matplotlib: {how_to_install}", what=what, how_to_install=how_to_install("matplotlib")
-    )
+    return MissingDependencyError(f"{what} need matplotlib: {how_to_install('matplotlib')}")
 
 
 def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **style: Any) -> None:

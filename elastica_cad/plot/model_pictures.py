@@ -208,7 +208,7 @@ def model(
     """
     require_model(model)
     if not (is_whole(flat) and flat >= 0):
-        raise InputError("flat is {flat!r}: give a whole number of parts to show, 0 for none", flat=flat)
+        raise InputError(f"flat is {flat!r}: give a whole number of parts to show, 0 for none")
     held_by = (*model.plates, *several("holders", holders, Holder, HOLDERS))
     faces = _plate_faces(held_by)
     bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])

@@ -76,13 +76,9 @@ def _tile_drawing(drawing: Drawing, paper: str = "A4", *, overlap: float = OVERL
     """
     require_record(drawing, Drawing, "what is printed", "a Drawing")
     if not isinstance(paper, str) or paper not in PAPERS:
-        raise InputError(
-            "unknown paper {paper!r}: use one of {papers}", paper=paper, papers=", ".join(PAPERS)
-        )
+        raise InputError(f"unknown paper {paper!r}: use one of {', '.join(PAPERS)}")
     if not (is_number(overlap) and 0 <= overlap < 0.5 * (PAPERS[paper][0] - 2 * MARGIN_MM)):
-        raise InputError(
-            "the overlap is {overlap!r} mm: give 0 mm or more, and less than half a page", overlap=overlap
-        )
+        raise InputError(f"the overlap is {overlap!r} mm: give 0 mm or more, and less than half a page")
     ways = [_tiles(drawing, page, overlap) for page in (PAPERS[paper], PAPERS[paper][::-1])]
     return min(ways, key=lambda way: len(way.names))
 
@@ -93,11 +89,7 @@ def _tiles(drawing: Drawing, page: tuple[float, float], overlap: float) -> Tilin
     step = size - overlap
     counts = np.maximum(1, np.ceil((high - low - overlap) / step - 1e-9)).astype(int)
     if counts.prod() > MOST_TILES:
-        raise InputError(
-            "{name} needs {prod} pages of this paper: print larger paper",
-            name=drawing.name,
-            prod=counts.prod(),
-        )
+        raise InputError(f"{drawing.name} needs {counts.prod()} pages of this paper: print larger paper")
     start = (low + high) / 2 - (size + (counts - 1) * step) / 2
     lines = [item.path.points(1.0) for item in drawing.strokes]
     ends = [np.concatenate([line, line[:1]]) if item.path.closed else line

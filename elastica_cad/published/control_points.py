@@ -293,7 +293,7 @@ def move_within(
         No strip can take the curve that this starts from, even once its inflections are on one line.
     """
     if not (is_whole(max_steps) and max_steps >= 1):
-        raise InputError("max_steps is {max_steps!r}: allow at least one step", max_steps=max_steps)
+        raise InputError(f"max_steps is {max_steps!r}: allow at least one step")
     state = _started(curve, constraints)
     changes = CurveChanges(state, constraints)
     radius, settled, iterations = _RADIUS, False, 0
@@ -494,7 +494,7 @@ def enforce_constraints(
     if line is not None:
         require_record(line, InflectionLine, "line", "an InflectionLine, or None")
     if not (is_number(tolerance) and tolerance > 0):
-        raise InputError("tolerance is {tolerance!r}: it must be positive", tolerance=tolerance)
+        raise InputError(f"tolerance is {tolerance!r}: it must be positive")
     wanted: list[Constraint] = [
         *kept(curve if like is None else like, ends=ends, tangents=tangents, length=length)
     ]
@@ -509,11 +509,8 @@ def enforce_constraints(
     if after.size > before.size and (line is not None or after.size > 2):
         listed = ", ".join(f"{s:.4g}" for s in after)
         raise NotConvergedError(
-            "on the way the curve got {size} inflections (at {listed} mm) in place of {size_2}: "
-            "keep less (ends, tangents, length), or use nearest_rod",
-            size=after.size,
-            listed=listed,
-            size_2=before.size,
+            f"on the way the curve got {after.size} inflections (at {listed} mm) in place of "
+            f"{before.size}: keep less (ends, tangents, length), or use nearest_rod"
         )
     t = np.linspace(*curve.domain, 1001)
     off = moved.evaluate(t) - curve.evaluate(t)

@@ -80,9 +80,7 @@ def sampled_stiffness(
     n = curvature.size
     if position.shape != (n, 2) or curvature.shape != (n,) or n < 2:
         raise InputError(
-            "samples need positions (n, 2) and curvatures (n,), got {shape} and {shape_2}",
-            shape=position.shape,
-            shape_2=curvature.shape,
+            f"samples need positions (n, 2) and curvatures (n,), got {position.shape} and {curvature.shape}"
         )
     if not (np.all(np.isfinite(position)) and np.all(np.isfinite(curvature)) and np.all(curvature != 0)):
         raise InputError(

@@ -117,7 +117,7 @@ class Drawing:
             The drawing is empty.
         """
         if not self.strokes:
-            raise InputError("the drawing {name!r} is empty: it has neither paths nor texts", name=self.name)
+            raise InputError(f"the drawing {self.name!r} is empty: it has neither paths nor texts")
         return box_around(np.array([item.path.bounds for item in self.strokes]))
 
     def on(self, *layers: str) -> tuple[Path, ...]:
@@ -158,9 +158,7 @@ class Drawing:
 
 def _check_layer(layer: str) -> None:
     if not isinstance(layer, str) or layer not in LAYERS:
-        raise InputError(
-            "there is no layer {layer!r}: use one of {layers}", layer=layer, layers=", ".join(LAYERS)
-        )
+        raise InputError(f"there is no layer {layer!r}: use one of {', '.join(LAYERS)}")
 
 
 def _without_twins(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:

@@ -55,8 +55,7 @@ class Text:
         sizes = (*place, self.height, self.angle)
         if len(place) != 2 or not all(map(is_number, sizes)) or self.height <= 0:
             raise InputError(
-                "text {typed!r} needs a finite position and angle, and a positive height in mm",
-                typed=self.text,
+                f"text {self.text!r} needs a finite position and angle, and a positive height in mm"
             )
         object.__setattr__(self, "position", tuple(map(float, place)))
         require_engravable(self.text)
@@ -71,13 +70,12 @@ class Text:
 def require_engravable(text: object) -> None:
     """Refuse what is no text, or holds letters that cannot be engraved."""
     if not isinstance(text, str):
-        raise InputError("the text to engrave is {typed}: give a text", typed=quoted(text))
+        raise InputError(f"the text to engrave is {quoted(text)}: give a text")
     missing = sorted(set(text) - _glyphs().keys())
     if missing:
         raise InputError(
-            "text {typed!r}: the engraving alphabet has no {names}; use A-Z, a-z, 0-9 and common punctuation",
-            typed=text,
-            names=", ".join(map(repr, missing)),
+            f"text {text!r}: the engraving alphabet has no {', '.join(map(repr, missing))}; use A-Z, "
+            "a-z, 0-9 and common punctuation"
         )
 
 

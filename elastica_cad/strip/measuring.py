@@ -147,9 +147,8 @@ leave open
         unknown = [name for name in measured if name not in self.expected]
         if unknown or not names:
             raise InputError(
-                "{unknown} is nothing that was to be measured: give some of {names}",
-                unknown=", ".join(unknown) or "an empty file",
-                names=", ".join(self.expected),
+                f"{', '.join(unknown) or 'an empty file'} is nothing that was to be measured: give some "
+                f"of {', '.join(self.expected)}"
             )
         said = [
             note(

@@ -292,8 +292,7 @@ def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
     found = several("ends", tabs, Tab, "Tab") * (2 if isinstance(tabs, Tab) else 1)
     if len(found) != 2:
         raise InputError(
-            "ends are {counted}: give two, for the start and the end; Tab(0) is none",
-            counted=counted(len(found), "tab"),
+            f"ends are {counted(len(found), 'tab')}: give two, for the start and the end; Tab(0) is none"
         )
     return found[0], found[1]
 

@@ -111,12 +111,9 @@ class DiamondPattern:
     def __post_init__(self) -> None:
         if self.side_length <= self.bridge:
             raise InputError(
-                "{rows} rows are {row_length} long each: diamonds with bridges of {bridge:g} between "
-                "their tips need more than {bridge_2:g}; use fewer rows",
-                rows=self.rows,
-                row_length=Mm(self.row_length),
-                bridge=Mm(self.bridge),
-                bridge_2=Mm(4 * self.bridge),
+                f"{self.rows} rows are {Mm(self.row_length)} long each: diamonds with bridges of "
+                f"{Mm(self.bridge):g} between their tips need more than {Mm(4 * self.bridge):g}; use "
+                "fewer rows"
             )
 
     def paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:

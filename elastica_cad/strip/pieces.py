@@ -247,11 +247,9 @@ class Piece:
     def __post_init__(self) -> None:
         require_record(self.drawing, Drawing, "the drawing of a piece", "a Drawing")
         if not (is_whole(self.count) and self.count >= 1):
-            raise InputError(
-                "{name}: cut {count!r} times; the count must be 1 or more", name=self.name, count=self.count
-            )
+            raise InputError(f"{self.name}: cut {self.count!r} times; the count must be 1 or more")
         if not any(path.closed for path in self.drawing.on(CUT_OUTER)):
-            raise InputError("{name}: there is no closed outer cut, so nothing to cut out", name=self.name)
+            raise InputError(f"{self.name}: there is no closed outer cut, so nothing to cut out")
 
     @property
     def file_stem(self) -> str:

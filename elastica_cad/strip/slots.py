@@ -41,7 +41,7 @@ Relief = Literal["square", "round"]
 def _center_line(path: object, widths: object, here: str) -> tuple[FloatArray, FloatArray]:
     rows, across = numbers(path, f"{here}: path"), numbers(widths, f"{here}: widths")
     if rows.ndim != 2 or rows.shape[1] != 2 or len(rows) < 2 or across.shape != (len(rows),):
-        raise InputError("{here}: path has two or more rows (x, y), widths one number for each", here=here)
+        raise InputError(f"{here}: path has two or more rows (x, y), widths one number for each")
     return rows, across
 
 
@@ -98,15 +98,13 @@ class Slot:
         require_declared(Slot, vars(self), "slot")
         here = note("slot at {at}", at=Length(self.at))
         if abs(self.lean) >= np.pi / 2:
-            raise InputError(
-                "{here}: lean is {lean:g} rad: it must stay within a quarter turn", here=here, lean=self.lean
-            )
+            raise InputError(f"{here}: lean is {self.lean:g} rad: it must stay within a quarter turn")
         if (self.path is None) != (self.widths is None):
-            raise InputError("{here}: path and widths go together", here=here)
+            raise InputError(f"{here}: path and widths go together")
         if self.path is not None:
             path, widths = (array.copy() for array in _center_line(self.path, self.widths, here))
             if not np.all(np.isfinite(path)) or not np.all(widths > 0):
-                raise InputError("{here}: path and widths must be finite, widths positive, in mm", here=here)
+                raise InputError(f"{here}: path and widths must be finite, widths positive, in mm")
             for name, array in (("path", path), ("widths", widths)):
                 array.setflags(write=False)
                 object.__setattr__(self, name, array)

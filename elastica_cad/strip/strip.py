@@ -408,9 +408,7 @@ class Strip:
 
     def __post_init__(self) -> None:
         if not isinstance(self.rod, Rod):
-            raise InputError(
-                "the rod is a {name}: give a Rod, as optimal_rod makes one", name=type(self.rod).__name__
-            )
+            raise InputError(f"the rod is a {type(self.rod).__name__}: give a Rod, as optimal_rod makes one")
         if self.rod.follows_bend:  # its widths are those that make it as stiff as it is in this shape
             object.__setattr__(self, "rod", as_bent(self.rod))
         object.__setattr__(self, "sheet", Sheet.of(self.sheet))

@@ -72,9 +72,8 @@ def pull_in_plane(given: AskedGravity, sheet: Sheet, frame: Frame | None) -> tup
         return sheet.gravity(direction), 1.0
     if frame is None:
         raise InputError(
-            "gravity {direction} is a direction in space: give frame, the plane of the curve, or "
-            "two numbers, the direction in the drawing",
-            direction=direction,
+            f"gravity {direction} is a direction in space: give frame, the plane of the curve, or two "
+            "numbers, the direction in the drawing",
             where={"field": "gravity"},
         )
     own = sheet.elasto_gravity_length
@@ -102,10 +101,9 @@ def _direction(given: object) -> tuple[float, ...]:
     row = tuple(given) if isinstance(given, Sequence | np.ndarray) and not isinstance(given, str) else ()
     if len(row) not in (2, 3) or not all(is_number(one) for one in row) or not any(row):
         raise InputError(
-            "gravity is {given!r}: give True, a Gravity record, or the direction in which things "
-            "fall as two numbers in the drawing or three in space, not all zero, such as (0, -1) "
-            "or (0, 0, -1)",
-            given=given,
+            f"gravity is {given!r}: give True, a Gravity record, or the direction in which things "
+            "fall as two numbers in the drawing or three in space, not all zero, such as (0, -1) or "
+            "(0, 0, -1)",
             where={"field": "gravity"},
         )
     return tuple(float(one) for one in row)

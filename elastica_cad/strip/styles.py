@@ -249,8 +249,7 @@ def require_style(style: object) -> None:
     """Refuse what lays out no strip."""
     if not callable(getattr(style, "laid_out", None)):
         raise InputError(
-            "style is {style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)",
-            style=style,
+            f"style is {style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)"
         )
 
 

@@ -67,9 +67,7 @@ class TabSeat:
             edges = numbers(getattr(self, side), f"{side} edges of a seat")
             if edges.ndim == 0 or (edges.size and edges.shape[-1] != 2):
                 raise InputError(
-                    "{side} edges of a seat are rows (k, 2) of the record, in mm, not {shape}",
-                    side=side,
-                    shape=edges.shape,
+                    f"{side} edges of a seat are rows (k, 2) of the record, in mm, not {edges.shape}"
                 )
             object.__setattr__(self, side, edges.reshape(-1, 2))
 
@@ -85,11 +83,7 @@ class TabSeat:
         require_positive(length, f"{name}: the length")
         require_positive(thickness, f"{name}: the thickness")
         if not (is_number(play) and play >= 0):
-            raise InputError(
-                "{name}: the play is {play!r} mm: it must be 0 or more for the tab to go in",
-                name=name,
-                play=play,
-            )
+            raise InputError(f"{name}: the play is {play!r} mm: it must be 0 or more for the tab to go in")
         into = np.linspace(0.0, length, WALL_PLACES)
         half = np.full(into.size, thickness / 2 + play)
         return cls(np.column_stack([into, half]), np.column_stack([into, -half]), thickness, name)
