@@ -221,7 +221,7 @@ def _fits(value: Any, kind: Kind, asked: Asked) -> bool:
             several = tuple(value) if is_series(value) else ()
             return len(several) == kind.size and all(_fits(one, kind.of[0], asked) for one in several)
         case "list":
-            return not isinstance(value, Sized) or len(value) <= asked.many
+            return not (is_series(value) and isinstance(value, Sized)) or len(value) <= asked.many
         case "table":
             return not is_dataclass(kind.record) or isinstance(value, cast(type, kind.record))
         case _:
