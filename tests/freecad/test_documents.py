@@ -412,6 +412,7 @@ def test_styles(document, sketch, tmp_path: Path, style):
 
 def test_missing_scipy_is_a_sentence(document, drawn, monkeypatch):
     feature = strip.create(document, drawn([(0, 0), (31, 60), (72, 81), (121, 60), (150, 0)]))
+    feature.Follow, feature.RatioLimit = "Nearest", 1.5
     monkeypatch.setitem(sys.modules, "scipy.interpolate", None)
     monkeypatch.setitem(sys.modules, "scipy.spatial", None)
     document.recompute()
