@@ -170,7 +170,7 @@ def expected(layout: Any, hidden: set[str], *placed: Any) -> Iterator[tuple[Any,
                 for copy in one.multi_insert() if one.mcount > 1 else (one,):
                     yield from expected(one.block() or (), hidden, copy.matrix44(), *placed)
         elif one.dxftype() in KINDS:
-            with np.errstate(all="ignore"), suppress(ValueError, ArithmeticError):
+            with np.errstate(all="ignore"), suppress(ValueError, TypeError, ArithmeticError):
                 points = list(flattened.make_path(one).approximate(12))
                 for matrix in placed:
                     points = list(matrix.transform_vertices(points))
