@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
+from elastica_cad._values import require_record
 from elastica_cad.declared import Asked, Field, declared, require_declared
 from elastica_cad.defaults import KERF
 from elastica_cad.errors import InputError
@@ -105,6 +106,8 @@ class Cutting:
         >>> [Cutting(version="R12").file_name("arch", suffix) for suffix in ("dxf", "svg")]
         ['arch-mm.dxf', 'arch.svg']
         """
+        for part in (stem, suffix):
+            require_record(part, str, "part of a file name", "a text")
         drawn = self.service and suffix in ("dxf", "svg")
         return f"{stem}{'-mm' if drawn or (self.version, suffix) == ('R12', 'dxf') else ''}.{suffix}"
 

@@ -186,7 +186,7 @@ def save_model(
     margin : float
         Least distance between parts, mm.
     cutting : Cutting
-        Kerf, curves, bridges, guide lines and recipient of the cutting files, from `elastica_cad.formats`.
+        Kerf, curves, bridges, guide lines and recipient of the cutting files, from `elastica_cad.design`.
     step, pictures, parts : bool
         Write the assembly (with a CAD kernel), the pictures (with matplotlib), every part in files of its own.
     force : bool

@@ -7,7 +7,7 @@ from typing import Annotated
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, several
+from elastica_cad._values import is_number, require_record, several
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.defaults import BORDER, CLEARANCE, PLAY
 from elastica_cad.errors import InputError
@@ -89,6 +89,7 @@ class Rib:
         InputError
             Necks, or a rib larger than the stock.
         """
+        require_record(options, PlateOptions, "options", "a PlateOptions")
         faults = find_plate_faults(self.name, self.sheet, self.outline, (), options.shop)
         return replace(self, warnings=accept_faults(faults, options.ignore_limits))
 

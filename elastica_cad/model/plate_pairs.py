@@ -24,6 +24,7 @@ from elastica_cad.model.plates import (
     TabSlot,
     base_plate,
     needed_length,
+    options_by_name,
     plate_with,
     ring_plate,
     tab_slot,
@@ -79,7 +80,7 @@ def plate_pair(
     """
     sheet = Sheet.of(sheet)
     require_positive(gap, "the gap between two plates")
-    asked = PlateOptions.of(options, "a pair of plates")
+    asked = options_by_name(PlateOptions, options, "a pair of plates")
     upper = base_plate(placed, sheet, frame=frame, **vars(asked))
     return _add_second(placed, upper, replace(asked, name=f"{upper.name}-lower"), gap)
 
@@ -116,7 +117,7 @@ def ring_pair(
         A tab too short for the second ring, with the length it needs; and as `ring_plate`.
     """
     require_positive(gap, "the gap between two plates")
-    asked = RingOptions.of(options, "a pair of rings", ("shape", "ends"))
+    asked = options_by_name(RingOptions, options, "a pair of rings", ("shape", "ends"))
     first = ring_plate(tabs, sheet, middle=middle, **options)
     if first.seats:
         return (first,)
@@ -252,7 +253,7 @@ def end_plates(
     >>> [(plate.name, plate.opening is not None) for plate in end_plates(lamp, Sheet.named("mdf-3"))]
     [('ring-start', True), ('ring-end', True)]
     """
-    sheet, asked = Sheet.of(sheet), RingOptions.of(options, "end plates")
+    sheet, asked = Sheet.of(sheet), options_by_name(RingOptions, options, "end plates")
     groups = [tuple(asked.ends)] if together or len(asked.ends) == 1 else [(end,) for end in asked.ends]
     names = [asked.name] if len(groups) == 1 else [f"{asked.name}-{end}" for (end,) in groups]
     if gap is not None:

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal, Self, TypeAlias, TypeVar
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import several
+from elastica_cad._values import require_flag, require_record, several
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.defaults import BASE_BORDER, BASE_PLAY, BORDER, CLEARANCE, PLAY
 from elastica_cad.errors import InputError, refuse_unknown
@@ -78,18 +78,7 @@ class PlateOptions:
 
     def __post_init__(self) -> None:
         require_declared(PlateOptions, vars(self), f"{self.name}:")
-
-    @classmethod
-    def of(cls, options: Mapping[str, Any], what: str, without: Container[str] = ()) -> Self:
-        """Return the record of options by name, and refuse names that `what` does not have.
-
-        Examples
-        --------
-        >>> PlateOptions.of({"play": 0.2}, "a base plate").border
-        12.0
-        """
-        refuse_unknown(options, [name for name in cls.__dataclass_fields__ if name not in without], what)
-        return cls(**options)
+        require_flag(self.ignore_limits, "ignore_limits")
 
 
 @dataclass(frozen=True)
@@ -100,6 +89,23 @@ class RingOptions(PlateOptions):
     border: Border = BORDER
     shape: Outline = "ring"
     name: Name = "ring"
+
+
+Options = TypeVar("Options", bound=PlateOptions)
+
+
+def options_by_name(
+    record: type[Options], options: Mapping[str, Any], what: str, without: Container[str] = ()
+) -> Options:
+    """Return the record of options by name, and refuse names that `what` does not have.
+
+    Examples
+    --------
+    >>> options_by_name(PlateOptions, {"play": 0.2}, "a base plate").border
+    12.0
+    """
+    refuse_unknown(options, [name for name in record.__dataclass_fields__ if name not in without], what)
+    return record(**options)
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,6 +184,7 @@ class BasePlate:
         InputError
             Slots that meet or are far wider than their tabs, thin bridges, a plate larger than the stock.
         """
+        require_record(options, PlateOptions, "options", "a PlateOptions")
         _refuse_meetings(self.slots, self.name)
         called = [note("the slot of {name}", name=slot.name) for slot in self.slots]
         faults = (
@@ -257,7 +264,7 @@ def base_plate(
         No tab goes through the plate, one lies too flat, two slots meet, slots far wider than their tabs, bridges
         too thin to cut, a leaning strip wider than its tab that runs into the plate; the parts are named.
     """
-    asked = PlateOptions.of(options, "a base plate")
+    asked = options_by_name(PlateOptions, options, "a base plate")
     name, ends, sheet = asked.name, asked.ends, Sheet.of(sheet)
     placed, ground = require_placed(placed), frame_or_plain(frame)
     require_ends(ends)
@@ -523,7 +530,7 @@ def ring_plate(
         Tabs that have no length, lie over each other, or meet the plane at angles between; slots that meet or are
         far wider than their tabs, bridges too thin to cut.
     """
-    sheet, asked = Sheet.of(sheet), RingOptions.of(options, "a ring", ("shape", "ends"))
+    sheet, asked = Sheet.of(sheet), options_by_name(RingOptions, options, "a ring", ("shape", "ends"))
     name, tabs = asked.name, several("tabs", tabs, PlacedTab, "PlacedTab")
     if not tabs:
         raise InputError(f"{name}: there is no tab for it to hold: give it PlacedTab records")

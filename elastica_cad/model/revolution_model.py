@@ -274,6 +274,7 @@ def revolve(
     sheet = Sheet.of(sheet)
     rings = None if rings is None else Sheet.of(rings)
     require_record(shop, FabricationLimits, "the shop", "a FabricationLimits")
+    require_flag(ignore_limits, "ignore_limits")
     ends = None if ends is None else pair_of_tabs(ends)
     if gap is not None:
         require_number(gap, "gap", "mm")

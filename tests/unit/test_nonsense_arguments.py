@@ -4,11 +4,19 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
+from elastica_cad.design import Cutting
 from elastica_cad.errors import InputError
 from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad.model import BasePlate, PlateOptions, Rib
+from elastica_cad.strip.drawing import ENGRAVE
+from elastica_cad.strip.lettering import Text
 from elastica_cad.strip.measuring import Measuring
 
 ARCH = ec.PlaneCurve.spline([(0, 0), (30, 14), (70, 14), (100, 0)], degree=3)
+PROFILE = ec.meridian_through([(70, 0), (85, 16), (125, 55), (90, 115), (75, 140)])
+SQUARE = ec.Path.rectangle(60.0, 40.0)
+PLATE = BasePlate(ec.Sheet.named("mdf-3"), ec.Frame(), SQUARE)
+RIB = Rib("rib-1", ec.Sheet.named("mdf-3"), ec.Frame(), SQUARE, Text((0.0, 0.0), "rib-1", 4.0, 0.0, ENGRAVE))
 
 
 @pytest.mark.parametrize(
@@ -23,6 +31,12 @@ ARCH = ec.PlaneCurve.spline([(0, 0), (30, 14), (70, 14), (100, 0)], degree=3)
         (lambda: smooth_curve(ARCH, natural_curvature="pom-1"), "natural_curvature is"),
         (lambda: ec.two_state_rod(ARCH, ARCH, limits=np.zeros((0, 2))), "limits is a ndarray"),
         (lambda: ec.matched_pair(ARCH, ARCH, keep=np.zeros((0, 2))), "keep is array"),
+        (lambda: PLATE.checked("x"), "options is a str: give a PlateOptions"),
+        (lambda: RIB.checked([None]), "options is a list: give a PlateOptions"),
+        (lambda: PlateOptions(ignore_limits=np.ones(3)), "ignore_limits is array"),
+        (lambda: ec.revolve(PROFILE, 20, sheet="pom-1", ignore_limits=np.ones(3)), "ignore_limits is array"),
+        (lambda: Cutting().file_name("arch", np.zeros(0)), "part of a file name is a ndarray"),
+        (lambda: Cutting().file_name(np.zeros(2), "dxf"), "part of a file name is a ndarray"),
         (lambda: ec.two_state_rod(ARCH, ARCH, free=np.zeros((2, 2))), "free is array"),
     ],
 )
