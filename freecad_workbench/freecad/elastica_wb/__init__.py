@@ -14,7 +14,7 @@ __all__ = ["make_strip"]
 TESTS = "freecad.elastica_wb.tests"
 
 CORE = Path(__file__).parent / "core"
-"""Where `make addon` puts the package elastica_cad; a checkout has it at its root."""
+"""Folder to which `make addon` copies the package elastica_cad. In a checkout it is at the root instead."""
 
 if CORE.is_dir():
     sys.path.insert(0, str(CORE))
@@ -24,29 +24,31 @@ if TESTS not in App.__unit_test__:
 
 
 def make_strip(source: Any, edges: tuple[str, ...] = (), *, flat_part: bool = True, **properties: Any) -> Any:
-    """Make the strip that bends into a sketch, or into edges of an object, with its flat part.
+    """Make a strip along a sketch or along edges of an object, and its flat part.
 
     Parameters
     ----------
     source : document object
-        A sketch, a curve, or whatever has the edges.
+        A sketch, a curve, or an object with edges.
     edges : tuple of str
-        Names such as "Edge1"; none for a sketch or for an object that is one curve.
+        Names of the edges to follow, such as ``"Edge1"``. Leave it empty for a sketch or for an object with one
+        curve.
     flat_part : bool
-        Make the part to cut too.
+        Also make the flat part, which is cut from the sheet.
     **properties
-        Values of the strip's properties, such as ``Sheet="birch-plywood-0.8", MaxWidth=40``; lengths in mm, or as
-        texts with a unit.
+        Values of the strip's properties, such as ``Sheet="birch-plywood-0.8", MaxWidth=40``. A length is a number
+        in mm, or a text with a unit.
 
     Returns
     -------
     document object
-        The strip, recomputed; where it cannot be made, its property Verdict says so and Reasons why.
+        The recomputed strip. If it cannot be made, its property Verdict states that and its property Reasons
+        explains why.
 
     Raises
     ------
     AttributeError
-        A strip has no such property.
+        The strip has no property of that name.
 
     Examples
     --------

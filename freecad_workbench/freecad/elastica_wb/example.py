@@ -18,7 +18,7 @@ LEFT = [(0, 0), (40, 5), (80, 40), (125, 160), (SPAN / 2, 175)]
 
 
 def open_example() -> Any:
-    """Draw the arch of examples/arch, standing upright in a document of its own."""
+    """Draw the arch of examples/arch upright in a new document."""
     document = App.newDocument("Arch")
     sketch = document.addObject("Sketcher::SketchObject", "Curve")
     sketch.Label = translate("Elastica", "Curve")

@@ -45,14 +45,14 @@ class ElasticaWorkbench(Gui.Workbench):
 
 
 def _dress(provider: Any, kind: str) -> None:
-    """Features that are made with a window get their icons and panels."""
+    """Give a feature its icon and panel, if there is a window."""
     from freecad.elastica_wb.features import views
 
     views.KINDS[kind](provider)
 
 
 def _panel_of(obj: Any) -> Any:
-    """The panel of a feature; loaded with the first one that opens."""
+    """Return the panel of a feature. The panels are imported when the first panel opens."""
     from freecad.elastica_wb.panels.feature_panels import panel_of
 
     return panel_of(obj)

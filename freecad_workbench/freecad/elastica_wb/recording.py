@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What a macro records of our work: calls, values and steps that can be played again."""
+"""Actions recorded in macros: calls, values and undo steps that can be replayed."""
 
 from collections.abc import Callable
 from typing import Any
@@ -13,13 +13,13 @@ import __main__
 from elastica_cad.geometry.plane_curve import PlaneCurve
 
 MADE = "elastica_made"
-"""Name, in macros and in the console, of what was made last."""
+"""Name of the last result, in macros and in the console."""
 
 
 def recorded(make: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
     """Call a function in a line that a macro records, and return its result."""
     modules = [make.__module__, *(["elastica_cad"] if any(map(_is_curve, arguments)) else [])]
-    for module in modules:  # Gui.addModule tells a macro of what was not loaded before only
+    for module in modules:  # Gui.addModule records only modules that were not loaded before
         Gui.doCommand(f"import {module}")
     given = [*map(_written, arguments), *(f"{name}={_written(value)}" for name, value in options.items())]
     Gui.doCommand(f"{MADE} = {make.__module__}.{make.__name__}({', '.join(given)})")
@@ -49,7 +49,7 @@ def record_step(document: Any, name: str) -> None:
 def record_end_of_step(document: Any, *, abort: bool = False) -> None:
     """End an undo step, or take everything in it back, in lines that a macro keeps."""
     record_call(document, "abortTransaction" if abort else "commitTransaction")
-    # a document that was not changed leaves the step open in FreeCAD, for changes of others to fall into
+    # otherwise FreeCAD leaves the step of an unchanged document open for unrelated changes
     Gui.doCommand(f"App.closeActiveTransaction({abort})")
 
 
@@ -59,7 +59,7 @@ def record_abort() -> None:
 
 
 def _written(value: Any) -> str:
-    """An expression that a macro understands."""
+    """Return a value as an expression for a macro."""
     if isinstance(value, App.Document):
         return "App.ActiveDocument" if value is App.ActiveDocument else f"App.getDocument({value.Name!r})"
     if isinstance(value, App.DocumentObject):

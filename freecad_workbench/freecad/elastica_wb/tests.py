@@ -14,7 +14,7 @@ from freecad.elastica_wb import make_strip
 ARCH = ((0, 0), (30, 60), (70, 80), (120, 60), (150, 0))
 SNAKE = ((0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0))
 SLACK = 1e-9  # mm
-VOLUME = 1e-3  # of a volume: as far as OpenCASCADE integrates along splines
+VOLUME = 1e-3  # of a volume: accuracy of OpenCASCADE's integration along splines
 
 
 class ElasticaTest(unittest.TestCase):
@@ -41,7 +41,7 @@ class ElasticaTest(unittest.TestCase):
         return sketch
 
     def test_a_strip_and_its_flat_part(self) -> None:
-        """Bent strip and flat part have the same volume."""
+        """Check that bent strip and flat part have the same volume."""
         strip = make_strip(self.draw(ARCH), MaxWidth="24 mm")
         flat = self.document.getObject("Flat")
         assert strip.State == ["Up-to-date"], strip.Verdict
@@ -50,7 +50,7 @@ class ElasticaTest(unittest.TestCase):
         assert abs(strip.Shape.Volume / flat.Shape.Volume - 1) < VOLUME
 
     def test_a_curve_that_no_strip_takes(self) -> None:
-        """The refusal says why, and the nearest curve can be made."""
+        """Check that a refused curve has reasons, and that its nearest curve can be made."""
         strip = make_strip(self.draw(SNAKE), flat_part=False)
         assert "Invalid" in strip.State
         assert "cannot" in strip.Verdict
@@ -60,7 +60,7 @@ class ElasticaTest(unittest.TestCase):
         assert strip.State == ["Up-to-date"], strip.Verdict
 
     def test_unknown_properties(self) -> None:
-        """A misspelt property in a macro leaves nothing in the document."""
+        """Check that a misspelt property leaves nothing in the document."""
         sketch = self.draw(ARCH)
         said = ""
         try:
@@ -71,7 +71,7 @@ class ElasticaTest(unittest.TestCase):
         assert [obj.Name for obj in self.document.Objects] == [sketch.Name]
 
     def test_cutting_files(self) -> None:
-        """The kit holds a DXF with and without ezdxf, STEP, SVG and a cut list."""
+        """Check that the kit holds a DXF (with and without ezdxf), STEP, SVG and a cut list."""
         from freecad.elastica_wb.export.cutting_files import write_cutting_files
 
         strip = make_strip(self.draw(ARCH))

@@ -71,7 +71,7 @@ def register() -> None:
 
 
 def context_menu() -> list[str]:
-    """Return the commands for the context menu: those that need the selection and can be used on it."""
+    """Return the commands of the context menu: those that work on the present selection."""
     import FreeCADGui as Gui
 
     if not Gui.Selection.getSelection():

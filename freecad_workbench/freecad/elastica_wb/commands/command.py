@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What all commands share: how they look, when they can be used, one undo step, errors as sentences."""
+"""Base of all commands: texts, availability, undo steps and error messages."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -26,35 +26,35 @@ from elastica_cad.errors import ElasticaError
 
 
 class Command:
-    """A command; `run` does the work and raises `ElasticaError` with a sentence where it cannot."""
+    """A command. `run` does the work and raises `ElasticaError` with a message if it fails."""
 
     name = "Elastica"
     text = ""
     tip = ""
     shortcut = ""
     in_sketch = False
-    """Can it be used while a sketch is open? It then closes the sketch where it must."""
+    """True if the command can be used while a sketch is open. It closes the sketch if necessary."""
 
     def GetResources(self) -> dict[str, str]:
-        """Return icon, words and keys; FreeCAD translates the words with the command's name as context."""
+        """Return icon, texts and shortcut. FreeCAD translates the texts in the context of the command's name."""
         found = {"Pixmap": icon(self.name), "MenuText": self.text, "ToolTip": self.tip}
         found |= {"WhatsThis": self.name, "StatusTip": self.tip}
         if self.in_sketch:
-            found["CmdType"] = "ForEdit"  # FreeCAD greys out all others while something is edited
+            found["CmdType"] = "ForEdit"  # FreeCAD disables all other commands during editing
         return found | ({"Accel": self.shortcut} if self.shortcut else {})
 
     def IsActive(self) -> bool:
-        """Is there what it works on, and no panel in the way? FreeCAD asks several times a second."""
+        """Return True if the command can be used now. FreeCAD calls this several times a second."""
         if Gui.Control.activeDialog() and not (self.in_sketch and edited_sketch() is not None):
             return False
         return self.has_subject()
 
     def has_subject(self) -> bool:
-        """Is what the command works on selected or alone in the document?"""
+        """Return True if an object for the command is selected, or is the only candidate."""
         return App.ActiveDocument is not None
 
     def Activated(self, _index: int = 0) -> None:
-        """Run the command, and show an error where it refuses."""
+        """Run the command, and show its error if it fails."""
         step = App.getActiveTransaction()
         try:
             self.run()
@@ -64,12 +64,12 @@ class Command:
             tell(str(explained(error)))
 
     def run(self) -> None:
-        """Do what the command is for; each command defines this."""
+        """Do the command's work. Each command defines this method."""
         raise NotImplementedError
 
 
 def answers(question: Callable[..., Any], *arguments: Any, **options: Any) -> bool:
-    """Does a question about the selection have an answer?"""
+    """Return True if a function of the selection succeeds with a true result."""
     with suppress(ElasticaError):
         return App.ActiveDocument is not None and bool(question(*arguments, **options))
     return False
@@ -83,8 +83,8 @@ def show_panel(make: Callable[..., Any], *arguments: Any) -> None:
 
 
 def edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
-    """Make a feature in the open document and open its panel: one undo step until OK."""
-    record_step(App.ActiveDocument, step)  # first, or it bears FreeCAD's name for closing the sketch
+    """Make a feature in the open document and open its panel, in one undo step until OK."""
+    record_step(App.ActiveDocument, step)  # first, otherwise FreeCAD names the step after closing the sketch
     if edited_sketch() is not None:
         Gui.ActiveDocument.resetEdit()
     made = recorded(make, App.ActiveDocument, *arguments)
@@ -94,7 +94,7 @@ def edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
 
 @contextmanager
 def undo_step(document: Any, name: str) -> Iterator[None]:
-    """Everything inside is one step of the undo history, or after an error none."""
+    """Make all changes inside one undo step. Take them back after an error."""
     record_step(document, name)
     try:
         yield

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Commands about a curve: watch it live, check it, find the nearest one, pull it, cut it out of a body."""
+"""Commands for curves: live feedback, check, nearest curve, projective edit, sections of bodies."""
 
 from typing import Any
 
@@ -25,12 +25,12 @@ class CurveCommand(Command):
     in_sketch = True
 
     def has_subject(self) -> bool:
-        """A curve is selected, or its sketch is open."""
+        """Return True if a curve is selected or its sketch is open."""
         return App.ActiveDocument is not None and is_curve_chosen()
 
 
 class CheckCommand(CurveCommand):
-    """Tells in words whether the curve can be bent, and shows the overlay on it."""
+    """Reports whether the curve can be bent, and shows the overlay."""
 
     name = "Elastica_Check"
     text = QT_TRANSLATE_NOOP("Elastica_Check", "Check curve")
@@ -40,7 +40,7 @@ class CheckCommand(CurveCommand):
     shortcut = "Y, C"
 
     def run(self) -> None:
-        """Turn the overlay on in the sketcher; elsewhere open a panel with the whole verdict."""
+        """Turn the overlay on in the sketcher, or else open a panel with the full verdict."""
         (source, edges), *_ = chosen_curves()
         if edited_sketch() is source:
             observers.switch(source, on=True)
@@ -49,7 +49,7 @@ class CheckCommand(CurveCommand):
 
 
 class NearestCommand(CurveCommand):
-    """Makes the curve nearest to a sketch that a strip can take, within limits."""
+    """Makes the nearest curve that a strip can take within limits."""
 
     name = "Elastica_Nearest"
     text = QT_TRANSLATE_NOOP("Elastica_Nearest", "Nearest curve to sketch")
@@ -59,13 +59,13 @@ class NearestCommand(CurveCommand):
     shortcut = "Y, N"
 
     def run(self) -> None:
-        """Make the nearest curve as a feature, and open its panel."""
+        """Make the nearest curve as a feature and open its panel."""
         (source, edges), *_ = chosen_curves()
         edit_new(self.text, curves.nearest, source, edges)
 
 
 class BetweenCommand(Command):
-    """The curve that a strip of given length takes between two clamps."""
+    """Draws the curve of a strip of given length between two clamps."""
 
     name = "Elastica_Between"
     text = QT_TRANSLATE_NOOP("Elastica_Between", "Curve of given length")
@@ -77,16 +77,16 @@ class BetweenCommand(Command):
     in_sketch = True
 
     def has_subject(self) -> bool:
-        """A sketch is open."""
+        """Return True if a sketch is open."""
         return edited_sketch() is not None
 
     def run(self) -> None:
-        """Begin to draw between two clamps, or end it."""
+        """Start or end the drawing between two clamps."""
         between_clamps.switch()
 
 
 class ProjectiveCommand(CurveCommand):
-    """Four handles about a curve; what could be bent still can."""
+    """Edits a curve by four handles. A curve that can be bent stays bendable."""
 
     name = "Elastica_Projective"
     text = QT_TRANSLATE_NOOP("Elastica_Projective", "Projective edit")
@@ -112,16 +112,16 @@ class SectionCommand(Command):
     )
 
     def has_subject(self) -> bool:
-        """Something to cut is selected."""
+        """Return True if something to cut is selected."""
         return answers(_bodies_and_path)
 
     def run(self) -> None:
-        """Make the curves, and open their panel."""
+        """Make the curves and open their panel."""
         edit_new(self.text, curves.section, *_bodies_and_path())
 
 
 def _bodies_and_path() -> tuple[list[Any], Any]:
-    """Bodies to cut; a sketch, a wire or edges selected too are the path that planes stand across."""
+    """Return the bodies to cut and the path of the planes: a selected sketch, wire or chain of edges."""
     paths, others = [], []
     for choice in Gui.Selection.getSelectionEx():
         edges = tuple(name for name in choice.SubElementNames if name.startswith("Edge"))

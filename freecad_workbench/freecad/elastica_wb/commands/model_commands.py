@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Interlock, end fixtures and base plate, nest."""
+"""Commands for models: interlock, end fixtures and base plate, nest."""
 
 import FreeCAD as App
 from freecad.elastica_wb.commands.command import Command, answers, show_panel, undo_step
@@ -18,15 +18,15 @@ from elastica_cad.errors import InputError
 
 
 class OnParts(Command):
-    """A command that needs something that can be cut."""
+    """A command that needs an object to cut."""
 
     def has_subject(self) -> bool:
-        """Strips, models or base plates are selected, or alone in the document."""
+        """Return True if strips, models or base plates are selected, or if the document determines them."""
         return answers(chosen_sources)
 
 
 class InterlockCommand(Command):
-    """Slots where strips cross, so that they slide into each other."""
+    """Makes slots where strips cross, so that they slide into each other."""
 
     name = "Elastica_Interlock"
     text = QT_TRANSLATE_NOOP("Elastica_Interlock", "Interlock selected strips")
@@ -36,11 +36,11 @@ class InterlockCommand(Command):
     shortcut = "Y, I"
 
     def has_subject(self) -> bool:
-        """Two strips or more are selected."""
+        """Return True if two or more strips are selected."""
         return answers(chosen_strips, least=2)
 
     def run(self) -> None:
-        """Make the model, hide the single strips behind it, and open the panel."""
+        """Make the model, hide its single strips, and open the panel."""
         strips = chosen_strips(least=2)
         record_step(App.ActiveDocument, self.text)
         made = recorded(model.create, App.ActiveDocument, strips)
@@ -51,7 +51,7 @@ class InterlockCommand(Command):
         for strip in strips:
             if not failed:
                 record_value(strip, "Visibility", False)
-            elif strip.Visibility:  # there is nothing in their place until it can be made
+            elif strip.Visibility:  # nothing replaces the strip until the model can be made
                 record_value(strip, "ShownByError", True)
         show_panel(panel_of, made)
 
@@ -72,7 +72,7 @@ class FixturesCommand(OnParts):
 
 
 class NestCommand(OnParts):
-    """Lays all parts on sheets."""
+    """Arranges all parts on sheets."""
 
     name = "Elastica_Nest"
     text = QT_TRANSLATE_NOOP("Elastica_Nest", "Nest on sheets")
@@ -82,7 +82,7 @@ class NestCommand(OnParts):
     )
 
     def run(self) -> None:
-        """Make the nest in front of everything."""
+        """Make the nest in front of all objects."""
         document = App.ActiveDocument
         sources = chosen_sources()
         failed = [said for said in map(why_not_made, sources) if said]
@@ -91,7 +91,7 @@ class NestCommand(OnParts):
         with undo_step(document, self.text):
             made = recorded(nest.create, document, sources)
             record_recompute(document)
-        if "Invalid" in made.State:  # it stays: other sheets may take the parts
+        if "Invalid" in made.State:  # keep it, because the parts may fit on other sheets
             tell(made.getStatusString())
         elif made.LeftOut or made.Reports:
             tell("\n".join([*made.LeftOut, *made.Reports]))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What is selected, and which sketch is open."""
+"""The user's selection, and the open sketch."""
 
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -30,18 +30,18 @@ from freecad.elastica_wb.live.sketches import edited_sketch, followers
 
 from elastica_cad.errors import InputError
 
-JOIN_MM = 1e-4  # as edges are joined that a strip follows
+JOIN_MM = 1e-4  # as for the edges of a strip
 LINE = "Part::GeomLine"
 OPEN = ("Edge", "Wire", "Compound")  # kinds of shapes that may be a curve
 
 
 def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
-    """The selected sketches and chains of edges, each with the names of its edges; a body stands for its sketch.
+    """Return the selected sketches and chains of edges, with names of edges. A body is replaced by its sketch.
 
     Raises
     ------
     InputError
-        Nothing of that kind is selected, or a body in which it is not clear which sketch is meant.
+        No curve is selected, or the selected body has several candidate sketches.
     """
     found: list[tuple[Any, tuple[str, ...]]] = []
     meant = _picked()
@@ -74,7 +74,10 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
 
 
 def _picked() -> dict[Any, list[str]]:
-    """What is selected, and which parts of it; through links these are parts of the link."""
+    """Return the selected objects and the names of their selected parts.
+
+    A part that is seen through a link belongs to the link.
+    """
     found: dict[Any, list[str]] = {}
     for choice in Gui.Selection.getSelectionEx("", 0):
         for path in choice.SubElementNames or ("",):
@@ -84,7 +87,7 @@ def _picked() -> dict[Any, list[str]]:
 
 
 def _sketch_in(body: Any) -> Any:
-    """The sketch in a body of which nothing is made: no feature of the body, and where one is left, no strip."""
+    """Return the only sketch of a body that no other feature uses, preferably without a strip."""
     drawn = [one for one in body.Group if is_sketch(one)]
     users = {one: [user for user in one.InList if user is not body] for one in drawn}
     ours = [one for one in drawn if all(map(is_ours, users[one]))]
@@ -106,7 +109,7 @@ def _sketch_in(body: Any) -> Any:
 
 
 def _are_pieces(curves: Sequence[tuple[Any, tuple[str, ...]]]) -> bool:
-    """Are they straight edges of different objects, some of which meet in a row of three or more?"""
+    """Return True if all are straight edges of different objects, and three or more of them join in a row."""
     shapes = [source.Shape for source, names in curves if not names and not is_sketch(source)]
     lines = [shape.Edges[0] for shape in shapes if [e.Curve.TypeId for e in shape.Edges] == [LINE]]
     if not 3 <= len(lines) == len(curves):
@@ -115,7 +118,10 @@ def _are_pieces(curves: Sequence[tuple[Any, tuple[str, ...]]]) -> bool:
 
 
 def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
-    """Names of edges, those together that touch each other; sections are curves that were divided on purpose."""
+    """Return the names of edges in connected chains.
+
+    Edges of a section stay separate, because they were split on purpose.
+    """
     if is_section(source):
         return [(name,) for name in names]
     chains: list[tuple[list[str], list[Any]]] = []
@@ -134,7 +140,7 @@ def _has_curves(shape: Any) -> bool:
 
 
 def is_curve_chosen() -> bool:
-    """Tell whether `chosen_curves` could answer, without computing shapes."""
+    """Return True if `chosen_curves` would probably succeed. No shapes are computed."""
     if edited_sketch() is not None or _only_sketch() is not None:
         return True
     return any(
@@ -154,7 +160,7 @@ def _may_be_open(shape: Any) -> bool:
 
 
 def _only_sketch() -> Any:
-    """With nothing selected, the only sketch of the document that no strip follows yet."""
+    """If nothing is selected, return the only sketch of the document that no strip follows, or None."""
     if Gui.Selection.hasSelection() or App.ActiveDocument is None:
         return None
     free = [obj for obj in App.ActiveDocument.findObjects("Sketcher::SketchObject") if not followers(obj)]
@@ -162,12 +168,12 @@ def _only_sketch() -> Any:
 
 
 def chosen_sketch() -> Any:
-    """Return the selected sketch, or the one in edit.
+    """Return the selected sketch or the open sketch.
 
     Raises
     ------
     InputError
-        Something else is selected, or nothing.
+        No sketch is selected.
     """
     (source, edges), *_ = chosen_curves()
     sketch = linked(source)
@@ -177,33 +183,33 @@ def chosen_sketch() -> Any:
 
 
 def chosen_sources() -> list[Any]:
-    """The selected strips, models and base plates, and what shows them; where none is selected, the document's.
+    """Return the selected strips, models, base plates and copies of these, or else those of the document.
 
-    A flat part with the slots of a model stands for the model: its strip alone has none. Links, arrays and clones
-    stand for themselves, with all that they show; containers stand for what is in them.
+    A flat part with the slots of a model is replaced by the model. Links, arrays and clones stay, with everything
+    they show. Containers are replaced by their contents.
 
     Raises
     ------
     InputError
-        Nothing of that kind; nothing is selected, and it is not clear which strips are meant.
+        No such object is selected, or nothing is selected and the document has several strips.
     """
     found = _sources(one for obj in Gui.Selection.getSelection() for one in contents(obj))
     return found or _all_sources() or chosen_strips()
 
 
 def _sources(objects: Iterable[Any]) -> list[Any]:
-    """What among objects is cut or shows what is cut, each once."""
+    """Return the objects that are cut or that show objects to cut, each once."""
     meant = dict.fromkeys(filter(None, map(cut_for, objects)))
     return not_repeated(one for one in meant if any(_may_be_cut(own) for own in originals(one)))
 
 
 def _may_be_cut(obj: Any) -> bool:
-    """Is it cut, or a broken link? That is not left out in silence: who asks for its pieces is told."""
+    """Return True if an object is cut or is a broken link. A broken link is kept so that an error reports it."""
     return is_cut(cut_for(obj)) or is_broken_link(obj)
 
 
 def _all_sources() -> list[Any]:
-    """The models and base plates of the document with the strips that stand on these; else its only strip."""
+    """Return the models and base plates of the document with the strips on these plates, or else its only strip."""
     objects = App.ActiveDocument.Objects
     found = _sources(
         obj for obj in objects if _may_show(obj) and contents(obj) == [obj] and not is_broken_link(obj)
@@ -217,17 +223,17 @@ def _all_sources() -> list[Any]:
 
 
 def _may_show(obj: Any) -> bool:
-    """Could what is cut be seen in it? A quick look: ours and Draft's are made in Python."""
+    """Return True if an object may show objects to cut. A quick check: our objects and Draft's have a proxy."""
     return obj.TypeId in COPYING or hasattr(obj, "Proxy")
 
 
 def chosen_strips(*, least: int = 1) -> list[Any]:
-    """The selected strips, through their flat parts and all that shows them; the only one of a document by itself.
+    """Return the selected strips, also through flat parts and copies, or the only strip of the document.
 
     Raises
     ------
     InputError
-        Fewer than `least` of them.
+        There are fewer than `least` strips.
     """
     shown = [own for obj in Gui.Selection.getSelection() for own in originals(obj)]
     strips = [one.Strip if is_flat(one) else one for one in shown]

@@ -27,12 +27,12 @@ class OnStrips(Command):
     in_sketch = True
 
     def has_subject(self) -> bool:
-        """A strip is selected, or it is the only one."""
+        """Return True if a strip is selected, or is the only strip of the document."""
         return answers(chosen_strips)
 
 
 class StripCommand(CurveCommand):
-    """Makes the bent strip on the curve and its flat part, and opens the panel with sheet and widths."""
+    """Makes a bent strip on the curve and its flat part, and opens the panel with sheet and widths."""
 
     name = "Elastica_Strip"
     text = QT_TRANSLATE_NOOP("Elastica_Strip", "Strip from sketch")
@@ -43,9 +43,9 @@ class StripCommand(CurveCommand):
     shortcut = "Y, S"
 
     def run(self) -> None:
-        """One strip for every selected curve, and one panel for all."""
+        """Make a strip for every selected curve, and open one panel for all strips."""
         curves = chosen_curves()
-        record_step(App.ActiveDocument, self.text)  # first, or it bears FreeCAD's name for closing the sketch
+        record_step(App.ActiveDocument, self.text)  # first, else FreeCAD names the step itself
         if edited_sketch() is not None:
             Gui.ActiveDocument.resetEdit()
         made = [recorded(make_strip, source, edges, flat_part=False) for source, edges in curves]
@@ -58,11 +58,11 @@ class StripCommand(CurveCommand):
 
 def _add_flat(one: Any, layer: str = "Base") -> None:
     recorded(flat.create, one.Document, one, layer)
-    record_recompute(one.Document)  # the next one lies beside it
+    record_recompute(one.Document)  # so that the next strip is placed beside it
 
 
 def _even_out(strip: Any, style: str) -> None:
-    """A strip of even width, as wide as the plain one was where no outer width of its own was asked for."""
+    """Give a strip a constant width. By default it is the largest width of the plain strip."""
     if (
         strip.Style == "Plain"
         and strip.MaxWidth.Value
@@ -73,7 +73,7 @@ def _even_out(strip: Any, style: str) -> None:
 
 
 class EditCommand(OnStrips):
-    """One panel for all selected strips: what is changed in it is changed in all."""
+    """One panel for all selected strips. Each change applies to all of them."""
 
     name = "Elastica_Edit"
     text = QT_TRANSLATE_NOOP("Elastica_Edit", "Edit strips")
@@ -86,7 +86,7 @@ class EditCommand(OnStrips):
 
 
 class PerforateCommand(OnStrips):
-    """The strip keeps one width; holes make it as soft as it must be."""
+    """Keeps the width constant and reduces the stiffness by holes."""
 
     name = "Elastica_Perforate"
     text = QT_TRANSLATE_NOOP("Elastica_Perforate", "Perforate")
@@ -106,7 +106,7 @@ class PerforateCommand(OnStrips):
 
 
 class LaminateCommand(OnStrips):
-    """The strip keeps one width; a narrower one glued on makes it as stiff as it must be."""
+    """Keeps the width constant and increases the stiffness by a narrower strip glued on."""
 
     name = "Elastica_Laminate"
     text = QT_TRANSLATE_NOOP("Elastica_Laminate", "Laminate")
@@ -129,7 +129,7 @@ class LaminateCommand(OnStrips):
 
 
 class BendCommand(OnStrips):
-    """Moves or turns an end of a strip, and shows how the strip follows."""
+    """Moves or turns an end of a strip and shows the new shape."""
 
     name = "Elastica_Bend"
     text = QT_TRANSLATE_NOOP("Elastica_Bend", "Bend forward")
@@ -144,7 +144,7 @@ class BendCommand(OnStrips):
 
 
 class ToleranceCommand(OnStrips):
-    """How far the strip strays when sheet, cut and clamps are not as designed."""
+    """Shows how far a strip deviates if sheet, cut and clamps are not as designed."""
 
     name = "Elastica_Tolerance"
     text = QT_TRANSLATE_NOOP("Elastica_Tolerance", "Tolerance study")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Commands of the workshop: coupons, cutting files, sheets."""
+"""Commands for the workshop: coupon, cutting files, sheets."""
 
 import FreeCAD as App
 from freecad.elastica_wb.commands.command import Command, show_panel
@@ -15,7 +15,7 @@ from freecad.elastica_wb.panels.sheets import SheetsPanel
 
 
 class CouponCommand(Command):
-    """Makes a strip to cut, hang over an edge and measure; the readings make a sheet of the user's own."""
+    """Makes a test strip to cut, hang over an edge and measure. The readings give the user's sheet."""
 
     name = "Elastica_Coupon"
     text = QT_TRANSLATE_NOOP("Elastica_Coupon", "Coupon and calibrate")
@@ -47,7 +47,7 @@ class ExportCommand(OnParts):
 
 
 class SheetsCommand(Command):
-    """Shows the built-in sheets, and edits the user's own."""
+    """Shows the built-in sheets and edits the user's sheets."""
 
     name = "Elastica_Sheets"
     text = QT_TRANSLATE_NOOP("Elastica_Sheets", "Sheet library")
@@ -62,7 +62,7 @@ class SheetsCommand(Command):
 
 
 class ExampleCommand(Command):
-    """Something to look at and to change, in a document of its own."""
+    """Opens an example in a new document."""
 
     name = "Elastica_Example"
     text = QT_TRANSLATE_NOOP("Elastica_Example", "Open an example")
@@ -72,9 +72,9 @@ class ExampleCommand(Command):
     )
 
     def has_subject(self) -> bool:
-        """It needs nothing."""
+        """Return True: the command needs nothing."""
         return True
 
     def run(self) -> None:
-        """Make the document."""
+        """Make the example document."""
         open_example()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What links, arrays, clones, images and containers show: the originals, and where each copy of them stands."""
+"""Originals behind links, arrays, clones, mirror images and containers, with the placement of every copy."""
 
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -18,33 +18,34 @@ Shown = tuple[Any, App.Matrix]
 MIRRORING = "Part::Mirroring"
 COMPOUND = "Part::Compound"
 BASE = "PartDesign::FeatureBase"
-"""What a body begins with that was made from an object outside."""
+"""Type of the first feature in a body that was made from an object outside."""
 
 PATTERNS = tuple(
     f"PartDesign::{kind}"
     for kind in ("Mirrored", "LinearPattern", "PolarPattern", "Scaled", "MultiTransform")
 )
-"""What repeats features inside a body: one solid with them, or left out where it does not touch."""
+"""Types that repeat features inside a body. The copies join one solid, or are left out if they do not touch it."""
 
 COPYING = ("App::Link", "App::LinkGroup", MIRRORING, COMPOUND, BASE, *PATTERNS)
-"""Kinds of objects of FreeCAD itself, not made in Python, that may show copies."""
+"""Types of FreeCAD's compiled objects that may show copies."""
 
 SAME = App.Vector(1, 1, 1)
 AXES = (App.Vector(1, 0, 0), App.Vector(0, 1, 0), App.Vector(0, 0, 1))
 TURNED_OVER = App.Matrix(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1)
-"""z to -z: an image is what is turned over so, moved as it is."""
+"""Maps z to -z. A mirror image is its original, turned over like this and then moved."""
 
 
 def copies(obj: Any) -> Iterator[Standing]:
-    """The originals that an object shows, each with the place in the document of its shape without its placement.
+    """Yield the originals that an object shows, each with the placement of the copy and whether it is mirrored.
 
-    An image stands at the place of its original after z -> -z, and says so. A body's pattern is no copy: it is one
-    solid with what it repeats.
+    The placement is in document coordinates and applies to the shape without its own placement. A mirror image is
+    turned over (z to -z) before it is placed. A body's pattern is not a copy, because it forms one solid with its
+    originals.
 
     Raises
     ------
     InputError
-        One of them is shown in another size, or is a link to what is not there.
+        An original is scaled, or a link is broken.
     """
     for one, place in _copies(obj, _place(obj).toMatrix()):
         is_image = place.determinant() < 0
@@ -57,8 +58,9 @@ def turned_over(place: App.Placement) -> App.Placement:
 
 
 def originals(obj: Any) -> list[Any]:
-    """Return the objects that an object shows in the end, each once; an object that is no copy or container is
-    itself.
+    """Return the originals that an object shows, each once.
+
+    An object that is not a copy or a container is its own original.
     """
     if obj.TypeId in PATTERNS:
         return repeated(obj)
@@ -69,20 +71,21 @@ def originals(obj: Any) -> list[Any]:
 
 
 def repeated(obj: Any) -> list[Any]:
-    """Return the features that a body's pattern repeats; none for all other objects."""
+    """Return the features that a body's pattern repeats, or [] for other objects."""
     if obj.TypeId not in PATTERNS or getattr(obj, "Suppressed", False):
         return []
-    return list(obj.Originals or filter(None, [obj.BaseFeature]))  # newer releases repeat all before it, too
+    return list(obj.Originals or filter(None, [obj.BaseFeature]))  # newer releases also repeat earlier ones
 
 
 def contents(obj: Any) -> list[Any]:
-    """An object, or what is inside a container: what else shows copies stays as it is."""
+    """Return the objects inside a container, or the object itself. Other kinds of copies are not opened."""
     return [one for one, _ in _inside(obj)] if _is_container(obj) else [obj]
 
 
 def not_repeated(objects: Iterable[Any]) -> list[Any]:
-    """Objects but those that others among them show in their place: what arrays of Draft and bodies are based on,
-    strips of models, what Part's compounds hold.
+    """Return the objects without those that another of the objects shows in its place.
+
+    Such are the bases of Draft arrays and of bodies, the strips of models, and the members of Part compounds.
     """
     objects = list(objects)
     shown = [one.Base for one in objects if _is_draft(one, "Array")]
@@ -120,7 +123,7 @@ def _own(obj: Any) -> App.Placement:
 
 
 def _parts(obj: Any) -> list[Shown] | None:
-    """What an object shows, each at its place in it; None where that is itself."""
+    """Return the parts that an object shows, with their placements in it, or None if it shows itself."""
     if obj.TypeId == MIRRORING:
         return [(obj.Source, _mirror(obj) * _own(obj.Source).toMatrix())] if obj.Source else None
     placed = _placed_parts(obj)
@@ -128,7 +131,7 @@ def _parts(obj: Any) -> list[Shown] | None:
 
 
 def _mirror(obj: Any) -> App.Matrix:
-    """The mirror of a `Part::Mirroring`, before its own placement."""
+    """Return the reflection of a `Part::Mirroring`, without its placement."""
     normal = App.Vector(obj.Normal).normalize()
     rows = [axis - normal * (2 * normal.dot(axis)) for axis in AXES]
     shift = normal * (2 * normal.dot(obj.Base))
@@ -137,13 +140,13 @@ def _mirror(obj: Any) -> App.Matrix:
 
 
 def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
-    """What an object shows as it is, not mirrored."""
+    """Return the parts that an object shows unmirrored."""
     if _is_container(obj):
         inside = _inside(obj)
         kept = not_repeated(one for one, _ in inside)
         return [(one, where) for one, where in inside if one in kept]
     if _is_draft(obj, "Clone"):
-        if len(obj.Objects) == 1:  # it keeps no place of its original
+        if len(obj.Objects) == 1:  # a clone of one object ignores its placement
             return [(obj.Objects[0], App.Placement())]
         return [(one, _own(one)) for one in obj.Objects]
     if obj.TypeId == "App::LinkGroup":
@@ -156,7 +159,7 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
     shown = obj.Base if is_array else link_target(obj)
     if shown is None:
         return None
-    if is_array and not hasattr(obj, "LinkTransform"):  # it keeps shapes only
+    if is_array and not hasattr(obj, "LinkTransform"):  # this array stores only shapes
         inner = obj.Placement.inverse()
         return [(shown, inner * one.Placement) for one in obj.Shape.childShapes()]
     own = shown.Placement if obj.LinkTransform else App.Placement()
@@ -166,7 +169,7 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
 
 
 def _inside(group: Any) -> list[tuple[Any, App.Placement]]:
-    """What is in a container and in those in it, each at its place there."""
+    """Return all objects in a container and its containers, with their placements in it."""
     found: list[tuple[Any, App.Placement]] = []
     for child in group.Group:
         own = _own(child)
@@ -187,6 +190,6 @@ def _is_container(obj: Any) -> bool:
 
 
 def _is_draft(obj: Any, kind: str) -> bool:
-    """Is it an array or a clone of FreeCAD's Draft workbench, whose kinds of arrays are `Array`, `PathArray`...?"""
+    """Return True for a Draft object of a kind. Kinds of arrays end in `Array` (`PathArray`), clones in `Clone`."""
     found = getattr(getattr(obj, "Proxy", None), "Type", None)
     return isinstance(found, str) and found.endswith(kind)

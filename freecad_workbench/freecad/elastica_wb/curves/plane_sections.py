@@ -38,7 +38,7 @@ FAMILIES = ("parallel", "about an axis", "along a path")
 CLOSED = ("left out", "left and right", "above and below")
 
 SECTION_POINTS = 240  # along a wire of a section, at least a quarter of that along each of its edges
-PATH_POINTS = 400  # planes along a path stand across it to a fraction of a degree
+PATH_POINTS = 400  # planes along a path are perpendicular to it within a fraction of a degree
 JOIN_MM = 1e-4  # OpenCASCADE's sections leave gaps of up to 1e-5 mm between faces
 
 STOPPED = "nothing was changed; take fewer planes, or try again"
@@ -46,7 +46,7 @@ STOPPED = "nothing was changed; take fewer planes, or try again"
 
 @dataclass(frozen=True, eq=False)
 class Family:
-    """Planes that an object is cut by.
+    """Planes that cut an object.
 
     Parameters
     ----------
@@ -54,13 +54,13 @@ class Family:
         One of `FAMILIES`.
     count : int
     axis : str
-        Parallel planes stand across it, radial half planes about it.
+        Normal of parallel planes, or axis at which radial half planes end.
     through : (3,) sequence, optional
-        A point of the axis of radial planes, mm; the middle of the object unless given.
+        A point of the axis of radial planes, mm; by default the middle of the object.
     sweep : float
-        Angle that radial planes are spread over, degrees.
+        Angle over which radial planes are spread, degrees.
     path : (n, 3) array, optional
-        Points that planes stand across, mm.
+        Points of a path that the planes cross at right angles, mm.
     """
 
     kind: str = "parallel"
@@ -72,16 +72,16 @@ class Family:
 
     @property
     def half(self) -> bool:
-        """Are they half planes, that end at an axis?"""
+        """True for half planes that end at an axis."""
         return self.kind == "about an axis"
 
     def planes(self, box: Any) -> list[tuple[str, Frame]]:
-        """Return name and plane of each cut, for an object in the bounding box `box`.
+        """Return name and plane of each cut through an object in the bounding box `box`.
 
         Raises
         ------
         InputError
-            No such axis or family, no planes, no path.
+            The axis or family is unknown, or planes or path are missing.
         """
         if self.kind not in FAMILIES or self.axis not in AXES or self.count < 1:
             raise InputError("choose a family, an axis (X, Y or Z) and one plane or more")
@@ -115,12 +115,12 @@ class Family:
 
 
 def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
-    """The objects with faces or triangles; datum planes are none.
+    """Return the objects with faces or triangles, without datum planes.
 
     Raises
     ------
     InputError
-        There is none.
+        There is no such object.
     """
     found = [obj for obj in objects if _has_triangles(obj) or _has_faces(obj)]
     if not found:
@@ -129,18 +129,18 @@ def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
 
 
 def is_path(obj: Any) -> bool:
-    """Can planes stand across this object? It has edges and no faces."""
+    """Return True if an object can be a path for planes: it has edges and no faces."""
     shape = _shape(obj)
     return bool(shape.Edges) and not shape.Faces
 
 
 def path_points(source: Any, names: Iterable[str] = ()) -> FloatArray:
-    """Points (n, 3) in the document along the edges of an object that follow each other.
+    """Return points (n, 3) in document coordinates along the connected edges of an object.
 
     Raises
     ------
     InputError
-        No edges, edges in several chains, or without an end.
+        There are no edges, several chains of edges, or infinite edges.
     """
     shape = _shape(source)
     edges = [shape.getElement(name) for name in names] or shape.Edges
@@ -160,7 +160,7 @@ def box_of(source: Any) -> Any:
     """Return the bounding box of an object in document coordinates."""
     mesh = _mesh(source)
     if mesh is None:
-        return _shape(source).optimalBoundingBox(False)  # that of poles is wider
+        return _shape(source).optimalBoundingBox(False)  # the box of the poles is larger
     box = App.BoundBox()
     for point in mesh[0][[*np.argmin(mesh[0], axis=0), *np.argmax(mesh[0], axis=0)]]:
         box.add(App.Vector(*point.tolist()))
@@ -168,14 +168,14 @@ def box_of(source: Any) -> Any:
 
 
 def cut(source: Any, family: Family, step: Step | None = None) -> list[PlaneSection]:
-    """Cut a body, a surface or a mesh by the planes of a family; the sections are in document coordinates.
+    """Cut a body, a surface or a mesh by the planes of a family, in document coordinates.
 
     Raises
     ------
     InputError
-        A mesh that is none, a family without planes.
+        The mesh is invalid, or the family has no planes.
     NotConvergedError
-        `step`, told how many planes are done, said no.
+        `step`, called with the number of finished planes, returned False.
     """
     planes = family.planes(box_of(source))
     mesh = _mesh(source)
@@ -199,7 +199,7 @@ def curves_of(
     closed: str = CLOSED[0],
     step: Step | None = None,
 ) -> tuple[list[SectionCurve], list[str]]:
-    """Fit a smooth curve to every open section line; also return a sentence for each one that gave no curve."""
+    """Fit a smooth curve to every open section line, and return a message for every line without a curve."""
     curves: list[SectionCurve] = []
     remarks: list[str] = []
     for i, section in enumerate(sections):
@@ -214,7 +214,7 @@ def curves_of(
 
 
 def section_sketches(document: Any, source: Any, curves: Sequence[SectionCurve]) -> list[Any]:
-    """Make a sketch of every curve; several of them go into a group."""
+    """Make a sketch of every curve, and put several sketches into a group."""
     sketches = []
     for found in curves:
         sketch = document.addObject("Sketcher::SketchObject", "Section")
@@ -231,7 +231,7 @@ def section_sketches(document: Any, source: Any, curves: Sequence[SectionCurve])
 
 
 def _shape(obj: Any) -> Part.Shape:
-    """The shape of an object or a link in the document."""
+    """Return the shape of an object or a link, in document coordinates."""
     shape = Part.getShape(obj)
     if not shape.isNull():
         shape.Placement = container(obj) * shape.Placement
@@ -239,7 +239,7 @@ def _shape(obj: Any) -> Part.Shape:
 
 
 def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
-    """Vertices in the document and triangles of a mesh or a link to one; None for anything else."""
+    """Return vertices (document coordinates) and triangles of a mesh or a linked mesh. None for other objects."""
     source = _meshed(obj)
     if source is None:
         return None
@@ -253,21 +253,21 @@ def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
 
 
 def _state(source: Any) -> tuple[float, ...]:
-    """What tells a mesh from the one that it was."""
+    """Return numbers that change when a mesh changes."""
     mesh = source.Mesh
     return (mesh.CountPoints, mesh.CountFacets, mesh.Area, mesh.Volume, *source.Placement.toMatrix().A)
 
 
 @lru_cache(maxsize=4)
 def _arrays(document: str, name: str, *_state: float) -> tuple[FloatArray, Any]:
-    """Vertices and triangles as arrays: FreeCAD gives them one by one, which takes a second for a million."""
+    """Return vertices and triangles as arrays. Cached, because FreeCAD takes a second for a million points."""
     points, faces = App.getDocument(document).getObject(name).Mesh.Topology
     vertices = check_places(np.array([tuple(p) for p in points]).reshape(-1, 3))
     return vertices, np.array(faces, dtype=int).reshape(-1, 3)
 
 
 def _meshed(obj: Any) -> Any:
-    """The mesh object itself, behind a link too; None for anything else."""
+    """Return the mesh object, or the mesh that a link shows. None for other objects."""
     source = obj.getLinkedObject() if hasattr(obj, "getLinkedObject") else obj
     return source if source is not None and source.isDerivedFrom("Mesh::Feature") else None
 
@@ -279,11 +279,11 @@ def _has_triangles(obj: Any) -> bool:
 
 def _has_faces(obj: Any) -> bool:
     shape = _shape(obj)
-    return bool(shape.Faces) and is_bounded(shape.BoundBox)  # a datum plane has one, and no end
+    return bool(shape.Faces) and is_bounded(shape.BoundBox)  # a datum plane has an infinite face
 
 
 def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> PlaneSection:
-    """As `mesh_sections` answers, for a shape."""
+    """Return the section of a shape, as `mesh_sections` does for a mesh."""
     wires = shape.slice(App.Vector(*frame.z_axis), float(frame.z_axis @ frame.origin))
     chains = [chain for wire in wires for chain in _joined(_edge_points(wire.OrderedEdges))]
     closed = [points for points in chains if np.all(points[0] == points[-1])]
@@ -293,13 +293,13 @@ def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> Pl
 
 
 def _edge_points(edges: Sequence[Part.Edge]) -> list[FloatArray]:
-    """Points (n, 3) along each edge of a wire. Some wires through a pole end FreeCAD when divided whole."""
+    """Return points (n, 3) along each edge of a wire. FreeCAD crashes on some wires through a pole as a whole."""
     count = max(SECTION_POINTS // len(edges), SECTION_POINTS // 4)
     return [np.array([tuple(p) for p in edge.discretize(Number=count)]) for edge in edges]
 
 
 def _joined(lines: Iterable[FloatArray]) -> list[FloatArray]:
-    """Lines that follow each other as one, first and last point the same where it is closed."""
+    """Join connected lines. A closed line has the same first and last point."""
     joined = []
     for run in join_runs([(Edge.polyline(line),) for line in lines], JOIN_MM).chains:
         points = np.concatenate([run[0].points, *(edge.points[1:] for edge in run[1:])])
@@ -310,7 +310,7 @@ def _joined(lines: Iterable[FloatArray]) -> list[FloatArray]:
 
 
 def _opened(line: SectionLine, closed: str) -> tuple[SectionLine, ...]:
-    """A closed line in two halves, where that is asked for."""
+    """Split a closed line into two halves, if `closed` requests it."""
     if not line.is_closed or closed == CLOSED[0]:
         return (line,)
     middle = (line.points.min(axis=0) + line.points.max(axis=0)) / 2
@@ -319,7 +319,7 @@ def _opened(line: SectionLine, closed: str) -> tuple[SectionLine, ...]:
 
 
 def _called(section: PlaneSection, label: str, place: str) -> PlaneSection:
-    """The section under a name that says of what it is and where."""
+    """Return the section with names that contain its source and place."""
     name = note("{source}, {section} ({place})", source=label, section=section.name, place=place)
     lines = tuple(
         replace(

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The curve that a feature follows: found in a sketch or an object, with the plane it lies in."""
+"""The curve that a feature follows, read from a sketch or an object, with its plane."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -19,7 +19,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import note
 
 MOST_DRAGGED = 24
-"""Poles that a hand can still drag; more are hidden, as FreeCAD 1.1's solver moves curves of so many circles."""
+"""Largest number of poles that can be dragged. More poles are hidden, or FreeCAD 1.1's solver moves the curve."""
 
 SKETCH = "Sketcher::SketchObject"
 LINK = "App::Link"
@@ -27,7 +27,7 @@ LINK = "App::Link"
 
 @dataclass(frozen=True, eq=False)
 class DrawnCurve:
-    """A drawn curve with its plane in the container of what follows it, and with its plane in the document."""
+    """A drawn curve with its plane, in the coordinates of the follower's container and of the document."""
 
     curve: PlaneCurve
     placement: App.Placement
@@ -35,17 +35,17 @@ class DrawnCurve:
 
     @property
     def plane(self) -> Frame:
-        """The curve's plane in the whole document."""
+        """The curve's plane in document coordinates."""
         return frame_of(self.world)
 
 
 def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
-    """The curve behind a link (object, names of edges), seen from where `follower` stands.
+    """Return the curve of a link (object, names of edges), in the coordinates of `follower`.
 
     Raises
     ------
     InputError
-        No link, nothing to follow in it, or what `shapes.plane_curve` refuses.
+        The link is empty, there is no curve in it, or as `shapes.plane_curve`.
     """
     source, names = link if isinstance(link, tuple) else (link, ())
     if source is None:
@@ -61,7 +61,7 @@ def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
 
 
 def sketch_curve(sketch: Any, geometry: list[Any] | None = None) -> PlaneCurve:
-    """The only curve of a sketch in its own x and y; `geometry` replaces what the sketch holds."""
+    """Return the only curve of a sketch, in sketch coordinates. `geometry` replaces the geometry of the sketch."""
     curve, frame = plane_curve(_drawn_in(sketch, geometry))
     if abs(frame.z_axis[2] - 1) > 1e-12:
         raise InputError("{sketch} is not plane", sketch=sketch.Label)
@@ -69,7 +69,7 @@ def sketch_curve(sketch: Any, geometry: list[Any] | None = None) -> PlaneCurve:
 
 
 def read_line(link: Any, geometry: list[Any] | None = None) -> str:
-    """Return the line on what was read of a link (object, names of edges); `geometry` as in `sketch_curve`."""
+    """Return a line on the geometry of a link (object, names of edges). `geometry` as in `sketch_curve`."""
     source, edges = link
     whole = is_sketch(source) and not edges
     drawn = _drawn_in(source, geometry) if whole else _edges(source, edges)
@@ -77,7 +77,7 @@ def read_line(link: Any, geometry: list[Any] | None = None) -> str:
 
 
 def _drawn_in(sketch: Any, geometry: list[Any] | None) -> list[Any]:
-    """The curves of a sketch, or of `geometry`, that are not construction geometry."""
+    """Return the curves of a sketch, or of `geometry`, without construction geometry."""
     everything = list(sketch.Geometry) if geometry is None else geometry
     drawn = [
         g for i, g in enumerate(everything) if not isinstance(g, Part.Point) and not sketch.getConstruction(i)
@@ -90,24 +90,24 @@ def _drawn_in(sketch: Any, geometry: list[Any] | None) -> list[Any]:
 
 
 def is_blank(sketch: Any) -> bool:
-    """Is there nothing in a sketch that could be a curve?"""
+    """Return True if a sketch holds no geometry that could be a curve."""
     geometry = enumerate(sketch.Geometry)
     return all(isinstance(g, Part.Point) or sketch.getConstruction(i) for i, g in geometry)
 
 
 def is_sketch(source: Any) -> bool:
-    """Is this object a sketch?"""
+    """Return True if this object is a sketch."""
     return bool(source.isDerivedFrom(SKETCH))
 
 
 def linked(obj: Any) -> Any:
-    """Return the object that a link, or one of an array of links, shows; everything else is returned as it is."""
+    """Return the object that a link or an element of a link array shows. Other objects are returned unchanged."""
     shown = link_target(obj)
     return obj if shown is None else linked(shown)
 
 
 def link_target(obj: Any) -> Any:
-    """Return the object a link points at, inside a container too; None for a broken link and for all else."""
+    """Return the target of a link, also inside a container. None for a broken link and for other objects."""
     shown = getattr(obj, "LinkedObject", None) if obj.TypeId.startswith(LINK) else None
     return obj.getLinkedObject(False) if isinstance(shown, tuple) else shown
 
@@ -115,10 +115,10 @@ def link_target(obj: Any) -> Any:
 def picked(root: Any, path: str) -> tuple[Any, str]:
     """Return the object picked along a path (`Part.Body.Pad.Edge3`), and the name of the picked element in it.
 
-    What is seen through a link is the link's: the original stands elsewhere.
+    An element that is seen through a link belongs to the link, because the original is in another place.
     """
     along = root.getSubObjectList(path)
-    # FreeCAD 1.1 adds its name of an element by how it came about (;#14:1;...), which the next change makes another
+    # FreeCAD 1.1 adds names by the history of an element (;#14:1;...), which change with the next edit
     names = [name for name in path.split(".") if not name.startswith(";")]
     for i, one in enumerate(along):
         if one.TypeId.startswith(LINK):
@@ -127,17 +127,17 @@ def picked(root: Any, path: str) -> tuple[Any, str]:
 
 
 def is_edge(name: str) -> bool:
-    """Is this the name of an edge, perhaps at the end of a path?"""
+    """Return True if this is the name of an edge, with or without a path."""
     return name.rpartition(".")[2].startswith("Edge")
 
 
 def edge_called(source: Any, name: str) -> Any:
-    """The element of an object's shape that has this name, or lies at the end of this path.
+    """Return the element of an object's shape with this name or path.
 
     Raises
     ------
     InputError
-        There is none.
+        There is no such element.
     """
     try:
         path = "." in name
@@ -147,7 +147,7 @@ def edge_called(source: Any, name: str) -> Any:
         if element.isNull():
             raise IndexError(name)
     except (ValueError, IndexError, Part.OCCError) as error:
-        called = name.lstrip("?")  # FreeCAD 1.x marks so what it does not find again
+        called = name.lstrip("?")  # FreeCAD 1.x marks names of lost elements
         raise InputError(
             "{source} has no {part} any more: choose the curve anew", source=source.Label, part=called
         ) from error
@@ -161,7 +161,7 @@ def frame_of(placement: App.Placement) -> Frame:
 
 
 def placement_of(frame: Frame) -> App.Placement:
-    """The placement whose z = 0 is the plane of a frame."""
+    """Return the placement whose plane z = 0 is the plane of a frame."""
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = frame.axes.T, frame.origin
     return App.Placement(App.Matrix(*matrix.ravel().tolist()))
@@ -190,31 +190,30 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
 
 
 def _shape(source: Any) -> Any:
-    """Of a link too, which has its own place."""
     return Part.getShape(source)
 
 
 def is_outline(shape: Any) -> bool:
-    """Is it one plane face without holes, as Draft makes of a closed curve? Then its outline is meant."""
+    """Return True if a shape is one plane face without holes, as Draft makes of a closed curve."""
     faces = shape.Faces
-    # FreeCAD's reader of SVG scales faces, which makes a spline surface of a plane
+    # FreeCAD's SVG reader scales faces, which turns a plane into a spline surface
     return len(faces) == 1 and len(shape.Wires) == 1 and faces[0].findPlane() is not None
 
 
 def container(obj: Any) -> App.Placement:
-    """Return the placement of an object's container in the whole document; links have no method for it."""
+    """Return the placement of an object's container in the document. Links have no such method."""
     group = None if obj is None else obj.getParentGeoFeatureGroup()
     return App.Placement() if group is None else group.getGlobalPlacement()
 
 
 def curve_into(sketch: Any, curve: PlaneCurve) -> None:
-    """Replace everything drawn in a sketch by one spline, with its poles to drag where these are not too many.
+    """Replace the curves of a sketch by one spline, with visible poles if they are few enough to drag.
 
     Construction geometry stays.
     """
-    # all at once: FreeCAD takes the poles of a spline away with it, and what comes behind them gets other numbers
+    # in one call, because FreeCAD also deletes a spline's poles, and the numbers of later geometry change
     sketch.delGeometries([i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)])
-    # what it left of the old spline's poles and knots
+    # remaining poles and knots of the old spline
     points = ("Part::GeomCircle", "Part::GeomPoint")
     left = [i for i, g in enumerate(sketch.Geometry) if g.TypeId in points and not _held(sketch, i)]
     sketch.delGeometries(left)
@@ -224,9 +223,9 @@ def curve_into(sketch: Any, curve: PlaneCurve) -> None:
 
 
 def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
-    """Replace one curve of a sketch by a spline, or add the spline for None; return its number.
+    """Replace one curve of a sketch by a spline, or add the spline if `number` is None; return its number.
 
-    Constraints of a spline whose poles are hidden stay; poles that were shown go with the old spline.
+    Constraints of a spline with hidden poles stay. Visible poles are deleted with the old spline.
     """
     spline = spline_geometry(curve)
     if number is not None and _shows_poles(sketch, number):
@@ -246,19 +245,22 @@ def _shows_poles(sketch: Any, number: int) -> bool:
 
 
 def _held(sketch: Any, number: int) -> bool:
-    """Does a constraint of the user speak of this geometry?"""
+    """Return True if a constraint of the user refers to this geometry."""
     return any(
         number in (c.First, c.Second, c.Third) and c.Type not in ("Weight", "Equal")
         for c in sketch.Constraints
     )
 
 
-LEAST_SIDE_SHARE = 0.2  # of the longer side: a box of a straight line is made this wide
-AUTOMATIC = ("InternalAlignment", "Weight", "Equal")  # those that FreeCAD made itself
+LEAST_SIDE_SHARE = 0.2  # of the longer side: smallest side of the box around a straight line
+AUTOMATIC = ("InternalAlignment", "Weight", "Equal")  # constraints that FreeCAD adds
 
 
 def box_around(curve: PlaneCurve) -> FloatArray:
-    """Corners (4, 2) of the box around a curve, anticlockwise from the lower left; never too thin for handles."""
+    """Return the corners (4, 2) of the box around a curve, anticlockwise from the lower left.
+
+    The box is never too thin for handles.
+    """
     low, high = np.array(curve.bounds)
     least = LEAST_SIDE_SHARE * float(np.max(high - low))
     grow = np.maximum(0.0, least - (high - low)) / 2
@@ -267,7 +269,7 @@ def box_around(curve: PlaneCurve) -> FloatArray:
 
 
 def evened(curve: PlaneCurve) -> PlaneCurve:
-    """Return the same curve with weights about 1: the sketcher shows weights as radii of circles."""
+    """Return the same curve with weights about 1, because the sketcher draws weights as radii of circles."""
     if curve.weights is None:
         return curve
     weights = curve.weights / np.exp(np.log(curve.weights).mean())
@@ -275,7 +277,7 @@ def evened(curve: PlaneCurve) -> PlaneCurve:
 
 
 def lost_constraints(sketch: Any) -> int:
-    """How many constraints of the user speak of what is drawn: a new curve has none of them."""
+    """Return the number of the user's constraints on drawn geometry. A new curve loses them."""
     drawn = {i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)}
     return sum(
         bool(drawn & {c.First, c.Second, c.Third}) for c in sketch.Constraints if c.Type not in AUTOMATIC

@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Cutting files of what is in a document."""
+"""Cutting files of a document's parts."""

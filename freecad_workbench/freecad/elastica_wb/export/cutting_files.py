@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Cutting files of what is in a document: DXF, SVG, STEP, nest and cut list, together or not at all."""
+"""Cutting files of a document's parts: DXF, SVG, STEP, nest and cut list. All files are written, or none."""
 
 import csv
 import io
@@ -37,9 +37,7 @@ from elastica_cad.strip.solids import FlatSolid, frame_beside
 
 
 def tell_later_features(obj: Any) -> list[str]:
-    """Return a warning where later features change a strip, a model, a plate or its flat part; files leave them
-    out.
-    """
+    """Return a warning if later features, which the files omit, change a strip, a model or a plate."""
     words = translate(
         "Elastica",
         "{strip} is followed by {later}, which these files leave out: make it in the strip itself "
@@ -53,7 +51,7 @@ KINDS = ("dxf", "svg", "step", "csv", "nest")
 
 
 def cutting_of(*, version: str = "R2010", **options: Any) -> Cutting:
-    """Return the options of cutting files; without ezdxf, DXF files are of version R12."""
+    """Return the options of cutting files. Without ezdxf, DXF files have version R12."""
     return Cutting(version=version if find_spec("ezdxf") else "R12", **options)
 
 
@@ -69,21 +67,21 @@ def write_cutting_files(
 ) -> list[Path]:
     """Write the files of strips, models and base plates into a folder.
 
-    `step` is told how many of the files are written, and says whether to go on; else there are none.
+    `step` is called with the number of written files. If it returns False, no file is kept.
 
     Raises
     ------
     InputError
-        Nothing to write, files that are there already (without `force`), a strip in error, a piece larger than
-        the sheet.
+        There is nothing to write, a file exists (without `force`), a strip failed, or a piece is larger than the
+        sheet.
     NotConvergedError
-        `step` said no.
+        `step` returned False.
     """
     kinds, cuts, cutting = list(kinds), cuts_of(sources), cutting or cutting_of()
     if not kinds:
         raise InputError("there is nothing to write: choose kinds of files")
     pieces = [cut.piece for cut in cuts]
-    # labels that differ may be the same word once it can stand in a file name
+    # different labels may become the same file name
     stems = distinct(piece.file_stem for piece in pieces)
     drawings = [(stem, piece.drawing, piece.sheet) for stem, piece in zip(stems, pieces, strict=True)]
     if "nest" in kinds:
@@ -113,7 +111,7 @@ def write_cutting_files(
 
 
 def _listed(cuts: Sequence[Cut], files: Mapping[str, str]) -> str:
-    """The cut list; where parts are bent before they are mounted, with a column that tells how."""
+    """Return the cut list as CSV. A column describes parts that are bent before assembly, if there are any."""
     text = cut_list((cut.piece for cut in cuts), files).csv
     blanks = ["" if cut.strip is None else tell_blank(cut.strip) for cut in cuts]
     if not any(blanks):
@@ -126,8 +124,9 @@ def _listed(cuts: Sequence[Cut], files: Mapping[str, str]) -> str:
 
 
 def _write_step(obj: Any, path: Path) -> None:
-    """A strip's flat part and its bent one standing on its curve, or a model's bodies, and the blocks that hold
-    them; named and coloured, under the object's name.
+    """Write named and coloured bodies of an object and the blocks that hold it to a STEP file.
+
+    A strip has its flat part and its bent part on the curve. A model has its bodies.
     """
     import Import
 
@@ -152,7 +151,7 @@ def _write_step(obj: Any, path: Path) -> None:
 
 def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:
     if is_model(obj):
-        # made anew: the shape of what FreeCAD has not recomputed yet is not that of the drawings
+        # computed again, because the shape in FreeCAD may be older than the drawings
         model = model_of(obj)
         solids = solids_of(model, obj.getGlobalPlacement() * container(obj).inverse())
         return [
@@ -170,5 +169,5 @@ def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:
 
 
 def _at(origin: Any) -> App.Placement:
-    """Shifted there, not turned."""
+    """Return a placement with this origin and without rotation."""
     return App.Placement(App.Vector(*origin), App.Rotation())

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""One slotted plate for all tabs that stand on it, as a parametric object."""
+"""The base plate as a parametric object: one slotted plate for the tabs of all strips."""
 
 from typing import Any, ClassVar
 
@@ -19,11 +19,11 @@ from elastica_cad.strip.solids import FlatSolid
 
 NAMES = {"play": "Play", "clearance": "Clearance", "border": "Border", "shape": "Outline"}
 SIZES = {NAMES[one.name]: one for one in declared(PlateOptions) if one.name in NAMES}
-"""What a plate is asked for, by its properties."""
+"""Options of a plate, by its properties."""
 
 
 class BasePlateFeature(Feature):
-    """The plate lies where its placement says, its upper face on the plane z = 0 of it."""
+    """A base plate. The plane z = 0 of its placement is its upper face."""
 
     properties = (
         Property("LinkListGlobal", "Sources", "Base plate", "A model, or strips, whose tabs go through it"),
@@ -53,7 +53,7 @@ def create(document: Any, sources: list[Any]) -> Any:
 
 
 def is_base_plate(obj: Any) -> bool:
-    """Is this object a base plate?"""
+    """Return True if this object is a base plate."""
     return isinstance(getattr(obj, "Proxy", None), BasePlateFeature)
 
 

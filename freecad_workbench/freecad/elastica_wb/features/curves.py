@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Curves that follow what they are made from: the nearest one, a strip bent further, sections of bodies."""
+"""Curves that depend on other objects: the nearest curve, a strip bent further, sections of bodies."""
 
 import math
 from typing import Any, ClassVar
@@ -44,13 +44,13 @@ ORANGE = (0.9, 0.4, 0.0)
 
 
 class NearestFeature(Feature):
-    """The curve nearest to a drawn one that a strip can take within limits."""
+    """The curve that is nearest to a drawn curve and that a strip can take within limits."""
 
     properties = (*NEAREST, REPORTS)
     sheets: ClassVar = {"Sheet": "SheetData"}
 
     def make(self, obj: Any) -> None:
-        """Find the nearest curve, and show it."""
+        """Find the nearest curve and show it."""
         drawn = drawn_curve(obj.Curve, obj)
         near = find_nearest_to_draw(nearest_spec_of(obj, drawn))
         obj.Shape = spline_geometry(near.curve).toShape()
@@ -83,7 +83,7 @@ class BentFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Bend the strip to its new ends, and show its curve."""
+        """Bend the strip to its new ends and show its curve."""
         if not is_strip(obj.Strip):
             raise InputError("the strip is missing: choose one in the property Strip")
         rest = strip_of(obj.Strip).rod_to_bend
@@ -95,7 +95,7 @@ class BentFeature(Feature):
 
 
 class SectionFeature(Feature):
-    """Smooth curves along which planes cut bodies, surfaces and meshes: edges for strips to follow."""
+    """Smooth curves along which planes cut bodies, surfaces and meshes. Strips can follow their edges."""
 
     properties = (
         Property("LinkListGlobal", "Sources", "Section", "Bodies, surfaces and meshes that are cut"),
@@ -117,7 +117,7 @@ class SectionFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Cut, and smooth what is cut."""
+        """Cut the sources and smooth the sections."""
         made, remarks = _sections(obj)
         curves = [curve for _, found in made for curve in found]
         if not curves and remarks and all(AT_TWO_PLACES in remark.all_changes for remark in remarks):
@@ -137,7 +137,7 @@ class SectionFeature(Feature):
 
 
 def _curve(document: Any, name: str, proxy: type[Feature], sources: list[Any]) -> Any:
-    """A new feature that stands out from what it is made from."""
+    """Add a feature whose curve has a conspicuous colour and width."""
     obj = added(document, name, proxy, sources)
     if App.GuiUp:
         obj.ViewObject.LineColor, obj.ViewObject.LineWidth = ORANGE, 3
@@ -153,7 +153,7 @@ def nearest(document: Any, source: Any, edges: tuple[str, ...] = ()) -> Any:
 
 
 def bent(document: Any, strip: Any, **moves: float) -> Any:
-    """The curve of a strip whose ends are moved (mm) and turned (degrees), named as in `MOVES`."""
+    """Make the curve of a strip whose ends are moved (mm) and turned (degrees), named as in `MOVES`."""
     obj = _curve(document, "Bent", BentFeature, [strip])
     obj.Label = f"{strip.Label} {translate('Elastica', 'bent further')}"
     obj.Strip = strip
@@ -176,12 +176,12 @@ def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]]
 
 
 def is_section(obj: Any) -> bool:
-    """Is this object a family of sections, each edge a curve of its own?"""
+    """Return True if this object is a family of sections. Each of its edges is a separate curve."""
     return isinstance(getattr(obj, "Proxy", None), SectionFeature)
 
 
 def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
-    """The rest shape after the ends were displaced (mm) and turned (degrees), as named in `MOVES`."""
+    """Return a rod with its ends displaced (mm) and turned (degrees), as named in `MOVES`."""
     start = rest.position[0] + (change["StartX"], change["StartY"])
     end = rest.position[-1] + (change["EndX"], change["EndY"])
     angles = [
@@ -192,12 +192,12 @@ def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
 
 
 def largest_move(rest: Rod, rod: Rod) -> float:
-    """Return the largest distance between equal places of two rods, mm."""
+    """Return the largest distance between corresponding points of two rods, mm."""
     return max(math.hypot(x, y) for x, y in rod.position - rest.position)
 
 
 def draw_into(obj: Any) -> None:
-    """A nearest curve in place of the one that its sketch holds; the feature goes."""
+    """Replace the curve in a sketch by its nearest curve, and delete the feature."""
     sketch, curve = obj.Curve[0], _curve_to_drag(obj)
     if not is_sketch(sketch):
         raise InputError("{object} is no sketch: nothing can be drawn into it", object=sketch.Label)
@@ -206,7 +206,7 @@ def draw_into(obj: Any) -> None:
 
 
 def nearest_sketch(obj: Any) -> None:
-    """Replace a nearest curve by a sketch of it, which can be edited and follows nothing."""
+    """Replace a nearest curve by an independent sketch, which can be edited."""
     curve, document = _curve_to_drag(obj), obj.Document
     made = document.addObject("Sketcher::SketchObject", "Nearest")
     group = obj.getParentGeoFeatureGroup()
@@ -218,7 +218,7 @@ def nearest_sketch(obj: Any) -> None:
 
 
 def section_sketches_of(obj: Any) -> None:
-    """Sketches to edit in place of sections: they follow nothing."""
+    """Replace sections by independent sketches, which can be edited."""
     made, _ = _sections(obj)
     document = obj.Document
     document.removeObject(obj.Name)
@@ -234,7 +234,7 @@ def _curve_to_drag(obj: Any) -> PlaneCurve:
 
 
 def _sections(obj: Any) -> tuple[list[tuple[Any, list[SectionCurve]]], list[str]]:
-    """The curves of each body, and a sentence for everything that gave none."""
+    """Return the curves of each body, and a message for every section line without a curve."""
     if not obj.Sources:
         raise InputError(
             "there is nothing to cut: choose a body, a surface or a mesh in the property Sources"

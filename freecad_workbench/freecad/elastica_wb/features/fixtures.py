@@ -26,7 +26,7 @@ from elastica_cad.model.held_tabs import holder_plays
 from elastica_cad.model.model import Model
 
 SIZES = {one.name.title().replace("_", ""): one for one in declared(EndFixture)}
-"""What blocks are asked for, by its properties."""
+"""Options of blocks, by their properties."""
 
 
 class FixturesFeature(Feature):
@@ -59,7 +59,7 @@ def _blocks(obj: Any, model: Model) -> tuple[EndFixture, ...]:
 
 
 def blocks_for(source: Any) -> list[EndFixture]:
-    """The blocks that fixtures of a document hold the ends of a strip or a model by, in their places."""
+    """Return the blocks of a document that hold the ends of a strip or a model, in their places."""
     hanging = dict.fromkeys(user for one in (source, *getattr(source, "Strips", ())) for user in one.InList)
     users = [one for one in hanging if isinstance(getattr(one, "Proxy", None), FixturesFeature)]
     own = {tab.key for tab in place_tabs(source_model([source]).placed)} if users else set()
@@ -69,9 +69,10 @@ def blocks_for(source: Any) -> list[EndFixture]:
 
 @remembered
 def block_shape(block: EndFixture) -> Part.Shape:
-    """The block in its place: a small cut, for the pocket, in what it has in common with others of its number.
+    """Return the shape of a block in its place.
 
-    A change of a strip makes all that are slotted into it press on their blocks a little otherwise.
+    A change of one strip changes the lean of all blocks a little. Therefore the unpocketed shape is cached, and
+    only the pocket is cut again.
     """
     pocket, *_ = block.solid.removed
     return _unpocketed(replace(block, lean=(0.0, 0.0))).cut(make_solid(pocket)).removeSplitter()
@@ -84,17 +85,17 @@ def _unpocketed(block: EndFixture) -> Part.Shape:
 
 
 def create(document: Any, sources: list[Any]) -> Any:
-    """Fixtures for a model or for strips; recompute the document to see them."""
+    """Make fixtures for a model or for strips; recompute the document to see them."""
     obj = added(document, "Fixtures", FixturesFeature, sources)
     obj.Sources = sources
     return obj
 
 
 def tell_plays(obj: Any, model: Model, holders: Iterable[object]) -> None:
-    """Write into a holder's results how far tabs shift and turn in it."""
+    """Write into the results of a fixture how far tabs can shift and turn in it."""
     put(obj, Reports=[worded(line) for line in holder_plays(model.placed, holders)])
 
 
 def source_model(sources: list[Any], *, shown: bool = False) -> Model:
-    """One model of all strips and models among the sources, each where it stands; of those that are `shown`."""
+    """Return one model of all strips and models among the sources. `shown` is as in `strips_model`."""
     return strips_model(not_repeated(sources), name="strips", shown=shown)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The flat twin of a strip: a body of its own for assemblies, drawings and cutting."""
+"""The flat part of a strip, as a separate body for assemblies, drawings and cutting."""
 
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -25,7 +25,7 @@ LAYERS = ["Base", "Backing"]
 
 
 class FlatFeature(Feature):
-    """Proxy of the flat part; it may be placed anywhere."""
+    """Proxy of the flat part. The user may place it anywhere."""
 
     properties = (
         Property("LinkGlobal", "Strip", "Strip", "The strip whose flat part this is"),
@@ -47,7 +47,7 @@ class FlatFeature(Feature):
 
 
 def create(document: Any, strip: Any, layer: str = "Base") -> Any:
-    """Make the flat part of a strip, lying in front of it; recompute the document to see it."""
+    """Make the flat part of a strip, placed in front of the strip; recompute the document to see it."""
     placement = _beside(strip)
     obj = document.addObject("Part::FeaturePython", "Flat")
     FlatFeature(obj)
@@ -66,7 +66,7 @@ def create(document: Any, strip: Any, layer: str = "Base") -> Any:
 
 
 def _slotted(obj: Any) -> Strip:
-    """The strip, with its slots where it belongs to a model."""
+    """Return the strip, with its slots if it belongs to a model."""
     if obj.Model is None:
         return shown_strip(obj.Strip)
     if not is_model(obj.Model) or obj.Strip not in obj.Model.Strips:
@@ -79,10 +79,10 @@ def _slotted(obj: Any) -> Strip:
 
 
 def _beside(strip: Any) -> App.Placement:
-    """On the ground in front of the drawn curve, and of what else of strips lies there already."""
+    """Return a free place on the ground, in front of the drawn curve."""
     source, width = strip.Curve[0] if strip.Curve else None, _width(strip)
     if source is not None and not _box(source).isValid():
-        source.recompute()  # a sketch that undo brought back, or that was not recomputed yet
+        source.recompute()  # the sketch may not have been recomputed, as after undo
     box = _box(source)
     if not is_bounded(box):
         return App.Placement(App.Vector(0, -GAP_MM - width, 0), App.Rotation())
@@ -100,12 +100,12 @@ def _beside(strip: Any) -> App.Placement:
 
 
 def _box(source: Any) -> App.BoundBox:
-    """Around a curve; of none where that was deleted, or is an object without a shape."""
+    """Return the bounding box of a curve. It is empty if the curve was deleted or has no shape."""
     return source.Shape.BoundBox if hasattr(source, "Shape") else App.BoundBox()
 
 
 def _lying(strip: Any) -> Iterator[App.BoundBox]:
-    """Where the other strips of its container stand, and all flat parts lie."""
+    """Yield the bounding boxes of the other strips and of all flat parts in the strip's container."""
     group = strip.getParentGeoFeatureGroup()
     for obj in strip.Document.Objects:
         shown = is_flat(obj) or (is_strip(obj) and obj is not strip)
@@ -114,7 +114,7 @@ def _lying(strip: Any) -> Iterator[App.BoundBox]:
 
 
 def _width(strip: Any) -> float:
-    """Of the outline at most, whatever the style; mm."""
+    """Return the largest width of the outline in any style, mm."""
     return float(max(strip.MaxWidth.Value, strip.OuterWidth.Value))
 
 
@@ -124,5 +124,5 @@ def flats_of(strips: Iterable[Any]) -> list[Any]:
 
 
 def is_flat(obj: Any) -> bool:
-    """Is this object the flat part of a strip?"""
+    """Return True if this object is the flat part of a strip."""
     return isinstance(getattr(obj, "Proxy", None), FlatFeature)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The parametric model: several strips in their places, slotted into each other where they cross."""
+"""The parametric model: several strips in their places, with slots where they cross."""
 
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Future
@@ -34,15 +34,15 @@ from elastica_cad.strip.lettering import engravable
 from elastica_cad.strip.strip import Placed, Strip
 
 _overlaps: WeakKeyDictionary[Model, "Future[tuple[str, ...]]"] = WeakKeyDictionary()
-"""What is known of models, or sought in another thread; the cache of models keeps them."""
+"""Overlaps of models, computed in another thread. Models stay alive in their cache."""
 
 
 _shown: WeakKeyDictionary[Feature, tuple[Part.Shape, App.Placement, Model]] = WeakKeyDictionary()
-"""The models that shapes show, and in which place of their container, by their proxies."""
+"""Shape, place in the container and model that each proxy shows."""
 
 
 SLOTS = {one.name.title(): one for one in declared(interlock) if one.name != "above"}
-"""What slots are asked for, by its properties; a direction of 0 stands for none."""
+"""Options of slots, by their properties. A zero direction means that none is set."""
 
 
 class ModelFeature(Feature):
@@ -70,7 +70,7 @@ class ModelFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Slot the strips and stand them in their places."""
+        """Cut the slots and put the strips in their places."""
         model = model_of(obj, shown=True)
         shape = Part.Compound(solids_of(model, container(obj).inverse()))
         obj.Shape = shape
@@ -88,7 +88,7 @@ class ModelFeature(Feature):
         put(obj, Joints=0, Reports=[worded(str(error))], Overlaps=[])
 
     def covered(self, obj: Any) -> list[Any]:
-        """The strips, which have no slots."""
+        """Return the strips, which are drawn without slots."""
         return [one for one in obj.Strips if is_strip(one)]
 
 
@@ -104,29 +104,29 @@ def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
 
 
 def is_model(obj: Any) -> bool:
-    """Is this object a parametric model?"""
+    """Return True if this object is a parametric model."""
     return isinstance(getattr(obj, "Proxy", None), ModelFeature)
 
 
 def shown_model(obj: Any) -> Model:
-    """The model that a shape shows, as `shown_strip` of a strip.
+    """Return the model that a shape shows, see `shown_strip`.
 
     Raises
     ------
     ElasticaError
-        As `model_of`, which is asked where no model is kept.
+        As `model_of`, which is called if no model is cached.
     """
     shape, place, model = _shown.get(obj.Proxy, (None, None, None))
     return model if model and obj.Shape.isPartner(shape) and container(obj) == place else model_of(obj)
 
 
 def model_of(obj: Any, *, shown: bool = False) -> Model:
-    """The core's model behind a parametric one; of the strips that are `shown`, where these were just made.
+    """Return the `Model` record of a model feature. `shown` takes the strips as their shapes show them.
 
     Raises
     ------
     ElasticaError
-        A strip in error, strips that cannot be slotted.
+        A strip failed, or the strips cannot be slotted.
     """
     other = next((one for one in obj.Strips if not is_strip(one)), None)
     if other is not None:
@@ -139,7 +139,7 @@ def model_of(obj: Any, *, shown: bool = False) -> Model:
 
 
 def overlaps_of(obj: Any) -> list[str]:
-    """Return a sentence for every two strips of a model that run into each other without a slot.
+    """Return a message for every pair of strips in a model that intersect without a slot.
 
     Raises
     ------
@@ -154,18 +154,18 @@ def overlaps_of(obj: Any) -> list[str]:
 
 
 def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
-    """Which strips of a model run into each other, sought in another thread; None where there is no model.
+    """Start the search for strips of a model that intersect. Return None if there is no model.
 
-    It takes about as long as the model, so no recompute waits.
+    The search takes about as long as the model, so it runs in another thread and no recompute waits.
     """
     try:
         return _sought(model_of(obj))
-    except FAILURES:  # the recompute has said it
+    except FAILURES:  # the recompute has reported it
         return None
 
 
 def tell_overlaps(obj: Any, found: tuple[str, ...]) -> None:
-    """Write into the results which strips of a model run into each other."""
+    """Write into the results which strips of a model intersect."""
     told = _worded(found)
     if told and obj.Overlaps != told:
         report_warning(" ".join(told), obj.Label)
@@ -200,9 +200,9 @@ def solids_of(model: Model, place: App.Placement) -> list[Any]:
 def strips_model(
     strips: list[Any], *, name: str, options: tuple[tuple[str, Any], ...] = (), shown: bool = False
 ) -> Model:
-    """Strips and models of a document, or what shows them, in their places; slotted where options are given.
+    """Return the model of strips and models of a document, in their places. Options add slots.
 
-    They are those that properties ask for, or those that are `shown`.
+    Copies, such as links and arrays, count too. `shown` takes the strips as their shapes show them.
     """
     if not strips:
         raise InputError("the model has no strips: choose some in the property Strips")
@@ -213,7 +213,7 @@ def strips_model(
 
 
 def _standing(obj: Any, shown: bool) -> Iterator[tuple[Strip, App.Placement]]:
-    """The strips that an object stands for, each with the place of its curve in the document."""
+    """Yield the strips that an object shows, each with the place of its curve in the document."""
     strip_in, model_in = (shown_strip, shown_model) if shown else (strip_of, model_of)
     found = list(shown_strips(obj))
     if not any(is_strip(one) or is_model(one) for one, *_ in found):
@@ -240,13 +240,13 @@ def _model(
 
 @remembered
 def _placed(strip: Strip, numbers: tuple[float, ...]) -> Placed:
-    """The same strip in the same place is the same record: its joints are kept by that."""
+    """Return the record of a strip in a place. Equal arguments give the same record, so its joints stay cached."""
     return Placed(strip, *np.array(numbers).reshape(3, 3))
 
 
 @remembered
 def _labelled(strip: Strip, label: str, name: str) -> Strip:
-    """Models tell their parts apart by label; where no letter of that can be engraved, the name is."""
+    """Return the strip with its label. The object's name is engraved if no letter of the label can be engraved."""
     engrave = None if any(map(str.isalnum, engravable(label))) else name
     return (
         strip

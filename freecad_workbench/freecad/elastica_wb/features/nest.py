@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Everything that must be cut, laid on sheets, as a parametric object."""
+"""The nest as a parametric object: all pieces, arranged on sheets."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -19,12 +19,12 @@ from freecad.elastica_wb.shapes.part_shapes import is_bounded, make_wire
 
 from elastica_cad.model.nesting import nest_pieces
 
-SPACE_MM = 50.0  # between a nest and what stood before it
+SPACE_MM = 50.0  # mm between a nest and the objects before it
 SHEET_GAP_MM = 30.0  # mm between sheets
 
 
 class NestFeature(Feature):
-    """The outlines of all cuts, sheet beside sheet."""
+    """The outlines of all cuts, with the sheets side by side."""
 
     properties = (
         Property("LinkListGlobal", "Sources", "Nest", "Strips, models and base plates to be cut"),
@@ -37,7 +37,7 @@ class NestFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Lay the pieces on sheets."""
+        """Arrange the pieces on sheets."""
         size = (obj.SheetWidth.Value, obj.SheetHeight.Value)
         cuts = cuts_of(obj.Sources)
         sheets = nest_pieces([cut.piece for cut in cuts], sheet_size=size, margin=obj.Margin.Value)
@@ -53,7 +53,7 @@ class NestFeature(Feature):
 
 
 def tell_left_out(obj: Any) -> None:
-    """Write which features go on after what is cut, and are not in the nest: it is not made from them."""
+    """Write which features come after the nested pieces. The nest does not include them."""
     words = translate(
         "Elastica",
         "{strip} is followed by {later}, which the nest leaves out: make it in the strip itself (slots, "
@@ -61,7 +61,7 @@ def tell_left_out(obj: Any) -> None:
     )
     try:
         found = {one.Label: later_features(one) for one in counted(obj.Sources)}
-    except FAILURES:  # the recompute has said it
+    except FAILURES:  # the recompute has reported it
         return
     told = [words.format(strip=label, later=later) for label, later in found.items() if later]
     if told and obj.LeftOut != told:
@@ -79,7 +79,7 @@ def create(document: Any, sources: list[Any]) -> Any:
 
 
 def _boxes(document: Any) -> Iterator[App.BoundBox]:
-    """Around each thing in the document, where that stands."""
+    """Yield the bounding box of each object in the document, in document coordinates."""
     for one in document.Objects:
         box = one.Shape.BoundBox if hasattr(one, "Shape") else App.BoundBox()
         if is_bounded(box):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What must be cut for features: a piece with its drawing for every sheet of a strip, every plate, every part.
+"""Pieces to cut: one with its drawing for every sheet of a strip, for every plate and for every part.
 
-What goes on after these in the document, as a pocket or a cut does, is no part of it.
+Later features of the document, such as a pocket or a cut, are not included.
 """
 
 from collections import Counter
@@ -33,36 +33,36 @@ CHANGED = {
     "Part::Fillet": ("Base",),
     "Part::Chamfer": ("Base",),
 }
-"""Where operations of the Part workbench keep what they make into another shape."""
+"""Properties in which operations of the Part workbench keep the shape that they change."""
 
 BODY = "PartDesign::Body"
 
 SHOWN_BY = (BODY, BASE, COMPOUND, *PATTERNS)
-"""What shows shapes as they are: a change may follow behind it."""
+"""Types that show a shape unchanged. A later feature may change it."""
 
 
 @dataclass(frozen=True)
 class Cut:
-    """A piece, and the strip that it is of; None of a plate."""
+    """A piece and its strip. The strip of a plate is None."""
 
     piece: Piece
     strip: Strip | None = None
 
 
 def told_blanks_of(cuts: Iterable[Cut]) -> list[str]:
-    """How pieces are bent before they are mounted, a sentence for those that are bent alike."""
+    """Return how the pieces are bent before assembly, with one message for all pieces that are bent alike."""
     return told_blanks((cut.piece.name, cut.strip) for cut in cuts if cut.strip is not None)
 
 
 def cuts_of(sources: Iterable[Any]) -> list[Cut]:
-    """Return what must be cut for strips, models and base plates, once for each of their copies.
+    """Return the pieces to cut for strips, models and base plates, including all their copies.
 
-    Strips of a model that is there too count once, so does what an array repeats, and a strip with its flat part.
+    The strips of a selected model count once. So do the originals of an array, and a strip with its flat part.
 
     Raises
     ------
     InputError
-        None of these among the sources, or one of them in error.
+        The sources contain nothing to cut, or an object that failed.
     """
     cuts = [(cut, count) for obj, count in counted(sources).items() for cut in _cuts(obj)]
     if not cuts:
@@ -75,7 +75,7 @@ def cuts_of(sources: Iterable[Any]) -> list[Cut]:
 
 
 def counted(sources: Iterable[Any]) -> dict[Any, int]:
-    """How often each strip, model and base plate stands among the sources; not where nothing of it is cut."""
+    """Count the copies of each strip, model and base plate among the sources, if they are cut."""
     standing: Counter[Any] = Counter()
     lying: Counter[Any] = Counter()
     for obj in not_repeated(sources):
@@ -89,18 +89,18 @@ def counted(sources: Iterable[Any]) -> dict[Any, int]:
 
 
 def cut_for(obj: Any) -> Any:
-    """Return the object to cut in place of an object: of a flat part its strip, or the model whose slots it has."""
+    """Return the object to cut: for a flat part its strip, or the model with its slots."""
     return (obj.Model or obj.Strip) if is_flat(obj) else obj
 
 
 def is_cut(obj: Any) -> bool:
-    """Is it a strip, a model or a base plate?"""
+    """Return True if this object is a strip, a model or a base plate."""
     return is_strip(obj) or is_model(obj) or is_base_plate(obj)
 
 
 def _cuts(obj: Any) -> list[Cut]:
     lost = why_left_out(obj)
-    if lost:  # its numbers are those of before
+    if lost:  # its numbers are outdated
         raise InputError(lost)
     if is_model(obj):
         model = model_of(obj)
@@ -117,13 +117,13 @@ def _cuts(obj: Any) -> list[Cut]:
 
 
 def later_features(obj: Any) -> str:
-    """Labels of the features that go on after a strip, a model or a plate, or after its flat part."""
+    """Return the labels of the features that come after a strip, a model or a plate, or after its flat part."""
     flat = [user for user in obj.InList if is_flat(user)]
     return ", ".join(dict.fromkeys(label for one in (obj, *flat) for label in _later(one)))
 
 
 def _later(obj: Any) -> Iterator[str]:
-    """Labels of the features that make another shape of an object's, those that come first before the others."""
+    """Yield the labels of the features that change an object's shape, nearest first."""
     todo, seen = [obj], {obj}
     while todo:
         one = todo.pop(0)
@@ -133,13 +133,13 @@ def _later(obj: Any) -> Iterator[str]:
                 continue
             seen.add(user)
             todo.append(user)
-            # the next strip of a body goes on after the one before, too
+            # the next strip of a body also follows the strip before
             if takes and not (is_cut(user) or getattr(user, "Suppressed", False)):
                 yield user.Label
 
 
 def _takes(user: Any, obj: Any) -> bool:
-    """Does a feature begin with an object's shape to make another one of it?"""
+    """Return True if a feature changes the shape of an object."""
     if user.TypeId.startswith("PartDesign::") and user.TypeId not in SHOWN_BY:
         return getattr(user, "BaseFeature", None) == obj
     kept = (getattr(user, name) for name in CHANGED.get(user.TypeId, ()))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What the proxies of all features share: properties, sheets, curves that move with containers, refusals."""
+"""Base class of all feature proxies: properties, sheets, curves that move with containers, errors."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
@@ -37,37 +37,37 @@ from elastica_cad.errors import ElasticaError, InputError
 CONTAINERS = Property(
     "LinkListGlobal", "Containers", "Curve", "What the curve moves with", [], result=True, hidden=True
 )
-"""Containers that move the curve and not the feature: it is made anew where they move."""
+"""Containers that move the curve but not the feature. The feature is recomputed when they move."""
 
 HIDDEN_BY_ERROR = Property(
     "Bool", "HiddenByError", "Result", "Hidden until it can be made again", hidden=True
 )
-"""What fails keeps its last good shape, and so does all that is made from it: FreeCAD recomputes none of that."""
+"""Marks features that an error hid, because their shapes are outdated."""
 
 SHOWN_BY_ERROR = result("Bool", "ShownByError", "Shown until its model can be made again", hidden=True)
-"""The strips of a model are shown while the model cannot be made, so that something with an error is in sight."""
+"""Marks strips that are shown because their model failed, so that the user sees something with an error."""
 
 REPORTS = result("StringList", "Reports", "What was found on the way")
 
 FOLLOWED = ("Curve", "Sources", "Strips")
-"""Properties that name what a feature is made from."""
+"""Properties with the objects that a feature depends on."""
 
 TOLD = ("Reasons", "Reports", "Overlaps", "LeftOut")
-"""Properties with sentences."""
+"""Properties with messages."""
 
-MOST_NAMES = 6  # in a line of the report view
+MOST_NAMES = 6  # in one line of the report view
 
 
 class Feature(Unsaved):
-    """Proxy of a feature; it keeps nothing, everything lives in the properties."""
+    """Proxy of a feature. It stores no data: all data is in the properties."""
 
     properties: tuple[Property, ...] = ()
     sheets: ClassVar[Mapping[str, str]] = {}
-    """Properties that name a sheet, each with the one that keeps its numbers in the document."""
+    """Properties that name a sheet, each with the property that stores the sheet's numbers in the document."""
     choices: ClassVar[frozenset[str]] = frozenset()
     """Properties that are lists of choices."""
     chosen: str | None = None
-    """What was chosen of the one that changes now; None where a formula has given none of the choices."""
+    """Choice before the change in progress, or None if a formula had given an invalid choice."""
 
     def __init_subclass__(cls) -> None:
         cls.choices = frozenset(entry.name for entry in cls.properties if entry.kind == "Enumeration")
@@ -82,7 +82,7 @@ class Feature(Unsaved):
         dress(obj, type(self).__name__.removesuffix("Feature"))
 
     def ensure(self, obj: Any) -> None:
-        """Add what is missing; the choice of sheets is that of today."""
+        """Add missing properties and update the list of sheets."""
         known = {name: getattr(obj, name) for name in self.sheets if name in obj.PropertiesList}
         ensure(obj, (*self.properties, HIDDEN_BY_ERROR, SHOWN_BY_ERROR))
         for name in self.sheets:
@@ -91,13 +91,13 @@ class Feature(Unsaved):
             setattr(obj, name, chosen)
 
     def onBeforeChange(self, obj: Any, name: str) -> None:
-        """Remember what is chosen, as a formula may give none of the choices."""
+        """Remember the current choice, because a formula may give an invalid choice."""
         if name in self.choices:
             self.chosen = None if is_misread(obj, name) else getattr(obj, name)
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Copy thickness and numbers of a newly chosen sheet into the document."""
-        # asked for every result that is written, so what takes longer to tell comes last
+        # called for every result that is written, so the slower checks come last
         if name in self.choices and is_misread(obj, name):
             if getattr(obj, name) is None or self.chosen not in (None, getattr(obj, name)):
                 choose_again(obj, name, self.chosen)
@@ -107,15 +107,15 @@ class Feature(Unsaved):
         if name in FOLLOWED and CONTAINERS.name in obj.PropertiesList:
             put(obj, Containers=_containers(obj))
         kept = self.sheets.get(name)
-        if kept in obj.PropertiesList and self.chosen is not None:  # chosen again, it is no other sheet
-            with suppress(InputError):  # the next recompute says it
+        if kept in obj.PropertiesList and self.chosen is not None:  # the same sheet was chosen again
+            with suppress(InputError):  # the next recompute reports the error
                 sheet = sheet_called(getattr(obj, name), getattr(obj, kept))
                 put(obj, **{kept: text_of(sheet)})
                 if name == "Sheet" and "Thickness" in obj.PropertiesList:
                     put(obj, Thickness=sheet.thickness)
 
     def keep_sheets(self, obj: Any) -> None:
-        """Offer the sheets of today; what is made of one that has changed is to be made anew."""
+        """Update the list of sheets, and mark the feature for recompute if the user changed its sheet."""
         measured = {name: getattr(obj, name) for name in ("Thickness",) if name in obj.PropertiesList}
         kept = {name: getattr(obj, name) for name in self.sheets.values()}
         for name in self.sheets:
@@ -132,17 +132,17 @@ class Feature(Unsaved):
                 if new != old:
                     obj.touch()
                 if name == "Sheet" and measured and obj.Thickness.Value == old.thickness:
-                    put(obj, Thickness=new.thickness)  # it was the sheet's own
+                    put(obj, Thickness=new.thickness)  # it was the sheet's thickness
 
     def _keep_numbers(self, obj: Any) -> None:
-        """The document keeps the numbers that its shapes are made with."""
+        """Store the sheet's numbers, which the shape is computed with, in the document."""
         for name, numbers in self.sheets.items():
             with suppress(InputError):
                 put(obj, **{numbers: text_of(sheet_called(getattr(obj, name), getattr(obj, numbers)))})
 
     @property
     def execute(self) -> Callable[[Any], None]:
-        """What FreeCAD calls in a recompute; it fails with a sentence and keeps the last good shape."""
+        """Function that FreeCAD calls in a recompute. After an error the last good shape is kept."""
         return raising(self._made_or_refused)
 
     def _made_or_refused(self, obj: Any) -> RefusalError | None:
@@ -158,7 +158,7 @@ class Feature(Unsaved):
         return None
 
     def make(self, obj: Any) -> None:
-        """Set shape and results from the properties; each feature defines this."""
+        """Set shape and results from the properties. Each feature defines this method."""
         raise NotImplementedError
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
@@ -167,10 +167,10 @@ class Feature(Unsaved):
         hide(obj)
 
     def tell_error(self, obj: Any, error: ElasticaError) -> None:
-        """Tell in the results what went wrong, where there are any."""
+        """Write the error into the results, if the feature has any."""
 
     def covered(self, _obj: Any) -> list[Any]:
-        """The features that are out of sight because this one shows them."""
+        """Return the features that are hidden because this feature shows them."""
         return []
 
 
@@ -187,9 +187,9 @@ def added(document: Any, name: str, proxy: type[Feature], sources: Iterable[Any]
 
 
 def hide(obj: Any) -> None:
-    """Hide what failed, and all that is made from it: their shapes are not what they ask for.
+    """Hide a failed feature and everything that depends on it, because their shapes are outdated.
 
-    What they stand for and is well comes into sight.
+    Show the valid features that they cover.
     """
     failed = _with_users(obj)
     ours = [one for one in failed if is_ours(one)]
@@ -205,14 +205,14 @@ def hide(obj: Any) -> None:
 
 
 def give_up(document: Any) -> None:
-    """FreeCAD recomputes nothing behind what failed: where that is not ours, what is made from it says so.
+    """Report errors to the features that depend on a failed object, because FreeCAD does not recompute them.
 
-    Nor does it ask what is ours, where a formula of it cannot be computed.
+    This covers failed objects of other workbenches, and our own objects whose formula cannot be computed.
     """
     for source in filter(_failed_unasked, document.Objects):
         ours = [one for one in _with_users(source) if is_ours(one)]
         said = why_not_made(source)
-        if any(one.Visibility for one in ours):  # else it was told
+        if any(one.Visibility for one in ours):  # otherwise it was reported
             names = ", ".join([one.Label for one in ours[:MOST_NAMES]] + ["..."] * (len(ours) > MOST_NAMES))
             report_error(said, names)
         for one in ours:
@@ -221,7 +221,7 @@ def give_up(document: Any) -> None:
 
 
 def why_left_out(obj: Any) -> str:
-    """Why FreeCAD does not make an object anew, which the object itself is not asked: as `give_up` tells it."""
+    """Return why FreeCAD skipped the recompute of an object, or "" if it did not."""
     for one in (obj, *_followed(obj)):
         sources = [source for source in one.OutList if source not in getattr(one, CONTAINERS.name, ())]
         for failed in filter(_failed_unasked, (one, *sources)):
@@ -230,7 +230,7 @@ def why_left_out(obj: Any) -> str:
 
 
 def _failed_unasked(obj: Any) -> bool:
-    """Did it fail, and no feature of ours was asked?"""
+    """Return True if an object failed without a call of our code."""
     return "Invalid" in obj.State and (not is_ours(obj) or bool(why_not_computed(obj)))
 
 
@@ -242,7 +242,7 @@ def hide_failed(source: Any) -> None:
 
 
 def _with_users(obj: Any) -> list[Any]:
-    """An object and all that is made from it; its container's place alone makes nothing of what is inside."""
+    """Return an object and everything that depends on it. Dependence on a container's placement does not count."""
     found = [obj]
     for one in found:
         users = [user for user in one.InList if one not in getattr(user, CONTAINERS.name, ())]
@@ -251,7 +251,7 @@ def _with_users(obj: Any) -> list[Any]:
 
 
 def _show_again(obj: Any) -> None:
-    """What an error hid is made: it stands for itself, as all that it is made from was made before."""
+    """Undo what an error hid or showed, after a successful recompute."""
     if obj.HiddenByError:
         obj.HiddenByError = False
         obj.Visibility = True
@@ -262,7 +262,7 @@ def _show_again(obj: Any) -> None:
 
 
 def _covering(part: Any) -> list[Any]:
-    """What is in sight and stands for a feature."""
+    """Return the visible features that show this feature in its place."""
     users = (one for one in part.InList if is_ours(one))
     return [one for one in users if one.Visibility and part in one.Proxy.covered(one)]
 
@@ -277,9 +277,9 @@ def parents(source: Any) -> list[Any]:
 
 
 def keep_containers(document: Any, moved: Collection[str]) -> None:
-    """Update features after objects of these names were moved into a container or out of one.
+    """Update features after objects of these names were moved into a container or out of a container.
 
-    A feature that is inside now cannot hang on the container as well.
+    A feature inside a container must not depend on that container.
     """
     for obj in document.Objects:
         if is_ours(obj) and CONTAINERS.name in obj.PropertiesList:
@@ -293,7 +293,7 @@ def keep_containers(document: Any, moved: Collection[str]) -> None:
 
 
 def keep_sheets() -> None:
-    """Update open documents after the user's sheets changed: choices, and what is made of a changed one."""
+    """Update the lists of sheets in all open documents, and recompute features whose sheet the user changed."""
     for document in App.listDocuments().values():
         ours = [obj for obj in document.Objects if is_ours(obj)]
         for obj in ours:
@@ -303,7 +303,7 @@ def keep_sheets() -> None:
 
 
 def keep_places(container: Any) -> None:
-    """A container moved with a feature or its sources, not with both: it is not where they ask for any more."""
+    """Mark features for recompute if a container moved only them or only their sources."""
     for obj in container.Document.Objects:
         ours = is_ours(obj) and CONTAINERS.name in obj.PropertiesList
         inside = ours and container in parents(obj)
@@ -324,14 +324,14 @@ def _sentences(obj: Any) -> Iterator[str]:
 
 
 def _containers(obj: Any) -> list[Any]:
-    """Those that move what a feature follows; not where one holds what is made from it, which were a cycle."""
+    """Return the containers that move the sources of a feature, except containers that depend on it."""
     own = [obj, *parents(obj)]
     found = [one for source in _followed(obj) for one in parents(source) if one not in own]
     return [one for one in dict.fromkeys(found) if not _hangs_on(one, obj)]
 
 
 def _hangs_on(container: Any, obj: Any) -> bool:
-    """Is something in a container made from an object?"""
+    """Return True if a container holds something that depends on an object."""
     found = [container]
     for one in found:
         found += [source for source in dict.fromkeys(one.OutList) if source not in found]
@@ -339,7 +339,7 @@ def _hangs_on(container: Any, obj: Any) -> bool:
 
 
 def _followed(obj: Any) -> Iterator[Any]:
-    """What a feature is made from, and what that is made from."""
+    """Yield the objects that a feature depends on, recursively."""
     for name in [one for one in FOLLOWED if one in obj.PropertiesList]:
         value = getattr(obj, name)
         sources = value if name != "Curve" else value[:1] if value else ()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The parametric strip: follows a sketch, stands on its curve, says in its properties what it found."""
+"""The parametric strip: it follows a sketch and writes its results into its properties."""
 
 from collections.abc import Iterator
 from contextlib import suppress
@@ -44,7 +44,7 @@ SAME_COLOR = 1e-2  # FreeCAD keeps colours in single precision or in 256 steps
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
-"""Strips by what they were made from; the caches of solved strips keep them."""
+"""Strips by the hash of their request. The caches of solved strips keep them alive."""
 
 
 class StripFeature(Feature):
@@ -58,14 +58,14 @@ class StripFeature(Feature):
         obj.Anticlastic = True
 
     def onDocumentRestored(self, obj: Any) -> None:
-        """What was made beyond its limits when that was only told is made so again."""
+        """Keep a strip beyond its limits if its file is of a version that only warned of that."""
         told_only = "Anyway" not in obj.PropertiesList
         super().onDocumentRestored(obj)
         if told_only:
-            obj.Anyway = obj.StrainUse >= 100  # more was not counted then
+            obj.Anyway = obj.StrainUse >= 100  # such a strip was not refused then
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Another sheet has another colour."""
+        """Recolour the strip when its sheet changes."""
         before = self.chosen
         super().onChanged(obj, name)
         if name == "Sheet" and App.GuiUp and before is not None and "Restore" not in obj.State:
@@ -78,7 +78,7 @@ class StripFeature(Feature):
         strip = solve_strip(spec)
         shape = bent_shape(strip) if obj.Form == "Bent" else flat_shape(strip)
         made_from = _mark(obj, drawn, spec)
-        if hasattr(obj, "AddSubShape"):  # what PartDesign's patterns repeat
+        if hasattr(obj, "AddSubShape"):  # PartDesign's patterns repeat this shape
             obj.AddSubShape = shape
         obj.Shape = shape
         _shown[made_from] = strip
@@ -96,7 +96,7 @@ class StripFeature(Feature):
         _tell_results(obj, strip, changed, spec.rod_spec.smoothing.moved)
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
-        """Write the error into the results; while the sketch is open nothing is hidden."""
+        """Write the error into the results. Hide nothing while the sketch is open."""
         if is_edited(obj):
             self.tell_error(obj, error)
         else:
@@ -115,7 +115,7 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
     StripFeature(obj)
     if (
         is_sketch(sketch) and sketch.Label != sketch.Name
-    ):  # it was given a name; FreeCAD lets no two share one
+    ):  # the user named it; FreeCAD lets no two objects share a label
         obj.Label = f"{sketch.Label} {translate('Elastica', 'strip')}"
     if group is not None and (body or group.TypeId != BODY):
         group.addObject(obj)
@@ -129,8 +129,8 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
 
 
 def _recolor(strip: Any, before: str) -> None:
-    """The strip, and what is made from it: but for what the user has painted."""
-    with suppress(InputError):  # a sheet that is not known any more
+    """Recolour the strip and the objects made from it, except those that the user has coloured."""
+    with suppress(InputError):  # the sheet may not exist any more
         old, new = (sheet_color(sheet_called(name)) for name in (before, strip.Sheet))
         for view in [one.ViewObject for one in (strip, *strip.InList)]:
             shown = getattr(view, "ShapeColor", ())[:3]
@@ -139,7 +139,7 @@ def _recolor(strip: Any, before: str) -> None:
 
 
 def is_strip(obj: Any) -> bool:
-    """Is this object a parametric strip?"""
+    """Return True if this object is a parametric strip."""
     return isinstance(getattr(obj, "Proxy", None), StripFeature)
 
 
@@ -149,7 +149,7 @@ def shown_strips(obj: Any) -> Iterator[Standing]:
     Raises
     ------
     InputError
-        As `copies`; or a body's pattern repeats a strip: it makes copies part of one solid.
+        As `copies`, or a body's pattern repeats a strip and would join the copies to one solid.
     """
     for standing in copies(obj):
         strip = next(filter(is_strip, repeated(standing[0])), None)
@@ -169,13 +169,13 @@ def strip_of(obj: Any) -> Strip:
     Raises
     ------
     ElasticaError
-        The curve cannot be bent as asked.
+        A strip cannot be bent as requested.
     """
     return solve_strip(spec_of(obj, drawn_curve(obj.Curve, obj)))
 
 
 def could_follow_another(obj: Any) -> bool:
-    """Are curve, sheet and sizes such that a nearer curve may help where this one is refused?"""
+    """Return True if the request is valid, so that the nearest curve may help if this curve is refused."""
     try:
         spec_of(obj, drawn_curve(obj.Curve, obj))
     except FAILURES:
@@ -184,12 +184,12 @@ def could_follow_another(obj: Any) -> bool:
 
 
 def shown_strip(obj: Any) -> Strip:
-    """The strip that its shape shows, for features that are recomputed after it.
+    """Return the strip that the shape shows. Features that are recomputed after the strip use it.
 
     Raises
     ------
     ElasticaError
-        As `strip_of`, which is asked where no strip is kept.
+        As `strip_of`, which is called if no strip is cached.
     """
     return _shown.get(obj.MadeFrom) or strip_of(obj)
 
@@ -197,7 +197,7 @@ def shown_strip(obj: Any) -> Strip:
 def tell_held(obj: Any) -> None:
     """Write into the results how far a strip as made and held is from its curve.
 
-    It takes as long as the rest of it, so no recompute waits.
+    It takes as long as all other results together, so no recompute waits for it.
     """
     if obj.Held or not obj.MadeFrom or "Invalid" in obj.State:
         return
@@ -215,12 +215,12 @@ def tell_held(obj: Any) -> None:
 
 
 def is_stale(obj: Any, changed: set[str]) -> bool:
-    """Was the shape made from another request? `changed` names the objects that are not as they were."""
+    """Return True if the shape was made from another request. `changed` names the changed objects."""
     source = obj.Curve[0] if obj.Curve else None
     touched = {one.Name for one in (obj, *parents(obj), source, *parents(source)) if one is not None}
     if not touched & changed:
         return False
-    if "Invalid" in obj.State:  # undo brings the results of before back, and leaves the state
+    if "Invalid" in obj.State:  # undo restores the earlier results, but not the state
         return True
     try:
         drawn = drawn_curve(obj.Curve, obj)
@@ -230,7 +230,7 @@ def is_stale(obj: Any, changed: set[str]) -> bool:
 
 
 def _mark(obj: Any, drawn: Any, spec: Any) -> str:
-    """What tells a request from others, within one run of FreeCAD."""
+    """Return a hash that identifies a request within one run of FreeCAD."""
     return f"{hash((spec, obj.Form, tuple(drawn.placement.toMatrix().A))):x}"
 
 
@@ -240,7 +240,7 @@ def _solids(body: Any) -> bool:
 
 
 def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float) -> None:
-    """Write what was found: mm between the nearest curve and the one searched for, that and the drawn one."""
+    """Write the results. `changed` and `smoothed` are how far the search and smoothing moved the curve, mm."""
     rod, found, sideways = strip.rod, judged(strip.rod), strip.sideways
     faults, bent, refused = list(strip_faults(strip)), is_bent_beforehand(strip), strip.strain_verdict.refused
     notes = [
@@ -305,7 +305,7 @@ def _tell_error(obj: Any, error: ElasticaError) -> None:
 
 
 def is_edited(obj: Any) -> bool:
-    """Is the sketch behind it open for editing? Then hiding would only flicker."""
+    """Return True if the strip's sketch is open for editing. Hiding the strip would then only flicker."""
     if not App.GuiUp or obj.Curve is None or not is_sketch(obj.Curve[0]):
         return False
     import FreeCADGui as Gui

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The table of what a strip is asked for, and of what it answers.
+"""The table of a strip's options and results.
 
-Most properties are made from the declared fields of a strip; those whose boxes are not one to one stand here.
+Most properties are made from the declared fields of a strip. Properties that do not match one field are declared
+here.
 """
 
 from collections.abc import Iterator
@@ -26,7 +27,7 @@ KEPT_ENDS = ["both", "start", "end", "none"]
 TANGENT_ENDS = KEPT_ENDS[:3]
 
 DEFAULTS = {"MaxWidth": MAX_WIDTH, "OuterWidth": MAX_WIDTH, "RatioLimit": RATIO}
-"""Of a new strip, where it is another than that of the field."""
+"""Defaults of a new strip that differ from those of the fields."""
 
 EXAMPLES = {
     "Law": 'kind = "thickness", limits = [3, 8], width = 20',
@@ -34,23 +35,23 @@ EXAMPLES = {
     "KeepOut": "point = [0, 0], normal = [0, 1]",
     "StiffnessBounds": "lower = 1, upper = [2, 3, 2]",
 }
-"""Lines of properties that hold tables, written as in a design file."""
+"""Examples for the lines of properties that hold tables, written as in a design file."""
 
 OWN_BOXES = (
     "curve", "engrave", "sheet", "style", "compensate", "gravity", "loads", "supports", "natural_curvature", "ends",
     "limits.margin", "limits.strain", "limits.length", "limits.width", "keep.ends", "keep.tangents", "keep.line",
 )  # fmt: skip
-"""Keys that are not one to one with a property: `strip_request` reads them."""
+"""Keys that do not match a single property. `strip_request` reads them."""
 
 OWN_TABLES = ("style", "limits", "keep")
-"""Keys whose own keys have properties."""
+"""Keys whose subkeys have properties."""
 
 GROUPS = {"style": "Style", "limits": "Nearest", "keep": "Nearest", "curve": "Curve", "sheet": "Sheet",
           "widths": "Width", "ends": "Ends", "weight": "Mechanics"}  # fmt: skip
 
 
 def _property_of(path: str, field: Field) -> Property:
-    """The property of a key that is one value."""
+    """Return the property of a key with a single value."""
     name = name_of(path)
     return declared_property(
         field, _group(path), name, given=DEFAULTS.get(name), example=EXAMPLES.get(name, "")
@@ -74,7 +75,7 @@ def _one_to_one() -> Iterator[tuple[str, Field]]:
 
 
 FIELDS = dict(_one_to_one())
-"""Keys that are one to one with a property, by their paths."""
+"""Fields of the keys that match a single property, by their paths."""
 
 PROPERTIES = (
     Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
@@ -90,7 +91,7 @@ PROPERTIES = (
         "Anticlastic",
         "Width",
         "Make up for anticlastic bending in the widths, where the sheet's Poisson ratio is known",
-        # off in files of earlier versions, whose widths stay
+        # off in files of earlier versions, so that their widths stay the same
     ),
     Property(
         "Length", "MaterialWidth", "Style", "Most of ligaments or backing, summed across; 0 for what fits"
@@ -198,4 +199,4 @@ NEAREST = tuple(
         CONTAINERS.name,
     )
 )
-"""What a nearest curve by itself is asked for, and answers."""
+"""Options and results of a separate nearest curve."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What the properties of a strip ask for, as the table of a design file, which the core reads."""
+"""Convert the properties of a strip to the table of a design file, which the core reads."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -27,23 +27,22 @@ from elastica_cad.refusals import Length, note
 from elastica_cad.strip.strip_spec import StripSpec, pull_in_plane
 from elastica_cad.strip.styles import Style
 
-LONGEST_MM, THINNEST_MM = 1e6, 1e-3  # a kilometre; thinner than any foil
+LONGEST_MM, THINNEST_MM = 1e6, 1e-3  # one kilometre; thinner than any foil
 BLANK_LINE = "stations = [0, 300], curvatures = [0, 0.01]"
 MASS_LINE, WEIGHT_LINE, TAB_LINE = "at = 90, mass = 3", "alpha = 1, own = true", "length = 12, chamfer = 2"
 LENGTHS = tuple(p.name for p in PROPERTIES if p.kind == "Length" and not p.result)
 
 SHEET, BACKING = "sheet", "backing"
-"""What the sheets of a strip are called in its table: their numbers are those that the file keeps."""
+"""Names of a strip's sheets in its table. The document stores their numbers."""
 
 
 def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
-    """Return the request that the properties make; those of another style, or of the nearest curve only, are left
-    out.
+    """Return the request that the properties make, without those of other styles or of an unused nearest curve.
 
     Raises
     ------
     InputError
-        Numbers that no strip has: a slip of the keyboard, or another unit.
+        A size is far out of range: a typing error, or another unit.
     """
     _refuse_slips(obj, drawn)
     table = table_of(obj, drawn, nearest=obj.Follow == "Nearest")
@@ -51,7 +50,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
 
 
 def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
-    """The rod nearest to the curve within the limits, also where the strip is to follow its curve exactly."""
+    """Return the request for the nearest rod within the limits, even if the strip follows its curve."""
     asked = read_fields(Table(table_of(obj, drawn, nearest=True), "", {}), _reader(obj))
     gravity, _ = pull_in_plane(asked.get("gravity"), _sheet(obj), drawn.plane)
     return RodSpec(
@@ -61,12 +60,12 @@ def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
 
 
 def table_of(obj: Any, drawn: DrawnCurve, *, nearest: bool) -> dict[str, Any]:
-    """Return the table of a design file that requests the same strip as the properties do.
+    """Return the table of a design file that requests the same strip as the properties.
 
     Raises
     ------
     InputError
-        A line that is no table, or a range whose ends are the wrong way round.
+        A line is not a table, or the limits of a range are in the wrong order.
     """
     table: dict[str, Any] = {}
     for path, field in FIELDS.items():
@@ -93,19 +92,19 @@ def _reader(obj: Any) -> Reader:
 
 
 def _counts(obj: Any, path: str, *, nearest: bool) -> bool:
-    """Does the property of a key say something of this strip?"""
+    """Return True if the property of a key applies to this strip."""
     table, _, key = path.rpartition(".")
     if table == "style":
         return key in names_of(BY_KIND[Style][obj.Style.lower()])
     if table in ("limits", "keep"):
         return nearest
-    if path in ("max_width", "min_width"):  # a law has its own limits
+    if path in ("max_width", "min_width"):  # a width law has its own limits
         return not obj.Law.strip() and (path == "min_width" or obj.Style == "Plain")
     return path != "samples" or not nearest
 
 
 def _value(obj: Any, name: str, field: Field) -> Any:
-    """The value of a property as a file has it; None where it asks for nothing."""
+    """Return the value of a property as in a design file, or None if it is not set."""
     value = getattr(obj, name)
     value = getattr(value, "Value", value)
     if field.asked.unit == "rad":
@@ -141,7 +140,7 @@ def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
 
 
 def _sheet(obj: Any) -> Sheet:
-    """The sheet as measured; its range is of another sheet then, and is left out."""
+    """Return the sheet with its measured thickness. The thickness range is left out if the thickness differs."""
     sheet, thickness = sheet_called(obj.Sheet, obj.SheetData), obj.Thickness.Value
     if sheet.thickness == thickness:
         return sheet
@@ -156,27 +155,27 @@ def _style(obj: Any) -> dict[str, Any] | None:
 
 
 def _max_width(obj: Any) -> float | None:
-    """What a style leaves of its outline at most; that of a plain strip has a property of its own."""
+    """Return the limit on the material width of a styled outline. A plain strip has its own property."""
     if getattr(obj, "Style", "Plain") == "Plain" or obj.Law.strip():
         return None
     return obj.MaterialWidth.Value or None
 
 
 def _shop(obj: Any) -> dict[str, Any] | None:
-    """Ligaments are as fine as the style is told to make them."""
+    """Return the shop limits: the smallest ligament is that of the style."""
     perforated = getattr(obj, "Style", "") == "Perforated"
     return {"least_ligament": obj.LeastLigament.Value} if perforated else None
 
 
 def _compensate(obj: Any) -> bool | None:
-    """All, nothing, or what is made up for unless one is told."""
+    """Return True (compensate everything), False (nothing) or None (the default)."""
     if "Compensate" not in obj.PropertiesList or (obj.Anticlastic and not obj.Compensate):
         return None
     return bool(obj.Compensate)
 
 
 def _gravity(obj: Any, drawn: DrawnCurve) -> Any:
-    """Where the strip's weight falls in space."""
+    """Return the direction of the strip's weight in space."""
     if not obj.Gravity:
         return None
     direction = list(obj.GravityDirection)
@@ -215,7 +214,7 @@ def _limits(obj: Any) -> dict[str, Any]:
 
 
 def _range(obj: Any, kind: str) -> list[float] | None:
-    """Least and most, mm; none where there is no most."""
+    """Return the smallest and largest value, mm, or None if there is no largest value."""
     least, most = getattr(obj, f"Least{kind}").Value, getattr(obj, f"Most{kind}").Value
     if not most:
         return None
@@ -271,4 +270,4 @@ READ: dict[str, Callable[[Any], Any]] = {
     "limits": _limits,
     "keep": _keep,
 }
-"""Keys whose properties are not one to one: two boxes for one value, or one box for two."""
+"""Readers of keys that do not match one property: two properties for one value, or one for two."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""How the features look in the tree and the view."""
+"""Appearance of the features in the tree and the 3D view."""
 
 from typing import Any
 
@@ -12,7 +12,7 @@ from freecad.elastica_wb.host.resources import icon
 
 
 class _View(Unsaved):
-    """What all views share; they keep nothing."""
+    """Base class of all view providers. They store nothing."""
 
     icon_name = "Elastica"
 
@@ -20,11 +20,11 @@ class _View(Unsaved):
         provider.Proxy = self
 
     def attach(self, provider: Any) -> None:
-        """FreeCAD hands over the view provider, at creation and after loading."""
+        """Store the object. FreeCAD calls this with the view provider at creation and after loading."""
         self.Object = provider.Object
 
     def setEdit(self, provider: Any, mode: int = 0) -> bool | None:
-        """Open the panel; FreeCAD's other modes, such as Transform, stay FreeCAD's."""
+        """Open the panel. Leave other edit modes, such as Transform, to FreeCAD."""
         if mode != 0:
             return None
         Gui.Control.showDialog(view_providers.panel_of(provider.Object))
@@ -36,21 +36,21 @@ class _View(Unsaved):
             Gui.Control.closeDialog()
 
     def doubleClicked(self, provider: Any) -> bool:
-        """A double click edits."""
+        """Start editing."""
         return bool(Gui.getDocument(provider.Object.Document.Name).setEdit(provider.Object.Name, 0))
 
     def getIcon(self) -> str:
-        """Path of the icon."""
+        """Return the path of the icon."""
         return icon(self.icon_name)
 
 
 class StripView(_View):
-    """The strip in the tree, with its sketch below it."""
+    """View provider of the strip, with its sketch below it in the tree."""
 
     icon_name = "Elastica_Strip"
 
     def claimChildren(self) -> list[Any]:
-        """The sketch, unless a body holds it already."""
+        """Return the sketch, unless it is in a body."""
         source = self.Object.Curve[0] if self.Object.Curve else None
         group = None if source is None else source.getParentGeoFeatureGroup()
         return (
@@ -59,22 +59,22 @@ class StripView(_View):
 
 
 class FlatView(_View):
-    """The flat part in the tree."""
+    """View provider of the flat part."""
 
     icon_name = "Elastica_Flat"
 
 
 class ModelView(_View):
-    """The model in the tree, with its strips below it."""
+    """View provider of the model, with its strips below it in the tree."""
 
     icon_name = "Elastica_Interlock"
 
     def claimChildren(self) -> list[Any]:
-        """The strips that stand for themselves where they are not slotted."""
+        """Return the strips, which are shown separately only if the model has no slots."""
         return list(self.Object.Strips)
 
     def onDelete(self, _provider: Any, _elements: Any) -> bool:
-        """Strips that the model hid stand for themselves again, as soon as they can be made."""
+        """Show the strips that the model hid, unless they failed."""
         for strip in self.Object.Strips:
             if not any(
                 isinstance(_view_of(user), ModelView) for user in strip.InList if user is not self.Object
@@ -86,37 +86,37 @@ class ModelView(_View):
 
 
 class FixturesView(_View):
-    """The printed blocks in the tree."""
+    """View provider of the printed blocks."""
 
     icon_name = "Elastica_Fixtures"
 
 
 class BasePlateView(_View):
-    """The base plate in the tree."""
+    """View provider of the base plate."""
 
     icon_name = "Elastica_Fixtures"
 
 
 class NestView(_View):
-    """The nested sheets in the tree."""
+    """View provider of the nested sheets."""
 
     icon_name = "Elastica_Nest"
 
 
 class NearestView(_View):
-    """The nearest curve in the tree."""
+    """View provider of the nearest curve."""
 
     icon_name = "Elastica_Nearest"
 
 
 class BentView(_View):
-    """The curve of a strip bent further, in the tree."""
+    """View provider of a strip's curve that is bent further."""
 
     icon_name = "Elastica_Bend"
 
 
 class SectionView(_View):
-    """The curves cut out of bodies, in the tree."""
+    """View provider of the sections of bodies."""
 
     icon_name = "Elastica_Section"
 
@@ -130,4 +130,4 @@ KINDS = {
     "BasePlate": BasePlateView, "Nest": NestView, "Nearest": NearestView, "Bent": BentView,
     "Section": SectionView,
 }  # fmt: skip
-"""The view provider of every kind of feature."""
+"""View provider of every kind of feature."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Objects and documents that may be gone or not be ours, what files keep of proxies, sensors that keep nothing."""
+"""Checks for deleted or foreign objects, proxies that save nothing, and sensors that hold no references."""
 
 from collections.abc import Callable
 from typing import Any
@@ -13,7 +13,7 @@ FEATURES = "freecad.elastica_wb.features."
 
 
 def lives(obj: Any) -> bool:
-    """Is it still in its document? What the undo history keeps is not."""
+    """Return True if an object is in its document. Objects that only the undo history holds do not count."""
     try:
         return obj.Document is not None and obj in obj.Document.Objects
     except (ReferenceError, RuntimeError):
@@ -21,12 +21,12 @@ def lives(obj: Any) -> bool:
 
 
 def is_ours(obj: Any) -> bool:
-    """Is it a feature of this workbench? Asked without importing what makes them."""
+    """Return True if an object is a feature of this workbench. No feature module is imported for this."""
     return type(getattr(obj, "Proxy", None)).__module__.startswith(FEATURES)
 
 
 def document_lives(document: Any) -> bool:
-    """Is it still open?"""
+    """Return True if a document is open."""
     try:
         return document.Name in App.listDocuments()
     except (ReferenceError, RuntimeError):
@@ -34,10 +34,10 @@ def document_lives(document: Any) -> bool:
 
 
 def sensor(kind: Any, told: Callable[..., None]) -> Any:
-    """A sensor of Coin that calls a method for as long as its object is used elsewhere.
+    """Return a Coin sensor that calls a method only as long as the method's object is referenced elsewhere.
 
-    pivy never lets go of what a sensor calls: with it a card and its widgets would stay in memory, and PySide would
-    take their faces for those of the next widgets at their addresses.
+    pivy never releases the function that a sensor calls. A card and its widgets would stay in memory, and PySide
+    would reuse their wrappers for new widgets at the same addresses.
     """
     method = WeakMethod(told)
 
@@ -50,7 +50,7 @@ def sensor(kind: Any, told: Callable[..., None]) -> Any:
 
 
 class Unsaved:
-    """A proxy of an object or of a view provider, of which a file keeps the class alone."""
+    """A proxy of an object or a view provider. A file stores only its class."""
 
     def dumps(self) -> None:
         """Return None: there is nothing to save."""

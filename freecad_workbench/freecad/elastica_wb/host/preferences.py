@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The user's preferences, with the values that hold until he changes them."""
+"""The user's preferences and their defaults."""
 
 from typing import Any
 
@@ -25,13 +25,13 @@ DEFAULTS: dict[str, Any] = {
     "CardFolded": False,
     "ExportFolder": "",
 }
-"""Name of every preference and what holds until it is changed; the type is the default's."""
+"""Default of every preference. The type of a preference is that of its default."""
 
 CHOICES = {
     "DxfVersion": ("R2010", "R12", "R2000", "R2004", "R2007", "R2013", "R2018"),
     "Curves": ("spline", "arc", "polyline"),
 }
-"""What can be chosen, in the order of the preferences page: FreeCAD keeps the number of the choice."""
+"""Choices in the order of the preferences page. FreeCAD stores the number of the choice."""
 
 
 def get(name: str) -> Any:
@@ -59,7 +59,7 @@ def put(name: str, value: Any) -> None:
 
 
 def default_sheet() -> str:
-    """The sheet that new strips are made of; a known one even when the preference names none."""
+    """Return the default sheet of new strips. An unknown name in the preferences is ignored."""
     from freecad.elastica_wb.host.sheet_store import sheet_list
 
     name = get("DefaultSheet")

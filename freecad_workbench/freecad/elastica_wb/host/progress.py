@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Work that may take long: FreeCAD's own progress bar, and Escape stops it."""
+"""Long computations with FreeCAD's progress bar. Escape stops them."""
 
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -15,26 +15,26 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.refusals import note
 
 Step = Callable[[int], bool]
-"""Told how much is done; says whether to go on."""
+"""Function that takes the number of parts done, and returns False to stop."""
 
 Answer, Item = TypeVar("Answer"), TypeVar("Item")
 
-QUIET_S = 0.5  # s before anything is shown
+QUIET_S = 0.5  # s before the progress bar appears
 PULSE_S = 0.02  # s
 
 _workers = ThreadPoolExecutor(max_workers=2, thread_name_prefix="elastica")
 
 
 def begun(work: Callable[..., Answer], *arguments: Any) -> "Future[Answer]":
-    """Start work in a thread, and return its future."""
+    """Start work in a thread and return its future."""
     return _workers.submit(work, *arguments)
 
 
 @contextmanager
 def progress(title: str, count: int = 0) -> Iterator[Step]:
-    """FreeCAD's progress bar while something of `count` parts is done; its step says False after Escape.
+    """Show FreeCAD's progress bar for work of `count` parts. The step that it yields returns False after Escape.
 
-    FreeCAD takes the mouse and the keys meanwhile, here as in a recompute, whose bar this one then is.
+    FreeCAD blocks mouse and keys meanwhile. In a recompute, this bar takes the place of the recompute's bar.
     """
     if not App.GuiUp:
         yield lambda _done: True
@@ -71,7 +71,7 @@ def progress(title: str, count: int = 0) -> Iterator[Step]:
 
 
 def in_background(title: str, work: Callable[..., Answer], *arguments: Any) -> Answer:
-    """The answer of work that may take seconds, in a thread of its own; after half a second the user can stop it.
+    """Do work in a separate thread and return its result. After half a second the user can stop it.
 
     Raises
     ------
@@ -97,19 +97,19 @@ def in_background(title: str, work: Callable[..., Answer], *arguments: Any) -> A
 
 
 def go_on(step: Step | None, done: int, stopped: str) -> None:
-    """Tell how much is done.
+    """Report the number of parts done.
 
     Raises
     ------
     NotConvergedError
-        The user said stop; with what that leaves.
+        The user stopped the work; with the text `stopped`.
     """
     if step is not None and not step(done):
         raise NotConvergedError("stopped: {why}", why=note(stopped))
 
 
 def in_steps(title: str, items: Sequence[Item], work: Callable[[Item], Answer]) -> list[Answer]:
-    """The answers of work on many things, one by one in this thread; the user can stop between them.
+    """Do work on each item in this thread and return the results. The user can stop it between two items.
 
     Raises
     ------

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Properties as a table: added where missing, so that files of earlier versions gain the later ones."""
+"""Tables of properties. Missing properties are added, so that files of earlier versions gain newer properties."""
 
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
@@ -15,14 +15,14 @@ from elastica_cad.declared import Field
 from elastica_cad.design.records import written
 from elastica_cad.errors import InputError
 
-OUTPUT, TRANSIENT = 8, 2  # FreeCAD's flags: a change asks for no recompute; not saved
+OUTPUT, TRANSIENT = 8, 2  # FreeCAD's flags: a change causes no recompute; not saved
 
 
 @dataclass(frozen=True)
 class Property:
-    """One property of a feature; `default` is a value other than FreeCAD's own, or the list of choices.
+    """A property of a feature. `default` is a value other than FreeCAD's default, or the list of choices.
 
-    An `example` of what is written into it is shown behind the help.
+    The help shows the `example`, if there is one, after its text.
     """
 
     kind: str
@@ -48,20 +48,20 @@ class Property:
 
 
 def result(kind: str, name: str, help: str, **shown: bool) -> Property:
-    """The property in which a feature answers; `shown` says how, as of `Property`."""
+    """Return the property for a result. `shown` sets options of `Property`."""
     return Property(kind, name, "Result", help, result=True, **shown)
 
 
 KINDS = {"number": "Float", "count": "Integer", "flag": "Bool", "text": "String", "choice": "Enumeration"}
 UNITS = {"mm": "Length", "rad": "Angle"}
 NOTHING = "none"
-"""The choice that leaves an optional field out."""
+"""Choice that leaves an optional field out."""
 
 
 def declared_property(
     field: Field, group: str, name: str = "", *, given: Any = None, example: str = ""
 ) -> Property:
-    """The property of a declared field, called as the field unless told; `given` is the default of a new object."""
+    """Return the property of a declared field. `name` and `given` replace the field's name and default."""
     kind, name, default = written(field.kind), name or field.name.title().replace("_", ""), field.default
     called = KINDS.get(kind.name) or ("StringList" if kind.name == "list" else "String")
     if kind.name == "number":
@@ -76,7 +76,7 @@ def declared_property(
 
 
 def values_of(obj: Any, fields: Mapping[str, Field]) -> dict[str, Any]:
-    """What properties ask for, by the names of their declared fields."""
+    """Return the values of properties by the names of their declared fields."""
     return {
         field.name: getattr(value, "Value", value)
         for field, value in ((field, getattr(obj, name)) for name, field in fields.items())
@@ -84,7 +84,7 @@ def values_of(obj: Any, fields: Mapping[str, Field]) -> dict[str, Any]:
 
 
 def ensure(obj: Any, table: Iterable[Property]) -> None:
-    """Add the properties that are missing, change those whose type was another, set how the editor shows them."""
+    """Add missing properties, replace those of another type, and set how the editor shows them."""
     for entry in table:
         kept = None
         if entry.name in obj.PropertiesList and obj.getTypeIdOfProperty(entry.name) != entry.type_id:
@@ -102,12 +102,12 @@ def ensure(obj: Any, table: Iterable[Property]) -> None:
 
 
 def require_choices(obj: Any, table: Iterable[Property]) -> None:
-    """Refuse what a formula makes of a list of choices and is none of them: FreeCAD takes the first for a name.
+    """Refuse a formula whose value is not a choice. FreeCAD would take the first choice for an unknown name.
 
     Raises
     ------
     InputError
-        With the property, its formula and what that gives.
+        A formula gives an invalid choice; with the property, the formula and its value.
     """
     formulas = _formulas(obj)
     for name in [entry.name for entry in table if entry.kind == "Enumeration"]:
@@ -116,7 +116,7 @@ def require_choices(obj: Any, table: Iterable[Property]) -> None:
 
 
 def _formulas(obj: Any) -> dict[str, str]:
-    """The formulas of an object by the properties that they give."""
+    """Return the formulas of an object, by property."""
     return {name: formula for name, formula, *_ in obj.ExpressionEngine}
 
 
@@ -124,7 +124,7 @@ def _require_choice(obj: Any, name: str, formula: str) -> None:
     choices = obj.getEnumerationsOfProperty(name)
     try:
         given = obj.evalExpression(formula)
-    except Exception as error:  # FreeCAD has a class for every way to fail
+    except Exception as error:  # FreeCAD raises many classes of errors
         raise InputError(
             "the formula of {name} cannot be computed ({formula}): mend it, or take it away",
             name=name,
@@ -146,27 +146,31 @@ def _require_choice(obj: Any, name: str, formula: str) -> None:
 def _is_choice(given: Any, choices: list[str]) -> bool:
     if isinstance(given, str):
         return given in choices
-    # of a number FreeCAD takes what is before the point
+    # FreeCAD truncates a number
     return isinstance(given, (int, float)) and -1 < given < len(choices)
 
 
 def is_misread(obj: Any, name: str) -> bool:
-    """Tell whether a formula left a list without a choice, or on its first one for a word that is no choice."""
+    """Return True if a formula gave an invalid choice.
+
+    The property is then empty, or has its first choice for an unknown name.
+    """
     present, formula = getattr(obj, name), _formulas(obj).get(name)
     if present is None or formula is None:
         return present is None
     choices = obj.getEnumerationsOfProperty(name)
     if present != choices[0]:
         return False
-    with suppress(Exception):  # what cannot be computed chooses nothing
+    with suppress(Exception):  # a formula that cannot be computed chooses nothing
         return not _is_choice(obj.evalExpression(formula), choices)
     return False
 
 
 def choose_again(obj: Any, name: str, chosen: str | None) -> None:
-    """Choose what was chosen before, else the first: a number out of range leaves a list without a choice.
+    """Restore an earlier choice, or else take the first.
 
-    From there on FreeCAD 1.0 and 1.1 take no name and no number, only the list and a number together.
+    A number out of range leaves the property without a choice. In that state FreeCAD 1.0 and 1.1 accept neither a
+    name nor a number, only the list together with a number.
     """
     choices = obj.getEnumerationsOfProperty(name)
     if choices:
@@ -174,7 +178,7 @@ def choose_again(obj: Any, name: str, chosen: str | None) -> None:
 
 
 def put(obj: Any, **values: Any) -> None:
-    """Set the properties whose value differs, so that an unchanged result leaves no trace in the undo history."""
+    """Set the properties whose value differs, so that an unchanged result adds nothing to the undo history."""
     for name, value in values.items():
         present = getattr(obj, name)
         if getattr(present, "Value", present) != value:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Qt as this FreeCAD has it: 0.20's PySide has no QtWidgets of its own; and the widgets below its views."""
+"""Qt in all supported releases (PySide of FreeCAD 0.20 has no QtWidgets), and the widgets of 3D views."""
 
 import gc
 from collections.abc import Callable
@@ -27,12 +27,12 @@ __all__ = [
     "when_free",
 ]
 
-ACTION = getattr(QtGui, "QAction", None) or QtWidgets.QAction  # Qt 6 has moved it
-AGAIN_MS = 20  # until a document that recomputes is asked again: its progress bar lets timers run
+ACTION = getattr(QtGui, "QAction", None) or QtWidgets.QAction  # moved in Qt 6
+AGAIN_MS = 20  # before a document that recomputes is checked again: its progress bar lets timers run
 
 
 def later(work: Callable[[], Any], wait: int = 0, parent: Any = None) -> Any:
-    """A timer that does work once, `wait` ms after each start; what belongs to a `parent` ends with it."""
+    """Return a timer that does work once, `wait` ms after each start. It is deleted with its `parent`."""
     timer = QtCore.QTimer(parent)
     timer.setSingleShot(True)
     timer.setInterval(wait)
@@ -41,7 +41,7 @@ def later(work: Callable[[], Any], wait: int = 0, parent: Any = None) -> Any:
 
 
 def when_free(work: Callable[[], Any]) -> None:
-    """Do work soon, but not while something is computed."""
+    """Do work soon, but not during a computation."""
 
     def look() -> None:
         if is_busy():
@@ -53,15 +53,15 @@ def when_free(work: Callable[[], Any]) -> None:
 
 
 def is_busy() -> bool:
-    """Does a document recompute, or a progress bar wait for the end of some work?"""
+    """Return True if a document recomputes or a progress bar waits for work."""
     return EscapeKey.watching > 0 or any(document.Recomputing for document in App.listDocuments().values())
 
 
 def surface_of(view: Any) -> Any | None:
-    """The widget that a 3D view is drawn on; None where PySide still holds the one of a closed view for it.
+    """Return the widget on which a 3D view is drawn, or None if PySide returns the wrapper of a closed view.
 
-    Qt may put a new view where a closed one lay in memory, and PySide then hands out the old wrapper for as long as
-    something refers to that. Circles of references that nobody needs any more are taken away first.
+    Qt may put a new view at the address of a closed view. PySide then returns the old wrapper as long as something
+    refers to it. Therefore unused reference cycles are collected first.
     """
     for attempt in (1, 2):
         try:
@@ -76,22 +76,22 @@ def surface_of(view: Any) -> Any | None:
 
 
 def kind_of(event: Any) -> Any | None:
-    """Return the type of an event; None where PySide hands a widget's wrapper to the filter instead of an event.
+    """Return the type of an event, or None if PySide passes a widget's wrapper instead of an event.
 
-    As with views: an event may lie in memory where a deleted widget lay, and it is then no event that can be asked.
+    An event may be at the address of a deleted widget, and the old wrapper has no event type.
     """
     return event.type() if isinstance(event, QtCore.QEvent) else None
 
 
 class InputLater(QtCore.QObject):
-    """Puts shortcuts and timers off until nothing is computed, and ignores the wheel.
+    """Delays shortcuts and timers until nothing is computed, and ignores the mouse wheel.
 
-    FreeCAD's progress bar keeps keys and mouse buttons from the window, but not these. An undo in a recompute
-    cannot delete objects, and its step is lost. Timers that repaint windows and show the bar go on.
+    FreeCAD's progress bar blocks keys and mouse buttons, but not shortcuts, timers and the wheel. An undo during a
+    recompute cannot delete objects, and its step is lost. Timers that repaint windows and show the bar continue.
     """
 
     def watch(self) -> None:
-        """Begin to watch; the filter that was installed last is called first."""
+        """Start watching. Qt calls the filter that was installed last first."""
         QtCore.QCoreApplication.instance().installEventFilter(self)
 
     def leave(self) -> None:
@@ -99,7 +99,7 @@ class InputLater(QtCore.QObject):
         QtCore.QCoreApplication.instance().removeEventFilter(self)
 
     def eventFilter(self, watched: Any, event: Any) -> bool:
-        """Hold back an event; a timer that is held back fires again after its interval."""
+        """Delay an event. A delayed timer fires again after its interval."""
         kind = kind_of(event)
         if kind == QtCore.QEvent.Shortcut and isinstance(watched, ACTION) and is_busy():
             when_free(watched.trigger)
@@ -113,13 +113,13 @@ class InputLater(QtCore.QObject):
 
 
 class EscapeKey(InputLater):
-    """Notes that Escape was pressed, whoever has the keyboard."""
+    """Detects the Escape key, regardless of the keyboard focus."""
 
     watching = 0
     pressed = False
 
     def watch(self) -> None:
-        """Begin to watch."""
+        """Start watching."""
         EscapeKey.watching += 1
         super().watch()
 
@@ -129,7 +129,7 @@ class EscapeKey(InputLater):
         super().leave()
 
     def eventFilter(self, watched: Any, event: Any) -> bool:
-        """Escape is for us alone."""
+        """Keep Escape from all other receivers."""
         typed = kind_of(event) == QtCore.QEvent.KeyPress
         if typed and event.key() == QtCore.Qt.Key_Escape:
             self.pressed = True

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""How a feature fails: a state with a sentence, and in the report view that sentence in a line.
+"""Errors of features: a message as the feature's state, and one line in the report view.
 
-FreeCAD makes every exception of `execute` the feature's state, and writes the text of its class and its own behind
-its traceback. A traceback is made of the Python functions that an exception leaves: one that is raised by compiled
-code, called by FreeCAD through compiled code alone, has none. So Python hands its refusal over as a value, and
-compiled code raises it: a generator at its end throws what it is given. FreeCAD then writes who asked for the
-recompute instead.
+FreeCAD turns an exception of `execute` into the feature's state. It also prints a traceback, the name of the class
+and the message. The traceback lists the Python functions that the exception left, so it is empty if only compiled
+code raised and passed on the exception. Therefore Python returns the error as a value, and compiled code raises it.
+FreeCAD then prints the caller of the recompute instead.
 """
 
 import os
@@ -26,42 +25,42 @@ from elastica_cad.errors import ElasticaError, InputError, MissingDependencyErro
 from elastica_cad.refusals import note
 
 FAILURES = (ElasticaError, ImportError, Part.OCCError, Base.FreeCADError)
-"""What `execute` answers in words; anything else is a mistake of ours and shows where it was made."""
+"""Exceptions that `execute` turns into messages. Any other exception is a bug and keeps its traceback."""
 
 LOST_LINK = re.compile(r"[Oo]bject: (.+)\n.*[Ff]ile: (.+)")
-"""What FreeCAD says of a link whose file it does not find, or whose document was closed."""
+"""FreeCAD's message for a link whose file is missing or whose document was closed."""
 
 
 FORMULA = re.compile(r"(.*)\nin property binding '.*\.(\w+)'\s*", re.DOTALL)
-"""What FreeCAD says of an object with a formula that it cannot compute: it leaves the object as it was."""
+"""FreeCAD's message for an object with a formula that cannot be computed."""
 
 
 class _Speaker(type):
-    """The class of a class whose text is the name of what failed."""
+    """Metaclass that prints the name of the failed object as the name of the class."""
 
     who = ""
 
     def __str__(cls) -> str:
-        return f" Elastica, {cls.who}"  # behind the place of the recompute
+        return f" Elastica, {cls.who}"  # printed after the place of the recompute
 
 
 class RefusalError(ValueError, metaclass=_Speaker):
-    """The error that `execute` raises when an object cannot be made."""
+    """The error that `execute` raises if an object cannot be made."""
 
 
 def refused(obj: Any, error: ElasticaError) -> RefusalError:
-    """Return the error of an object as the exception that `raising` raises."""
+    """Return the exception for an object's error, for `raising`."""
     RefusalError.who = obj.Label
     return RefusalError(worded(str(error)))
 
 
 def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]:
-    """Work on an object that raises the refusal which `work` returns, without a Python function between."""
+    """Return a function that does work and raises the returned error, without a Python function in between."""
     return partial(reduce, or_, (_Worker(work), _Thrower()))  # (obj | worker) | thrower
 
 
 class _Worker:
-    """`obj | worker` works on the object: a refusal, or `_Made`."""
+    """`obj | worker` does the work and returns an error or `_Made`."""
 
     def __init__(self, work: Callable[[Any], RefusalError | None]) -> None:
         self._work = work
@@ -71,7 +70,7 @@ class _Worker:
 
 
 class _Made:
-    """Nothing is thrown after it."""
+    """Result without an error: nothing is raised."""
 
     def __or__(self, _thrower: object) -> None:
         return None
@@ -82,7 +81,7 @@ next(_ended, None)
 
 
 class _Thrower:
-    """`refusal | thrower` raises it."""
+    """`refusal | thrower` raises the refusal."""
 
     __ror__ = staticmethod(_ended.throw)
 
@@ -102,9 +101,9 @@ def explained(error: Exception) -> ElasticaError:
 
 
 def why_not_made(obj: Any) -> str:
-    """Return the error of an object, or of what it is made from; empty without error.
+    """Return the error of an object or of its sources, or "" if there is none.
 
-    FreeCAD leaves out what is made from something that failed, and that has no state of its own then.
+    FreeCAD skips the dependents of a failed object, and they have no error state.
     """
     failed = [one for one in (obj, *obj.OutListRecursive) if "Invalid" in one.State]
     first = next((one for one in failed if not set(one.OutListRecursive) & set(failed)), None)
@@ -117,7 +116,7 @@ def why_not_made(obj: Any) -> str:
 
 
 def why_not_computed(obj: Any) -> str:
-    """Return the error of a formula of an object; empty without error."""
+    """Return the error of an object's formula, or "" if there is none."""
     found = FORMULA.fullmatch(str(obj.getStatusString())) if "Invalid" in obj.State else None
     if found is None:
         return ""
@@ -129,12 +128,12 @@ def why_not_computed(obj: Any) -> str:
 
 
 def is_broken_link(obj: Any) -> bool:
-    """Is it a link whose object was deleted, or is not found?"""
+    """Return True if an object is a link whose target was deleted or is not found."""
     return bool(obj.TypeId.startswith("App::Link")) and getattr(obj, "LinkedObject", obj) is None
 
 
 def told_of_broken_link(obj: Any) -> str:
-    """Return what is wrong with a broken link, and what to do."""
+    """Return the problem of a broken link, with advice."""
     lost = LOST_LINK.search(str(obj.getStatusString()))
     if lost:
         return note(
@@ -150,7 +149,7 @@ def told_of_broken_link(obj: Any) -> str:
 
 
 def _why_not_made_by_others(obj: Any) -> str:
-    """A sentence about an object of FreeCAD itself; its own words are those of a programmer."""
+    """Return a message for an object of FreeCAD. FreeCAD's text is written for programmers."""
     said = str(obj.getStatusString())
     if is_broken_link(obj) or LOST_LINK.search(said):
         return told_of_broken_link(obj)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Words and pictures of the workbench: translation, icons, panels."""
+"""Resources of the workbench: translations, icons, panels."""
 
 from functools import cache
 from pathlib import Path
@@ -15,7 +15,7 @@ TRIES = 10
 HERE = Path(__file__).resolve()
 
 RESOURCES = next(at / "resources" for at in (HERE.parents[1], HERE.parents[3]) if (at / "resources").is_dir())
-"""In the folder that `make addon` writes beside the modules, in a checkout beside `freecad`."""
+"""Folder that `make addon` writes beside the modules. In a checkout it is beside `freecad`."""
 
 _aside: list[Any] = []
 
@@ -26,7 +26,7 @@ def translate(context: str, words: str) -> str:
 
 
 def QT_TRANSLATE_NOOP(_context: str, words: str) -> str:
-    """Words that are translated where they are shown; here lupdate finds them."""
+    """Mark words for lupdate. They are translated where they are shown."""
     return words
 
 
@@ -38,8 +38,8 @@ def icon(name: str) -> str:
 def load_panel(name: str) -> Any:
     """Make a widget from its .ui file.
 
-    PySide may take the Python face of a deleted widget for a new one at the same address (FreeCAD 1.0 on
-    Python 3.13 does); such a form is put aside, where it keeps its addresses, and the file is loaded anew.
+    PySide may reuse the wrapper of a deleted widget for a new widget at the same address, as in FreeCAD 1.0 with
+    Python 3.13. Such a form is kept, so that its addresses stay occupied, and the file is loaded again.
     """
     import FreeCADGui as Gui
 
@@ -53,7 +53,7 @@ def load_panel(name: str) -> Any:
 
 @cache
 def quantities_of(name: str) -> dict[str, float]:
-    """The values that a .ui file gives its quantity boxes: these keep only the digits that they show."""
+    """Return the values of the quantity boxes in a .ui file. The boxes keep only the digits that they show."""
     tree = ElementTree.parse(RESOURCES / "ui" / f"{name}.ui")
     found = {}
     for widget in tree.iter("widget"):
@@ -64,7 +64,7 @@ def quantities_of(name: str) -> dict[str, float]:
 
 
 def _sound(form: Any) -> bool:
-    """Does every widget have the face of its own class?"""
+    """Return True if every widget has a wrapper of its own class."""
     from freecad.elastica_wb.host.qt import QtCore, QtWidgets
 
     for widget in vars(form).values():

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The sheets that a user can choose: the built-in ones and his own, kept in a TOML file."""
+"""The available sheets: built-in sheets, and sheets that the user keeps in a TOML file."""
 
 from collections.abc import Iterable
 from functools import lru_cache
@@ -26,7 +26,7 @@ def _file_in(folder: str) -> Path:
 
 
 def own_sheets() -> dict[str, Sheet]:
-    """The user's sheets by name; an unreadable file is told in the report view and counts as empty."""
+    """Return the user's sheets by name. An unreadable file is reported in the report view and counts as empty."""
     path = own_sheets_file()
     try:
         state = path.stat()
@@ -37,7 +37,7 @@ def own_sheets() -> dict[str, Sheet]:
 
 @lru_cache(maxsize=1)
 def _read(path: Path, *_state: int) -> dict[str, Sheet]:
-    """The file as it is in this state; it is asked for at every recompute."""
+    """Read the file. Its state is part of the cache key, because every recompute needs the sheets."""
     try:
         return dict(load_sheets(path))
     except InputError as error:
@@ -46,12 +46,12 @@ def _read(path: Path, *_state: int) -> dict[str, Sheet]:
 
 
 def save_own_sheets(sheets: Iterable[Sheet]) -> None:
-    """Write the user's sheets, which replace all that the file held.
+    """Write the user's sheets. They replace all sheets in the file.
 
     Raises
     ------
     InputError
-        The file cannot be written, or what it holds cannot be read and would be lost.
+        The file cannot be written, or its present content cannot be read and would be lost.
     """
     text = "\n".join(sheet.toml() for sheet in sheets)
     path = own_sheets_file()
@@ -76,11 +76,11 @@ def sheet_list() -> list[str]:
 
 
 def sheet_called(name: str, kept: str = "") -> Sheet:
-    """The sheet of that name; where it is not in the library, the one kept (as TOML) in the document."""
+    """Return the sheet of that name. If the library has no such sheet, return the copy in the document (TOML)."""
     own = own_sheets()
     if name in own:
         return own[name]
-    if name in built_in_figures():  # every recompute asks, and files need not be looked for
+    if name in built_in_figures():  # every recompute calls this, so skip the search for files
         return _built_in(name)
     if name in sheet_names():
         return Sheet.named(name)
@@ -97,7 +97,7 @@ _built_in = lru_cache(maxsize=64)(Sheet.named)
 
 @lru_cache(maxsize=64)
 def text_of(sheet: Sheet) -> str:
-    """A sheet's numbers as documents keep them: what `sheet_from_text` reads."""
+    """Return a sheet as TOML text. Documents store this text, and `sheet_from_text` reads it."""
     return sheet.toml()
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Sentences for the user, in windows that stop nobody."""
+"""Messages in windows that do not block."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,8 +14,8 @@ from freecad.elastica_wb.host.words import report, report_error, report_warning,
 
 from elastica_cad._text import printable
 
-STATUS_MS = 20_000  # that a sentence stays in the status bar: long enough to be read after a look at the view
-MOST_FILES = 12  # named in a window
+STATUS_MS = 20_000  # long enough to read the message after a look at the view
+MOST_FILES = 12  # that a window lists
 
 _told: list[Any] = []
 
@@ -29,7 +29,7 @@ def tell(sentence: str) -> None:
 
 
 def tell_files(files: list[Path], notes: Sequence[str] = ()) -> None:
-    """Which files were written and what to know of them, with a button that opens their folder."""
+    """Show the written files and notes on them, with a button that opens their folder."""
     folder = files[0].parent
     names = [file.name for file in files[:MOST_FILES]] + ["..."] * (len(files) > MOST_FILES)
     heading = f"{translate('Elastica', 'Written to')} {folder}:"

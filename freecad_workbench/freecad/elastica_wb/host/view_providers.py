@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""How features get their view providers and panels: the window, where there is one, registers what makes them."""
+"""View providers and panels of features. The graphical interface registers the functions that make them."""
 
 from collections.abc import Callable
 from typing import Any
@@ -10,7 +10,7 @@ _registered: list[tuple[Callable[[Any, str], None], Callable[[Any], Any]]] = []
 
 
 def register(dresser: Callable[[Any, str], None], panel: Callable[[Any], Any]) -> None:
-    """`dresser(view provider, kind)` is told of every new feature; `panel(feature)` makes its panel."""
+    """Register `dresser(view provider, kind)` for new features, and `panel(feature)`, which makes a panel."""
     _registered[:] = [(dresser, panel)]
 
 
@@ -20,7 +20,7 @@ def panel_of(obj: Any) -> Any:
 
 
 def dress(obj: Any, kind: str) -> None:
-    """Give a feature the view provider of its kind, where there is a window and it has none yet.
+    """Give a feature the view provider of its kind, if there is a window and it has no view provider.
 
     A file that freecadcmd wrote holds no view providers.
     """

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Sentences as the user reads them: in his language, with FreeCAD's names of fields, his unit and decimal point.
+"""Messages as the user reads them: language, names of fields, unit of length and decimal point of FreeCAD.
 
-The core and the workbench make records: an English template and its values. A catalogue holds the template of a
-language for each of the English ones; what it does not hold is said in English.
+The core and the workbench make records: an English template and its values. A catalogue translates the templates. A
+template that is not in the catalogue stays in English.
 """
 
 from collections.abc import Iterable
@@ -17,12 +17,12 @@ from freecad.elastica_wb.host.resources import translate
 from elastica_cad._text import printable
 from elastica_cad.words import Translated
 
-USUAL_MM = 10.0  # mm: a strip's width tells which of its units FreeCAD would use for all
+USUAL_MM = 10.0  # mm: FreeCAD shows all lengths in its unit for the width of a strip
 
 
 @dataclass(frozen=True)
 class Unit:
-    """A unit of length: its name, and how many mm it has."""
+    """A unit of length: its name and its size in mm."""
 
     name: str
     size: float
@@ -35,36 +35,36 @@ def shown_unit() -> Unit:
 
 
 class Words(Translated):
-    """Words messages in the user's language and unit."""
+    """Translates messages to the user's language and unit."""
 
     def __init__(self, language: str, unit: Unit, point: str) -> None:
         super().__init__(language)
         self.unit, self.size, self.point = unit.name, unit.size, point
 
     def field(self, name: str) -> str:
-        """Return the property that holds a field."""
+        """Return the property of a field."""
         return name_of(name)
 
 
 def user_language() -> str:
-    """The name of a catalogue; it can be changed while FreeCAD runs."""
+    """Return the name of the user's catalogue. The user can change the language while FreeCAD runs."""
     return translate("Elastica", "en")
 
 
 def worded(said: str, unit: Unit | None = None) -> str:
-    """A record as the user reads it; what was worded before, and names of the user's, stay."""
+    """Return a record in the user's words. Translated texts and the user's names stay as they are."""
     words = Words(user_language(), unit or shown_unit(), decimal_point())
     return printable(words.sentence(said)) if said else ""
 
 
 def capital(sentence: str) -> str:
-    """Return the sentence with a capital letter, but for a user's name that a colon follows."""
+    """Return the sentence with a capital letter, unless it begins with a user's name and a colon."""
     first = sentence.partition(" ")[0]
     return sentence if first.endswith(":") else sentence[:1].upper() + sentence[1:]
 
 
 def together(named: Iterable[tuple[str, str]]) -> list[str]:
-    """Return each sentence once, behind the names of all that it is about; without the empty ones."""
+    """Return each sentence once, after the names of all its objects. Empty sentences are left out."""
     names: dict[str, list[str]] = {}
     for name, said in named:
         names.setdefault(said, []).append(name)
@@ -72,7 +72,7 @@ def together(named: Iterable[tuple[str, str]]) -> list[str]:
 
 
 def decimal_point() -> str:
-    """Return the sign between whole and decimal digits, as in FreeCAD's own input fields."""
+    """Return the decimal point that FreeCAD's input fields use."""
     if not App.GuiUp:
         return "."
     from freecad.elastica_wb.host.qt import QtCore
@@ -81,7 +81,7 @@ def decimal_point() -> str:
 
 
 def report(sentence: str, who: str = "") -> None:
-    """Something that was done, in the report view and on the terminal that FreeCAD was started from."""
+    """Report an action in the report view and in the terminal."""
     App.Console.PrintMessage(_line(sentence, who))
 
 

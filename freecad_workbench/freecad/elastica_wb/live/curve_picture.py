@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What the overlay shows of a curve, as plain points in the plane of the sketch: no window needed."""
+"""Contents of the overlay as plain points in the sketch plane. No window is needed."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -20,10 +20,10 @@ from elastica_cad.refusals import Length
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
-TEETH = 161  # of the comb: as smooth as a screen shows it
+TEETH = 161  # of the comb: smooth on a screen
 COMB_HEIGHT = 0.2  # of the curve's extent
-LINE_MARGIN = 0.15  # of the curve's extent, by which the inflection line sticks out
-ON_LINE = 1e-4  # of the length: what `check_equilibrium` puts right by itself
+LINE_MARGIN = 0.15  # of the curve's extent: how far the inflection line extends beyond the curve
+ON_LINE = 1e-4  # of the length: deviation that `check_equilibrium` corrects
 
 
 def _nothing() -> FloatArray:
@@ -37,19 +37,19 @@ class Picture:
     Attributes
     ----------
     answer : Answer
-        The verdict, as far as it is known at once.
+        The verdict that needs no search.
     realizable : bool or None
-        None where only the solver can tell (with weight).
+        None if only the solver can decide (with weight).
     comb, strained : tuple of (n, 2) arrays
-        Curvature comb, rim and teeth: where the sheet bears the bend, and where it is bent beyond that.
+        Rim and teeth of the curvature comb, within the strain limit of the sheet and beyond it.
     line : (2, 2) array or None
-        The inflection line inside the neighbourhood of the curve.
+        The inflection line, near the curve.
     on_line, off_line : (k, 2) arrays
         Inflections on the line and off it.
     crossings : (k, 2) array
-        Where the line meets the curve and must not.
+        Inadmissible crossings of the line and the curve.
     labels : tuple of ((x, y), mm)
-        Arc lengths of those marks, by which the verdict names them.
+        Arc lengths of these marks. The verdict refers to them.
     """
 
     answer: Answer
@@ -64,7 +64,7 @@ class Picture:
 
 
 def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None) -> Picture:
-    """Return the overlay of a curve held and loaded as `spec` says; `scale` is the comb's, mm for 1/mm."""
+    """Return the overlay of a curve, supported and loaded as in `spec`. `scale` of the comb is in mm for 1/mm."""
     scale = scale or comb_scale(curve)
     try:
         rod_spec = spec.changed(curve=curve).rod_spec
@@ -72,7 +72,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     except ElasticaError as error:
         cannot = Answer(Verdict.CANNOT, translate("Elastica", "cannot"), str(error))
         return Picture(cannot, False, *_combs(curve.sample(TEETH), spec, scale))
-    shown = smoothing.curve if smoothing.moved else curve  # with its straight ends
+    shown = smoothing.curve if smoothing.moved else curve  # including its straight ends
     samples = shown.sample(TEETH)
     comb, strained = _combs(samples, spec, scale)
     places = dict(check.off_line) or dict.fromkeys(check.inflections, 0.0)
@@ -96,7 +96,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
 
 
 def comb_scale(curve: PlaneCurve) -> float:
-    """Return the length, mm, that the comb draws for a curvature of 1/mm."""
+    """Return the length of a comb tooth, mm, for a curvature of 1/mm."""
     samples = curve.sample(TEETH)
     largest = float(np.abs(samples.curvature).max())
     extent = float(np.ptp(samples.position, axis=0).max())
@@ -114,7 +114,7 @@ def width_lines(strip: Strip, count: int = 161) -> tuple[FloatArray, ...]:
 def _combs(
     samples: CurveSamples, spec: StripSpec, scale: float
 ) -> tuple[tuple[FloatArray, ...], tuple[FloatArray, ...]]:
-    """On the outer side of the bend, as FreeCAD's own combs are; what is bent too much is a comb of its own."""
+    """Return the combs on the outer side of the bend, as in FreeCAD: within the strain limit, and beyond it."""
     normals = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
     tips = samples.position - scale * samples.curvature[:, None] * normals
     bend = np.abs(samples.curvature - nodal_curvature(spec.natural_curvature, samples.s))
@@ -123,7 +123,7 @@ def _combs(
     edges = np.flatnonzero(np.diff(strained)) + 1
     runs = np.split(np.arange(len(tips)), edges)
     combs: tuple[list[FloatArray], list[FloatArray]] = ([], [])
-    for run in runs:  # a rim goes on to the first tooth of the next
+    for run in runs:  # a rim continues to the first tooth of the next rim
         combs[int(strained[run[0]])].extend([tips[run[0] : run[-1] + 2], *teeth[run]])
     return tuple(combs[0]), tuple(combs[1])
 
@@ -135,7 +135,7 @@ def _at(curve: PlaneCurve, places: Sequence[float]) -> FloatArray:
 
 
 def _inside(check: EquilibriumCheck, points: FloatArray) -> FloatArray:
-    """The piece of the inflection line along the curve, a little longer than the curve's shadow on it."""
+    """Return the inflection line beside the curve, slightly longer than the curve's projection on it."""
     along, start = np.asarray(check.line.direction), np.asarray(check.line.point)
     shadow = (points - start) @ along
     margin = LINE_MARGIN * float(np.ptp(points, axis=0).max())

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The switch of live feedback. FreeCAD learns of it at its start, so that it works in every workbench."""
+"""The command for live feedback. It is registered when FreeCAD starts, so it works in every workbench."""
 
 from typing import Any
 
@@ -13,7 +13,7 @@ NAME, BETWEEN = "Elastica_Live", "Elastica_Between"
 
 
 class LiveCommand:
-    """Turns the overlay of the open sketch on and off; the sketch remembers."""
+    """Turns the overlay of the open sketch on and off. The sketch stores the state."""
 
     name = NAME
     text = QT_TRANSLATE_NOOP("Elastica_Live", "Live feedback")
@@ -24,7 +24,7 @@ class LiveCommand:
     shortcut = "Y, L"
 
     def GetResources(self) -> dict[str, Any]:
-        """Return icon, words and keys."""
+        """Return icon, texts and shortcut."""
         return {
             "Pixmap": icon(self.name),
             "MenuText": self.text,
@@ -33,34 +33,34 @@ class LiveCommand:
             "WhatsThis": self.name,
             "Accel": self.shortcut,
             "CmdType": "ForEdit",
-            "Checkable": False,  # checkable, and not checked
+            "Checkable": False,  # this means checkable, but not checked
         }
 
     def IsActive(self) -> bool:
-        """A sketch is open."""
+        """Return True if a sketch is open."""
         return sketches.edited_sketch() is not None
 
     def Activated(self, _index: int = 0) -> None:
-        """Turn the overlay on where it is off, and off where it is on."""
+        """Toggle the overlay."""
         sketch = sketches.edited_sketch()
         if sketch is not None:
             observers.switch(sketch, on=not observers.is_on(sketch))
 
 
 class LiveManipulator:
-    """Puts what works in an open sketch beside the sketcher's own tools (FreeCAD 1.0 and later)."""
+    """Adds the commands for an open sketch to the sketcher's tools (FreeCAD 1.0 and later)."""
 
     def modifyToolBars(self) -> list[dict[str, str]]:
-        """Before the command that shows the section of a sketch."""
+        """Insert the commands before the command that shows a section of the sketch."""
         return [{"insert": name, "toolItem": "Sketcher_ViewSection"} for name in _known()]
 
     def modifyMenuBar(self) -> list[dict[str, str]]:
-        """Add the command to the menu of the sketcher."""
+        """Add the commands to the sketcher's menu."""
         return [{"append": name, "menuItem": "Sketcher_ViewSection"} for name in _known()]
 
 
 def _known() -> list[str]:
-    """The switch, and once the workbench was opened its tool for sketches."""
+    """Return the live command, and the tool for sketches if the workbench has been opened."""
     return [name for name in (NAME, BETWEEN) if name in Gui.listCommands()]
 
 
@@ -76,6 +76,6 @@ def register() -> None:
 def _show_state(on: bool) -> None:
     command = Gui.Command.get(NAME)
     for action in command.getAction() if command is not None else []:
-        action.blockSignals(True)  # the state is shown, not asked for
+        action.blockSignals(True)  # only the display changes
         action.setChecked(on)
         action.blockSignals(False)

@@ -24,13 +24,11 @@ from freecad.elastica_wb.live.sketches import (
 )
 
 PAUSE_MS = 300  # after the last recompute, undo or redo
-SOUGHT_MS = 50  # until work in another thread is asked for again
+SOUGHT_MS = 50  # between checks of work in another thread
 
 
 class LaterResults:
-    """Computes results that need not delay a recompute, one after the other: how far strips stray, which overlap in
-    a model, what a nest leaves out.
-    """
+    """Computes slow results after a recompute: deviation of strips, overlaps in models, remarks on nests."""
 
     def __init__(self) -> None:
         self._waiting: dict[tuple[str, str], Any] = {}
@@ -39,24 +37,24 @@ class LaterResults:
         self._timer = later(self._next)
 
     def slotRecomputedObject(self, obj: Any) -> None:
-        """Queue a strip or a model; work begins after the last object is recomputed."""
+        """Queue a strip or a model. Work starts after the last object is recomputed."""
         if is_strip(obj) or is_model(obj):
             self._wait_for(obj)
 
     def slotUndoDocument(self, document: Any) -> None:
-        """Queue every model: late results were written outside of the step that is undone."""
+        """Queue every model, because late results are not part of the undone step."""
         for obj in filter(is_model, document.Objects):
             self._wait_for(obj)
         self.slotRecomputedDocument(document)
 
     def slotRecomputedDocument(self, document: Any) -> None:
-        """Queue every nest, for a nest may depend on strips that FreeCAD does not link to it."""
+        """Queue every nest, because a nest may depend on strips that FreeCAD does not link to it."""
         self._nests[document.Name] = nests = [obj for obj in document.Objects if is_nest(obj)]
         for obj in nests:
             self._wait_for(obj)
 
     def slotDeletedObject(self, obj: Any) -> None:
-        """Queue the nests of the document: the object may have followed a strip, and nothing is recomputed."""
+        """Queue the document's nests. The deleted object may have followed a strip, without a recompute."""
         for nest in filter(lives, self._nests.get(obj.Document.Name, ())):
             self._wait_for(nest)
 
@@ -78,7 +76,7 @@ class LaterResults:
         if not self._waiting:
             return
         first, obj = next(iter(self._waiting.items()))
-        # something is dragged, or the document is not done: its progress bar lets timers run
+        # the user is dragging, or the document still recomputes: its progress bar lets timers run
         if QtWidgets.QApplication.mouseButtons() or (lives(obj) and obj.Document.Recomputing):
             self._timer.start(PAUSE_MS)
             return
@@ -89,7 +87,7 @@ class LaterResults:
         self._timer.start(0 if is_told else SOUGHT_MS)
 
     def _told(self, name: tuple[str, str], obj: Any) -> bool:
-        """Write what was found; False while it is sought."""
+        """Write the results. Return False if they are not computed yet."""
         if is_strip(obj):
             from freecad.elastica_wb.features.strip import tell_held
 
@@ -113,7 +111,7 @@ class LaterResults:
 
 WORKBENCH = "ElasticaWorkbench"
 SEEN_ONLY = ("Visibility", "HiddenByError", "ShownByError", "Label")
-"""Properties that nothing is made from."""
+"""Properties that do not affect a shape."""
 _installed: list[Any] = []
 
 
@@ -127,7 +125,7 @@ def install() -> None:
 
 
 def is_on(sketch: Any) -> bool:
-    """Does this sketch show its overlay now?"""
+    """Return True if this sketch shows its overlay."""
     session = _session()
     return session is not None and session.sketch is sketch
 
@@ -141,7 +139,7 @@ def switch(sketch: Any, *, on: bool) -> None:
 
 
 def start_if_wanted(sketch: Any) -> None:
-    """The overlay of a sketch that is open and wants it."""
+    """Start the overlay of an open sketch, if the sketch requests it."""
     if lives(sketch) and edited_sketch() is sketch and wants_overlay(sketch):
         from freecad.elastica_wb.live import session
 
@@ -152,7 +150,7 @@ class Edits:
     """Starts the overlay when a sketch is opened, and ends it when the sketch is closed."""
 
     def slotInEdit(self, provider: Any) -> None:
-        """Start the overlay after the sketcher has drawn its points, which it does after this signal."""
+        """Start the overlay after this signal, because the sketcher draws its points only then."""
         sketch = getattr(provider, "Object", None)
         if is_sketch(sketch) and wants_overlay(sketch):
             QtCore.QTimer.singleShot(0, lambda: start_if_wanted(sketch))
@@ -173,7 +171,7 @@ class Edits:
 
 
 class Changes:
-    """New sketches, released mouse buttons, undo, redo, what is pasted."""
+    """Observes new sketches, released mouse buttons, undo, redo and pasted objects."""
 
     def __init__(self) -> None:
         self._pending = False
@@ -186,7 +184,7 @@ class Changes:
         self._input = InputLater()
 
     def slotCreatedObject(self, obj: Any) -> None:
-        """A sketch made from this workbench has the overlay."""
+        """Enable the overlay for sketches created in this workbench."""
         if _is_importing(obj.Document):
             self._pasted.append(obj)
             if len(self._pasted) == 1:
@@ -195,7 +193,7 @@ class Changes:
             remember(obj, True)
 
     def slotBeforeChangeObject(self, obj: Any, name: str) -> None:
-        """An object is about to be renamed, or a container to get others."""
+        """Remember a label, or the members of a container, before a change."""
         if obj.Document.Restoring:
             return
         if name == "Label":
@@ -204,7 +202,7 @@ class Changes:
             self._held[obj.Document.Name, obj.Name] = _names(obj.Group)
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
-        """The mouse was released, or something else changed the sketch."""
+        """Update the overlay and dependent features after a change."""
         if name == "Label":
             _renamed(obj, self._called.pop((obj.Document.Name, obj.Name), ""))
         if obj.Document.Transacting:
@@ -221,7 +219,7 @@ class Changes:
             self._soon()
 
     def slotUndoDocument(self, document: Any) -> None:
-        """Shapes that were computed after the step is closed are not undone with it."""
+        """Recompute later. An undo does not restore shapes that were computed after the step was closed."""
         self._after_undo(document)
 
     def slotRedoDocument(self, document: Any) -> None:
@@ -229,23 +227,23 @@ class Changes:
         self._after_undo(document)
 
     def slotBeforeRecomputeDocument(self, document: Any) -> None:
-        """FreeCAD lets shortcuts through in a recompute."""
+        """Hold back shortcuts, because FreeCAD lets them through in a recompute."""
         if any(map(is_ours, document.Objects)):
             self._input.watch()
 
     def slotRecomputedDocument(self, document: Any) -> None:
-        """FreeCAD leaves out what is made from something that failed."""
+        """Report errors to features that FreeCAD skipped because an object failed."""
         self._input.leave()
         _shared("give_up", document)
 
     def slotDeletedObject(self, obj: Any) -> None:
-        """The sketch with the overlay is deleted."""
+        """End the overlay when its sketch is deleted."""
         session = _session()
         if session is not None and obj is session.sketch:
             _stop()
 
     def _after_undo(self, document: Any) -> None:
-        """Note what a step changed; the recompute waits, as the next step may delete what is recomputed."""
+        """Note the changes of a step. The recompute waits, because the next step may delete the objects."""
         step = self._changed.pop(document.Name, {})
         self._changed.clear()
         if step:
@@ -267,7 +265,7 @@ class Changes:
                 recompute(_stale(ours, changed, half))
 
     def _after_paste(self) -> None:
-        """What was left behind is not followed any more: FreeCAD 0.20 makes nothing anew that is pasted."""
+        """Recompute pasted features. Their sources may not be pasted, and FreeCAD 0.20 does not recompute them."""
         pasted = [obj for obj in self._pasted if lives(obj)]
         if any(_is_importing(obj.Document) for obj in pasted):  # its progress bar lets timers run
             QtCore.QTimer.singleShot(AGAIN_MS, self._after_paste)
@@ -291,17 +289,17 @@ class Changes:
 
 
 def _is_importing(document: Any) -> bool:
-    """Is something pasted or merged into a document?"""
+    """Return True if objects are being pasted or merged into a document."""
     return bool(getattr(document, "Importing", False))
 
 
 def _here() -> bool:
-    """Is this the workbench that the user is in?"""
+    """Return True if this workbench is active."""
     return bool(App.GuiUp) and Gui.activeWorkbench().name() == WORKBENCH
 
 
 def _session() -> Any:
-    """The overlay that runs now; without ever importing it."""
+    """Return the running overlay, without importing its module."""
     import sys
 
     module = sys.modules.get("freecad.elastica_wb.live.session")
@@ -309,14 +307,14 @@ def _session() -> Any:
 
 
 def _shared(work: str, *subject: Any) -> None:
-    """Containers changed, or a sketch was closed."""
+    """Call a function of `features.proxy` if that module is imported."""
     module = _proxies()
     if module is not None:
         getattr(module, work)(*subject)
 
 
 def _renamed(obj: Any, old: str) -> None:
-    """What is called after an object follows its name; sentences that speak of the old one are told anew."""
+    """Rename features named after an object, and update messages that contain the old name."""
     module = _proxies()
     if old and not obj.Document.Transacting and not _is_importing(obj.Document):
         for user in filter(is_ours, obj.InList):
@@ -328,7 +326,7 @@ def _renamed(obj: Any, old: str) -> None:
 
 
 def _proxies() -> Any:
-    """What features share; without ever importing what no document has yet."""
+    """Return the module `features.proxy`, or None if no feature has imported it."""
     import sys
 
     return sys.modules.get("freecad.elastica_wb.features.proxy")
@@ -341,23 +339,23 @@ def _stop() -> None:
 
 
 def _hide_failed(sketch: Any) -> None:
-    """What is not that of the curve any more: the sketcher had hidden it, and shows it again."""
+    """Hide the failed features of a closed sketch again. The sketcher restores their visibility."""
     if lives(sketch):
         _shared("hide_failed", sketch)
 
 
 def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> list[Any]:
-    """What was not made from what it asks for now, and what is made from that.
+    """Return the features whose shape does not match their properties, and their dependents.
 
-    Curves are made anew where what they follow is not as it was, and so is what failed before that. `half` names
-    objects that a step brought back without their shape, or the other way round.
+    Curves count if a source changed, and so do features that had failed before. `half` names objects that a step
+    restored without their shape, or whose shape it restored alone.
     """
     from freecad.elastica_wb.features.strip import is_stale
 
     regrouped = any("Group" in names for names in changed.values())
     asked = set(changed) | ({obj.Name for obj in ours} if regrouped else set())
     stale = [obj for obj in ours if is_strip(obj) and is_stale(obj, asked)]
-    # FreeCAD marks what it brings back as if it were to be made anew
+    # FreeCAD marks restored objects for recompute
     restored = [obj for obj in ours if obj.Name in changed and "Touched" in obj.State and obj not in stale]
     for strip in filter(is_strip, restored):
         strip.purgeTouched()
@@ -373,20 +371,20 @@ def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> lis
 
 
 def _names(objects: list[Any]) -> set[str]:
-    """Names are kept, as objects may be deleted before they are asked for; FreeCAD lists one that goes as None."""
+    """Return names, because the objects may be deleted before use. FreeCAD lists an object in deletion as None."""
     return {one.Name for one in objects if one is not None}
 
 
 def _containers_of(obj: Any) -> list[Any]:
-    """The container that a feature is in, and those that move what it is made from without it."""
+    """Return the container of a feature, and the containers that move only its sources."""
     own = obj.getParentGeoFeatureGroup()
     return [*([own] if own is not None else []), *getattr(obj, "Containers", ())]
 
 
 def _is_half_undone(obj: Any, changed: dict[str, set[str]]) -> bool:
-    """Did a step bring back a shape without what it is made from, or that without the shape?
+    """Return True if a step restored only a shape or only its sources.
 
-    FreeCAD keeps what a closed sketch recomputes as a step of its own.
+    FreeCAD makes the recompute at the closing of a sketch a separate step.
     """
     results = {entry.name for entry in obj.Proxy.properties if entry.result}
     own = changed.get(obj.Name, set())

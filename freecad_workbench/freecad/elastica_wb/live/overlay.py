@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The overlay in the 3D view: a few Coin nodes whose points are replaced, never rebuilt."""
+"""The overlay in the 3D view: a few Coin nodes that are never rebuilt. Only their points are replaced."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from pivy import coin
 from elastica_cad._types import FloatArray
 from elastica_cad.refusals import Length, note
 
-LIFT_MM = 0.02  # above the sketch's own lines
+LIFT_MM = 0.02  # above the sketch's lines
 FULL, DASHED = 0xFFFF, 0xF0F0
 DOT, DIAMOND = coin.SoMarkerSet.CIRCLE_FILLED_9_9, coin.SoMarkerSet.DIAMOND_FILLED_9_9
 Color = tuple[float, float, float]
@@ -28,13 +28,13 @@ COLORS: dict[Verdict, Color] = {
     Verdict.CANNOT: (0.85, 0.18, 0.18),
     Verdict.NOTHING: (0.42, 0.42, 0.45),
 }
-"""Red, green, blue; of middle lightness, so that they stand out from light backgrounds and from dark ones."""
+"""Red, green, blue. The medium lightness contrasts with light and dark backgrounds."""
 LABEL, LABEL_GROUND, LABEL_SIZE = (1.0, 1.0, 1.0), (0.13, 0.13, 0.15), 10
 
 
 @dataclass(frozen=True)
 class Part:
-    """Lines of a width and a pattern, or marks; in the legend a sign and what they mean."""
+    """Lines with a width and a pattern, or marks, with their sign and text in the legend."""
 
     color: Color
     sign: str
@@ -61,11 +61,11 @@ PARTS = {
         marker=DIAMOND,
     ),
 }
-"""What the overlay is made of, in the order in which it is drawn."""
+"""Parts of the overlay in drawing order."""
 
 
 class Overlay:
-    """Everything that is shown over one sketch."""
+    """The complete overlay of one sketch."""
 
     def __init__(self, view: Any, placement: Any) -> None:
         self._scene = view.getSceneGraph()
@@ -97,7 +97,7 @@ class Overlay:
         self._write(picture.labels)
 
     def clear(self) -> None:
-        """Show nothing."""
+        """Hide everything."""
         self._set(**dict.fromkeys(self._parts, ()))
         self._write(())
 
@@ -106,11 +106,11 @@ class Overlay:
         self._set(width=edges)
 
     def show_nearest(self, points: FloatArray | None) -> None:
-        """The nearest curve that can be bent; None hides it."""
+        """Show the nearest curve that can be bent; None hides it."""
         self._set(nearest=() if points is None else (points,))
 
     def shown(self) -> dict[str, int]:
-        """How many points each part shows."""
+        """Return the number of points in each part."""
         return {name: part.count for name, part in self._parts.items()}
 
     def remove(self) -> None:
@@ -133,14 +133,14 @@ class Overlay:
 
 
 def _label() -> Any:
-    """FreeCAD's own: words on a ground of their own, readable over whatever is drawn below."""
+    """Return FreeCAD's label: text on a background, readable over everything."""
     label = coin.SoType.fromName("SoFrameLabel").createInstance()
     label.textColor, label.backgroundColor, label.size = LABEL, LABEL_GROUND, LABEL_SIZE
     return label
 
 
 class _Points:
-    """Lines or marks of one colour; the fields are kept, since every look for one costs as much as filling it."""
+    """Lines or marks of one colour. Node fields are cached, because looking them up is slow."""
 
     def __init__(self, root: Any, part: Part) -> None:
         points, paint, group = coin.SoCoordinate3(), coin.SoBaseColor(), coin.SoSeparator()
@@ -160,7 +160,7 @@ class _Points:
         self.set([])
 
     def set(self, pieces: Sequence[FloatArray]) -> None:
-        """Replace the points; each piece is one line."""
+        """Replace the points. Each piece is a line."""
         pieces = [piece for piece in pieces if len(piece)]
         if not pieces and self.count == 0:
             return

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Live feedback: while a sketch is open, its overlay follows every move of the mouse."""
+"""Live feedback: the overlay of an open sketch follows every move of the mouse."""
 
 import time
 from dataclasses import replace
@@ -49,10 +49,10 @@ from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.strip_spec import StripSpec
 
-REST_MS = 40  # without a move, after which the slower answers are computed
+REST_MS = 40  # ms without a mouse move before slower results are computed
 NO_POLES = np.zeros((0, 2))
-SEEN = 24  # points of a curve that the card keeps off
-PEEK_MS = 60  # between looks whether the nearest curve was found
+SEEN = 24  # points of a curve that the card keeps visible
+PEEK_MS = 60  # ms between checks whether the nearest curve was found
 SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
 
@@ -60,7 +60,7 @@ _session: "Session | None" = None
 
 
 class Session:
-    """The overlay of one sketch, from the beginning of its edit to the end."""
+    """The overlay of one sketch, from the start to the end of its editing."""
 
     def __init__(self, sketch: Any, view: Any) -> None:
         self.sketch = sketch
@@ -106,24 +106,24 @@ class Session:
         self._comb.restore()
 
     def use_nearest(self) -> None:
-        """Draw the nearest curve in place of the one that is refused, in one undo step."""
+        """Replace the refused curve by its nearest curve, in one undo step."""
         if self.near is None:
             return
         document = self.sketch.Document
         try:
             curve, self._cost = find_nearest_to_drag(replace(self._allows, curve=self._curve))
-        except FAILURES as error:  # stopped by the user
+        except FAILURES as error:  # the user stopped it
             self._say(replace(self.card.answer, sentence=str(explained(error))))
             return
         self._placed = curve.control_points
         record_step(document, translate("Elastica", "Use the nearest curve"))
         recorded(curve_into, self.sketch, curve)
-        record_call(self.sketch, "solve")  # it moves points: a part of the step
+        record_call(self.sketch, "solve")  # solving moves points, so it is part of the step
         record_end_of_step(document)
         self.refresh()
 
     def _attach(self) -> None:
-        """Watch the points that the sketcher draws; with new geometry some releases draw others."""
+        """Watch the points that the sketcher draws. Some releases draw a new node after new geometry."""
         if self._sensor is not None:
             self._sensor.detach()
         self._sensor = self._node = None
@@ -141,7 +141,7 @@ class Session:
         self._sensor.attach(self._node.point)
 
     def _read(self) -> None:
-        """What the points mean; they were drawn for the geometry of now."""
+        """Assign the drawn points to the present geometry."""
         self._dragged = Dragged(self.sketch, self._points()) if self._node is not None else None
 
     def _points(self) -> list[Any]:
@@ -154,16 +154,16 @@ class Session:
             self._soon.start()
 
     def _follow(self) -> None:
-        """One frame: however many moves there were since the last one."""
+        """Update the overlay. Several mouse moves may have come since the last update."""
         if self._dragged is not None and self._dragged.usable:
             points = self._points()
             try:
                 self._show(self._dragged.geometry(points))
-            except IndexError:  # the sketch has lost points: a release will tell
+            except IndexError:  # the sketch has lost points; the release of the mouse updates it
                 self._dragged = None
 
     def _show(self, geometry: list[Any] | None) -> None:
-        began = time.thread_time()  # what we cost, whatever else the machine does
+        began = time.thread_time()  # CPU time of this thread, independent of other processes
         self._rest.stop()
         self._answer.stop()
         self._forget_nearest()
@@ -189,7 +189,7 @@ class Session:
         self._rest.start()
 
     def _finish(self) -> None:
-        """The mouse rests: widths."""
+        """Compute the widths while the mouse rests."""
         if self._curve is None:
             return
         places = np.concatenate([self._curve.control_points, self._curve.sample(SEEN).position])
@@ -210,7 +210,7 @@ class Session:
             self._ask()
 
     def _ask(self) -> None:
-        """Search the nearest curve beside the window; an answer to an older question is not waited for."""
+        """Start the search for the nearest curve in another thread. Results for older curves are ignored."""
         if self._asked is None or self._asked.done():
             self._asked_for = self._curve
             self._asked = begun(find_nearest_now, replace(self._allows, curve=self._curve))
@@ -218,7 +218,7 @@ class Session:
         self._answer.start()
 
     def _look(self) -> None:
-        """Is the answer there?"""
+        """Show the nearest curve, if the search has finished."""
         if not self._asked.done():
             self._answer.start()
             return
@@ -243,7 +243,7 @@ class Session:
         self.overlay.show_nearest(None)
 
     def _spec(self) -> StripSpec:
-        """What the strip of this sketch is asked for; it cannot change while the mouse is down."""
+        """Return the request for the strip of this sketch. It cannot change during a drag."""
         if self._asks is None:
             sheet = sheet_called(preferences.default_sheet())
             asks = StripSpec(self._curve, sheet, max_width=preferences.get("MaxWidth"))
@@ -255,7 +255,7 @@ class Session:
         return self._asks
 
     def _say_read(self, answer: Answer) -> None:
-        """Show an answer with the line of what was read of the sketch."""
+        """Show an answer and how the sketch was read."""
         read = read_line((self.sketch, ()), self._geometry)
         self._say(replace(answer, sentence=sentences([answer.sentence, read], "\n")))
 
@@ -267,7 +267,7 @@ class Session:
 
 
 class _OwnComb:
-    """FreeCAD's own curvature comb is off while ours is shown."""
+    """Turns FreeCAD's curvature comb off while the overlay is shown."""
 
     def __init__(self) -> None:
         self._group = App.ParamGet(SKETCHER)
@@ -276,7 +276,7 @@ class _OwnComb:
             self._group.SetBool(OWN_COMB, False)
 
     def restore(self) -> None:
-        """As the user had it."""
+        """Restore the user's setting."""
         if self._was:
             self._group.SetBool(OWN_COMB, True)
 
@@ -287,8 +287,8 @@ def session() -> Session | None:
 
 
 def start(sketch: Any) -> Session | None:
-    """Show the overlay of a sketch, in edit or not."""
-    global _session  # noqa: PLW0603 - one view shows one overlay
+    """Show the overlay of a sketch, whether it is open or not."""
+    global _session  # noqa: PLW0603 - a view shows only one overlay
     stop()
     view = Gui.getDocument(sketch.Document.Name).activeView()
     if view is None or not hasattr(view, "getSceneGraph"):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""A sketch while a point of it is dragged: its geometry, read off the points that the sketcher draws.
+"""Geometry of a sketch during a drag, read from the points that the sketcher draws.
 
-FreeCAD tells nobody about a drag before the mouse is released; but the sketcher draws all points anew.
+FreeCAD gives no notice of a drag before the mouse is released, but the sketcher redraws all points.
 """
 
 from collections.abc import Sequence
@@ -12,8 +12,8 @@ from typing import Any
 import FreeCAD as App
 import Part
 
-NEAR = 1e-4  # of a place: the points are drawn in single precision
-SOLVED_MM = 1e-2  # the sketcher's solver leaves circles this far from the poles that they stand for
+NEAR = 1e-4  # relative tolerance, because the points are drawn in single precision
+SOLVED_MM = 1e-2  # distance that the sketcher's solver leaves between circles and their poles
 
 POINTS = {
     "Part::GeomPoint": 1,
@@ -26,14 +26,14 @@ POINTS = {
     "Part::GeomArcOfParabola": 3,
     "Part::GeomBSplineCurve": 2,
 }
-"""How many points the sketcher draws for each kind of geometry, in the order of the sketch."""
+"""Number of points that the sketcher draws for each kind of geometry, in the order of the sketch."""
 
 
 class Dragged:
     """Rebuilds the geometry of a sketch from its drawn points.
 
-    `usable` is False where the points do not follow the order known here, or where a pole is not shown as a
-    point and so could move unseen; then only a released mouse tells.
+    `usable` is False if the points are in an unknown order, or if a pole is not drawn as a point. The geometry is
+    then known only after the mouse is released.
     """
 
     def __init__(self, sketch: Any, points: Sequence[Sequence[float]]) -> None:
@@ -51,13 +51,13 @@ class Dragged:
         }
         if any(None in circles for circles in self._poles.values()):
             return
-        for shift in (1, 0):  # 1.1 leaves the origin out
+        for shift in (1, 0):  # 1.1 omits the origin
             if sum(counts) + shift <= len(points) and self._fits(points, shift):
                 self.usable, self._shift = True, shift
                 return
 
     def geometry(self, points: Sequence[Sequence[float]]) -> list[Any]:
-        """The sketch's geometry with its points where they are drawn now."""
+        """Return the sketch's geometry with its points at their drawn positions."""
         moved = list(self._geometry)
         for i, geometry in enumerate(self._geometry):
             if self._construction[i]:
@@ -83,7 +83,7 @@ class Dragged:
         return Part.ArcOfCircle(circle, first, last if last > first else last + 6.283185307179586)
 
     def _pole_circles(self, spline: int) -> list[int | None]:
-        """For each pole the number of the construction circle that shows it."""
+        """Return, for each pole, the number of the construction circle that shows it."""
         shown: list[int | None] = []
         taken: set[int] = set()
         for pole in self._geometry[spline].getPoles():
@@ -100,7 +100,7 @@ class Dragged:
         return shown
 
     def _fits(self, points: Sequence[Sequence[float]], shift: int) -> bool:
-        """Do the drawn points lie where the geometry is at rest?"""
+        """Return True if the drawn points match the geometry at rest."""
         for i, circles in self._poles.items():
             for pole, circle in zip(self._geometry[i].getPoles(), circles, strict=True):
                 x, y = points[shift + self._first[circle]][:2]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Sketches and the overlay: which is open, who follows it, what it remembers."""
+"""Sketches and the overlay: the open sketch, its followers and its stored setting."""
 
 from collections.abc import Callable
 from typing import Any
@@ -13,21 +13,21 @@ from freecad.elastica_wb.host.lifetime import FEATURES, lives
 from freecad.elastica_wb.host.qt import when_free
 
 MEMORY = "ElasticaLive"
-"""Property of a sketch that remembers whether it has the overlay."""
+"""Property of a sketch that stores whether the sketch shows the overlay."""
 
 STRIPS, CURVES, MODELS, NESTS = (f"{FEATURES}{name}" for name in ("strip", "curves", "model", "nest"))
 
 listeners: list[Callable[[bool], None]] = []
-"""Told whether there is an overlay now."""
+"""Functions that are called with True when an overlay starts, and with False when it ends."""
 
 
 def is_sketch(obj: Any) -> bool:
-    """Is this object a sketch?"""
+    """Return True if this object is a sketch."""
     return obj is not None and bool(obj.isDerivedFrom("Sketcher::SketchObject"))
 
 
 def edited_sketch() -> Any:
-    """The sketch that is open for editing, or None."""
+    """Return the sketch that is open for editing, or None."""
     provider = Gui.ActiveDocument.getInEdit() if Gui.ActiveDocument else None
     source = getattr(provider, "Object", None)
     return source if is_sketch(source) else None
@@ -42,12 +42,12 @@ def remember(sketch: Any, on: bool) -> None:
     """Store in the sketch whether it shows the overlay."""
     if MEMORY not in sketch.PropertiesList:
         words = App.Qt.translate("App::Property", "Show live feedback while this sketch is open")
-        sketch.addProperty("App::PropertyBool", MEMORY, "Elastica", words, 8)  # no reason for a recompute
+        sketch.addProperty("App::PropertyBool", MEMORY, "Elastica", words, 8)  # causes no recompute
     setattr(sketch, MEMORY, on)
 
 
 def wants_overlay(sketch: Any) -> bool:
-    """Tell whether a sketch shows the overlay: as it was stored, else where a strip follows it."""
+    """Return the stored setting of a sketch. Without it, return True if a strip follows the sketch."""
     if not preferences.get("LiveMode"):
         return False
     if MEMORY in sketch.PropertiesList:
@@ -56,7 +56,7 @@ def wants_overlay(sketch: Any) -> bool:
 
 
 def recompute(strips: list[Any]) -> None:
-    """Strips and what hangs on them, nothing else."""
+    """Recompute only strips and their dependents."""
     alive = [strip for strip in strips if lives(strip)]
     if not alive:
         return
@@ -70,20 +70,20 @@ def recompute(strips: list[Any]) -> None:
 
 
 def is_strip(obj: Any) -> bool:
-    """Is this object a strip? Asked without importing what makes them."""
+    """Return True if this object is a strip. The feature modules are not imported."""
     return type(getattr(obj, "Proxy", None)).__module__ == STRIPS
 
 
 def is_curve(obj: Any) -> bool:
-    """Is this object a curve that follows others? Asked in the same way."""
+    """Return True if this object is a dependent curve. The feature modules are not imported."""
     return type(getattr(obj, "Proxy", None)).__module__ == CURVES
 
 
 def is_model(obj: Any) -> bool:
-    """Is this object a model? Asked in the same way."""
+    """Return True if this object is a model. The feature modules are not imported."""
     return type(getattr(obj, "Proxy", None)).__module__ == MODELS
 
 
 def is_nest(obj: Any) -> bool:
-    """Is this object a nest? Asked in the same way."""
+    """Return True if this object is a nest. The feature modules are not imported."""
     return type(getattr(obj, "Proxy", None)).__module__ == NESTS

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The verdict on a curve in three states, in colour and words."""
+"""The verdict on a curve: can, cannot or breaks, with colour and words."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -21,17 +21,17 @@ from elastica_cad.strip.strip_spec import StripSpec
 
 
 class Verdict(Enum):
-    """Whether a flat strip can take the curve."""
+    """Possible verdicts on a curve."""
 
     CAN = "can"
     BREAKS = "breaks"
     CANNOT = "cannot"
-    NOTHING = "nothing"  # is drawn yet
+    NOTHING = "nothing"  # no curve is drawn yet
 
 
 @dataclass(frozen=True)
 class Answer:
-    """A verdict with its short text, and the sentence that explains it; whether another curve may help."""
+    """A verdict with a short text, an explanation, and whether another curve may help."""
 
     verdict: Verdict
     words: str
@@ -54,7 +54,7 @@ def quick_answer(
 
 
 def strip_answer(strip: Strip) -> Answer:
-    """Return the verdict on a strip that was made."""
+    """Return the verdict on a finished strip."""
     faults, check = list(strip_faults(strip)), strip.rod.check
     if faults:
         return _failing(faults)
@@ -73,7 +73,7 @@ def _failing(faults: list[Fault]) -> Answer:
 
 
 def refusal_answer(error: ElasticaError) -> Answer:
-    """Why there is no strip: the curve, or what is asked of the strip."""
+    """Return the verdict for an error: the cause is the curve, or a request for the strip."""
     if isinstance(error, NotRealizable):
         if isinstance(error.check, EquilibriumCheck) and error.check.undecided is not None:
             return _undecided(error.check)

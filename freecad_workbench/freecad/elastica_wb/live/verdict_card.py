@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The verdict in the view: a card that wraps its sentence, explains what is shown and offers a way out."""
+"""The verdict card in the view: a sentence, a legend and a button for the nearest curve."""
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -17,22 +17,22 @@ from freecad.elastica_wb.live.overlay import COLORS, PARTS
 from freecad.elastica_wb.live.verdict import Answer
 from pivy import coin
 
-GAP_PX = 12  # from the view's edges, and around the places to keep off
-CUBE_PX = 140  # at the right edge are the navigation cube and the axes
+GAP_PX = 12  # distance from the view's edges, and around the places to keep visible
+CUBE_PX = 140  # space for the navigation cube and the axes at the right edge
 WIDEST_PX, FOLDED_PX = 480, 240
-SHARE = 0.45  # of the view's width: beside it a curve has room
-LOOKED_MS = 100  # after the last move of the camera
+SHARE = 0.45  # of the view's width, so that the curve has room beside the card
+LOOKED_MS = 100  # ms after the last move of the camera
 FOLDED = "CardFolded"
 
 
 class VerdictCard(QtCore.QObject):
-    """A frame over a view that the mouse goes through, with two buttons; `wanted` is called by the lower one.
+    """A frame over a view that ignores the mouse, with two buttons; `wanted` is called by the lower button.
 
-    It lies in the corner of the view where it hides fewest of the places that it is to keep off.
+    The card is in the corner of the view where it hides the fewest of the places to keep visible.
     """
 
     def __init__(self, view: Any, wanted: Callable[[], None]) -> None:
-        # without a surface of its own the card lies on the area of all views
+        # without a surface the card is placed on the area of all views
         self._view, self._over = view, surface_of(view) or Gui.getMainWindow().centralWidget()
         super().__init__(self._over)
         self.frame = QtWidgets.QFrame(self._over)
@@ -44,7 +44,7 @@ class VerdictCard(QtCore.QObject):
         for label in (self.heading, self.words, self.legend):
             label.setWordWrap(label is not self.heading)
             layout.addWidget(label)
-        # not inside the frame: the mouse would go through them too
+        # not inside the frame, which ignores the mouse
         self.button, self.fold = QtWidgets.QPushButton(self._over), QtWidgets.QPushButton(self._over)
         self.button.setObjectName("useNearest")
         self.fold.setObjectName("foldVerdict")
@@ -53,7 +53,7 @@ class VerdictCard(QtCore.QObject):
         self.fold.clicked.connect(self._turn)
         for part in (self.frame, self.button, self.fold):
             part.setStyleSheet(STYLE)
-            part.setFocusPolicy(QtCore.Qt.NoFocus)  # keys go on to the sketcher
+            part.setFocusPolicy(QtCore.Qt.NoFocus)  # keys go to the sketcher
         self.answer: Answer | None = None
         self._tall = self._corner = 0
         self._places: Sequence[Any] = ()
@@ -62,7 +62,7 @@ class VerdictCard(QtCore.QObject):
         self._camera = sensor(coin.SoNodeSensor, self._looks_elsewhere)
 
     def show(self, answer: Answer, sentence: str, shown: Mapping[str, int]) -> None:
-        """Another verdict; `sentence` is in the user's units, `shown` tells how many points each part has."""
+        """Show a verdict. `sentence` is in the user's units, and `shown` counts the points of each part."""
         with suppress(RuntimeError):  # the view was closed
             self._show(answer, sentence, _legend(shown))
         self.answer = answer
@@ -78,13 +78,13 @@ class VerdictCard(QtCore.QObject):
             self.words.setText(sentence)
             self.legend.setText(legend)
             tall = sum(label.heightForWidth(label.width()) for label in (self.words, self.legend))
-            if tall != self._tall:  # most moves of the mouse change figures only
+            if tall != self._tall:  # most mouse moves only change numbers
                 self._tall = tall
                 self._place()
         self.frame.show()
 
     def offer(self, words: str, *, usable: bool = True) -> None:
-        """What the button says; nothing takes it away."""
+        """Set the text of the button. The button is never hidden again."""
         with suppress(RuntimeError):
             if words != self.button.text():
                 self.button.setText(words)
@@ -92,14 +92,14 @@ class VerdictCard(QtCore.QObject):
                 self._place()
 
     def keep_off(self, places: Sequence[Any]) -> None:
-        """Points in space that are to be seen, and taken by the mouse."""
+        """Keep the card off these points in space."""
         with suppress(RuntimeError):
             self._places = places
-            self._place()  # first, as it tells whether the view is still there
+            self._place()  # first, because it raises an error if the view is closed
             self._camera.attach(self._view.getCameraNode())
 
     def remove(self) -> None:
-        """Take it off the view, which may be closed already."""
+        """Remove the card from the view, which may be closed already."""
         self._camera.detach()
         with suppress(RuntimeError):
             self._over.removeEventFilter(self)
@@ -107,17 +107,17 @@ class VerdictCard(QtCore.QObject):
                 part.hide()
                 part.deleteLater()
             self.deleteLater()
-        # a wrapper kept beyond its view stands in the way of the next view's
+        # a wrapper kept after its view would be reused for the next view
         self._over = self._view = None
 
     def eventFilter(self, _watched: Any, event: Any) -> bool:
-        """The view has another size."""
+        """Place the card again after a change of the view's size."""
         if kind_of(event) == QtCore.QEvent.Resize:
             self._place()
         return False
 
     def _looks_elsewhere(self) -> None:
-        """The camera has moved; it may outlive the view, and so the timer."""
+        """Place the card again after a camera move. Camera and timer may outlive the view."""
         with suppress(RuntimeError):
             self._soon.start()
 
@@ -126,8 +126,8 @@ class VerdictCard(QtCore.QObject):
         self._place()
 
     def _place(self) -> None:
-        """As wide as reads well, in one of the corners, with the buttons where the frame has room for them."""
-        if self._over is None:  # FreeCAD's view is gone soon, and a camera that moved is told late
+        """Set the width of the card for easy reading, and place card and buttons in a free corner."""
+        if self._over is None:  # FreeCAD is closing the view, and a camera move is reported late
             return
         folded, over = preferences.get(FOLDED), self._over
         self.fold.setText("▴" if folded else "▾")
@@ -150,7 +150,7 @@ class VerdictCard(QtCore.QObject):
         self.fold.show()
 
     def _free_corner(self) -> tuple[int, int]:
-        """Upper left corner of the frame where it hides fewest places; it moves only to hide fewer."""
+        """Return the upper left corner of the frame where it hides the fewest places, if possible the present."""
         over, size = self._over, self.frame.size()
         right, bottom = over.width() - size.width() - CUBE_PX, over.height() - size.height() - GAP_PX
         corners = [(GAP_PX, bottom), (GAP_PX, GAP_PX), (right, GAP_PX), (right, bottom)]
@@ -169,7 +169,7 @@ class VerdictCard(QtCore.QObject):
 
 
 def _legend(shown: Mapping[str, int]) -> str:
-    """What the colours mean that are shown now."""
+    """Return the legend of the colours in use."""
     return " &nbsp; ".join(
         f'<span style="color: {hex_of(part.color)};">{part.sign}</span>'
         f"&nbsp;{translate('Elastica', part.words).replace(' ', '&nbsp;')}"
@@ -179,7 +179,7 @@ def _legend(shown: Mapping[str, int]) -> str:
 
 
 def hex_of(color: tuple[float, float, float]) -> str:
-    """Return a colour as style sheets write it, "#rrggbb"."""
+    """Return a colour as "#rrggbb" for style sheets."""
     return "#" + "".join(f"{round(255 * part):02x}" for part in color)
 
 
@@ -189,4 +189,4 @@ STYLE = """
 #useNearest { padding: 3px 10px; }
 #foldVerdict { border: none; padding: 3px 8px; color: white; background: transparent; }
 """
-"""White on dark whatever the theme: style sheets do not tell their colours, and the view behind may be anything."""
+"""White on dark in any theme, because style sheets do not know their colours and the view may have any colour."""

@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Task panels; their widgets are .ui files named as the modules."""
+"""Task panels. Their .ui files have the names of the modules."""

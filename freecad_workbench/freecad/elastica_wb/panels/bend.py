@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel that bends: ends are moved and turned, the strip follows; nothing else is changed until OK."""
+"""The panel to bend a strip by its ends. Nothing else changes until OK."""
 
 from typing import Any
 
@@ -22,14 +22,14 @@ from elastica_cad.strip.strip import strip_sideways
 
 
 class BendPanel(Panel):
-    """Displacements and turns of both ends; handles in the view move them too, the strip follows the mouse."""
+    """Displacements and rotations of both ends, by numbers or by handles. The strip follows the mouse."""
 
     file = "bend"
     icon_name = "Elastica_Bend"
     step = "Bend forward"
 
     def __init__(self, obj: Any, feature: Any = None) -> None:
-        """A strip to bend, and the feature that keeps how, where there is one already."""
+        """Open the panel for a strip. `feature` is an existing bent curve to edit."""
         self.strip = strip_of(obj)
         self.rest = self.strip.rod_to_bend
         super().__init__(obj.Document, [obj] if feature is None else [obj, feature])
@@ -53,12 +53,12 @@ class BendPanel(Panel):
             self._safely_changed()
 
     def changed(self) -> None:
-        """Bend from the present shape to the ends that the widgets give."""
+        """Bend from the present shape to the ends that the widgets set."""
         self.rod = self._bent(1.0, self.rod)
         self._show(self.rod)
 
     def dragged(self, end: int, place: tuple[float, float]) -> None:
-        """The handle of the start (0) or the end (1) was moved to a place in the curve's plane."""
+        """Read the handle of the start (0) or the end (1), moved to a place in the curve's plane."""
         shift, name = np.asarray(place) - self.rest.position[-end], ("Start", "End")[end]
         widgets = (getattr(self.form, f"{name}{axis}") for axis in "XY")
         for widget, value in zip(widgets, shift, strict=True):
@@ -66,7 +66,7 @@ class BendPanel(Panel):
         self._safely_changed()
 
     def play(self, *_: Any) -> None:
-        """Show the whole way in small steps."""
+        """Show the whole motion in small steps."""
         from freecad.elastica_wb.host.qt import QtWidgets
 
         rod = self.rest
@@ -81,7 +81,7 @@ class BendPanel(Panel):
         self.rod = rod
 
     def finished(self) -> None:
-        """Keep how it is bent, as a feature that follows the strip."""
+        """Store the moves in a feature that follows the strip."""
         self._timer.stop()
         moves = {name: self.value(name) for name in MOVES}
         if self.feature is None and not any(moves.values()):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of the coupon: a strip to cut, and what its droop says about the sheet."""
+"""The panel of the coupon: a test strip to cut, whose droop gives the stiffness of the sheet."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -30,7 +30,7 @@ from elastica_cad.strip.solids import FlatSolid
 
 
 class CouponPanel(Panel):
-    """Makes the coupon in the document and on disk, reads droops, keeps the calibrated sheet."""
+    """Makes the coupon in the document and as a file, reads droops, and saves the calibrated sheet."""
 
     file = "coupon"
     icon_name = "Elastica_Coupon"
@@ -47,7 +47,7 @@ class CouponPanel(Panel):
         self.changed()
 
     def changed(self) -> None:
-        """Show the overhang to use, and what the readings give."""
+        """Show the overhang to use and the result of the readings."""
         sheet = sheet_called(self.form.sheet.currentText())
         longest = Length(coupon_overhang(sheet))
         words: list[str] = [note("Longest overhang of the coupon: {longest:g}", longest=longest)]
@@ -65,7 +65,7 @@ class CouponPanel(Panel):
         self.tell(sentences(words, "\n"))
 
     def _pressed(self, button: Callable[[], None], *_: Any) -> None:
-        """What a button cannot do is told as what boxes cannot."""
+        """Call a button's function and show its error in the panel."""
         try:
             button()
         except FAILURES as error:
@@ -86,11 +86,11 @@ class CouponPanel(Panel):
             self.tell(f"{translate('Elastica', 'wrote')} {written}")
 
     def keep(self) -> None:
-        """Save the calibrated sheet among the user's own."""
+        """Save the calibrated sheet as one of the user's sheets."""
         self.tell(f"{translate('Elastica', 'kept as')} {self.kept()}")
 
     def kept(self) -> str:
-        """Save the sheet, and return its name."""
+        """Save the sheet and return its name."""
         if self.calibration is None:
             raise InputError(
                 translate(
@@ -125,15 +125,15 @@ def add_coupon(document: Any, sheet_name: str) -> Any:
 
 
 def readings_of(text: str) -> tuple[list[float], list[float]]:
-    """Overhangs and droops of a text such as "120 = 14.5; 150 = 31".
+    """Return overhangs and droops from a text such as "120 = 14.5; 150 = 31".
 
     Raises
     ------
     InputError
-        Anything else.
+        The text has another form.
     """
     pairs = []
-    commas = ";" in text or decimal_point() == ","  # then they stand in the numbers
+    commas = ";" in text or decimal_point() == ","  # then commas are decimal points
     for part in text.split(";" if commas else ","):
         try:
             overhang, droop = (float(number.replace(",", ".")) for number in part.split("="))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of the export: which files, how written, where to."""
+"""The panel of the export: kinds of files, options and folder."""
 
 import os
 from importlib.util import find_spec
@@ -32,7 +32,7 @@ from elastica_cad.strip.pieces import Piece
 
 
 class ExportPanel(Panel):
-    """OK writes the files; the document stays as it is."""
+    """OK writes the files. The document is not changed."""
 
     file = "export"
     icon_name = "Elastica_Export"
@@ -79,7 +79,7 @@ class ExportPanel(Panel):
             self.form.folder.setText(folder)
 
     def _show_sheet(self, wanted: bool) -> None:
-        """A nest is laid on sheets of a size."""
+        """Show the size of the sheets if a nest is requested."""
         for name in ("sheetWidth", "label_5_Sheetwidth", "sheetHeight", "label_6_Sheetheight"):
             getattr(self.form, name).setVisible(wanted)
 
@@ -101,9 +101,9 @@ class ExportPanel(Panel):
             self.browse()
         if not self.form.folder.text().strip():
             raise InputError(translate("Elastica", "choose a folder for the files"))
-        # where there is no such home, ~ stays as it is
+        # ~ stays if there is no such home folder
         folder = Path(os.path.expanduser(self.form.folder.text().strip()))
-        if not folder.is_absolute():  # users do not see in which folder FreeCAD runs
+        if not folder.is_absolute():  # users do not know FreeCAD's working directory
             raise InputError(translate("Elastica", "write the whole path of the folder, or press Browse"))
         with progress(
             QT_TRANSLATE_NOOP("Elastica", "Writing files"), len(self.pieces) + len(self.strips)
@@ -129,15 +129,15 @@ class ExportPanel(Panel):
 
 
 def _usual_folder(document: Any) -> str:
-    """Where files went the last time; else beside the document; else the user is asked."""
+    """Return the last folder, else the document's folder, else "" (the user must choose)."""
     last = preferences.get("ExportFolder")
-    if last and os.path.isdir(last):  # False too for a folder without permission
+    if last and os.path.isdir(last):  # also False for a folder without permission
         return str(last)
     return str(Path(document.FileName).parent) if document.FileName else ""
 
 
 def _listed(piece: Piece) -> str:
-    """A line of the cut list."""
+    """Return a line of the cut list."""
     long, short = map(Length, piece.size)
     return note(
         "{count} x {piece}: {long:.5g} x {short:.5g}, {sheet}",

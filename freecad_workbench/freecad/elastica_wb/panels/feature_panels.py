@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What the panels of the features show, and how."""
+"""Contents of the panels of all features."""
 
 from collections.abc import Callable, Iterable
 from typing import Any
@@ -50,7 +50,7 @@ def _strip_numbers(obj: Any) -> Told:
 
 
 def _held_deviation(obj: Any) -> object:
-    """How far it strays; not yet known, or none where it takes no shape and the footnote says why."""
+    """Return the expected deviation, "..." if it is not known yet, or "-" if the footnote explains its absence."""
     if not obj.Held:
         return "..."
     far = obj.ExpectedDeviation.Value
@@ -58,17 +58,17 @@ def _held_deviation(obj: Any) -> object:
 
 
 def _sideways_margin(obj: Any) -> str:
-    """Its margin out of the plane; none where it is undecided and a remark says why."""
+    """Return the sideways margin, or "-" if a remark explains why it is undecided."""
     return note("{margin:.3g}", margin=obj.SidewaysMargin) if obj.SidewaysMargin else "-"
 
 
 def _flat_footnote(obj: Any) -> str:
-    """How it is bent before it is mounted, which a flat part does not show."""
+    """Return how the strip is bent before assembly, which the flat part does not show."""
     return "\n".join(told_blanks([(obj.Strip.Label, shown_strip(obj.Strip))]))
 
 
 def _where(name: str, *values: object) -> Callable[[Any], bool]:
-    """Has a property one of these values?"""
+    """Return a function that checks whether a property has one of these values."""
     return lambda obj: getattr(obj, name) in values
 
 
@@ -243,7 +243,7 @@ LAYOUTS = {
 
 
 def panel_of(obj: Any, others: Iterable[Any] = ()) -> Panel:
-    """The panel of a feature, for others of its kind too."""
+    """Return the panel of a feature, which also edits other features of its kind."""
     if isinstance(obj.Proxy, BentFeature):
         return BendPanel(obj.Strip, obj)
     return PropertyPanel(obj, LAYOUTS[type(obj.Proxy).__name__.removesuffix("Feature")], others)

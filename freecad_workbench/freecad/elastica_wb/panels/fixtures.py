@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of fixtures: printed blocks for the ends, or one slotted plate."""
+"""The panel of fixtures: printed blocks for the ends, and a slotted plate."""
 
 from typing import Any
 
@@ -18,14 +18,14 @@ from elastica_cad.errors import InputError
 
 
 class FixturesPanel(Panel):
-    """OK makes what is ticked, in one undo step."""
+    """Makes the fixtures that are ticked, in one undo step."""
 
     file = "fixtures"
     icon_name = "Elastica_Fixtures"
     step = "End fixtures and base plate"
 
     def __init__(self, sources: list[Any]) -> None:
-        """What is to be held; base plates alone stand for the strips on them."""
+        """Open the panel for sources. If all are base plates, take the strips on them."""
         super().__init__(sources[0].Document, sources)
         held = [one for obj in sources if baseplate.is_base_plate(obj) for one in obj.Sources]
         self.sources = [obj for obj in sources if not baseplate.is_base_plate(obj)] or list(
@@ -36,12 +36,12 @@ class FixturesPanel(Panel):
         set_value(self.form.slot, preferences.get("Clearance"))
 
     def finished(self) -> None:
-        """Make them; what cannot be made says why and keeps the panel open."""
+        """Make the fixtures. An error keeps the panel open."""
         form = self.form
         if not (form.plate.isChecked() or form.blocks.isChecked()):
             raise InputError(translate("Elastica", "tick what is to be made"))
         made = []
-        if form.plate.isChecked():  # first: what is refused must not wait for blocks
+        if form.plate.isChecked():  # first, because its errors should not wait for the blocks
             made.append(recorded(baseplate.create, self.document, self.sources))
             record_value(made[-1], "Sheet", form.sheet.currentText())
             record_value(made[-1], "Placement.Base.z", self.value("plateHeight"))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What the boxes of properties are called, in the panel of every feature that has them."""
+"""Labels of properties in the panels of all features."""
 
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What all task panels share: a form, one undo step from opening to OK, numbers a moment after a change."""
+"""Base of all task panels: a form, one undo step from opening to OK, and delayed updates."""
 
 import gc
 from collections.abc import Iterable
@@ -21,23 +21,23 @@ from freecad.elastica_wb.recording import record_end_of_step, record_recompute, 
 from elastica_cad._text import printable
 from elastica_cad.errors import InputError
 
-PAUSE_MS = 60  # ms after the last key before anything is computed
+PAUSE_MS = 60  # ms after the last key before the panel computes
 
 
 class Panel:
-    """A task panel; `changed` is called a moment after the user touches a widget."""
+    """A task panel. `changed` is called shortly after the user touches a widget."""
 
     file = ""
     icon_name = "Elastica"
     step = ""
     only_tells = False
     done = "Ok"
-    """The button of the task panel that calls `finished`."""
+    """Button of the task panel that calls `finished`."""
     preview: Any = None
     opened: "Panel | None" = None
 
     def __init__(self, document: Any = None, subjects: Iterable[Any] = ()) -> None:
-        """`document` is changed, `subjects` are the objects that the panel cannot do without."""
+        """Open the panel. `document` is changed; the panel closes with an error if `subjects` were deleted."""
         Panel.opened = self
         self.subjects = list(subjects)
         _watch_documents()
@@ -48,12 +48,12 @@ class Panel:
         self.form.setWindowIcon(_qicon(self.icon_name))
         self.document = document
         self._timer = later(self._safely_changed, PAUSE_MS, self.form)
-        # what was done before without a step of its own, in the console say, is no part of this one
+        # earlier changes without an undo step, such as those in the console, are not part of this step
         if self.step and not (document.HasPendingTransaction and App.getActiveTransaction()):
             record_step(document, self.step)
 
     def make_form(self) -> Any:
-        """The widgets; what the panel tells stands on top, where it is seen without scrolling."""
+        """Make the form. The message is at the top, where it is visible without scrolling."""
         form = load_panel(self.file)
         for name, value in quantities_of(self.file).items():
             set_value(getattr(form, name), value)
@@ -62,11 +62,11 @@ class Panel:
         return form
 
     def value(self, name: str) -> Any:
-        """Return the value that a widget shows; lengths in mm."""
+        """Return the value that a widget shows, lengths in mm."""
         return value_of(getattr(self.form, name))
 
     def accept(self) -> bool:
-        """OK: everything since the opening is one undo step."""
+        """Apply the panel (OK). All changes since its opening are one undo step."""
         try:
             self._all_there()
             self.finished()
@@ -81,7 +81,7 @@ class Panel:
         return True
 
     def reject(self) -> bool:
-        """Cancel: everything as it was."""
+        """Cancel: restore the state before the panel."""
         self._timer.stop()
         if self.document is not None and document_lives(self.document):
             record_end_of_step(self.document, abort=True)
@@ -90,7 +90,7 @@ class Panel:
         return True
 
     def abandon(self) -> None:
-        """Close the panel after its document was closed, without touching the document or its view."""
+        """Close the panel after its document was closed. Do not touch the document or its view."""
         if self.form is None:
             return
         if self.step:
@@ -100,24 +100,24 @@ class Panel:
         gc.collect()
 
     def getStandardButtons(self) -> int:
-        """OK (or Save) and Cancel, or for a panel that only tells something Close."""
+        """Return the buttons: OK (or Save) and Cancel, or Close for a panel that only shows results."""
         kinds = QtWidgets.QDialogButtonBox
         wanted = [kinds.Close] if self.only_tells else [getattr(kinds, self.done), kinds.Cancel]
         return sum(int(getattr(button, "value", button)) for button in wanted)
 
     def isAllowedAlterSelection(self) -> bool:
-        """The user may select while the panel is open."""
+        """Return True: the user may select while the panel is open."""
         return True
 
     def isAllowedAlterView(self) -> bool:
-        """The user may look around."""
+        """Return True: the user may change the view."""
         return True
 
     def changed(self) -> None:
-        """Compute and show what the widgets request."""
+        """Compute and show the results of the widgets."""
 
     def finished(self) -> None:
-        """Apply the panel after OK; an exception keeps it open."""
+        """Apply the panel after OK. An exception keeps it open."""
 
     def closed(self) -> None:
         """Remove the preview from the view."""
@@ -126,10 +126,10 @@ class Panel:
             self.preview = None
 
     def let_go(self) -> None:
-        """The document is about to be closed: keep nothing of it."""
+        """Release all references to the document, which is about to be closed."""
 
     def tell(self, sentence: str) -> None:
-        """Show a sentence in the panel; lengths are in mm."""
+        """Show a message in the panel, with lengths in mm."""
         self.form.message.setText(printable(worded(sentence)))
 
     def watch(self, *names: str) -> None:
@@ -148,7 +148,7 @@ class Panel:
             self._safely_changed()
 
     def _all_there(self) -> None:
-        """Raises where the user deleted what the panel works on."""
+        """Raise an error if the user deleted an object of the panel."""
         if not all(map(lives, self.subjects)):
             raise InputError(translate("Elastica", "what this panel works on was deleted: press Cancel"))
 
@@ -166,14 +166,14 @@ class Panel:
         if Gui.ActiveDocument is not None:
             Gui.ActiveDocument.resetEdit()
         Gui.Control.closeDialog()
-        # FreeCAD deletes the widgets; a Python face of one that lives on (signals hold their widget in a circle)
-        # would be taken for the next widget at its address
+        # FreeCAD deletes the widgets. A wrapper that is still referenced (signals form cycles)
+        # would be reused for the next widget at the same address.
         self.form = None
         gc.collect()
 
 
 class _Documents:
-    """Closes the panel of a document that is closed, also where it only reads what is in there."""
+    """Closes the panel of a closed document, even if the panel only reads the document."""
 
     def slotDeletedDocument(self, document: Any) -> None:
         panel = Panel.opened
@@ -182,7 +182,7 @@ class _Documents:
             panel.let_go()
             panel.document, panel.preview = None, None
             panel._homes = []
-            # FreeCAD still destroys the document: an undo now would crash it
+            # FreeCAD is still destroying the document, and an undo now would crash
             QtCore.QTimer.singleShot(0, panel.abandon)
 
 
@@ -202,13 +202,13 @@ def _qicon(name: str) -> Any:
 
 
 def active_view() -> Any:
-    """The 3D view, or None where something else is in front."""
+    """Return the 3D view, or None if another kind of view is active."""
     view = Gui.ActiveDocument.activeView() if Gui.ActiveDocument else None
     return view if hasattr(view, "getSceneGraph") else None
 
 
 def placement_of_strip(obj: Any) -> App.Placement:
-    """Return the placement, in the document, of the plane in which a strip's curve lies."""
+    """Return the placement of a strip's curve plane in document coordinates."""
     from freecad.elastica_wb.curves.sketch_curves import drawn_curve
 
     return drawn_curve(obj.Curve, obj).world

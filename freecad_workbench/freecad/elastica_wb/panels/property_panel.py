@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of a feature: a widget for each property, in both directions."""
+"""The panel of a feature: a widget for each property, updated in both directions."""
 
 import gc
 from collections.abc import Callable, Iterable, Mapping
@@ -41,25 +41,25 @@ FAILING = f' style="color: {hex_of(COLORS[Verdict.BREAKS])};"'
 
 @dataclass(frozen=True)
 class Layout:
-    """The contents of the panel for one kind of feature.
+    """Contents of the panel for a kind of feature.
 
     Attributes
     ----------
     title, icon_name, step : str
     groups : mapping
-        From the title of a group to the properties in it.
+        The properties of each group, by its title.
     table : tuple of Property
-        Says what the properties mean.
+        Declarations of the properties.
     applies : mapping
-        From a property to a question: does it count for this object? It is hidden where not.
+        For a property, the function that returns whether it applies to an object. Otherwise it is hidden.
     source : str
-        Property with the curve, that can be picked anew; empty for none.
+        Property with the curve, which the user can pick again; empty for none.
     told : callable
-        Numbers below the message: label, value, and the property that says in its help what they mean.
+        Numbers below the message: label, value, and the property whose help explains them.
     actions : tuple of (label, callable)
-        Buttons that put something else in the feature's place, and end the panel.
+        Buttons that replace the feature and close the panel.
     footnote : callable
-        What is known only after the rest, below all boxes.
+        Late results, shown below all widgets.
     """
 
     title: str
@@ -75,15 +75,15 @@ class Layout:
 
 
 class PropertyPanel(Panel):
-    """Edits the properties of one feature, with its numbers and its shape following; or those of several alike.
+    """Edits the properties of a feature, or of several features of a kind, and updates numbers and shapes.
 
-    A widget writes its own property and nothing else; what is changed elsewhere meanwhile is shown. Of several
-    features the boxes show the first one's, and what is touched is written into all.
+    A widget writes only its property, and shows changes made elsewhere. For several features, the widgets show the
+    values of the first feature and write into all of them.
     """
 
     def __init__(self, obj: Any, layout: Layout, others: Iterable[Any] = ()) -> None:
         self.objects = list(dict.fromkeys([obj, *others]))
-        if len(self.objects) > 1:  # each has a curve and numbers of its own
+        if len(self.objects) > 1:  # each feature has its own curve and numbers
             layout = replace(layout, source="", told=lambda _: (), footnote=lambda _: "")
         self.object, self.layout = obj, layout
         self.icon_name, self.step = layout.icon_name, layout.step
@@ -100,7 +100,7 @@ class PropertyPanel(Panel):
         self._show()
 
     def make_form(self) -> Any:
-        """Make the form: message and numbers on top, then the groups of properties."""
+        """Make the form: message and numbers at the top, then the groups of properties."""
         form = QtWidgets.QWidget()
         form.setWindowTitle(translate("Elastica", self.layout.title))
         outer = QtWidgets.QVBoxLayout(form)
@@ -139,14 +139,14 @@ class PropertyPanel(Panel):
                 setattr(form, name, widget)
                 set_value(widget, _plain(getattr(self.object, name)))
             outer.addWidget(box)
-        form.footnote = QtWidgets.QLabel()  # what comes later than the rest must not move the boxes
+        form.footnote = QtWidgets.QLabel()  # late results must not move the widgets
         form.footnote.setWordWrap(True)
         outer.addWidget(form.footnote)
         outer.addStretch(1)
         return form
 
     def changed(self) -> None:
-        """Write the changed widgets into their properties, and recompute the document."""
+        """Write the changed widgets into their properties and recompute the document."""
         self._writing = True
         try:
             for obj, name in self._unbound(self._touched):
@@ -161,23 +161,23 @@ class PropertyPanel(Panel):
         self._show()
 
     def finished(self) -> None:
-        """Apply the changes that still wait, and record them for macros."""
+        """Apply the pending changes and record them for macros."""
         self.now()
         self._record()
 
     def _record(self) -> None:
-        """Macros get the last of many values."""
-        for obj, name in self._unbound(self._changed) if self._changed else ():  # objects may be gone by now
+        """Record the final value of each changed property for macros."""
+        for obj, name in self._unbound(self._changed) if self._changed else ():  # objects may be deleted
             record_value(obj, name, _plain(getattr(obj, name)))
         self._changed.clear()
 
     def _unbound(self, names: Iterable[str]) -> list[tuple[Any, str]]:
-        """The features with those of these properties that no formula gives."""
+        """Return features and properties of these names, without properties that a formula sets."""
         bound = {(obj, path) for obj in self.objects for path, *_ in obj.ExpressionEngine}
         return [(obj, name) for obj in self.objects for name in names if (obj, name) not in bound]
 
     def closed(self) -> None:
-        """Watch the document no longer; boxes that are bound to an object must not outlive it."""
+        """Stop watching the document. Widgets bound to an object must be deleted before it."""
         App.removeDocumentObserver(self)
         self._stop_picking()
         self._refresh.stop()
@@ -188,15 +188,15 @@ class PropertyPanel(Panel):
         gc.collect()
 
     def let_go(self) -> None:
-        """The document is about to be closed."""
+        """Release the document, which is about to be closed."""
         self.closed()
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
-        """A property was changed: by the property editor, an expression, undo, or the recompute."""
+        """Update the panel after a change: by the property editor, a formula, an undo or a recompute."""
         if self.form is None or obj not in self.objects:
             return
         if obj is self.object and name in self.fields and not self._writing:
-            # an expression moves its box too: what waits there is older than this
+            # a formula also moves its widget, whose pending value is older
             self._touched.pop(name, None)
             self._refill(name)
         self._refresh.start()
@@ -317,7 +317,7 @@ class PropertyPanel(Panel):
             Gui.Selection.clearSelection()
             Gui.Selection.addObserver(
                 self, 0
-            )  # with the whole path: what is seen through a link is the link's
+            )  # with the full path, because parts seen through a link belong to the link
             source, _ = getattr(self.object, self.layout.source) or (None, ())
             if source is not None:
                 source.Visibility = True
@@ -329,10 +329,10 @@ class PropertyPanel(Panel):
 
 
 def _verdict_of(strip: Any) -> list[str]:
-    """The headline of a strip and its remarks."""
+    """Return the headline of a strip and its remarks."""
     return [strip.Verdict, *strip.Reasons]
 
 
 def _plain(value: Any) -> Any:
-    """The number of a quantity, everything else as it is."""
+    """Return the number of a quantity. Other values stay as they are."""
     return getattr(value, "Value", value)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of the sheet library: the built-in sheets with their sources, and the user's own."""
+"""The panel of the sheet library: built-in sheets with their sources, and the user's sheets."""
 
 from dataclasses import replace
 from typing import Any
@@ -19,7 +19,7 @@ NUMBERS = ("thickness", "youngs_modulus", "density", "max_strain", "kerf", "pois
 
 
 class SheetsPanel(Panel):
-    """Shows one sheet; Save keeps a changed one under a name of its own, and Cancel nothing."""
+    """Shows a sheet. Save stores a changed sheet under a new name; Cancel discards the change."""
 
     file = "sheets"
     icon_name = "Elastica_Sheets"
@@ -36,7 +36,7 @@ class SheetsPanel(Panel):
         self.shown()
 
     def shown(self, *_: Any) -> None:
-        """Show the numbers of the chosen sheet."""
+        """Show the numbers of the selected sheet."""
         name = self.form.sheets.currentText()
         if not name:
             return
@@ -62,24 +62,24 @@ class SheetsPanel(Panel):
 
     def sheet(self) -> Sheet:
         """Return the sheet that the widgets describe."""
-        # boxes round: what was not changed is as exact as it was, and a nominal number stays one
+        # widgets round: unchanged numbers keep their full precision, and nominal numbers stay nominal
         typed = {field: self.value(field) for field in NUMBERS if self.value(field) != self.filled[field]}
-        # what is found in practice about another number says nothing of this one
+        # the observed range of another number does not apply to a typed number
         ranges = {f"{field}_range": None for field in typed if hasattr(self.seen, f"{field}_range")}
         name, source = self.form.name.text().strip(), " ".join(self.form.source.toPlainText().split())
-        if typed.get("shear_modulus") == 0:  # the empty field: it is estimated
+        if typed.get("shear_modulus") == 0:  # an empty field: the modulus is estimated
             typed["shear_modulus"] = None
         return replace(self.seen, name=name, source=source, **typed, **ranges)
 
     def finished(self) -> None:
-        """Write the user's sheets, with the one that was changed."""
+        """Write the user's sheets, including the changed sheet."""
         sheet = self.sheet()
         if sheet != self.seen:
             self.own[sheet.name] = sheet
         changed = {name: sheet for name, sheet in self.own.items() if self.before.get(name) != sheet}
         removed = self.before.keys() - self.own.keys()
         if changed or removed:
-            # those that another window has kept meanwhile stay
+            # keep sheets that another window saved meanwhile
             now = own_sheets() | changed
             save_own_sheets(sheet for name, sheet in now.items() if name not in removed)
             keep_sheets()

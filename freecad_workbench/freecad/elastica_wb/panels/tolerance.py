@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of the tolerance study: bends many varied strips, a plot and a table at the end."""
+"""The panel of the tolerance study: it bends many varied strips and shows a plot and a table."""
 
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
@@ -19,7 +19,7 @@ from elastica_cad.refusals import note
 
 
 class TolerancePanel(Panel):
-    """Runs on request; a progress bar can stop it, what is found until then is shown."""
+    """Runs on request. The user can stop it and see the results up to then."""
 
     file = "tolerance"
     icon_name = "Elastica_Tolerance"
@@ -33,7 +33,7 @@ class TolerancePanel(Panel):
         self.tell(translate("Elastica", "Ranges are those of the sheet."))
 
     def run(self, *_: Any) -> None:
-        """Bend all samples, and show how far they stray."""
+        """Bend all samples and show their deviations."""
         try:
             self.study = tolerance_study(
                 self.strip.rod,
@@ -70,23 +70,23 @@ class TolerancePanel(Panel):
         self.tell("")
 
 
-class Stopped(Exception):  # noqa: N818 - no error: the user said so
+class Stopped(Exception):  # noqa: N818 - not an error, but a decision of the user
     """Raised when the user presses Cancel."""
 
 
 class Watched:
-    """An executor that works here and now, and shows after every task how far it is."""
+    """An executor that works in this thread and shows its progress after every task."""
 
     def __init__(self, title: str) -> None:
         self._title = title
 
     def map(self, work: Callable[..., Any], *arguments: Iterable[Any], **_chunks: int) -> Iterator[Any]:
-        """Yield the answers one by one, as `concurrent.futures` would.
+        """Yield the results one by one, like `concurrent.futures`.
 
         Raises
         ------
         Stopped
-            Cancel was pressed.
+            The user pressed Cancel.
         """
         tasks = list(zip(*arguments, strict=True))
         with progress(self._title, len(tasks)) as step:

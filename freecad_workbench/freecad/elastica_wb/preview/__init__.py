@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What a panel shows in the view before it is in the document."""
+"""Previews in the 3D view, before objects are added to the document."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""What is not in the document yet: lines in the view, a strip as it would bend, handles to drag it by."""
+"""Previews in the 3D view: lines, a bent strip and handles to drag."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -18,11 +18,11 @@ from elastica_cad._types import ArrayLike, FloatArray
 Place = tuple[float, float]
 
 BEFORE, AFTER, FRAME = (0.6, 0.6, 0.6), (0.9, 0.35, 0.1), (0.1, 0.45, 0.95)
-GLASS = 0.35  # transparency of a strip that is not made yet
+GLASS = 0.35  # transparency of a previewed strip
 
 
 class Preview:
-    """Two curves in a plane, before and after; the strip that stands on the second; handles."""
+    """Two curves in a plane (before and after), the strip along the second curve, and handles."""
 
     def __init__(self, view: Any, placement: Any) -> None:
         self._view, self._placement = view, placement
@@ -41,7 +41,7 @@ class Preview:
         self._scene.addChild(self.root)
 
     def show(self, before: FloatArray, after: FloatArray, frame: FloatArray | None = None) -> None:
-        """Show both curves (n, 2), mm, and the frame that the handles stand on, in place of the former."""
+        """Replace both curves (n, 2), mm, and the frame that connects the handles."""
         for points, line in (
             (before, self._before),
             (after, self._after),
@@ -52,7 +52,7 @@ class Preview:
             shape.numVertices.setValues(0, 1, [len(rows)])
 
     def show_strip(self, middle: FloatArray, width: FloatArray) -> None:
-        """The strip (its widths (n,)) as it stands on a curve (n, 2)."""
+        """Show the strip with widths (n,) along a curve (n, 2)."""
         self._strip.set(middle, width)
 
     def add_handles(
@@ -61,7 +61,7 @@ class Preview:
         moved: Callable[[int, Place], None],
         released: Callable[[], None] | None = None,
     ) -> None:
-        """Handles at places (n, 2); `moved` is told which one was dragged and where to."""
+        """Add handles at places (n, 2). `moved` is called with the number and the new place of a dragged handle."""
         self.handles = Handles(self._view, self._placement, places, moved, released)
 
     def remove(self) -> None:
@@ -81,12 +81,12 @@ class Preview:
 
 
 class _Ribbon:
-    """A strip without thickness, half of its width on either side of the plane."""
+    """A strip without thickness. Half of its width is on each side of the plane."""
 
     def __init__(self, root: Any) -> None:
         group, material, hints = coin.SoSeparator(), coin.SoMaterial(), coin.SoShapeHints()
         material.diffuseColor, material.transparency = AFTER, GLASS
-        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # lit from both sides
+        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # lit on both sides
         self._points, self._mesh = coin.SoCoordinate3(), coin.SoQuadMesh()
         pick = coin.SoPickStyle()
         pick.style = coin.SoPickStyle.UNPICKABLE
@@ -100,18 +100,18 @@ class _Ribbon:
         self._mesh.verticesPerRow, self._mesh.verticesPerColumn = len(middle), 2
 
 
-REACH_PX = 12  # px around a handle in which the mouse takes it
+REACH_PX = 12  # px around a handle in which it takes the mouse
 SIZE_PX = 13  # px
 REST, HELD = (0.1, 0.45, 0.95), (1.0, 0.8, 0.1)
-EDGE_ON_SINE = 1e-6  # of the angle under which a plane is seen: below it no place is under the mouse
+EDGE_ON_SINE = 1e-6  # sine of the angle of view to the plane, below which the mouse has no place in the plane
 
 
 class Handles:
-    """Handles at places (n, 2) of a plane; `moved` is told the number of the dragged one and where it is.
+    """Handles at places (n, 2) of a plane. `moved` is called with the number and the new place of a dragged handle.
 
-    `released` is called when the mouse lets go of one.
+    `released` is called when the user releases a handle.
 
-    It is told at most as often as it can answer: what the mouse did meanwhile is left out.
+    Mouse moves during a call of `moved` are skipped.
     """
 
     def __init__(
@@ -147,11 +147,11 @@ class Handles:
 
     @property
     def is_held(self) -> bool:
-        """Is one of them being dragged?"""
+        """True while a handle is dragged."""
         return self._held is not None
 
     def on_screen(self) -> list[tuple[float, float]]:
-        """Pixels of the view at which they are, from its lower left corner."""
+        """Return the pixels of the handles, from the lower left corner of the view."""
         spots = []
         for x, y in self.places:
             px, py = self._view.getPointOnScreen(self._placement.multVec(App.Vector(x, y, 0)))
@@ -199,7 +199,7 @@ class Handles:
             self._moved(self._held, (float(x), float(y)))
 
     def _in_plane(self, pixel: FloatArray) -> FloatArray | None:
-        """The place under a pixel; None where the plane is seen edge on."""
+        """Return the place in the plane under a pixel, or None if the plane is seen edge-on."""
         back = self._placement.inverse()
         start, end = (
             np.array(tuple(back.multVec(p))) for p in self._view.projectPointToLine(*map(int, pixel))
@@ -226,9 +226,9 @@ def plane_node(placement: Any) -> Any:
 
 
 class _Mouse(QtCore.QObject):
-    """The left mouse button over a view, before FreeCAD turns the view or selects something by it.
+    """Takes events of the left mouse button before FreeCAD rotates the view or selects objects.
 
-    Every style of navigation has its own use for that button, and some take it before the scene is asked.
+    Every navigation style uses that button, and some styles take it before the scene gets the event.
     """
 
     def __init__(self, view: Any, *answers: Callable[[FloatArray], bool]) -> None:
@@ -239,19 +239,19 @@ class _Mouse(QtCore.QObject):
         self._answers = dict(
             zip((kinds.MouseButtonPress, kinds.MouseMove, kinds.MouseButtonRelease), answers, strict=True)
         )
-        if self._widget is not None:  # else the handles are seen, and the panel's numbers move them
+        if self._widget is not None:  # otherwise the handles are visible, and the panel's numbers move them
             self._widget.installEventFilter(self)
 
     def leave(self) -> None:
-        """Watch no longer; the view may be closed already."""
+        """Stop watching. The view may be closed already."""
         with suppress(RuntimeError):
             if self._widget is not None:
                 self._widget.removeEventFilter(self)
-        # a wrapper kept beyond its view stands in the way of the next view's
+        # a wrapper kept after its view would be reused for the next view
         self._widget = self._view = None
 
     def eventFilter(self, _widget: Any, event: Any) -> bool:
-        """Was the event for a handle? Then nobody else gets it."""
+        """Return True if a handle took the event. Other receivers do not get it then."""
         answer = self._answers.get(kind_of(event))
         if answer is None:
             return False

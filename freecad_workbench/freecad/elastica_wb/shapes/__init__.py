@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Kernel-neutral records as shapes of FreeCAD's Part."""
+"""Kernel-neutral records converted to shapes of FreeCAD's Part workbench."""

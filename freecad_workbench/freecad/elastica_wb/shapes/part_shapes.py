@@ -27,12 +27,12 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.splines import knot_runs
 from elastica_cad.strip.solids import BodyRecord, FlatSolid, PrismSolid
 
-OFFSET_TOLERANCE_MM = 1e-6  # mm: curves that are no NURBS are followed this closely
+OFFSET_TOLERANCE_MM = 1e-6  # mm: tolerance for curves that are not NURBS
 ENDLESS_MM = 1e99  # FreeCAD gives datum planes and axes boxes of 1e100 mm
 
 
 def make_wire(path: Path, frame: Frame | None = None) -> Part.Wire:
-    """Make a wire of a path in the plane of `frame`, which is the xy plane unless given."""
+    """Make a wire of a path in the plane of `frame`, by default the xy plane."""
     return _read(wire_brep(path, frame or Frame())).Wires[0]
 
 
@@ -53,7 +53,7 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
 
 
 def _plane_of(frame: Frame) -> Frame:
-    """The plane of a frame with the axes that OpenCASCADE gives it: how exactly areas are read hangs on them."""
+    """Return the plane of a frame with the axes of OpenCASCADE. The accuracy of areas depends on these axes."""
     about = _frame_about(tuple(frame.z_axis.tolist()))
     return Frame(frame.origin, about.x_axis, about.y_axis)
 
@@ -79,7 +79,7 @@ def make_solid(record: BodyRecord | PrismSolid) -> Part.Shape:
 
 
 def _read(brep: BinaryBrep) -> Part.Shape:
-    """The shape of a binary BREP, which FreeCAD only takes from a file."""
+    """Return the shape of a binary BREP. FreeCAD reads it only from a file."""
     shape = Part.Shape()
     try:
         handle, name = tempfile.mkstemp(suffix=".bin", dir=_folder())
@@ -99,31 +99,29 @@ def _read(brep: BinaryBrep) -> Part.Shape:
 
 
 def _folder() -> str:
-    """Where files may lie for a moment: FreeCAD on Windows only opens names in ASCII."""
+    """Return a folder for temporary files with an ASCII path, because FreeCAD on Windows opens no other paths."""
     usual = tempfile.gettempdir()
     return usual if os.name != "nt" or usual.isascii() else os.environ["PROGRAMDATA"]
 
 
 def is_bounded(box: App.BoundBox) -> bool:
-    """Is there something in a box, and an end to it? FreeCAD 1.1 keeps endless planes in every body and part."""
+    """Return True if a box is neither empty nor infinite. FreeCAD 1.1 has infinite planes in bodies and parts."""
     return bool(box.isValid()) and bool(box.DiagonalLength < ENDLESS_MM)
 
 
 def plane_curve(drawn: Iterable[Any]) -> tuple[PlaneCurve, Frame]:
-    """The curve that edges or Part geometry make end to end, and the plane it lies in.
-
-    Direction and axes are as in `elastica_cad.formats.placed.placed_curve`.
+    """Return the single curve that edges or Part geometry form, and its plane.
 
     Raises
     ------
     InputError
-        Nothing drawn, several curves, corners, or edges that are not plane.
+        There is no curve, or there are several curves, corners, or edges that are not plane.
     """
     return placed_curve(_drawn_edges(drawn))
 
 
 def report_on_edges(drawn: Iterable[Any]) -> ReadReport | None:
-    """Return the report on the curve that edges or Part geometry make; None if they make none.
+    """Return the report on the curve that edges or Part geometry form, or None if they form none.
 
     Raises
     ------
@@ -153,7 +151,7 @@ def _drawn_edges(drawn: Iterable[Any]) -> list[Edge]:
 
 
 def _drawn_edge(item: Any) -> Edge:
-    """An edge of a shape, or a curve of a sketch, as an exact NURBS in space."""
+    """Return an edge of a shape, or a curve of a sketch, as an exact NURBS in space."""
     if isinstance(item, Part.Edge):
         if item.Degenerated:
             raise InputError("an edge is degenerate: it has no curve in space; choose another edge")
@@ -168,7 +166,7 @@ def _as_spline(curve: Any, first: float, last: float) -> Any:
         if whole and min(curve.getMultiplicities()[:: curve.NbKnots - 1]) > curve.Degree:
             return curve
         spline = curve.copy()
-        spline.segment(first, last)  # begins and ends on poles, and cuts a periodic spline open anywhere
+        spline.segment(first, last)  # ends at poles, and opens a periodic spline anywhere
         return spline
     if not (abs(first) < 1e100 and abs(last) < 1e100):
         raise InputError("an edge runs on to infinity: trim it")

@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""From a request to a strip and its shapes, each solved once."""
+"""Solved strips and their shapes, cached by request."""

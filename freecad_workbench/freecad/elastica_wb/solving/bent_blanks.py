@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Strips that are bent before they are mounted: no cut pattern shows it, so whoever gets one is told."""
+"""Messages about pre-bent strips, because a cut pattern does not show that they are bent before assembly."""
 
 from collections.abc import Iterable
 
@@ -13,10 +13,10 @@ from elastica_cad.strip.strip import Strip
 
 
 def is_bent_beforehand(strip: Strip) -> bool:
-    """Is it anything but flat before it is mounted?"""
+    """Return True if a strip is bent before assembly."""
     return bool(np.any(strip.rod.natural_curvature))
 
 
 def told_blanks(named: Iterable[tuple[str, Strip]]) -> list[str]:
-    """How named strips are bent beforehand: a sentence for those that are bent alike, none for flat ones."""
+    """Return how named strips are bent before assembly, with one message for strips that are bent alike."""
     return together((name, worded(tell_blank(strip))) for name, strip in named)

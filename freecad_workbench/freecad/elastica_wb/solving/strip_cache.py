@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""From what a user asks for to a strip: solved once for equal requests, whoever asks."""
+"""Strips and nearest curves by request. Equal requests are solved once."""
 
 from contextlib import suppress
 from dataclasses import replace
@@ -32,7 +32,7 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
 remembered = lru_cache(maxsize=256)
-"""Answers by their arguments: for each of a hundred strips the present one and the one before, for undo."""
+"""Cache by arguments. It holds the present and the previous result (for undo) of a hundred strips."""
 
 STEPS, FINER = 641, 21
 
@@ -40,31 +40,34 @@ STEPS, FINER = 641, 21
 def sharpest_bend(
     curve: PlaneCurve, rest: NaturalCurvature, samples: CurveSamples | None = None
 ) -> tuple[float, float]:
-    """The most that a strip is bent by along a curve, 1/mm, and where, mm: by steps, then finer between two."""
+    """Return the largest curvature change of a strip along a curve, 1/mm, and its position, mm.
+
+    The steps around the largest value are searched again with finer steps.
+    """
     samples = curve.sample(STEPS) if samples is None else samples
     s, t = samples.s, samples.t
     most = int(np.argmax(np.abs(samples.curvature - nodal_curvature(rest, s))))
     fine = np.linspace(t[max(most - 1, 0)], t[min(most + 1, t.size - 1)], FINER)
-    places = np.append(np.interp(fine, t, s), s[-1])  # a blank bent beforehand is as long as its curve
+    places = np.append(np.interp(fine, t, s), s[-1])  # a pre-bent strip is as long as its curve
     bend = np.abs(curve.curvature_at(np.append(fine, t[-1])) - nodal_curvature(rest, places))
     best = int(np.argmax(bend))
     return float(bend[best]), float(places[best])
 
 
 MANY_HOLES = 100
-HEADROOM = 1.003  # times less curvature than its limit allows has a rod whose curve is to be drawn
-STRICTER, BEYOND = 4, 1.3  # times that search is repeated at most; of what its curve was beyond the limit
-AS_DRAWN_MM = 0.05  # a curve whose nearest one is no farther keeps all limits
+HEADROOM = 1.003  # times less curvature than the limit, for a rod whose curve is drawn as a spline
+STRICTER, BEYOND = 4, 1.3  # largest number of searches; factor on the excess over the limit
+AS_DRAWN_MM = 0.05  # a curve whose nearest curve is closer than this keeps all limits
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the nearest curve")
 
 
 def solve_strip(spec: StripSpec) -> Strip:
-    """The strip that is asked for.
+    """Return the strip of a request.
 
     Raises
     ------
     ElasticaError
-        With the core's own sentence: what is wrong, where, what to do.
+        The strip cannot be made; the message states the problem, its place and a solution.
     """
     try:
         return in_background(SEARCHING, _strip, spec.in_plane) if spec.may_change else _strip(spec.in_plane)
@@ -76,20 +79,21 @@ def solve_strip(spec: StripSpec) -> Strip:
 
 
 def find_nearest(asked: RodSpec) -> NearestRod:
-    """The nearest rod to a curve that may change."""
+    """Return the rod nearest to a curve that may change."""
     return in_background(SEARCHING, _found, asked)
 
 
 def find_nearest_to_draw(asked: RodSpec) -> NearestRod:
-    """Find the nearest rod for a curve to be drawn, which keeps the limits as a spline too."""
+    """Return the nearest rod for a curve to be drawn. Its spline also keeps the limits."""
     return in_background(SEARCHING, find_nearest_now, asked)
 
 
 @remembered
 def find_nearest_now(asked: RodSpec) -> NearestRod:
-    """Find the nearest rod as `find_nearest_to_draw` does, but in a thread and without a progress bar.
+    """Return the same as `find_nearest_to_draw`, in this thread and without a progress bar.
 
-    A spline strays from its rod by some thousandths of the curvature, so the rod keeps as much away from its limit.
+    The curvature of a spline differs from that of its rod by some thousandths. Therefore the rod keeps the same
+    distance from its limits.
     """
     limits = asked.limits
     most = None if limits is None else limits.largest_curvature
@@ -107,15 +111,15 @@ def find_nearest_now(asked: RodSpec) -> NearestRod:
     return _found(asked)
 
 
-ROOMS = (1.1, 1.25, 1.5)  # times stricter limits, tried in turn: a curve of few poles strays from its rod
+ROOMS = (1.1, 1.25, 1.5)  # times stricter limits, tried in turn: a curve with few poles differs from its rod
 FARTHER, NEAR_SHARE = 3, 0.01  # times as far away, or in lengths: so much few poles are worth
 SPANS = (8, 12, 16, 20)
 
 
 def find_nearest_to_drag(asked: RodSpec) -> tuple[PlaneCurve, str]:
-    """The nearest curve within the limits whose poles a hand can drag, and a sentence on what that costs.
+    """Return a nearest curve with few enough poles to drag, and a message on its extra deviation.
 
-    Where few poles cannot keep the limits it is the nearest one with all its poles.
+    If few poles cannot keep the limits, return the nearest curve with all its poles.
     """
     return in_background(SEARCHING, _nearest_to_drag, asked)
 
@@ -148,7 +152,7 @@ def _nearest_to_drag(asked: RodSpec) -> tuple[PlaneCurve, str]:
 
 
 def _keeps_limits(asked: RodSpec) -> bool:
-    """Can the curve itself be bent within the limits?"""
+    """Return True if the curve itself can be bent within the limits."""
     most, ratio = asked.limits.largest_curvature, asked.limits.ratio
     if most is not None and sharpest_bend(asked.curve, asked.natural_curvature)[0] > most * (
         1 + STRAIN_SLACK
@@ -157,14 +161,14 @@ def _keeps_limits(asked: RodSpec) -> bool:
     try:
         if ratio is not None and _found(replace(asked, limits=None, keep=None)).ratio > ratio:
             return False
-        again = _found(asked)  # it searches, so it comes last
+        again = _found(asked)  # the slow search comes last
     except ElasticaError:
         return False
     return bool(again.met and again.deviation <= AS_DRAWN_MM)
 
 
 def judged(rod: Rod) -> Stability | None:
-    """Return the stability of a rod; None where it cannot be decided."""
+    """Return the stability of a rod, or None if it cannot be computed."""
     try:
         return _stability(rod)
     except ElasticaError:
@@ -173,7 +177,7 @@ def judged(rod: Rod) -> Stability | None:
 
 @remembered
 def held_shape(strip: Strip) -> HeldShape | None:
-    """The shape that it takes as it is made, its ends held as designed; None where that is nowhere near."""
+    """Return the shape of a strip as made, with its ends held as designed. None if it is far from the design."""
     try:
         return strip.held()
     except NotConvergedError:
@@ -182,8 +186,8 @@ def held_shape(strip: Strip) -> HeldShape | None:
 
 @remembered
 def bent_shape(strip: Strip) -> Part.Shape:
-    """Return the bent strip, its curve in the xy plane; of a laminate both layers."""
-    # thousands of holes take seconds: then the records are made beside the window, with a bar that can be cancelled
+    """Return the bent strip with its curve in the xy plane. A laminate has both layers."""
+    # thousands of holes take seconds: compute them in a thread, with a progress bar that can be cancelled
     many = len(strip.holes) > MANY_HOLES
     layers = (
         in_background(QT_TRANSLATE_NOOP("Elastica", "Bending the strip"), _bent, strip)
@@ -205,7 +209,7 @@ def _bent(strip: Strip) -> tuple[BodyRecord, ...]:
 
 @remembered
 def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
-    """Return one layer of the strip as cut, lying on the xy plane."""
+    """Return one layer of the strip as cut, in the xy plane."""
     records = FlatSolid.layers(strip)
     if strip.layout.stack is not None:
         return Part.Compound([make_solid(record) for record in glued(records)])
@@ -215,7 +219,7 @@ def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
 
 @remembered
 def _found(asked: RodSpec) -> Any:
-    """A rod, or the nearest one where the curve may change."""
+    """Return the rod, or the nearest rod if the curve may change."""
     return asked.solve()
 
 

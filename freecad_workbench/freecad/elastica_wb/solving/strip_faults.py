@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Reasons why a strip fails that can be made: headline, card and numbers all show these."""
+"""Reasons why a strip fails although it can be made. Headline, card and numbers show them."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from elastica_cad.refusals import Length, Refusal, note
 from elastica_cad.strip.strip import Strip
 
 SLENDER = 2.0
-"""Length over width from which a strip bends as a rod."""
+"""Smallest ratio of length to width for which a strip bends as a rod."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ def strip_faults(strip: Strip) -> Iterator[Fault]:
 
 
 def width_fault(length: float, width: float | None) -> Fault | None:
-    """Return the fault of a strip that is too wide for its length, mm; None of a slender strip."""
+    """Return the fault of a strip that is too wide for its length (mm), or None."""
     if width is None or length >= SLENDER * width:
         return None
     sentence = note(
@@ -74,7 +74,7 @@ def width_fault(length: float, width: float | None) -> Fault | None:
 
 
 def strain_words(verdict: StrainVerdict) -> str:
-    """Return a few words on a strain that is not allowed."""
+    """Return a short description of a strain that is not allowed."""
     return note(
         "would break: {percent} %" if verdict.refused else "beyond its limit: {percent} %",
         percent=verdict.percent,

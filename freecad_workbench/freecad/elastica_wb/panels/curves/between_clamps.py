@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The curve of a strip of given length between two clamps, pulled by handles over an open sketch.
+"""The curve of a strip of given length between two clamps, edited by handles over an open sketch.
 
-The sketcher's solver cannot hold a length: the curve is shown while a handle is dragged, and drawn anew on release.
+The sketcher's solver cannot keep a length. Therefore a preview follows the drag, and the curve is drawn on release.
 """
 
 from math import atan2, cos, sin
@@ -24,14 +24,14 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
 from elastica_cad.mechanics.between_clamps import ElasticaBetween, elastica_between
 
-REACH = 0.25  # of the distance of the ends: how far the handles of the tangents stand off
-SLACK = 1.3  # lengths of the chord that a new strip has
-VIEW_SHARE = 0.3  # of the view's height: half the chord of a curve that nothing says the ends of
+REACH = 0.25  # of the distance of the ends: distance of the tangents' handles
+SLACK = 1.3  # length of a new strip, in chords
+VIEW_SHARE = 0.3  # of the view's height: half the chord of a new curve
 DIFFERENT_MM = 1e-6
 
 
 class BetweenClamps:
-    """Draws the curve of a strip between two clamps in the open sketch: two ends, two tangents and a length."""
+    """Draws the curve of a strip between two clamps in the open sketch: two ends, two tangents, one length."""
 
     def __init__(self, sketch: Any, view: Any) -> None:
         self.sketch = sketch
@@ -41,7 +41,7 @@ class BetweenClamps:
         self.card = LengthCard(view, self.length, self._lengthen, self._turn_over, stop)
         self.preview = Preview(view, placement)
         self._solve()
-        if self.angles is None and self.found is not None:  # tangents that the strip has with free ends
+        if self.angles is None and self.found is not None:  # tangents of the strip with free ends
             turned = self.found.rod.angle
             self.angles = [float(turned[0]), float(turned[-1])]
         self.angles = self.angles or [0.0, 0.0]
@@ -52,19 +52,19 @@ class BetweenClamps:
             self._draw()
 
     def close(self) -> None:
-        """Take everything off the view; what is drawn stays."""
+        """Remove everything from the view. The drawn curve stays."""
         App.removeDocumentObserver(self)
         Gui.removeDocumentObserver(self)
         self.preview.remove()
         self.card.remove()
 
     def slotResetEdit(self, provider: Any) -> None:
-        """The sketch is closed."""
+        """End when the sketch is closed."""
         if getattr(provider, "Object", None) is self.sketch:
             stop()
 
     def slotUndoDocument(self, document: Any) -> None:
-        """The curve is another one then."""
+        """End, because the curve has changed."""
         if document is self.sketch.Document:
             stop()
 
@@ -74,7 +74,7 @@ class BetweenClamps:
             stop()
 
     def _moved(self, handle: int, place: Place) -> None:
-        """Handles 0 and 1 are the ends, 2 and 3 stand on the tangents."""
+        """Move an end (handles 0 and 1) or turn a tangent (handles 2 and 3)."""
         end = handle % 2
         if handle < 2:
             self.ends[end] = np.array(place)
@@ -92,7 +92,7 @@ class BetweenClamps:
         self._draw()
 
     def _turn_over(self) -> None:
-        """The mirror image about the chord."""
+        """Mirror the curve about its chord."""
         along = 2 * atan2(*(self.ends[1] - self.ends[0])[::-1])
         self.angles = [along - angle for angle in self.angles]
         self.side = -self.side
@@ -111,14 +111,14 @@ class BetweenClamps:
         self.preview.show(np.zeros((0, 2)), shown, None if self.angles is None else self._frame())
 
     def _draw(self) -> None:
-        """The curve as it is now, in one undo step."""
+        """Draw the present curve, in one undo step."""
         self.preview.handles.put(self._places())
         if self.found is None:
             return
         document = self.sketch.Document
         record_step(document, translate("Elastica_Between", "Curve of given length"))
         self.number = recorded(replace_curve, self.sketch, self.number, self.found.curve)
-        record_call(self.sketch, "solve")  # it moves points: a part of the step
+        record_call(self.sketch, "solve")  # solving moves points, so it is part of the step
         record_end_of_step(document)
 
     def _places(self) -> FloatArray:
@@ -127,12 +127,12 @@ class BetweenClamps:
         return np.array([*self.ends, self.ends[0] + off[0], self.ends[1] - off[1]])
 
     def _frame(self) -> FloatArray:
-        """From handle to handle, through both ends."""
+        """Return the line from handle to handle through both ends."""
         return self._places()[[2, 0, 1, 3]]
 
 
 def _taken(sketch: Any, view: Any) -> tuple[int | None, list[FloatArray], list[float] | None, float, int]:
-    """What it begins with: the selected curve or the only spline, the ends of a selected line, or a new one."""
+    """Return the start values of the selected curve, the only spline, a selected line, or a new curve."""
     number = _chosen(sketch)
     if number is None:
         half = VIEW_SHARE * float(view.getCameraNode().height.getValue()) if _is_flat(view) else 50.0
@@ -151,7 +151,7 @@ def _taken(sketch: Any, view: Any) -> tuple[int | None, list[FloatArray], list[f
 
 
 def _chosen(sketch: Any) -> int | None:
-    """The selected curve of a sketch, else its only spline."""
+    """Return the number of the selected curve of a sketch, or else of its only spline."""
     for choice in Gui.Selection.getSelectionEx():
         names = [name for name in choice.SubElementNames if name.startswith("Edge")]
         if choice.Object is sketch and names and not _is_closed(sketch.Geometry[int(names[0][4:]) - 1]):
@@ -179,12 +179,12 @@ _running: list[BetweenClamps] = []
 
 
 def running() -> BetweenClamps | None:
-    """The tool that is in use now."""
+    """Return the running tool, or None."""
     return _running[0] if _running else None
 
 
 def switch() -> None:
-    """Begin in the open sketch, or end."""
+    """Start in the open sketch, or end."""
     if running() is not None:
         stop()
         return
@@ -194,6 +194,6 @@ def switch() -> None:
 
 
 def stop() -> None:
-    """End; what is drawn stays."""
+    """End. The drawn curve stays."""
     while _running:
         _running.pop().close()

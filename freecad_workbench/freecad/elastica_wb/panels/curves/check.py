@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of a check: the whole answer in words, the overlay on the curve."""
+"""The panel of a check: the full verdict in words, and the overlay on the curve."""
 
 from typing import Any
 
@@ -20,7 +20,7 @@ from elastica_cad.strip.strip_spec import StripSpec
 
 
 class CheckPanel(Panel):
-    """Changes nothing; Close takes the overlay away."""
+    """Changes nothing. Close removes the overlay."""
 
     file = "check"
     icon_name = "Elastica_Check"
@@ -41,7 +41,7 @@ class CheckPanel(Panel):
         if self.check.realizable:
             try:
                 answer = strip_answer(solve_strip(spec))
-                # in balance it could be bent, but for what the sheet bears
+                # the curve is in equilibrium, but the sheet would break
                 words = [answer.sentence] if answer.verdict is Verdict.BREAKS else [*words, answer.sentence]
             except ElasticaError as error:
                 words.append(str(error))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of the projective edit: four handles about a curve, the pulled curve and its verdict at once."""
+"""The panel of the projective edit: four handles around a curve, the transformed curve and its verdict."""
 
 from typing import Any
 
@@ -34,7 +34,7 @@ FIELDS = [f"{axis}{number}" for number in (1, 2, 3, 4) for axis in "xy"]
 
 
 class ProjectivePanel(Panel):
-    """OK writes poles and weights into the sketch, in one undo step."""
+    """Transforms a curve by four handles. OK writes poles and weights into the sketch, in one undo step."""
 
     file = "projective"
     icon_name = "Elastica_Projective"
@@ -57,12 +57,12 @@ class ProjectivePanel(Panel):
         self.reset()
 
     def reset(self, *_: Any) -> None:
-        """Put the handles back to the box around the drawn curve."""
+        """Put the handles back on the box around the drawn curve."""
         self._fill(self.corners)
         self._safely_changed()
 
     def dragged(self, number: int, place: tuple[float, float]) -> None:
-        """A handle was pulled: show the curve now, the strip it makes when the mouse rests."""
+        """Show the curve of a dragged handle at once, and its strip when the mouse rests."""
         places = self.handles.copy()
         places[number] = place
         self._fill(places)
@@ -74,7 +74,7 @@ class ProjectivePanel(Panel):
         self.soon()
 
     def changed(self) -> None:
-        """Take what was typed, pull the curve, and say what strip it makes."""
+        """Read the typed numbers, transform the curve, and describe its strip."""
         self._typed()
         self.pull()
         try:
@@ -83,7 +83,7 @@ class ProjectivePanel(Panel):
             self.tell(sentences([sentence_of(error), self._warning()], ""))
 
     def pull(self) -> None:
-        """The curve as the handles pull it, and whether it can be bent."""
+        """Transform the curve by the handles and show whether it can be bent."""
         self._draw()
         same = np.array_equal(self.handles, self.corners)
         pulled = self.drawn if same else self.drawn.transformed(four_point_map(self.corners, self.handles))
@@ -120,7 +120,7 @@ class ProjectivePanel(Panel):
             self.preview.handles.put(places)
 
     def _typed(self) -> None:
-        """Numbers that differ from what is shown were typed; the others stay as exact as they are."""
+        """Read the typed numbers. Numbers that the user did not change keep their full precision."""
         values = [self.value(name) for name in FIELDS]
         places = np.where(np.array(values) == self._shown, self.handles.ravel(), values)
         self._fill(places.reshape(4, 2))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""A bar chart without matplotlib: Debian's FreeCAD need not have it."""
+"""A bar chart without matplotlib, which Debian's FreeCAD may lack."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -11,11 +11,11 @@ from freecad.elastica_wb.host.words import worded
 
 from elastica_cad.refusals import Length, note
 
-ROW, LEFT, WIDTH = 24, 105, 300  # px: height of a bar's row, room for names, whole picture
+ROW, LEFT, WIDTH = 24, 105, 300  # px: height of a row, width for names, width of the picture
 
 
 def bar_chart(rows: Sequence[tuple[str, float, float]]) -> Any:
-    """Draw rows (name, usual, worst), mm: a dark bar for the usual value, a light one for the worst."""
+    """Draw rows (name, usual, worst), mm, with a dark bar for the usual value and a light bar for the worst."""
     largest = max((worst for _, _, worst in rows), default=0.0) or 1.0
     picture = QtGui.QPixmap(WIDTH, ROW * len(rows) + 10)
     picture.fill(QtGui.QColor("white"))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Widgets of panels: their values, what they send, FreeCAD's boxes for quantities, no change by a passing wheel."""
+"""Widgets of panels: values, signals, FreeCAD's quantity boxes, and protection from the mouse wheel."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -12,22 +12,22 @@ import FreeCADGui as Gui
 from freecad.elastica_wb.host.qt import QtCore, QtGui, QtWidgets, kind_of
 from freecad.elastica_wb.host.resources import translate
 
-LARGEST = 1e9  # of numbers without a limit of their own
+LARGEST = 1e9  # limit of numbers without a declared limit
 WHOLE = 1_000_000
-NARROWEST_PX = 105  # in which a length with its unit can be read
+NARROWEST_PX = 105  # minimum width for a length with its unit
 TRIES = 10
 
 _aside: list[Any] = []
 
-UNTYPED = ("", "\t", "\r", "\x1b")  # keys that change no text: arrows, Tab, Enter, Escape
-EXACT, SHOWN = "exactValue", "shownValue"  # what was set, and what the box made of it
+UNTYPED = ("", "\t", "\r", "\x1b")  # keys that enter no text: arrows, Tab, Enter, Escape
+EXACT, SHOWN = "exactValue", "shownValue"  # the value that was set, and the value that the box shows
 UNITS = {"App::PropertyLength": "mm", "App::PropertyDistance": "mm", "App::PropertyAngle": "deg"}
 NUMBER_CHANGED = QtCore.SIGNAL("valueChanged(double)")
-"""Of FreeCAD's box: the signal that carries a number, as Python cannot make the quantity of the other."""
+"""Signal of FreeCAD's box with a number. Python cannot read the quantity of the other signal."""
 
 
 def field_for(obj: Any, name: str) -> Any:
-    """A widget that shows a property of an object."""
+    """Return a widget that shows a property of an object."""
     kind = obj.getTypeIdOfProperty(name)
     if kind in UNITS or kind == "App::PropertyFloat":
         box = quantity_box()
@@ -50,7 +50,7 @@ def field_for(obj: Any, name: str) -> Any:
 
 
 def put_away(widget: Any) -> None:
-    """End a widget of `field_for`: one that is bound to a property would go on hearing of its expressions."""
+    """Delete a widget of `field_for`. Otherwise a widget bound to a property still receives its formulas."""
     widget.blockSignals(True)
     widget.setParent(None)
     widget.deleteLater()
@@ -67,7 +67,7 @@ def put_choices(box: Any, choices: list[str]) -> None:
 
 
 def value_of(widget: Any) -> Any:
-    """Return the value that a widget shows; lengths in mm."""
+    """Return the value that a widget shows, lengths in mm."""
     if isinstance(widget, QtWidgets.QComboBox):
         return widget.currentText() if widget.currentData() is None else widget.currentData()
     if isinstance(widget, QtWidgets.QAbstractButton):
@@ -76,7 +76,7 @@ def value_of(widget: Any) -> Any:
         return widget.text()
     if _is_quantity(widget):
         shown, exact = float(widget.property("rawValue")), widget.property(EXACT)
-        # FreeCAD's box keeps what it shows: a hundredth of an inch of a kerf of 0.2 mm
+        # FreeCAD's box keeps only what it shows: a kerf of 0.2 mm would become 0.01 in
         return float(exact) if exact is not None and shown == widget.property(SHOWN) else shown
     return widget.value()
 
@@ -126,7 +126,7 @@ def _signal_of(widget: Any) -> Any:
 
 
 def into_sight(widget: Any) -> None:
-    """Scroll to a widget of a panel, which may be longer than the window is high."""
+    """Scroll to a widget of a panel, which may be higher than the window."""
     above = widget.parentWidget()
     while above is not None:
         if isinstance(above, QtWidgets.QScrollArea):
@@ -135,7 +135,7 @@ def into_sight(widget: Any) -> None:
 
 
 def calm(form: Any) -> None:
-    """Boxes and lists leave the wheel to the panel until they are clicked, and boxes take what is typed."""
+    """Make widgets ignore the wheel until they are clicked, and keep the precision of typed numbers."""
     keeper = _Keeper(form)
     for kind in (QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox):
         for widget in form.findChildren(kind):
@@ -150,15 +150,15 @@ def calm(form: Any) -> None:
 
 @cache
 def _loader() -> Any:
-    """Makes FreeCAD's own widgets; PySide takes them for its children, so it lives as long as any of them."""
+    """Return the loader of FreeCAD's widgets. It is cached, because PySide deletes the widgets with it."""
     return Gui.UiLoader()
 
 
 def quantity_box() -> Any:
     """Make FreeCAD's input field for quantities.
 
-    PySide may take the Python face of a deleted widget for a new one at the same address: such a box is put aside,
-    where it keeps its address, and another one is made.
+    PySide may reuse the wrapper of a deleted widget for a new widget at the same address. Such a box is kept, so
+    that its address stays occupied, and another box is made.
     """
     for _ in range(TRIES):
         box = _loader().createWidget("Gui::QuantitySpinBox")
@@ -176,7 +176,7 @@ def _is_quantity(widget: Any) -> bool:
 
 
 def _is_emptied(widget: Any) -> bool:
-    """Was everything taken out of a box that says in words what it takes then? Qt would put back what was there."""
+    """Return True if the user emptied a box whose empty state has a meaning. Qt would restore the earlier text."""
     may_be_empty = isinstance(widget, QtWidgets.QDoubleSpinBox) and bool(widget.specialValueText())
     return may_be_empty and not widget.cleanText().strip()
 
@@ -186,9 +186,10 @@ def _takes_numbers(widget: Any) -> bool:
 
 
 def _widen(box: Any) -> None:
-    """Take every length while it is typed; what is too large is refused where it is used.
+    """Accept every length during typing. A length that is too large is refused later.
 
-    FreeCAD's box leaves out a key that makes it too large: the m of 0.15 mm, as 0.15 m, and takes 0.15 in.
+    FreeCAD's box drops a key that makes the length too large. In "0.15 mm" it drops the m (0.15 m) and reads 0.15
+    in.
     """
     if box.property("minimum") < 0:
         box.setProperty("minimum", -LARGEST)
@@ -196,15 +197,15 @@ def _widen(box: Any) -> None:
 
 
 class _Keeper(QtCore.QObject):
-    """Lets the wheel through to the scroll area of a panel, and takes what is typed for what is meant."""
+    """Passes the wheel on to the panel's scroll area, and keeps the precision of typed numbers."""
 
     def eventFilter(self, widget: Any, event: Any) -> bool:
-        """A wheel over a widget that has no focus is not for it; a typed number is as exact as it is typed."""
+        """Pass the wheel on from a widget without focus, and read typed numbers exactly."""
         kind = kind_of(event)
         if kind == QtCore.QEvent.KeyPress and event.text() == "." and _takes_numbers(widget):
             point = str(widget.locale().decimalPoint())
             if point != ".":
-                # FreeCAD's box leaves the point out as one of thousands: 0.5 mm would be 5 mm, and shown as 0.5
+                # FreeCAD's box drops the point as a thousands separator: 0.5 mm would become 5 mm, shown as 0.5
                 typed = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Comma, event.modifiers(), point)
                 QtWidgets.QApplication.sendEvent(widget, typed)
                 return True
@@ -217,12 +218,12 @@ class _Keeper(QtCore.QObject):
         if kind == QtCore.QEvent.KeyPress and event.text() not in UNTYPED and _is_quantity(widget):
             widget.setProperty(EXACT, None)
         elif kind == QtCore.QEvent.FocusOut and _is_quantity(widget) and widget.property(EXACT) is None:
-            QtCore.QTimer.singleShot(0, lambda: _settle(widget))  # when the box has read what was typed
+            QtCore.QTimer.singleShot(0, lambda: _settle(widget))  # after the box has read the typed text
         return False
 
 
 def _settle(box: Any) -> None:
-    """What was typed is meant: also where the box told nobody, as it showed the same before, rounded."""
+    """Store the typed value. The box sends no signal if its rounded value is the same as before."""
     with suppress(RuntimeError):  # the panel was closed
         shown = float(box.property("rawValue"))
         box.setProperty(EXACT, shown)

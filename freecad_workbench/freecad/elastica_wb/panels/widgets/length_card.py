@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""A card over the view that asks for a length, and tells which of the curves of that length is drawn."""
+"""A card over the view with a field for the length, which also describes the drawn curve."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -17,11 +17,11 @@ from freecad.elastica_wb.live.verdict_card import GAP_PX, STYLE, hex_of
 from freecad.elastica_wb.panels.widgets.fields import calm, on_change, quantity_box, set_value, value_of
 
 WIDE_PX = 300
-PAUSE_MS = 150  # after the last key
+PAUSE_MS = 150  # ms after the last key
 
 
 class LengthCard(QtCore.QObject):
-    """A card over the upper left corner of a view: a length, a button for the other side, and one to finish."""
+    """A card in the upper left corner of a view: a length, a button for the other side, and a button to finish."""
 
     def __init__(
         self,
@@ -64,14 +64,14 @@ class LengthCard(QtCore.QObject):
         self._pause = later(lambda: lengthened(value_of(self.length)), PAUSE_MS, self.frame)
         on_change(self.length, lambda *_: self._pause.start())
         self.side.clicked.connect(lambda *_: turned_over())
-        # a button must not be deleted while it is pressed
+        # do not delete a button while it is pressed
         self.done.clicked.connect(lambda *_: QtCore.QTimer.singleShot(0, done))
         self.frame.setFixedWidth(WIDE_PX)
         self.frame.move(GAP_PX, GAP_PX)
         self.frame.show()
 
     def tell(self, sentence: str, *, good: bool) -> None:
-        """Which curve it is, or why there is none; worded in mm."""
+        """Describe the curve, or explain why there is none. Lengths are in mm."""
         color = hex_of(COLORS[Verdict.CAN if good else Verdict.CANNOT])
         self.heading.setStyleSheet(f"background: {color}; color: white; font-weight: bold; padding: 4px 8px;")
         words = worded(sentence)
@@ -81,7 +81,7 @@ class LengthCard(QtCore.QObject):
             self.frame.setFixedHeight(max(self.frame.layout().totalHeightForWidth(WIDE_PX), 0))
 
     def remove(self) -> None:
-        """Take it off the view, which may be closed already."""
+        """Remove the card from the view, which may be closed already."""
         with suppress(RuntimeError):
             self._pause.stop()
             self.frame.hide()
