@@ -1,7 +1,7 @@
-"""How near bent strips come to each other, tabs and all.
+"""Distances between bent strips, including their tabs.
 
-Independent of the package's own search for crossings: one band is sampled, and each sample is set against the
-other band exactly. Where two neighbouring samples lie on either side of the other sheet, they collide.
+This is independent of the package's search for crossings. One band is sampled, and each sample is compared with the
+exact other band. Two neighbouring samples on different sides of the other sheet mean a collision.
 """
 
 from dataclasses import dataclass
@@ -11,17 +11,17 @@ import shapely
 
 import elastica_cad as ec
 
-REACH = 5.0  # mm beyond which strips count as far apart
-PITCH = 2.0  # mm between samples, about
-INSIDE = 0.05  # mm from a cut edge that counts as material
+REACH = 5.0  # mm, distance beyond which strips count as far apart
+PITCH = 2.0  # mm between samples, approximately
+INSIDE = 0.05  # mm from a cut edge within which a place counts as material
 
 
 @dataclass(frozen=True)
 class Band:
     """The middle surface of a bent strip.
 
-    `points` (n, 2) of its curve in the plane of `frame`, arc lengths `s` (n,) and half widths (n,), mm; `flat` is
-    the cut pattern where slots and holes count.
+    Points (n, 2) of the curve in the plane of `frame`, arc lengths `s` (n,) and half widths `half` (n,), mm. `flat`
+    is the cut pattern if slots and holes count, else None.
     """
 
     points: np.ndarray
@@ -32,7 +32,7 @@ class Band:
     flat: shapely.Polygon | None = None
 
     def samples(self):
-        """Flat places (n, k, 2) and points in space (n, k, 3) from edge to edge."""
+        """Return flat places (n, k, 2) and points in space (n, k, 3) from edge to edge."""
         count = int(np.clip(2 * self.half.max() / PITCH + 2, 3, 51))
         across = np.linspace(-1, 1, count) * self.half[:, None]
         plane = np.broadcast_to(self.points[:, None], (*across.shape, 2))
@@ -40,12 +40,12 @@ class Band:
         return flat, self.frame.point(np.concatenate([plane, across[..., None]], axis=-1))
 
     def local(self, places):
-        """Places (..., 3) in space as x, y in the plane of the curve and z across."""
+        """Return places (..., 3) in space as x, y in the plane of the curve and z across the strip."""
         axes = np.column_stack([self.frame.x_axis, self.frame.y_axis, self.frame.z_axis])
         return (places - self.frame.origin) @ axes
 
     def room(self, flat):
-        """Distance (...) of flat places from the rim, mm, negative beyond it; of slots too where they count."""
+        """Return the distance (...) of flat places from the rim and counted slots, mm. Negative outside."""
         if self.flat is None:
             return np.interp(flat[..., 0], self.s, self.half) - np.abs(flat[..., 1])
         points = shapely.points(flat)
@@ -54,7 +54,7 @@ class Band:
 
 
 def band(placed, *, as_built=True, slots=False):
-    """The band of a placed strip: bent as it is really cut and held as designed, or just as designed."""
+    """Return the band of a placed strip: as designed, or bent as it is cut and held as designed."""
     strip = placed.strip
     bent = ec.bend(strip.as_built) if as_built else strip.rod
     every = max(1, int(PITCH / (bent.s[1] - bent.s[0])))
@@ -77,9 +77,9 @@ def band(placed, *, as_built=True, slots=False):
 
 
 def clearance(one, other):
-    """Least distance, mm, of two bands less their thickness; negative, where they collide, by how far they overlap.
+    """Return the least distance between two bands, mm, minus their thickness.
 
-    Infinite for strips out of reach.
+    The distance is negative if the bands overlap, and infinite for strips out of reach.
     """
     return (
         min(_one_way(a, b) for a, b in ((one, other), (other, one))) - (one.thickness + other.thickness) / 2
@@ -87,19 +87,19 @@ def clearance(one, other):
 
 
 def overlap(one, other):
-    """How far, mm, the sheets of two bands pass through each other inside their rims; 0 for sheets that do not."""
+    """Return how far the sheets of two bands pass through each other inside their rims, mm, or 0."""
     return max(0.0, -min(_one_way(a, b) for a, b in ((one, other), (other, one))))
 
 
 def self_clearance(one, apart):
-    """Least distance, mm, between places of a curve more than `apart` mm of arc apart, less the thickness."""
+    """Return the least distance between places more than `apart` mm of arc apart, minus the thickness, mm."""
     far = np.linalg.norm(one.points[:, None] - one.points[None], axis=2)
     far[np.abs(one.s[:, None] - one.s[None]) < apart] = np.inf
     return float(far.min()) - one.thickness
 
 
 def _one_way(a, b):
-    """Distance of the nearest sample of a from b; where a passes through b inside both rims, how deep, negative."""
+    """Return the distance of the nearest sample of a from b, or minus the depth to which a passes through b."""
     flat, places = a.samples()
     grid = b.local(places)
     low, high = b.points.min(axis=0) - REACH, b.points.max(axis=0) + REACH
@@ -120,7 +120,7 @@ def _one_way(a, b):
 
 
 def _crossed(flat, there, side, a, b):
-    """How deep inside both rims a passes from one side of b to the other between neighbouring rows."""
+    """Return how deep inside both rims a crosses b between neighbouring rows."""
     before, after = side[:-1], side[1:]
     with np.errstate(invalid="ignore"):
         through = (before * after <= 0) & (before != after) & (np.abs(before - after) < REACH)
@@ -133,7 +133,7 @@ def _crossed(flat, there, side, a, b):
 
 
 def _against(b, places):
-    """Distance (m,) from the band, signed distance (m,) from its sheet, however wide, and the flat place (m, 2)."""
+    """Return distances (m,) from the band, signed distances (m,) from its extended sheet, flat places (m, 2)."""
     start, step = b.points[:-1], np.diff(b.points, axis=0)
     length = np.hypot(*step.T)
     found = []
@@ -147,7 +147,7 @@ def _against(b, places):
         row, k = np.arange(len(some)), np.argmin(squares, axis=1)
         left = (step[k, 0] * gap[row, k, 1] - step[k, 1] * gap[row, k, 0]) / length[k]
         s = b.s[k] + along[row, k] * (b.s[k + 1] - b.s[k])
-        # beyond an end there are no sides
+        # the sheet has no sides beyond its ends
         inside = (s > b.s[0]) & (s < b.s[-1])
         found.append(
             np.column_stack(

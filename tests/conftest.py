@@ -16,20 +16,20 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 
-# the sheets that whoever runs the tests keeps at home are not read; what the tests start inherits the empty folder
+# do not read the sheets in the user's home; processes started by the tests inherit the empty folder
 _NO_SHEETS = tempfile.mkdtemp(prefix="elastica-sheets-")
 os.environ["ELASTICA_SHEETS"] = _NO_SHEETS
 
 if importlib.util.find_spec("hypothesis"):
     from hypothesis import settings
 
-    # the same examples in every run, so that a change is judged by itself; HYPOTHESIS_SEARCH=1 looks for new ones
+    # use the same examples in every run, so that results are comparable; HYPOTHESIS_SEARCH=1 tries new examples
     settings.register_profile("same", derandomize="HYPOTHESIS_SEARCH" not in os.environ, deadline=None)
     settings.load_profile("same")
 
 
 def _is_core(path: Path) -> bool:
-    """Whether a test module says `pytestmark = pytest.mark.core`, read without importing it."""
+    """Return True if a test module sets `pytestmark = pytest.mark.core`. The module is not imported."""
     for node in ast.parse(path.read_text(encoding="utf-8")).body:
         if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "pytestmark":
             return "pytest.mark.core" in ast.unparse(node.value)
@@ -37,19 +37,19 @@ def _is_core(path: Path) -> bool:
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
-    """With `-m core` modules without that marker are not even imported: their libraries may be missing."""
+    """Skip modules without the marker under `-m core`, before their import: their libraries may be missing."""
     if config.getoption("markexpr") != "core" or not collection_path.match("test_*.py"):
         return None
     return None if _is_core(collection_path) else True
 
 
 def pytest_unconfigure() -> None:
-    """Leave no folder behind."""
+    """Delete the temporary folder."""
     shutil.rmtree(_NO_SHEETS, ignore_errors=True)
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
-    """A skip may hide a missing part: none is allowed but the benchmarks', which are run on request."""
+    """Fail on skipped tests, because a skip may hide a missing part. Only benchmarks may be skipped."""
     reporter = session.config.pluginmanager.get_plugin("terminalreporter")
     if reporter is None:
         return
@@ -67,7 +67,7 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
 
 @pytest.fixture(scope="session")
 def reference_data() -> Path:
-    """Published reference data; tests/data/README.md names source and licence."""
+    """Return the folder of published reference data; tests/data/README.md names source and licence."""
     return ROOT / "tests" / "data"
 
 
@@ -77,7 +77,7 @@ def project_root() -> Path:
 
 
 def _helper(name: str) -> ModuleType:
-    """A module of the tests' folder."""
+    """Import a helper module of the tests' folder."""
     spec = importlib.util.spec_from_file_location(name, ROOT / "tests" / f"{name}.py")
     assert spec is not None
     assert spec.loader is not None
@@ -91,35 +91,35 @@ def _helper(name: str) -> ModuleType:
 
 @pytest.fixture(scope="session")
 def check_drawing_file() -> Callable[..., Any]:
-    """`check_drawing_file(path)` asserts what every cutting file must be and gives its curves."""
+    """Return `check_drawing_file(path)`, which checks a cutting file and returns its curves."""
     return _helper("filechecks").check_drawing_file
 
 
 @pytest.fixture
 def check_drawing(tmp_path: Path) -> Callable[..., None]:
-    """`check_drawing(drawing, **options of write_drawing)` writes DXF and SVG and runs all file checks."""
+    """Return `check_drawing(drawing, **options of write_drawing)`, which writes and checks DXF and SVG."""
     return partial(_helper("filechecks").check_drawing, folder=tmp_path)
 
 
 @pytest.fixture(scope="session")
 def pavilion() -> Callable[..., Any]:
-    """`pavilion(count=31, labels=True)` is the paper's Pavilion as a model, without slots."""
+    """Return `pavilion(count=31, labels=True)`, which makes the paper's Pavilion as a model without slots."""
     return _helper("pavilion").pavilion
 
 
 @pytest.fixture(scope="session")
 def collisions() -> ModuleType:
-    """Bands of bent strips and how near they come to each other."""
+    """Return the module of bands of bent strips and their distances."""
     return _helper("collisions")
 
 
 @pytest.fixture(scope="session")
 def slotted_pairs() -> ModuleType:
-    """Pairs of strips at random that are slotted together, and what they share beside their slots."""
+    """Return the module of random pairs of slotted strips and their overlap outside the slots."""
     return _helper("slotted_pairs")
 
 
 @pytest.fixture(scope="session")
 def wide_strips() -> ModuleType:
-    """Strips that bend as plates, solved beside ours."""
+    """Return the module of strips that bend as plates, with an independent solver."""
     return _helper("wide_strips")

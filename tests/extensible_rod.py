@@ -1,4 +1,4 @@
-"""A clamped rod that stretches, pushed at a point: a spline of its angle, multipliers, and signs of eigenvalues."""
+"""A clamped extensible rod, pushed at a point: spline of its angle, multipliers, and signs of eigenvalues."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -8,39 +8,39 @@ from scipy.interpolate import BSpline
 from scipy.linalg import eigh, solve
 
 DEGREE, SPANS, POINTS = 5, 24, 8
-"""Of the spline of the angle; spans on either side of the pushed point; points of Gauss in a span."""
+"""Degree of the angle's spline, spans on each side of the pushed point, Gauss points in a span."""
 
 STILL = 1e-10
-"""Largest residual of a solution, in units of the least bending stiffness over the length."""
+"""Largest residual of a solution, relative to the smallest bending stiffness over the length."""
 
 LARGEST_TURN = 0.5
-"""Largest change of the angle in one step of Newton's method, rad."""
+"""Largest change of the angle in one Newton step, rad."""
 
 
 class NoBalance(Exception):
-    """Newton's method does not converge."""
+    """Raised if Newton's method does not converge."""
 
 
 @dataclass(frozen=True, eq=False)
 class ExtensibleRod:
     """A rod of unit length between two clamps.
 
-    The axial strain is <force, tangent> / axial stiffness everywhere, so the unknowns are the coefficients of the
-    angle and the multipliers: the force at the end (2,) and, if it is held, the push. A shape is stable if the
-    symmetric matrix of Newton's method has as many negative eigenvalues as multipliers.
+    The axial strain is <force, tangent> / axial stiffness everywhere. The unknowns are the coefficients of the
+    angle and the multipliers: the force at the end (2,) and, if the pushed point is held, the push. A shape is
+    stable if the symmetric matrix of Newton's method has as many negative eigenvalues as multipliers.
 
     Attributes
     ----------
     stiffness, natural, axial : function
         K, kappa_0 and E A over the least bending stiffness, by s in [0, 1].
     angles : (2,) array
-        At both clamps.
+        Angles at both clamps.
     end : (2,) array
-        From the first clamp to the second.
+        Vector from the first clamp to the second.
     at : float
-        The pushed place.
+        Position of the push.
     direction : (2,) array
-        Of the push, of length 1.
+        Unit vector of the push.
     """
 
     stiffness: object
@@ -53,7 +53,7 @@ class ExtensibleRod:
 
     @cached_property
     def knots(self):
-        """A corner of the shear force at the pushed place."""
+        """Knots of the spline. The shear force jumps at the pushed point."""
         inner = np.concatenate(
             [np.linspace(0, self.at, SPANS + 1)[1:], np.linspace(self.at, 1, SPANS + 1)[1:-1]]
         )
@@ -62,7 +62,7 @@ class ExtensibleRod:
 
     @cached_property
     def quadrature(self):
-        """Places and weights."""
+        """Gauss points and weights."""
         x, w = np.polynomial.legendre.leggauss(POINTS)
         edges = np.unique(self.knots)
         half = np.diff(edges)[:, None] / 2
@@ -70,21 +70,21 @@ class ExtensibleRod:
 
     @cached_property
     def rows(self):
-        """The basis of the angle and of the curvature at the places."""
+        """Basis of the angle and of the curvature at the Gauss points."""
         s, _ = self.quadrature
         basis = BSpline(self.knots, np.eye(self.knots.size - DEGREE - 1), DEGREE)
         return basis(s), basis(s, 1)
 
     @cached_property
     def given(self):
-        """K, kappa_0, E A and whether the push is felt, there; the mass matrix of the inner coefficients."""
+        """K, kappa_0, E A and effect of the push at the Gauss points; mass matrix of the inner coefficients."""
         s, w = self.quadrature
         B = self.rows[0][:, 1:-1]
         felt = (s < self.at)[:, None] * self.direction
         return self.stiffness(s), self.natural(s), self.axial(s), felt, B.T @ (w[:, None] * B)
 
     def fitted(self, angle):
-        """Coefficients of an angle by s."""
+        """Return the coefficients that fit an angle, a function of s."""
         s, w = self.quadrature
         B = self.rows[0]
         c = np.empty(B.shape[1])
@@ -95,7 +95,7 @@ class ExtensibleRod:
         return c
 
     def _system(self, c, force, target):
-        """Residual and matrix; `force` is (2,) of a rod let go and (3,) of one that is held at `target`."""
+        """Return residual and matrix. `force` is (2,) for a free rod and (3,) for a rod held at `target`."""
         B, D = self.rows
         _, w = self.quadrature
         K, natural, axial, felt, _ = self.given
@@ -124,7 +124,7 @@ class ExtensibleRod:
         return residual, matrix
 
     def balanced(self, c, force, target, *, drag=0.0):
-        """Coefficients and force in balance near given ones, and how many directions lower the energy."""
+        """Return coefficients and force of an equilibrium, and the number of directions that lower the energy."""
         from_here, mass = c.copy(), self.given[4]
         for _ in range(40):
             residual, matrix = self._system(c, force, target)
@@ -141,7 +141,7 @@ class ExtensibleRod:
         raise NoBalance
 
     def sunk(self, c, force, target):
-        """The stable shape that a rod comes to in a viscous fluid."""
+        """Return the stable shape that a rod reaches in a viscous fluid."""
         drag = 100.0 * float(np.abs(self.stiffness(self.quadrature[0])).max())
         for _ in range(400):
             try:
@@ -163,7 +163,7 @@ class ExtensibleRod:
         raise NoBalance
 
     def _off_the_ridge(self, c, force, target):
-        """Coefficients moved along the direction that lowers the energy most."""
+        """Return the coefficients, moved along the direction that lowers the energy most."""
         matrix = self._system(c, force, target)[1]
         inner = c.size - 2
         A, C = matrix[:inner, :inner], matrix[:inner, inner:]
@@ -175,7 +175,7 @@ class ExtensibleRod:
         )
 
     def rest(self, angle):
-        """The rest shape beside an angle by s, as coefficients."""
+        """Return the rest shape near an angle (a function of s), as coefficients and force."""
         c = self.fitted(angle)
         force = np.zeros(2)
         try:
@@ -187,7 +187,7 @@ class ExtensibleRod:
         return self.sunk(c, force, None)
 
     def position(self, c, force, s):
-        """Places (n, 2) of a shape at s."""
+        """Return the positions (n, 2) of a shape at s."""
         fine = np.linspace(0, 1, 4001)
         theta = BSpline(self.knots, c, DEGREE)(fine)
         t = np.column_stack([np.cos(theta), np.sin(theta)])
@@ -197,7 +197,7 @@ class ExtensibleRod:
         return np.column_stack([np.interp(s, fine, column) for column in place.T])
 
     def reach(self, c, force):
-        """How far the pushed place is along the push."""
+        """Return the displacement of the pushed point along the push."""
         _, w = self.quadrature
         _, _, axial, felt, _ = self.given
         theta = self.rows[0] @ c
@@ -206,7 +206,7 @@ class ExtensibleRod:
         return float(((felt * t).sum(axis=1) * (1 + (L * t).sum(axis=1) / axial)) @ w)
 
     def pushed(self, angle, far, steps=300):
-        """Travel and push (k,) from the rest shape beside an angle on, until the push falls through zero."""
+        """Return travel and push (k,), from the rest shape near an angle until the push falls through zero."""
         c, force = self.rest(angle)
         zero = self.reach(c, force)
         force = np.append(force, 0.0)
@@ -227,7 +227,7 @@ class ExtensibleRod:
         return np.array(travel), np.array(pushes)
 
     def _fallen(self, c, force, target):
-        """Where the rod comes to when its branch has ended; moved there in the fluid first."""
+        """Return the shape that a rod reaches after the end of its branch. The fluid slows the first step, too."""
         drag = 1e4 * float(np.abs(self.stiffness(self.quadrature[0])).max())
         there, f, _ = self.balanced(c, force, target, drag=drag)
         return self.sunk(there, f, target)

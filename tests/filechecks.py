@@ -1,4 +1,4 @@
-"""What every cutting file must pass, whoever drew it; read back with ezdxf and svgelements, not by us."""
+"""Checks for cutting files from any source, read back with ezdxf and svgelements instead of the package."""
 
 import re
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 
 @dataclass(frozen=True)
 class Curve:
-    """A loop or an open line of a file as dense points (n, 2), mm; the first point repeated where closed."""
+    """A loop or an open line of a file as dense points (n, 2), mm. A loop repeats its first point."""
 
     layer: str
     points: np.ndarray
@@ -33,7 +33,7 @@ class Curve:
 
 
 def check_drawing_file(path, *, open_cuts=False):
-    """Assert what a cutting file must be and give its curves in the order of the file."""
+    """Check a cutting file and return its curves in the order of the file."""
     path = Path(path)
     curves = {".dxf": _dxf_curves, ".svg": _svg_curves}[path.suffix](path)
     assert curves, "the file is empty"
@@ -54,7 +54,7 @@ def check_drawing_file(path, *, open_cuts=False):
 
 
 def check_drawing(drawing, folder, *, open_cuts=False, **options):
-    """Write a drawing as DXF and SVG, assert that both are sound and say what the drawing says."""
+    """Write a drawing as DXF and SVG, and check that both files are sound and match the drawing."""
     from elastica_cad.formats.drawing_files import write_drawing
 
     for suffix in (".dxf", ".svg"):
@@ -106,7 +106,7 @@ def _dxf_curves(path):
 
 
 def _appended(chain, points):
-    """The chain with an entity put to its end, or None where it does not continue there."""
+    """Return the chain with an entity appended, or None if the entity does not continue it."""
     turned = [piece[::-1] for piece in chain[::-1]]
     for pieces in (chain, turned) if len(chain) == 1 else (chain,):
         for piece in (points, points[::-1]):
@@ -165,7 +165,7 @@ def _bulged(rows, closed):
         p, q = complex(x, y), complex(u, v)
         turn = 4 * np.arctan(bulge)
         part = np.linspace(0, 1, 501 if bulge else 2)[1:]
-        if bulge:  # the chord to a point of the arc grows as a sine and turns evenly
+        if bulge:  # the chord to a point of the arc is a sine of its angle, and turns uniformly
             part = np.sin(part * turn / 2) / np.sin(turn / 2) * np.exp(1j * (part - 1) * turn / 2)
         z = p + (q - p) * part
         points.append(np.column_stack([z.real, z.imag]))

@@ -1,4 +1,4 @@
-"""The paper's Pavilion: 31 arches on a circle, each a part of an ellipse that turns from one to the next."""
+"""The paper's Pavilion: 31 arches on a circle, each a part of an ellipse that turns from arch to arch."""
 
 from functools import lru_cache
 
@@ -12,7 +12,7 @@ from elastica_cad.strip.strip import Placed, Strip
 
 
 def arch(number):
-    """The part above ground of strip 1 to 31."""
+    """Return the part of strip 1 to 31 above the ground."""
     turn = 3 * np.pi * (number - 1) / 30
     rise = np.array([75 * np.sin(turn), 112.5 * np.cos(turn)])  # height = 20 + <rise, (cos v, sin v)>
     top, reach = np.arctan2(rise[1], rise[0]), np.arccos(-20 / np.hypot(*rise))
@@ -21,7 +21,7 @@ def arch(number):
 
 @lru_cache(maxsize=4)
 def pavilion(count=31, *, labels=True):
-    """Its first strips as a model, 200 gsm card under its own weight, without slots."""
+    """Return the first strips of the Pavilion as a model: card of 200 gsm under its weight, without slots."""
     card = Sheet.named("card-200gsm")
     placed = []
     for number in range(1, count + 1):

@@ -1,4 +1,4 @@
-"""Rods of every stiffness law, light and heavy, and an independent boundary-value solver that judges them."""
+"""Rods of all stiffness laws, with and without weight, and an independent boundary-value solver to check them."""
 
 from dataclasses import dataclass, replace
 
@@ -27,7 +27,7 @@ LAWS = ("thickness", "rod", "tube", "width", "plate")
 
 @dataclass(frozen=True)
 class Design:
-    """One rod to be judged: a law by name, a curve, and whether it carries its weight."""
+    """A rod to check: the name of a law, a curve, and whether the rod carries its weight."""
 
     law: str
     curve: PlaneCurve
@@ -58,7 +58,7 @@ class Design:
 
 
 def designs(count=250):
-    """Arches, leaning arches and waves of 300 to 700 mm; every law in turn, every second one heavy."""
+    """Return arches, leaning arches and waves of 300 to 700 mm, of each law in turn, half of them with weight."""
     rng = np.random.default_rng(19)
     found = []
     for i in range(count):
@@ -73,12 +73,12 @@ def designs(count=250):
 
 
 def laminates(count=50):
-    """Arches and waves of 100 to 250 mm in two glued layers, every second one heavy: rod, E I, weight."""
+    """Yield arches and waves of 100 to 250 mm in two glued layers, half of them with weight: rod, E I, weight."""
     rng = np.random.default_rng(20)
     for i in range(count):
         size, lean = rng.uniform(100, 250), rng.uniform(-0.05, 0.05)
         points = [(0, 0), (0.15 + lean, 0.3), (0.5, rng.uniform(0.3, 0.45)), (0.85 + lean, 0.3), (1, 0)]
-        if i % 3 == 2:  # one inflection
+        if i % 3 == 2:  # a single inflection
             points = [(0, 0), (0.17, 0.26), (0.39, 0.3 + lean), (0.61, -0.04), (0.83, 0.04), (1, 0.26)]
         curve = PlaneCurve.spline(size * np.array(points), degree=4)
         thin, thick = rng.uniform(0.15, 0.2), rng.uniform(0.2, 0.3)
@@ -98,21 +98,22 @@ def laminates(count=50):
 
 
 def perforated(count=50):
-    """Arches and waves of 150 to 400 mm with one to three columns of holes, every second heavy: rod, E I, weight.
+    """Yield arches and waves of 150 to 400 mm with columns of holes: rod, E I, weight.
 
-    What is left at a station is measured on the cut file's loops, as sums of straight cuts across their chords.
+    They have one to three columns, and half of them carry weight. The remaining width at a station is measured on
+    the loops of the cut file, as the sum of chords across the loops.
     """
     rng = np.random.default_rng(21)
     for i in range(count):
         size, lean = rng.uniform(150, 400), rng.uniform(-0.05, 0.05)
         points = [(0, 0), (0.15 + lean, 0.3), (0.5, rng.uniform(0.3, 0.45)), (0.85 + lean, 0.3), (1, 0)]
-        if i % 3 == 2:  # one inflection
+        if i % 3 == 2:  # a single inflection
             points = [(0, 0), (0.17, 0.26), (0.39, 0.3 + lean), (0.61, -0.04), (0.83, 0.04), (1, 0.26)]
         curve = PlaneCurve.spline(size * np.array(points), degree=4)
         sheet = Sheet("card", 0.4, rng.uniform(800, 3000), density=rng.uniform(600, 1400), max_strain=0.05)
         gravity = sheet.gravity() if i % 2 else None
         rod = optimal_rod(curve, gravity, samples=801)
-        if rod.ratio > 3.5:  # more than holes can take away
+        if rod.ratio > 3.5:  # more than holes can remove
             rod = nearest_rod(curve, Limits(ratio=3.5, margin=2.0), gravity=gravity, samples=801).rod
         length, wide = rod.length, rng.uniform(36, 48, 3)
         style = Perforated(
@@ -120,7 +121,7 @@ def perforated(count=50):
             columns=1 + i % 3, rows=None if i % 4 else 5, sides="arc" if i % 5 == 4 else "spline",
         )  # fmt: skip
         strip = Strip(rod, sheet, style=style)
-        s = np.clip(rod.s, 1e-6, length - 1e-6)  # at the ends the side towards the holes counts, not the tab
+        s = np.clip(rod.s, 1e-6, length - 1e-6)  # the section inside the ends counts, not the tab
         left = across(strip.outline, s) - sum(across(hole, s) for hole in strip.holes)
         EI = sheet.youngs_modulus * left * sheet.thickness**3 / 12
         weight = sheet.density * G * sheet.thickness * left
@@ -129,7 +130,7 @@ def perforated(count=50):
 
 
 def across(loop, s):
-    """Length (n,) inside a closed path of lines across it at the stations (n,)."""
+    """Return the length (n,) of the chords across a closed path at the stations (n,)."""
     points, total = loop.points(1e-4), np.zeros(s.size)
     for (x, y), (x1, y1) in zip(points, np.roll(points, -1, axis=0), strict=True):
         first, last = np.searchsorted(s, sorted((x, x1)))
@@ -140,7 +141,7 @@ def across(loop, s):
 
 
 def section_numbers(design, parameter, curvature):
-    """E I (N mm2) and weight (N/mm) by the book, from the sizes of the section alone."""
+    """Return E I (N mm2) and weight (N/mm) by textbook formulas, from the sizes of the section."""
     sheet, p = design.material, parameter
     E, rho = sheet.youngs_modulus, sheet.density * G
     if design.law == "thickness":
@@ -157,7 +158,7 @@ def section_numbers(design, parameter, curvature):
 
 
 def _plate_factor(x, nu):
-    """Moment over E I kappa of a strip that curls across: derivative of the energy of Lamb's strip, numerically."""
+    """Return moment over E I kappa of a strip with curled cross-sections, from the energy of Lamb's strip."""
 
     def energy(x):
         t = np.maximum(x, 1e-3)
@@ -169,7 +170,7 @@ def _plate_factor(x, nu):
 
 
 def errors(design, seed=0):
-    """What an independent solver finds of the design: shape over length, camber place over chord, end force."""
+    """Compare a design with an independent solver: shape over length, camber place over chord, end force."""
     rod = design.rod()
     section = design.section.bent(rod.curvature)
     parameter = section.parameter(rod.bending_stiffness * rod.stiffness)
@@ -178,7 +179,7 @@ def errors(design, seed=0):
 
 
 def judged(rod, EI, weight, seed=0):
-    """The same of any rod whose sections have E I (N mm2) and weight (N/mm) at its stations."""
+    """Do the same for any rod with E I (N mm2) and weight (N/mm) at its stations."""
     length, scale = rod.length, float(EI.max())
     stiffness, load = (
         lambda s: np.interp(s * length, rod.s, EI) / scale,
@@ -214,7 +215,7 @@ def judged(rod, EI, weight, seed=0):
 
 
 def camber_place(position):
-    """Where along the chord the shape is farthest from it, in chords."""
+    """Return the position along the chord where the shape is farthest from it, in chords."""
     chord = position[-1] - position[0]
     along = (position - position[0]) @ chord / (chord @ chord)
     off = np.abs((position - position[0]) @ np.array([-chord[1], chord[0]]))

@@ -1,4 +1,4 @@
-"""Pairs of strips at random that are slotted together, and what they share beside their slots, by points."""
+"""Random pairs of strips that are slotted together, and their overlap outside the slots, by points."""
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -14,7 +14,7 @@ PLYWOOD = Sheet.named("birch-plywood-0.8")
 
 
 def drawn(rng):
-    """An arch, a wave or an arc."""
+    """Return an arch, a wave or an arc."""
     kind, length, rise = rng.integers(3), rng.uniform(120, 350), rng.uniform(0.15, 0.6)
     x = length * np.array([-1 / 2, -1 / 3, 0, 1 / 3, 1 / 2])
     if kind == 0:
@@ -26,7 +26,7 @@ def drawn(rng):
 
 
 def pair(seed, **options):
-    """Two strips at a shallow angle through one point, slotted; refusals are passed on."""
+    """Return two strips that cross at a shallow angle, with slots. Errors are passed on."""
     rng = np.random.default_rng(seed)
     sheet, placed = PLYWOOD.with_thickness(float(rng.choice([0.8, 1.5, 3.0, 4.0]))), []
     for label in "AB":
@@ -42,7 +42,7 @@ def pair(seed, **options):
 
 
 def shared(one, other, pitch=0.2):
-    """How deep the long edges of a strip reach into the other, mm, 0 where they do not; slots are cut out."""
+    """Return how deep the long edges of a strip reach into the other strip without its slots, mm, or 0."""
     strip, thick = one.strip, one.strip.sheet.thickness
     s = np.arange(pitch, strip.rod.length, pitch)
     spot = strip.rod.curve.at(s)
@@ -60,7 +60,7 @@ def shared(one, other, pitch=0.2):
 
 
 def depths(placed, points):
-    """How deep points in space are below the faces and long edges of a strip, mm; -1 in its slots and beyond it."""
+    """Return how deep points are below the faces and long edges of a strip, mm. -1 in its slots and outside."""
     strip, local = placed.strip, placed.frame.local(points)
     dense = np.linspace(0, strip.rod.length, 40_001)
     away, nearest = cKDTree(strip.rod.curve.at(dense).position).query(local[:, :2])
@@ -71,7 +71,7 @@ def depths(placed, points):
 
 
 def _has_material(strip, x, y):
-    """Which places of the flat pattern are within its outline, slots cut out."""
+    """Return which places of the flat pattern are inside its outline, without the slots."""
     import shapely  # not there where CAD programs alone are tested
 
     outline = shapely.Polygon(strip.outline.points(0.001))

@@ -1,4 +1,4 @@
-"""Random pairs of curves, and what a pair must be by other means: dense programs and eigenvalues, Runge-Kutta."""
+"""Random pairs of curves, and independent checks of a pair: dense programs, eigenvalues, Runge-Kutta."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ STATIONS = np.linspace(0, 1, 401)
 
 
 def drawn_pairs(seed: int, count: int, modes: int, *, same_clamps: bool, bend: float = 2.0) -> Iterator:
-    """So many pairs of points (401, 2) of curves of length 1, of random smooth curvatures of so many modes."""
+    """Yield `count` pairs of points (401, 2) of curves of length 1, with random curvatures of `modes` modes."""
     rng = np.random.default_rng(seed)
     while count:
         if (pair := _drawn_pair(rng, modes, same_clamps, bend)) is not None:
@@ -46,7 +46,7 @@ def _drawn_pair(rng, modes: int, same_clamps: bool, bend: float):
 
 
 def _shape(kappa):
-    """Angle and points of a curve of length 1 from its curvature at `STATIONS`, by trapezia."""
+    """Return angle and points of a curve of length 1 from its curvature at `STATIONS`, by the trapezoidal rule."""
     angle = cumulative_trapezoid(kappa, STATIONS, initial=0)
     along = np.column_stack([np.cos(angle), np.sin(angle)])
     return angle, cumulative_trapezoid(along, STATIONS, axis=0, initial=0)
@@ -54,7 +54,7 @@ def _shape(kappa):
 
 @dataclass(frozen=True)
 class SampledCurve:
-    """A spline by scipy alone: parameters by arc length from a table, curvature from the derivatives."""
+    """A spline by scipy alone: parameters from a table of arc lengths, curvature from derivatives."""
 
     spline: BSpline
     t: CubicSpline
@@ -72,7 +72,7 @@ class SampledCurve:
         return cls(spline, CubicSpline(s, fine), float(s[-1]))
 
     def at(self, s):
-        """Position (n, 2), tangent (n, 2) and curvature (n,) at arc lengths."""
+        """Return position (n, 2), tangent (n, 2) and curvature (n,) at arc lengths."""
         t = self.t(s)
         position, d1, d2 = (self.spline(t, k) for k in (0, 1, 2))
         speed = np.hypot(*d1.T)
@@ -81,7 +81,7 @@ class SampledCurve:
 
 @dataclass(frozen=True)
 class DensePair:
-    """Rows of N at samples beside d, and at its zeros, of two curves of the first one's length."""
+    """Rows of N at samples (with d) and at the zeros of d, for two curves of equal length."""
 
     rows: np.ndarray
     d: np.ndarray
@@ -113,11 +113,11 @@ class DensePair:
         return cls(row(s), d * a.length, row(zeros) if zeros.size else np.zeros((0, 5)), zeros)
 
     def free(self):
-        """Numbers (5, q) of N that vanish at the zeros of d."""
+        """Return the vectors (5, q) whose N vanishes at the zeros of d."""
         return null_space(self.at_zeros, rcond=1e-10) if len(self.at_zeros) else np.eye(5)
 
     def best(self) -> float:
-        """The largest least N / d, whose mean is 1, or is -1 at best."""
+        """Return the largest possible minimum of N / d at a mean of 1, or -1 if there is no solution."""
         free = self.free()
         if free.shape[1] == 0:
             return -1.0
@@ -129,7 +129,7 @@ class DensePair:
         return float(result.x[-1]) if result.status == 0 else best
 
     def least_ratio(self) -> float:
-        """R of d^2 <= N d <= R d^2."""
+        """Return R of d^2 <= N d <= R d^2."""
         free = self.free()
         K = self.rows @ free / self.d[:, None]
         ones, none = np.ones(len(K)), np.zeros(len(K))
@@ -141,9 +141,10 @@ class DensePair:
 
 
 def astray(rod: Rod, pieces: int = 8) -> float:
-    """How far marches by its first moment, force, stiffness and natural curvature leave the rod, in lengths.
+    """Return the deviation, in lengths, of an integration by first moment, force, stiffness and natural curvature.
 
-    In pieces, each from the rod itself: a held strip may be as sensitive to its start as a pencil on its tip.
+    The integration is split into pieces that start on the rod, because a held strip may be very sensitive to its
+    start.
     """
     K, rest = (
         CubicSpline(rod.s, np.broadcast_to(v, rod.s.shape)) for v in (rod.stiffness, rod.natural_curvature)
@@ -165,9 +166,9 @@ def astray(rod: Rod, pieces: int = 8) -> float:
 
 
 def dense_margin(rod: Rod, elements: int = 400) -> float:
-    """The lowest eigenvalue of the second variation between clamps, times the length squared, by finite elements.
+    """Return the lowest eigenvalue of the second variation between clamps, times length squared.
 
-    Linear in every element, the constraint that the ends stay in place by its null space.
+    The finite elements are linear. A null space keeps the ends in place.
     """
     s = np.linspace(0, rod.length, elements + 1)
     h = s[1]

@@ -1,4 +1,4 @@
-"""Strips that bend as plates, solved by scipy with moments of their own: shape, forces, margin, limit of a load."""
+"""Strips that bend as plates, solved by scipy with independent moments: shape, forces, margin, load limit."""
 
 from typing import NamedTuple
 
@@ -10,11 +10,11 @@ EXACT = {"rtol": 1e-8, "atol": 1e-9}
 
 
 def ashwell(width, kappa, thickness, nu):
-    """M / (E I kappa) by the energy per length of Lamb's solution, differentiated: D w kappa^2 g / 2."""
+    """Return M / (E I kappa), differentiated from the energy per length of Lamb's solution: D w kappa^2 g / 2."""
     x = (3 * (1 - nu**2)) ** 0.25 * np.sqrt(np.maximum(np.abs(kappa) / thickness, 1e-12)) * width
 
     def kept(x):
-        y = np.minimum(x, 40.0)  # cosh over sinh is one beyond
+        y = np.minimum(x, 40.0)  # cosh over sinh is 1 beyond
         return (np.cosh(y) - np.cos(y)) / (np.sinh(y) + np.sin(y)) / x
 
     d = 1e-4 * x
@@ -23,7 +23,7 @@ def ashwell(width, kappa, thickness, nu):
 
 
 def bend_by(straight, factor):
-    """The curvature at which kappa factor(kappa) is the moment over E I; the factor follows it slowly."""
+    """Return the curvature where kappa factor(kappa) is the moment over E I, by fixed-point iteration."""
     kappa = straight
     for _ in range(8):
         kappa = straight / factor(kappa)
@@ -31,7 +31,7 @@ def bend_by(straight, factor):
 
 
 class Bent(NamedTuple):
-    """At the nodes: places (n, 2), mm, angle, curvature, moment (N mm), internal force (n, 2), N."""
+    """A bent shape at its nodes: places (n, 2), mm, angle, curvature, moment (N mm), internal force (n, 2), N."""
 
     position: np.ndarray
     angle: np.ndarray
@@ -41,14 +41,14 @@ class Bent(NamedTuple):
 
 
 class OwnStrip(NamedTuple):
-    """Clamped at both ends.
+    """A strip clamped at both ends.
 
     Attributes
     ----------
     stiffness : callable
-        E I by arc length, N mm2, where it is not bent.
+        E I of the flat strip by arc length, N mm2.
     factor : callable
-        On that, by arc length and curvature.
+        Factor on this E I, by arc length and curvature.
     load : callable, optional
         Weight by arc length, N/mm, downwards.
     """
@@ -59,7 +59,7 @@ class OwnStrip(NamedTuple):
 
     @classmethod
     def cut(cls, width, sheet, *, heavy=False, softer=1.0):
-        """A strip of one sheet, as wide as `width` says, by `ashwell`."""
+        """Make a strip of a single sheet with `width`, a function of s, and the moment of `ashwell`."""
         E, h, nu = sheet.youngs_modulus / softer, sheet.thickness, sheet.poisson_ratio
         return cls(
             lambda s: E * h**3 / 12 * width(s),
@@ -68,17 +68,17 @@ class OwnStrip(NamedTuple):
         )
 
     def curvature(self, s, moment):
-        """kappa of moments, N mm."""
+        """Return kappa for moments, N mm."""
         return bend_by(moment / self.stiffness(s), lambda kappa: self.factor(s, kappa))
 
     def tangent(self, s, kappa):
-        """dM/dkappa, N mm2."""
+        """Return dM/dkappa, N mm2."""
         d = 1e-5 * np.maximum(np.abs(kappa), 1e-4)
         high, low = ((kappa + e) * self.factor(s, kappa + e) for e in (d, -d))
         return self.stiffness(s) * (high - low) / (2 * d)
 
     def bent(self, rod, *, end=None):
-        """Its shape between the ends of a rod, or with its end elsewhere, at the rod's nodes; sought from there."""
+        """Return the shape at the rod's nodes, by default between the ends of the rod, which is the guess."""
         size = float(self.stiffness(rod.s).mean())
 
         def along(s, state):  # forces and moments over `size`
@@ -103,9 +103,9 @@ class OwnStrip(NamedTuple):
         return Bent(found[:2].T, found[2], self.curvature(rod.s, moment), moment, size * found[4:].T)
 
     def margin(self, s, bent, B):
-        """The margin of a shape at the nodes s (n,): the lowest mu L^2 with a mode; B is E I where K is 1.
+        """Return the margin of a shape at the nodes s (n,): the lowest mu L^2 with a mode. B is E I where K is 1.
 
-        (K_t h')' + (<lambda, T> + mu) h = <nu, N> along the strip; h vanishes at both ends, and moves them nowhere.
+        (K_t h')' + (<lambda, T> + mu) h = <nu, N> along the strip. h vanishes at both ends and does not move them.
         """
 
         def at_the_end(mu):
@@ -117,15 +117,15 @@ class OwnStrip(NamedTuple):
         return brentq(at_the_end, mus[k], mus[k + 1], rtol=1e-7)
 
     def conjugate_point(self, s, bent, B):
-        """The first place, mm, up to which a shape, clamped there, has a mode of no stiffness."""
+        """Return the first place, mm, at which a clamp would give the shape a mode without stiffness."""
         place, value = s, self._determinant(s, bent, B, 0.0, s)
-        away = place > 0.2 * s[-1]  # it has a zero of high order at the start
+        away = place > 0.2 * s[-1]  # there is a zero of high order at the start
         k = int(np.flatnonzero(value[away][:-1] * value[away][1:] < 0)[0])
         (a, b), (u, v) = place[away][k : k + 2], value[away][k : k + 2]
         return a + (b - a) * u / (u - v)
 
     def _determinant(self, s, bent, B, mu, at):
-        """Of the fields and of how they move the end, at places (m,), mm."""
+        """Return the determinant of the fields and their displacement of the end, at places (m,), mm."""
         length, soft = s[-1], self.tangent(s, bent.curvature) / B
 
         def along(x, y):
@@ -141,18 +141,18 @@ class OwnStrip(NamedTuple):
         return np.array([np.linalg.det([y[:3], y[6:9], y[9:]]) for y in run.y.T])
 
     def limit(self, rod, near, asked, parameter):
-        """The parameter at which the second variation of an equilibrium gets a zero: one system, solved by Newton.
+        """Return the parameter at which the second variation becomes singular: a system solved by Newton's method.
 
         Parameters
         ----------
         rod : Rod
-            Clamped as the strip is.
+            A rod with the strip's clamps.
         near : Bent
-            A shape near the one that is sought.
+            A shape near the solution.
         asked : callable
-            From the parameter to the factor on the load and the place of the end, mm.
+            Function of the parameter: factor on the load, and position of the end, mm.
         parameter : float
-            At `near`.
+            Parameter of `near`.
         """
         size, length = float(self.stiffness(rod.s).mean()), rod.length
         first, turn = [*rod.position[0], rod.angle[0]], float(rod.angle[-1])
