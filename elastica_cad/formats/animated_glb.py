@@ -1,4 +1,4 @@
-"""GLB files of bodies that change their shape: every frame a morph target, keyed one after the other."""
+"""GLB files of bodies that change their shape: every frame is a morph target, and all are keyed in order."""
 
 import json
 import struct
@@ -96,7 +96,7 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
 
 
 def _linear(color: tuple[float, float, float]) -> list[float]:
-    """A screen's colour as light, as glTF mixes it (the sRGB transfer function, IEC 61966-2-1)."""
+    """Return a screen colour as linear light for glTF (the sRGB transfer function, IEC 61966-2-1)."""
     c = np.asarray(color)
     return [float(v) for v in np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)]
 

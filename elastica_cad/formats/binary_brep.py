@@ -34,7 +34,7 @@ from elastica_cad.strip.flat_pattern import on_segment
 EDGE_TOLERANCE_MM = 1e-7  # mm: OpenCASCADE's own tolerance of edges and faces
 VERTEX_TOLERANCE_MM = 1e-6  # mm: gap that records may have between edges
 
-_HEAD = b"\nOpen CASCADE Topology V3 (c)\n"  # the first that says where edges end in (u, v)
+_HEAD = b"\nOpen CASCADE Topology V3 (c)\n"  # the first version that contains the ends of edges in (u, v)
 _SOLID, _SHELL, _FACE, _WIRE, _EDGE, _VERTEX = range(2, 8)
 _LINE, _CIRCLE, _SPLINE_CURVE = 1, 2, 7
 _PLANE, _CYLINDER, _EXTRUSION, _SPLINE_SURFACE = 1, 2, 6, 9
@@ -80,7 +80,7 @@ class BinaryBrep:
 
 
 def boundary_brep(boundary: Boundary, gap: float = VERTEX_TOLERANCE_MM) -> BinaryBrep:
-    """Encode a closed boundary as a solid, an open one as a shell; edges end within `gap` mm of their vertices."""
+    """Encode a closed boundary as a solid, an open boundary as a shell; vertices have the tolerance `gap`, mm."""
     tables = _Tables()
     traces: list[list[bytes]] = [[] for _ in boundary.edges]
     surfaces = [_added(tables.surfaces, _surface(face.surface)) for face in boundary.faces]
@@ -109,14 +109,14 @@ def boundary_brep(boundary: Boundary, gap: float = VERTEX_TOLERANCE_MM) -> Binar
 
 
 def face_brep(outline: Path, holes: Sequence[Path], frame: Frame, surface: Frame | None = None) -> BinaryBrep:
-    """A shell of one plane face with holes, whose normal is the frame's z axis.
+    """Encode a plane face with holes as a shell; its normal is the z axis of the frame.
 
     Parameters
     ----------
     outline, holes : Path
-        Closed loops, run either way; mm in the frame.
+        Closed loops in either direction; mm in the frame.
     surface : Frame, optional
-        The same plane with the axes that its surface is to have.
+        The same plane with the axes of the surface.
     """
     loops = [path if (path.area > 0) == (path is outline) else path.reversed() for path in (outline, *holes)]
     corners, edges, uses = _drawn(loops, frame)
@@ -134,14 +134,14 @@ def wire_brep(path: Path, frame: Frame) -> BinaryBrep:
 
 
 def _gap(paths: Iterable[Path]) -> float:
-    """How far, mm, edges may end from their vertices."""
+    """Return the largest distance of edges from their vertices, mm."""
     return max(EDGE_TOLERANCE_MM, *(path.widest_gap for path in paths))
 
 
 def _drawn(
     paths: Sequence[Path], frame: Frame
 ) -> tuple[FloatArray, tuple[Edge, ...], list[tuple[EdgeUse, ...]]]:
-    """Vertices (k, 3), an edge for every segment of the paths, and how each path runs through its edges."""
+    """Return vertices (k, 3), an edge for every segment of the paths, and the edge uses of each path."""
     corners: list[FloatArray] = []
     edges: list[Edge] = []
     loops = []
@@ -162,7 +162,7 @@ def _drawn(
 
 
 def _limits(segment: Segment) -> tuple[float, float]:
-    """First and last parameter of a placed segment."""
+    """Return the first and last parameter of a placed segment."""
     if isinstance(segment, Arc):
         return segment.start_angle, segment.end_angle
     return segment.curve.domain if isinstance(segment, Spline) else (0.0, segment.length)
@@ -180,12 +180,12 @@ class _Tables:
     def shape(
         self, kind: int, geometry: bytes, parts: Sequence[tuple[int, bool]] = (), *, closed: bool = False
     ) -> int:
-        """Number of a new shape made of earlier ones, each with its orientation."""
+        """Add a shape of earlier shapes, each with its orientation, and return its number."""
         self.shapes.append((bytes([kind]) + geometry + _FLAGS[kind, closed], parts))
         return len(self.shapes)
 
     def edges(self, boundary: Boundary, traces: Sequence[Iterable[bytes]], gap: float) -> list[int]:
-        """Numbers of the edges of a boundary, with where each lies in its faces' (u, v)."""
+        """Add the edges of a boundary with their (u, v) curves on the faces, and return their numbers."""
         ends = [self.shape(_VERTEX, pack("<4dB", gap, *point, 0)) for point in boundary.vertices.tolist()]
         numbers = []
         for edge, rows in zip(boundary.edges, traces, strict=True):
@@ -196,11 +196,11 @@ class _Tables:
         return numbers
 
     def wire(self, loop: Iterable[EdgeUse], edges: Sequence[int], *, closed: bool = True) -> int:
-        """Number of a new wire."""
+        """Add a wire, and return its number."""
         return self.shape(_WIRE, b"", [(edges[use.edge], use.forward) for use in loop], closed=closed)
 
     def written(self) -> BinaryBrep:
-        """All tables; shapes name each other from the last one backwards."""
+        """Return all tables; shapes refer to each other by their number from the end."""
         count = len(self.shapes)
         shapes = [
             head + b"".join(pack("<B2i", not forward, count - number + 1, 0) for number, forward in parts)
@@ -230,7 +230,7 @@ def _reals(*groups: Iterable[float]) -> bytes:
 
 
 def _knots(knots: FloatArray) -> tuple[int, bytes]:
-    """Number of distinct knots, and each with its multiplicity."""
+    """Return the number of distinct knots, and each knot with its multiplicity."""
     places, counts = knot_runs(np.asarray(knots, dtype=float))
     rows = np.empty(places.size, dtype=_KNOT)
     rows["place"], rows["count"] = places, counts
@@ -296,7 +296,7 @@ def _turned(turn: FloatArray, place: Sequence[float]) -> tuple[float, float]:
 
 
 def _trace_ends(trace: StraightTrace | Segment, first: float, last: float) -> Sequence[Sequence[float]]:
-    """Where an edge begins and where it ends."""
+    """Return the start and end of an edge in (u, v)."""
     if isinstance(trace, StraightTrace):
         (x, y), (dx, dy) = trace.origin, trace.direction
         return (x + first * dx, y + first * dy), (x + last * dx, y + last * dy)

@@ -1,4 +1,4 @@
-"""Loose edges of a file put end to end, and each chain of them made one curve."""
+"""Joining of loose edges of a file to chains, and of each chain to a curve."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -32,13 +32,15 @@ LARGEST_TURN, LEAST_TURN = (
     50.0,
     5.0,
 )  # degrees: corners of points always, and of sides that no smooth curve follows
-_STRAIGHT_ON = np.cos(np.radians(1.0))  # cosine of the turn up to which two ends share a tangent
-_LONG = 20.0  # tolerances: sides of a polyline longer than this are meant as straight
-_DIGIT = 1.1 * np.sqrt(2.0)  # roundings of a coordinate that an end is off by, with that of an angle
+_STRAIGHT_ON = np.cos(np.radians(1.0))  # cosine of the largest turn at which two ends share a tangent
+_LONG = 20.0  # tolerances: longer sides of a polyline are intended to be straight
+_DIGIT = 1.1 * np.sqrt(
+    2.0
+)  # largest error of an end in units of coordinate rounding, with an allowance for angles
 _DENSE = 50  # inner knots: a spline with more was made through points
-_ROUGH = 0.2  # of the largest curvature: second difference from knot to knot that no drawn bend explains
-_REFINED = 10  # rounds in which the nearest place is found, four times as closely in each
-_CROWD = 50  # ends in one place, on all layers: more are no joint of two curves
+_ROUGH = 0.2  # of the largest curvature: second difference from knot to knot above which points are noisy
+_REFINED = 10  # rounds of the search for the nearest point, each four times as fine
+_CROWD = 50  # ends at one point, on all layers: more than this are not joined
 
 _Joints: TypeAlias = dict[
     tuple[int, int], tuple[int, int]
@@ -48,19 +50,19 @@ _Place: TypeAlias = tuple[int, float]  # number of an edge in a run, and its par
 
 @dataclass(frozen=True, eq=False)
 class JoinedRuns:
-    """Chains of edges, and what was done to join them.
+    """Chains of edges, with a record of how they were joined.
 
     Attributes
     ----------
     chains : list of Run
     overlaps : tuple of (Source, Source, str)
-        Shapes that lie on another shape of at least their length: the shape, the other one, and "left out" if both
-        have one layer and name, else "kept". If they overlap in part, "joined" to their union, or "in part" if
-        they have other layers or names, or if a third shape meets them there.
+        Shapes that coincide with another shape of at least their length: the shape, the other shape, and "left out"
+        if both have the same layer and name, else "kept". If they overlap in part, "joined" to their union, or
+        "in part" if they have different layers or names, or if a third shape meets them there.
     closed : tuple of float
         Widths, mm, of the gaps that were closed because the digits of the file explain them.
     widest : float
-        Largest width, mm, of a gap that was closed or would have been.
+        Largest width, mm, of a gap that is closed.
     """
 
     chains: list[Run]
@@ -72,11 +74,11 @@ class JoinedRuns:
 def join_runs(
     runs: Iterable[Sequence[Edge]], tolerance: float = JOIN_TOLERANCE, *, corners: bool = True
 ) -> JoinedRuns:
-    """Join runs of edges wherever exactly two ends lie within `tolerance` mm of each other.
+    """Join runs of edges wherever exactly two ends are within `tolerance` mm of each other.
 
-    A chain runs the way its first edge in the file was drawn. Where three or more ends meet nothing is
-    joined, for no file says which way the strip goes on, and none across layers. A shape with a name is joined to
-    no other shape. Of edges that lie on each other the longer one counts, one shorter than the tolerance not.
+    A chain has the direction of its first edge in the file. Ends are not joined where three or more meet,
+    because the path of the strip is ambiguous there, and not across layers. A named shape is not joined to
+    other shapes. Of coinciding edges, the longer edge is used. Edges shorter than the tolerance are ignored.
     The chains are joined again across gaps of one unit of the last digit.
 
     Parameters
@@ -96,7 +98,7 @@ def join_runs(
 
 
 def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
-    """Distance (2 n,), mm, of both ends of every chain from the drawn ones that the file's last digit explains."""
+    """Return the distance (2 n,), mm, by which the file's last digit may have moved each end of the chains."""
     known = [edge.source.rounding for run in chains for edge in run if edge.source and edge.source.rounding]
     sizes = np.repeat([sum(edge.size for edge in run) for run in chains], 2)
     digit = _DIGIT * min(known, default=0.0)
@@ -120,14 +122,14 @@ def _chained(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> tuple[
 
 
 def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
-    """Tell drawn holes, circles whose centre lies on a straight first or last edge of an open chain, from curves.
+    """Separate drawn holes from curves: circles about a point of a straight first or last edge of an open chain.
 
     Returns
     -------
     chains : list of runs
-        All that are no such circle.
+        The chains that are not holes.
     holes : list of lists of runs
-        The circles on each of these.
+        The circles on each chain.
     """
     ended = [
         i
@@ -156,7 +158,7 @@ def _is_line(edge: Edge) -> bool:
 
 
 def _is_on(centre: FloatArray, diameter: float, edge: Edge) -> bool:
-    """Is a straight edge a diameter of the circle, but for a tenth, that is well inside of the edge?"""
+    """Return True if the centre of a circle is on a straight edge, and the circle is between its ends."""
     if not _is_line(edge):
         return False
     way, out = edge.end - edge.start, centre - edge.start
@@ -167,7 +169,7 @@ def _is_on(centre: FloatArray, diameter: float, edge: Edge) -> bool:
 
 
 def _circle(run: Run) -> tuple[FloatArray, float] | None:
-    """Centre and diameter of a run that is one whole circle."""
+    """Return the centre and diameter of a run that is a whole circle, else None."""
     if any(edge.degree < 2 or edge.weights is None for edge in run):
         return None
     if np.linalg.norm(run[-1].end - run[0].start) > JOIN_TOLERANCE:
@@ -179,11 +181,10 @@ def _circle(run: Run) -> tuple[FloatArray, float] | None:
 
 
 def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int, int, FloatArray]]:
-    """Find ends of two chains on one layer that were not joined and yet nearly meet: distance (mm), both chains,
-    the place.
+    """Find unjoined ends of two chains on a layer that nearly meet: distance (mm), both chains, position.
 
-    That is within 3 mm and a tenth of the smaller chain; the nearest first. Ends of chains that run side by side
-    are not meant to meet. Ends within `tolerance` are listed where a name keeps them apart.
+    The distance is at most 3 mm and a tenth of the smaller chain. The smallest distance is first. Ends of
+    chains that run side by side are not listed. Ends within `tolerance` are listed if a name keeps them apart.
     """
     if len(chains) < 2:
         return []
@@ -206,7 +207,7 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
 
 
 def _walk(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:
-    """Runs met when leaving `first` by its end `side` (0 start, 1 end), each with the end it is left by."""
+    """Return the runs joined to the end `side` (0 start, 1 end) of `first`, each with the end away from `first`."""
     used[first] = True
     way: list[tuple[int, int]] = []
     here = (first, side)
@@ -221,17 +222,17 @@ def _walk(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tup
 
 
 def _source_of(run: Sequence[Edge]) -> Source:
-    """The shape that the run's first edge belongs to."""
+    """Return the shape of the run's first edge."""
     return run[0].source or Source()
 
 
 def _ends(runs: Sequence[Run]) -> FloatArray:
-    """Start and end of every run, (2 n, d)."""
+    """Return the start and end points (2 n, d) of all runs."""
     return np.array([point for run in runs for point in (run[0].start, run[-1].end)])
 
 
 def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Joints:
-    """For each end (run, side) the one other end it touches, if there is just one."""
+    """Return the partner of each end (run, side) that touches exactly one other end."""
     from scipy.spatial import cKDTree
 
     ends = _ends(runs)
@@ -260,18 +261,18 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Join
 
 
 def _goes_on(runs: Sequence[Run], one: tuple[int, int], other: tuple[int, int]) -> bool:
-    """Return True if the direction turns by at most 1 degree from one end (run, side) to another."""
+    """Return True if the direction turns by at most 1 degree between two ends (run, side)."""
     return bool(_onward(runs, one, other) > _STRAIGHT_ON)
 
 
 def _onward(runs: Sequence[Run], one: tuple[int, int], other: tuple[int, int]) -> float:
-    """Return the cosine of the turn from one end (run, side) to another."""
+    """Return the cosine of the turn between two ends (run, side)."""
     out, into = (_outward(reverse_run(runs[i]) if side == 0 else runs[i]) for i, side in (one, other))
     return float(-out @ into)
 
 
 def _outward(run: Run) -> FloatArray:
-    """Direction in which the run leaves its end."""
+    """Return the unit tangent out of the run at its end."""
     low, high = run[-1].spans.edges[-2:]
     before, end = run[-1].at([high - 1e-4 * (high - low), high])
     return np.asarray((end - before) / max(float(np.linalg.norm(end - before)), 1e-300), dtype=float)
@@ -280,7 +281,7 @@ def _outward(run: Run) -> FloatArray:
 def _without_overlaps(
     runs: Sequence[Run], tolerance: float
 ) -> tuple[list[Run], tuple[tuple[Source, Source, str], ...]]:
-    """The runs less those that lie on a longer one, or on an earlier one as long; and all that overlap."""
+    """Remove runs that coincide with a longer (or earlier, equally long) run; return the rest and all overlaps."""
     from scipy.spatial import cKDTree
 
     ends = _ends(runs).reshape(len(runs), 2, -1)
@@ -315,7 +316,9 @@ def _without_overlaps(
             elif any(touching):
                 in_part.append((i, j))
     limits: dict[int, list[_Place]] = {}
-    least = max(tolerance, 2 * float(_digits_of_ends(runs).max()))  # a shorter one is a gap by rounding
+    least = max(
+        tolerance, 2 * float(_digits_of_ends(runs).max())
+    )  # a shorter part is a gap caused by rounding
     alone = cKDTree(_ends([runs[i] for i in range(len(runs)) if i not in dropped]))
     for i, j in in_part:
         cuts = [] if {i, j} & dropped else _common_parts(runs[i], runs[j], tolerance, least)
@@ -337,8 +340,7 @@ def _without_overlaps(
 def _common_parts(
     run: Run, longer: Run, tolerance: float, least: float
 ) -> list[tuple[int, _Place, FloatArray]]:
-    """Return the ends (0 start, 1 end) from which the run lies on a longer run up to an end of that, for more than
-    `least` mm, with the place in the run and the end of the longer run."""
+    """Return the parts of a run, longer than `least` mm, from an end (0 or 1) to an end of a longer run."""
     found = []
     on_run = [(place, end) for end in _ends([longer]) if (place := _place_of(end, run, tolerance))]
     for side in (0, 1):
@@ -352,19 +354,19 @@ def _common_parts(
 
 
 def _whole(run: Run) -> tuple[_Place, _Place]:
-    """Return the first and the last place of a run."""
+    """Return the first and the last position of a run."""
     return (0, float(run[0].spans.edges[0])), (len(run) - 1, float(run[-1].spans.edges[-1]))
 
 
 def _place_of(point: FloatArray, run: Run, tolerance: float) -> _Place | None:
-    """Return the place in the run that is nearest to a point (d,), if it is within `tolerance` mm."""
+    """Return the position in the run nearest to a point (d,), or None if it is not within `tolerance` mm."""
     nearest = [(*_nearest(edge, point[None]), k) for k, edge in enumerate(run)]
     away, t, k = min((float(away[0]), float(t[0]), k) for away, t, k in nearest)
     return (k, t) if away <= tolerance else None
 
 
 def _part(run: Run, first: _Place, last: _Place) -> Run:
-    """Return the run from one place to another; empty if the last is before the first."""
+    """Return the part of a run between two positions; empty if the last is before the first."""
     parts = []
     for k in range(first[0], last[0] + 1):
         low, high = run[k].spans.edges[[0, -1]]
@@ -387,7 +389,7 @@ def _is_on_run(points: FloatArray, run: Run, tolerance: float) -> bool:
 
 
 def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Distances (n,), mm, of points (n, d) from an edge, and the parameters (n,) there."""
+    """Return distances (n,), mm, of points (n, d) from an edge, and the parameters (n,) there."""
     from scipy.spatial import cKDTree
 
     if not len(points):
@@ -405,7 +407,7 @@ def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _probes(run: Run) -> FloatArray:
-    """Points along the run, enough to tell it from another with the same ends."""
+    """Return points along the run, enough to distinguish it from other runs with the same ends."""
     return np.concatenate([e.at(np.linspace(e.spans.edges[0], e.spans.edges[-1], 9)) for e in run])
 
 
@@ -417,24 +419,24 @@ def curve_from_run(
     shown: Provenance | None = None,
     holes: Sequence[Run] = (),
 ) -> PlaneCurve:
-    """Make one curve from edges in the plane that follow each other.
+    """Make one curve from consecutive edges in the plane.
 
-    A run of straight pieces only is a polyline: its vertices are fitted. True curves stay exact; of several,
-    each keeps its own form, brought to a common degree, and starts where the one before it ends: gaps up to
-    `tolerance` mm are closed by moving whole edges, which turns no tangent. Corners that the number of digits
-    explains are taken out. `PlaneCurve.breaks` tells how smooth the joints are.
+    A run of straight pieces only is a polyline, and a curve is fitted to its vertices. True curves stay exact.
+    Several true curves are raised to a common degree. Gaps up to `tolerance` mm are closed by moving whole
+    edges, so that tangents do not turn. Corners that rounding of the coordinates explains are removed.
+    `PlaneCurve.breaks` returns the continuity at the joints.
 
     Parameters
     ----------
     shown : Provenance, optional
-        How the drawing program shows places; the curve's own record is made of it.
+        How the drawing program displays points; the record of the curve is based on it.
     holes : sequence of runs
-        Circles drawn on its straight ends, in the plane too.
+        Circles drawn on the straight ends, in the same plane.
 
     Raises
     ------
     InputError
-        When the numbers make no curve.
+        The numbers do not define a curve.
     """
     check_size(np.concatenate([edge.points for edge in run]))
     check_count(
@@ -473,7 +475,7 @@ def curve_from_run(
 def _interpolated_points(edge: Edge, rounding: float) -> MeasuredPoints | None:
     """Return the points that a dense spline interpolates, if its curvature changes abruptly from knot to knot.
 
-    Its noise is too small to be seen in the drawing, and yet it, or an end without curvature, shows in the widths.
+    Its noise is invisible in the drawing, but the noise or an end without curvature affects the widths.
     """
     knots = edge.spans.edges
     inner = edge.knots[edge.degree + 1 : -edge.degree - 1]
@@ -493,18 +495,18 @@ def curve_from_points(
     noise: float = 0.0,
     sides: bool = False,
 ) -> PlaneCurve:
-    """The curve through measured points (n, 2): a line if in line, else fitted within `tolerance` mm.
+    """Return the line through points (n, 2) if they are collinear, else a curve within `tolerance` mm of them.
 
-    Corners stay corners (`PlaneCurve.tangent_breaks` tells them): a turn by more than 50 degrees between two
-    straight pieces that are long beside the tolerance, and beside noise, was drawn, not measured. The noise of
-    points that waver, `noise` mm at least, is in the curve's record, and those that no smooth curve follows are its
-    corners. If the straight sides between the points are drawn (`sides`), a curve that leaves them by more than
-    `allowed_distance` is cut at every turn of more than 5 degrees.
+    Corners stay corners, see `PlaneCurve.tangent_breaks`. A corner is a turn by more than 50 degrees between
+    two straight pieces that are long compared with the tolerance and the noise. The record of the curve
+    includes the noise of the points, at least `noise` mm. If no smooth curve follows noisy points, the curve is
+    a polyline. With `sides`, the straight sides between the points are drawn. A curve that leaves them by more
+    than `allowed_distance` is then cut at every turn of more than 5 degrees.
 
     Raises
     ------
     InputError
-        Fewer than two different points, or numbers that are not finite.
+        There are fewer than two different points, or numbers that are not finite.
     """
     if not np.all(np.isfinite(points)):
         raise InputError("a point has a coordinate that is not a finite number")
@@ -532,7 +534,7 @@ def curve_from_points(
         _require_near(pieces[0], points, tolerance)
         return pieces[0].drawn_as(replace(drawn, measured=measured))
     whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
-    # noise cannot be told from corners
+    # noise and corners cannot be separated
     drawn = (
         replace(drawn, vertices=points) if sides else replace(drawn, measured=replace(measured, waver=0.0))
     )
@@ -540,7 +542,7 @@ def curve_from_points(
 
 
 def _require_near(curve: PlaneCurve, points: FloatArray, tolerance: float) -> None:
-    """Refuse a curve that leaves the points to which it was fitted by more than `allowed_distance`."""
+    """Refuse a curve that is farther than `allowed_distance` from the points to which it was fitted."""
     allowed = allowed_distance(points)
     if tolerance > allowed:
         _require_distance(float(distances(Spline(curve), points).max()), allowed)
@@ -557,14 +559,14 @@ def _require_distance(distance: float, allowed: float) -> None:
 
 
 def _polyline(points: FloatArray) -> PlaneCurve:
-    """The straight pieces between points (n, 2)."""
+    """Return the straight pieces between points (n, 2) as a curve."""
     knots = np.repeat(lengths_along(points), 2)
     control = np.insert(points, slice(1, None), (points[:-1] + points[1:]) / 2, axis=0)
     return PlaneCurve(np.concatenate([knots[:1], knots, knots[-1:]]), control, 2)
 
 
 def _corners(points: FloatArray, angle: float, least: float = 0.0) -> list[int]:
-    """Indices of the vertices where sides longer than `least` mm turn by more than `angle` degrees."""
+    """Return indices of the vertices where sides longer than `least` mm turn by more than `angle` degrees."""
     step = np.diff(points, axis=0)
     size = np.hypot(step[:, 0], step[:, 1])
     cosine = (step[:-1] * step[1:]).sum(axis=1) / (size[:-1] * size[1:])
@@ -573,7 +575,7 @@ def _corners(points: FloatArray, angle: float, least: float = 0.0) -> list[int]:
 
 
 def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float) -> list[PlaneCurve]:
-    """The smooth curve through points, or the curves between corners if it is not within `allowed` of the sides."""
+    """Return a smooth curve through points, cut at corners if it is not within `allowed` of the sides."""
     if len(points) == 2 or np.isinf(allowed):
         return [smooth_through(points, tolerance)]
     curve, distance = fit_polyline(points, tolerance)
@@ -586,19 +588,19 @@ def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float) -> list
 
 
 _AWAY = 0.0214
-"""Largest distance of the parabola with control points a, c, d from the cubic with a, a, c, d, as a fraction of the
-distance of d from the line through a and c."""
+"""Largest distance between the parabola with control points a, c, d and the cubic with a, a, c, d, as a
+fraction of the distance of d from the line through a and c."""
 
 
 _OFF_MM, _OFF_SHARE = 0.004, 2e-5
-"""Largest distance by which a curve moves to bound its curvature, in mm and as a fraction of its size."""
+"""Largest distance by which a curve moves to limit its curvature, in mm and as a fraction of its size."""
 
 
 def _with_handles(edge: Edge) -> list[Edge]:
-    """Give the ends of a cubic Bezier piece that have no handle one, within 0.004 mm of the drawn curve.
+    """Add missing end handles to a cubic Bezier piece, within 0.004 mm of the drawn curve.
 
-    Where the first two control points a coincide, the curve has a tangent, towards the third point c, but its
-    curvature grows beyond all bounds. A first part of it, with the control points a, a, c, d, is replaced by the
+    If the first two control points coincide in a, the tangent points towards the third control point c, but the
+    curvature is infinite. The first part of the curve, with control points a, a, c, d, is replaced by the
     parabola with a, c, d, which has the same ends and end tangents.
 
     Examples
@@ -628,7 +630,7 @@ def _with_handles(edge: Edge) -> list[Edge]:
 
 
 def _exact(edge: Edge, fit_tolerance: float) -> Edge:
-    """The edge, a polyline among true curves being fitted."""
+    """Return the edge, or a curve fitted to it if it is a polyline."""
     if edge.degree > 1 or len(edge.points) == 2:
         return edge
     curve = curve_from_points(edge.points, tolerance=fit_tolerance, sides=True)
@@ -636,7 +638,7 @@ def _exact(edge: Edge, fit_tolerance: float) -> Edge:
 
 
 def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
-    """The edges end to end as one B-spline: knots of multiplicity degree at the joints, speed near 1."""
+    """Return the edges joined to one B-spline, with knots of multiplicity degree at the joints and speed near 1."""
     degree = max(2, *(edge.degree for edge in edges))
     knots, homogeneous = np.zeros(1), np.empty((0, 3))
     for edge in edges:

@@ -52,10 +52,11 @@ def write_curves(
 ) -> Path:
     """Write drawn curves, mm, as .dxf, .svg, .json or .csv.
 
-    DXF keeps degree, knots and weights of every spline, JSON every bit, SVG cubics to 1e-12 mm. An SVG holds
-    weighted splines and higher degrees as cubics, a DXF of version R12 holds arcs, both within 0.001 mm, and CSV
-    holds points. A `FitWarning` then reports the distance from the drawn curve and the largest change of the width
-    of a strip. Two curves of a DXF or SVG whose ends meet are read back as one.
+    DXF keeps degree, knots and weights of every spline. JSON keeps every bit, and SVG keeps cubics to 1e-12 mm. In
+    SVG, weighted splines and higher degrees become cubics. In DXF R12, curves become arcs. Both are accurate to
+    0.001 mm. CSV contains points. For such replaced curves, a `FitWarning` reports the distance from the drawn
+    curve and the largest change of the width of a strip. Two curves of a DXF or SVG whose ends meet are read back
+    as a single curve.
 
     Parameters
     ----------
@@ -70,7 +71,7 @@ def write_curves(
     Raises
     ------
     InputError
-        No curves, an unknown suffix, a file that can't be made.
+        There are no curves, the suffix is unknown, or the file can't be written.
     MissingDependencyError
         DXF without ezdxf.
 
@@ -117,7 +118,7 @@ def write_curves(
 
 
 def _points(curve: PlaneCurve) -> FloatArray:
-    """Points (n, 2) at equal distances along a curve."""
+    """Return points (n, 2) at equal distances along a curve."""
     return curve.sample(min(int(curve.length) + 101, _MOST_POINTS)).position
 
 
@@ -126,7 +127,7 @@ def _points_csv(points: FloatArray) -> str:
 
 
 def _read_again(chain: Chain) -> PlaneCurve:
-    """The curve that `read_curves` makes of a written path."""
+    """Return the curve that `read_curves` reads from a written path."""
     if len(chain.segments) == 1 and isinstance(chain.segments[0], Spline):
         return chain.segments[0].curve
     return curve_from_run([_edge(segment) for segment in chain.segments])
@@ -159,7 +160,7 @@ def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> 
 
 
 def _widths(curve: PlaneCurve) -> FloatArray | None:
-    """Widths (n,), mm, at equal distances along the strip of a curve; None if no strip takes the curve."""
+    """Return widths (n,), mm, at equal distances along the strip of a curve, or None if a strip is not possible."""
     try:
         rod = optimal_rod(smooth_curve(curve).curve)
     except ElasticaError:

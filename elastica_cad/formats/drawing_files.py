@@ -60,7 +60,7 @@ def path_data(path: Path, origin: FloatArray, decimals: int = _DECIMALS) -> str:
 
 
 def _format_length(value: float, decimals: int = _DECIMALS) -> str:
-    """A length, as short as it goes."""
+    """Return a length as text, as short as possible."""
     short = f"{value:.{decimals}f}".rstrip("0").rstrip(".")
     return "0" if short == "-0" else short
 
@@ -70,7 +70,8 @@ def _stroke(segment: Segment, place: Callable[[FloatArray], str]) -> str:
         return f"L{place(segment.end)}"
     if isinstance(segment, Arc):
         radius, turns = _format_length(segment.radius), "0" if segment.sweep > 0 else "1"
-        # more than half a turn in two parts: a whole turn has no ends, and nearly one is badly conditioned
+        # split arcs of more than 180 degrees: a full circle has no ends, and an almost full arc is badly
+        # conditioned
         long = abs(segment.sweep) > np.pi * (1 + 1e-9)
         ends = segment.at(np.array([0.5, 1.0] if long else [1.0]))
         return "".join(f"A{radius} {radius} 0 0 {turns} {place(end)}" for end in ends)
@@ -93,10 +94,10 @@ def encode_svg(
     tolerance: float = 0.02,
     layers: Mapping[str, LayerChoice] | str | None = None,
 ) -> bytes:
-    """A drawing as the content of an SVG file whose user unit is the mm; same drawing and command, same bytes.
+    """Return the bytes of an SVG file in mm; the same drawing and command give the same bytes.
 
-    One group a layer, in working order, one <path> a loop, y upward on the sheet. Arcs and polynomial splines
-    up to degree 3 are exact.
+    Each layer is a group, in working order, and each loop is a <path>, with y upward on the sheet. Arcs and
+    polynomial splines up to degree 3 are exact.
 
     Parameters
     ----------
@@ -158,7 +159,7 @@ def encode_svg(
 DRAWING_SUFFIXES = (".dxf", ".svg")
 
 _KERF_TOLERANCE_MM = 1e-4
-"""Of offsets by half the kerf: a hundredth of what a laser repeats."""
+"""Tolerance of offsets by half the kerf, mm: a hundredth of the repeatability of a laser."""
 
 
 def write_drawing(
@@ -182,8 +183,8 @@ def write_drawing(
     path : path-like
         Its suffix is the format.
     kerf : float
-        Width of the cut, mm: closed outer loops grow by half of it, inner ones shrink. Cutting services often
-        do this themselves, so the default is 0; it may be negative.
+        Width of the cut, mm. Closed outer loops grow by half of it, and inner loops shrink. Cutting services often
+        compensate the kerf themselves, so the default is 0. It may be negative.
     curves : str
         "spline", "bezier", "arc" or "polyline".
     tolerance : float
@@ -191,9 +192,10 @@ def write_drawing(
     version : str
         DXF version, R12 to R2018.
     layers : mapping or str, optional
-        From a layer to a name, or to a name and a colour "#rrggbb"; or a scheme of colours, "boxes" or "lightburn".
+        Mapping from a layer to a name, or to a name and a colour "#rrggbb"; or a colour scheme: "boxes",
+        "lightburn".
     holding : HoldingTabs, optional
-        Bridges that hold parts in the sheet; none unless given.
+        Bridges that hold parts in the sheet; none by default.
     marks : bool
         False leaves out guide lines and the names of mating strips.
     force : bool
@@ -207,7 +209,8 @@ def write_drawing(
     Raises
     ------
     InputError
-        An unknown suffix or option, an empty drawing, a kerf too wide for a loop, a file that can't be made.
+        The suffix or an option is unknown, the drawing is empty, the kerf is too wide for a loop, or the file
+        can't be written.
     MissingDependencyError
         DXF without ezdxf.
     """

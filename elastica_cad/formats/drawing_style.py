@@ -1,4 +1,4 @@
-"""How drawings look in files: curves as splines, arcs or polylines; names and colours of layers."""
+"""Style of drawings in files: curves as splines, arcs or polylines; names and colours of layers."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -16,17 +16,17 @@ from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MA
 CURVES = ("spline", "bezier", "arc", "polyline")
 
 EXACT = "exact"
-"""Splines of any degree as they are: for curves that a CAD program is to read, not a machine."""
+"""Curve style that keeps splines of any degree, for curves that a CAD program reads."""
 
 _SPLINE_TOLERANCE_MM = 1e-3
-"""Splines cost few bytes: approximated ones stay this near even where a coarser tolerance is given."""
+"""Tolerance of approximated splines, mm, even if a coarser tolerance is given, because splines need few bytes."""
 
 FINEST_MM = 1e-5
-"""Finer arcs and polylines would only fill the disk."""
+"""Finest tolerance of arcs and polylines, mm; a finer tolerance only makes larger files."""
 
 
 def check_curve_style(curves: str) -> str:
-    """Return the way in which curves are written, and refuse it unless it is one of `CURVES` or `EXACT`."""
+    """Return the name of a curve style, and refuse it unless it is in `CURVES` or `EXACT`."""
     if not isinstance(curves, str) or curves not in (*CURVES, EXACT):
         raise InputError(
             "curves is {curves!r}: use one of {curves_2}", curves=curves, curves_2=", ".join(CURVES)
@@ -35,10 +35,9 @@ def check_curve_style(curves: str) -> str:
 
 
 def shape_paths(paths: Iterable[Path], curves: str, tolerance: float, *, rational: bool = True) -> list[Path]:
-    """Return the paths as a file holds them: splines of degree 3 at most (`rational` where allowed), "bezier" ones
-    with the knots of joined Bezier curves, arcs, or lines.
+    """Return the paths in a curve style: splines of degree 3 at most, joined Bezier curves, arcs, or lines.
 
-    With `EXACT` splines of any degree stay, where the file knows weights.
+    Splines have weights only if `rational` is True. With `EXACT` and `rational`, splines keep any degree.
     """
     if not is_number(tolerance):
         raise InputError(
@@ -62,12 +61,12 @@ def shape_paths(paths: Iterable[Path], curves: str, tolerance: float, *, rationa
 
 @dataclass(frozen=True)
 class LayerStyle:
-    """How a layer is called and coloured in a file.
+    """Name and colour of a layer in a file.
 
     Parameters
     ----------
     name : str
-        Without the characters that CAD programs refuse.
+        Name without characters that CAD programs refuse.
     color : str
         "#rrggbb".
     """
@@ -110,7 +109,7 @@ Scheme: TypeAlias = Literal["elastica", "boxes", "lightburn"]
 
 SCHEMES: dict[str, dict[str, LayerStyle]] = {
     "elastica": _STANDARD,
-    "boxes": {  # of boxes.py: outer cuts black, inner ones blue, etching green and cyan, remarks red
+    "boxes": {  # of boxes.py: outer cuts black, inner cuts blue, etching green and cyan, annotations red
         CUT_OUTER: LayerStyle(CUT_OUTER, "#000000"),
         CUT_INNER: LayerStyle(CUT_INNER, "#0000ff"),
         ENGRAVE: LayerStyle(ENGRAVE, "#00ff00"),
@@ -125,22 +124,22 @@ SCHEMES: dict[str, dict[str, LayerStyle]] = {
         SHEET: LayerStyle(SHEET, "#f36926"),
     },
 }
-"""Colours by which other programs know what to do with a line."""
+"""Colour schemes of other programs, which select the operation by the colour of a line."""
 
 
 def style_layers(choices: Mapping[str, LayerChoice] | str | None = None) -> dict[str, LayerStyle]:
-    """Return the style of every layer: the standard ones, with the user's choices put over them.
+    """Return the style of every layer: the defaults with the user's choices.
 
     Parameters
     ----------
     choices : mapping or str, optional
-        Name of a scheme of colours, one of `SCHEMES`; or from a layer of the drawing to a name, or to a name and a
+        Name of a colour scheme in `SCHEMES`; or a mapping from a layer of the drawing to a name, or to a name and a
         colour "#rrggbb".
 
     Raises
     ------
     InputError
-        A layer that drawings do not have, two layers of one name, a bad name or colour.
+        A layer is unknown, two layers have the same name, or a name or colour is invalid.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""The curves of a file one by one, and the report on what was read."""
+"""Curves of a file, and the report on what was read."""
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -32,7 +32,7 @@ _CAPS = (
 
 
 def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
-    """Return the width, mm, of the stroke whose outline a closed run of edges is; None of any other run.
+    """Return the width, mm, of the stroke whose outline is a closed run of edges, or None for any other run.
 
     Examples
     --------
@@ -63,7 +63,7 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
 
 
 EXACT_MM = 1e-3
-"""Distance, mm, up to which a curve counts as exact."""
+"""Distance from the drawing, mm, up to which a curve counts as exact."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,7 @@ class ReadUnit:
 
 @dataclass(frozen=True)
 class ReadReport:
-    """What was read of a drawing.
+    """Report on the curves read from a drawing.
 
     Attributes
     ----------
@@ -110,7 +110,7 @@ class ReadReport:
     kinds : mapping
         Number of shapes of each kind: {"spline": 1}.
     done : tuple of str
-        What was done to them: "joined", "fitted", "turned", "smoothed".
+        Operations on the curves: "joined", "fitted", "turned", "smoothed".
     distance : float
         Largest distance between drawing and curve, mm.
     """
@@ -145,7 +145,7 @@ class ReadReport:
 
 
 def kinds_of(chain: Run) -> Counter[str]:
-    """Return the number of shapes of each kind in a chain; all edges of a kind of one shape count once."""
+    """Return the number of shapes of each kind in a chain; edges of a kind that belong to one shape count once."""
     shapes = {
         (id(edge.source) if edge.source else number, _kind(edge.degree, len(edge.points), edge.weights))
         for number, edge in enumerate(chain)
@@ -161,28 +161,28 @@ def _kind(degree: int, count: int, weights: FloatArray | None) -> str:
 
 @dataclass(frozen=True, eq=False)
 class DrawnCurve:
-    """One curve of a file; it is made when it is first asked for.
+    """A curve of a file; it is computed on first access.
 
     Attributes
     ----------
     number : int
         Counted from 1 in the order of the file.
     name, layer : str
-        Its label, id or handle, and its layer, as the drawing program shows them; empty where the file has none.
+        Its label, id or handle, and its layer, as the drawing program displays them; empty if the file has none.
     make : callable
-        Makes the curve.
+        Function that computes the curve.
     id : str
         Its id, or the handle in "SPLINE 2F".
     piece, pieces : int
-        Which of how many pieces of a curve that was cut at its corners, from 1.
+        Number of the piece, from 1, and number of pieces of a curve that was cut at its corners.
     joints : (str, str)
-        Names of the corners at its ends where another piece goes on, "J1"; empty elsewhere.
+        Names of the corners at its ends that join it to another piece, "J1"; empty at other ends.
     kinds : mapping
         Number of its shapes in the file, by kind: {"spline": 1}.
     chain : Run
-        Its edges as drawn; empty where it was not drawn by edges.
+        Its edges as drawn; empty if it was not drawn as edges.
     flatten : callable, optional
-        Brings edges in space into the plane of the curve.
+        Function that maps edges in space to the plane of the curve.
     """
 
     number: int
@@ -204,13 +204,13 @@ class DrawnCurve:
         Raises
         ------
         InputError, NotConvergedError
-            When its numbers make none.
+            Its numbers do not define a curve.
         """
         return self.make()
 
     @cached_property
     def problem(self) -> str:
-        """Why it makes no curve; empty where it does."""
+        """Reason why the curve is not valid; empty if it is valid."""
         try:
             _ = self.curve
         except (InputError, NotConvergedError) as error:
@@ -219,7 +219,7 @@ class DrawnCurve:
 
     @property
     def called(self) -> str:
-        """How messages call the curve: number, id and layer, as in "curve 2 (path12, layer CUT)"."""
+        """Name of the curve in messages: number, id and layer, as in "curve 2 (path12, layer CUT)"."""
         known = [*([self.name] if self.name else []), *([f"layer {self.layer}"] if self.layer else [])]
         part = f"piece {self.piece} of " if self.pieces > 1 else ""
         return f"{part}curve {self.number}" + (f" ({', '.join(known)})" if known else "")
@@ -287,15 +287,15 @@ class DrawnFile:
 
     @property
     def bad(self) -> tuple[DrawnCurve, ...]:
-        """The curves whose numbers describe no valid curve, such as one without length."""
+        """The curves whose numbers do not define a valid curve, such as a curve without length."""
         return tuple(one for one in self.curves if one.problem)
 
     def report(self, curves: Sequence[DrawnCurve] | None = None) -> ReadReport | None:
-        """Return what was read of some curves, of all by default; None if none of them is valid."""
+        """Return the report on some curves (by default all), or None if no curve is valid."""
         return report_on(self.curves if curves is None else curves, self.unit)
 
     def chosen(self, which: str | None = None, layer: str | None = None) -> tuple[DrawnCurve, ...]:
-        """The curves of that number or id, and on that layer; all where neither is given."""
+        """Return the curves with that number or id, and on that layer; by default all curves."""
         found = [one for one in self.curves if layer is None or one.layer == layer]
         if which is not None:
             named = [one for one in found if which and one.name == which]
@@ -304,9 +304,10 @@ class DrawnFile:
         return tuple(found)
 
     def one(self, which: str | None, layer: str | None, how: str) -> DrawnCurve:
-        """Return the one curve that `which` and `layer` choose.
+        """Return the single curve that `which` and `layer` select.
 
-        `how` is what the refusal says about choosing; {count} in it becomes the number of curves that matched.
+        `how` is the part of the error message about selecting; {count} in it becomes the number of curves that
+        matched.
 
         Raises
         ------
@@ -341,7 +342,7 @@ class DrawnFile:
         Raises
         ------
         InputError, NotConvergedError
-            When there is none; the first one's problem.
+            There is no valid curve; the error is that of the first curve.
         """
         good = [one for one in self.curves if not one.problem]
         with name_source(self.path):
@@ -374,7 +375,7 @@ class CurveList(list[PlaneCurve]):
 
 
 def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None:
-    """Return the report on those curves that are valid; None if none is."""
+    """Return the report on the valid curves, or None if no curve is valid."""
     good = [one for one in curves if not one.problem]
     if not good:
         return None
@@ -400,11 +401,11 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
 
 
 _MOST_POINTS = 200  # of the drawing, whose distance is measured
-_TURNED = 1e-3  # slope of a drawing's plane from which it counts as turned
+_TURNED = 1e-3  # smallest slope of a drawing's plane that counts as turned
 
 
 def _is_turned(chain: Run, flat: Run) -> bool:
-    """Return True if x and y of a flattened chain are not those of the drawing."""
+    """Return True if x and y of a flattened chain differ from the drawing."""
     drawn, read = (np.concatenate([edge.points[:, :2] for edge in run]) for run in (chain, flat))
     return bool(np.abs(drawn - read).max() > _TURNED * np.ptp(read, axis=0).max())
 
@@ -435,23 +436,23 @@ def collect_curves(
     flat: Callable[..., Run] | None = None,
     corners: bool = True,
 ) -> DrawnFile:
-    """Join runs of edges whose ends meet, and return the curves of the file that draws them.
+    """Join runs of edges whose ends meet, and return the curves of the file.
 
     Parameters
     ----------
     nothing : str
-        What is said of a file without any.
+        Message about a file without curves.
     tolerance, fit_tolerance : float
-        Of joints, and of polylines' vertices, mm.
+        Tolerances of joints and of fits to polylines' vertices, mm.
     flat : callable, optional
-        Brings edges in space into their plane.
+        Function that maps edges in space to their plane.
     corners : bool
-        Join ends also where they meet at a corner.
+        If True, join ends that meet at a corner too.
 
     Raises
     ------
     InputError
-        No curve, with what was found instead; tolerances that are not positive.
+        There is no curve, or the tolerances are not positive.
     """
     check_tolerance(fit_tolerance, "tolerance for fitting")
     runs = list(runs)
@@ -514,7 +515,7 @@ def collect_curves(
 
 
 def _joining_notes(joined: JoinedRuns, tolerance: float) -> list[str]:
-    """Sentences about shapes that lie on each other, and about gaps that were closed."""
+    """Return messages about overlapping shapes, and about gaps that were closed."""
     notes: list[str] = []
     for kind, text in _OVERLAPS.items():
         pairs = dict.fromkeys(
@@ -540,7 +541,7 @@ _OVERLAPS = {
     "joined": "drawn twice in part, so their union is one curve: {pairs}",
     "in part": "drawn twice in part, and both count: {pairs}. Trim one of them in the drawing",
 }
-"""Sentences about shapes that lie on each other."""
+"""Messages about overlapping shapes."""
 
 
 def _shape(source: Source) -> str:
@@ -553,13 +554,13 @@ _SHOWN = 6  # curves and kinds named in a sentence
 
 
 def _known(curves: Sequence[DrawnCurve]) -> str:
-    """The first curves by number, id and layer."""
+    """Return a list of the first curves by number, id and layer."""
     first = ", ".join(one.called.removeprefix("curve ") for one in curves[:_SHOWN])
     return f"they are {first}" + (" ..." if len(curves) > _SHOWN else "")
 
 
 def _parts(curve: DrawnCurve) -> set[str]:
-    """What a curve may be called by besides its name: its id, and both names of a clone, "use1/path3"."""
+    """Return the names of a curve besides `name`: its id, and both names of a clone, "use1/path3"."""
     return {curve.id, *curve.name.split("/"), *curve.id.split("/")}
 
 

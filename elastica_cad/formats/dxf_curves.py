@@ -33,16 +33,16 @@ if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
 
-DEEPEST_BLOCK = 20  # blocks within blocks: deeper ones are a slip or an attack
+DEEPEST_BLOCK = 20  # levels of nested blocks; deeper nesting is an error or an attack
 
 ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, AssertionError)
-"""What ezdxf meets in entities that break off or are overwritten in places."""
+"""Exceptions that ezdxf raises for truncated or corrupt entities."""
 
 MODEL_SPACE = np.eye(4)  # placement of what is in no block
 
 _CURVES = {"LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX", "LWPOLYLINE", "POLYLINE"}
 
-FLAT_HELIX = 1e-6  # height of a HELIX over its radius, below which it is a flat spiral
+FLAT_HELIX = 1e-6  # largest ratio of height and radius of a HELIX that is a flat spiral
 
 _PLACES = re.compile(rb"^[ \t]*(?:1[0-8]|2[0-8]|40)[ \t]*\r?\n[ \t]*([-+0-9.eE]+)[ \t]*\r?$", re.MULTILINE)
 _UNDECODED = re.compile("[\udc80-\udcff]")
@@ -52,7 +52,7 @@ _COUNTLESS = 10**9  # insertions: counting stops there
 
 
 def _dxf_rounding(path: Path) -> float:
-    """Half a unit of the last digit of the coordinates (group codes 10 to 28, 40) of the entities; 0 where none."""
+    """Return half a unit of the last digit of coordinates (group codes 10 to 28, 40), or 0 if there are none."""
     data = path.read_bytes()
     if data.startswith(b"AutoCAD Binary DXF"):
         return 0.0
@@ -68,7 +68,7 @@ def _dxf_rounding(path: Path) -> float:
 
 
 def _refuse_many_inserts(document: "Drawing") -> None:
-    """Refuse a drawing whose blocks, inserted as often as it says, come to more entities than are read."""
+    """Refuse a drawing that has too many entities after its blocks are inserted."""
     known: dict[str, int] = {}
     total = _count(document, document.modelspace(), known, 0)
     check_count(
@@ -80,7 +80,7 @@ def _refuse_many_inserts(document: "Drawing") -> None:
 
 
 def _count(document: "Drawing", layout: Any, known: dict[str, int], depth: int) -> int:
-    """Entities of a layout, blocks expanded; never more than a billion."""
+    """Return the number of entities of a layout with blocks expanded, at most a billion."""
     if depth > DEEPEST_BLOCK:
         raise InputError(
             "blocks are nested more than {deepest_block} deep: explode them before export",
@@ -133,14 +133,15 @@ def read_dxf_drawing(
 ) -> DrawnFile:
     """Read the curves of a DXF file with handles and layers, in mm; the arguments are those of `read_drawing`.
 
-    LINE, ARC, CIRCLE, ELLIPSE, SPLINE and polylines of the model space are read, those inside of blocks too. True
-    curves stay exact, a polyline without arcs is fitted. The unit is the file's $INSUNITS. Without one it is mm, or
-    inches if the file says $MEASUREMENT = 0 and its curves are smaller than 40 units; the record says so.
+    LINE, ARC, CIRCLE, ELLIPSE, SPLINE and polylines of the model space are read, including those in blocks.
+    True curves stay exact, and a polyline without arcs is fitted. The unit is the file's $INSUNITS. Without
+    $INSUNITS the unit is mm, or inches if $MEASUREMENT is 0 and the curves are smaller than 40 units; the
+    report states this.
 
     Raises
     ------
     InputError
-        Not a DXF file, an unknown unit, nothing usable in it, a curve that lies in no plane.
+        The file is not a DXF file, its unit is unknown, it has no usable curve, or a curve is not plane.
     MissingDependencyError
         ezdxf is not installed.
     """
@@ -164,7 +165,7 @@ def read_dxf_drawing(
 
 
 def _on_paper(document: "Drawing") -> Counter[str]:
-    """Number of curves on each paper layout, which are not read."""
+    """Return the number of curves, which are not read, on each paper layout."""
     papers = (layout for layout in document.layouts if layout.is_any_paperspace)
     return Counter(
         f"on paper layout {layout.name}"
@@ -175,7 +176,7 @@ def _on_paper(document: "Drawing") -> Counter[str]:
 
 
 def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:
-    """The edges of every entity, mm; what is none and what cannot be read is counted."""
+    """Return the edges of every entity, mm; count other entities and unreadable entities."""
     from ezdxf.lldxf.const import DXFError
 
     bad: list[InputError] = []
@@ -275,7 +276,7 @@ def _opened(path: Path) -> "Drawing":
 
 
 def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
-    """Millimetres in a drawing unit, and how that is known."""
+    """Return the millimetres in a drawing unit, and the source of the unit."""
     code = _unit_code(document)
     with file.open("rb") as opened:
         if code:
@@ -296,7 +297,7 @@ def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
 
 
 def _unit_code(document: "Drawing") -> int:
-    """The file's $INSUNITS, one that is known."""
+    """Return the file's $INSUNITS, and refuse unknown values."""
     try:
         code = int(document.header.get("$INSUNITS", 0))
     except (TypeError, ValueError, OverflowError):
@@ -319,13 +320,13 @@ class _Hidden:
 
     @classmethod
     def of(cls, document: "Drawing") -> "_Hidden":
-        """Those of a drawing."""
+        """Return the layers of a drawing."""
         frozen = frozenset(str(one.dxf.name).lower() for one in document.layers if one.is_frozen())
         off = (str(one.dxf.name).lower() for one in document.layers if one.is_off())
         return cls(frozen.union(off), frozen)
 
     def hides(self, entity: Any, layer: str) -> bool:
-        """Is it not shown? A block is where its layer is frozen; where that is off, its parts go by their own."""
+        """Return True if an entity is hidden; frozen layers hide blocks, but layers that are off do not."""
         layers = self.frozen if entity.dxftype() == "INSERT" else self.layers
         if layer.lower() in layers:
             return True
@@ -376,7 +377,7 @@ def _entities(
 
 
 def _run(entity: Any) -> Run | None:
-    """The entity's edges in space, None for what is no curve."""
+    """Return the entity's edges in space, or None if the entity is not a curve."""
     kind = entity.dxftype()
     if kind == "LINE":
         return (Edge.polyline([entity.dxf.start, entity.dxf.end]),)
@@ -416,7 +417,7 @@ def _ellipse(entity: Any) -> Edge:
 
 
 def _turn(angles: FloatArray) -> tuple[float, float]:
-    """Start and end angle, rad, anticlockwise over at most one turn as DXF means them."""
+    """Return the start and end angle, rad, anticlockwise over at most one turn, as in DXF."""
     start, end = float(angles[0]), float(angles[1])
     sweep = (end - start) % (2 * np.pi)
     return start, start + (sweep if sweep > 1e-12 else 2 * np.pi)
@@ -444,16 +445,16 @@ def _spline(entity: Any) -> Edge:
 
 
 def _is_flat(helix: Any) -> bool:
-    """Return True if all turns of a HELIX are in one plane."""
+    """Return True if all turns of a HELIX are in the same plane."""
     return bool(abs(helix.dxf.turns * helix.dxf.turn_height) <= FLAT_HELIX * abs(helix.dxf.radius))
 
 
 def _unwound(
     knots: FloatArray, poles: FloatArray, degree: int, closed: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Return full knots and control points of a periodic spline that states one period only, as OpenCASCADE does.
+    """Return full knots and control points of a periodic spline that contains one period only, as in OpenCASCADE.
 
-    The first control points repeat behind the last ones. Other splines are returned unchanged.
+    The first control points are repeated after the last control points. Other splines are returned unchanged.
     """
     count = len(poles)
     first = int(np.count_nonzero(knots == knots[0])) if knots.size else 0
@@ -475,7 +476,7 @@ def _without_doubled_poles(
 
 
 def _fitted(entity: Any, points: FloatArray) -> Edge:
-    """The cubic through points (n, 3) along the tangents that are given; an end without one has no curvature."""
+    """Return the cubic through points (n, 3) with the given end tangents, or else end curvature 0."""
     ends: list[list[tuple[int, Any]]] = []
     for name in ("start_tangent", "end_tangent"):
         along = np.array(tuple(entity.dxf.get(name) or (0.0, 0.0, 0.0)), dtype=float)
@@ -485,13 +486,13 @@ def _fitted(entity: Any, points: FloatArray) -> Edge:
 
 
 def _ring(points: FloatArray) -> Edge:
-    """The cubic through points (n, 3) that closes as smoothly as it passes them."""
+    """Return the closed cubic through points (n, 3), as smooth at its seam as at the other points."""
     around = points if np.array_equal(points[0], points[-1]) else np.vstack([points, points[:1]])
     return _through(around, "periodic")
 
 
 def _through(points: FloatArray, ends: Any) -> Edge:
-    """The cubic through points whose parameter is the chord; `ends` as scipy's `bc_type`."""
+    """Return the cubic through points with chord length parameters; `ends` is scipy's `bc_type`."""
     from scipy.interpolate import make_interp_spline
 
     chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
@@ -507,7 +508,7 @@ def _through(points: FloatArray, ends: Any) -> Edge:
 
 
 def _polyline(rows: list[tuple[float, float, float, float]], *, closed: bool, to_world: Any) -> Run:
-    """One polyline edge where there are no bulges, else its lines and arcs one by one."""
+    """Return a single polyline edge if there are no bulges, else a line or arc for each side."""
     if closed and len(rows) > 1:
         rows = [*rows, rows[0]]
     if len(rows) < 2:
@@ -527,11 +528,11 @@ def _polyline(rows: list[tuple[float, float, float, float]], *, closed: bool, to
 
 
 def _bulged(p: FloatArray, q: FloatArray, bulge: float) -> Edge:
-    """The arc from p to q; `bulge` is tangent of a quarter of its angle, positive for a left-hand turn."""
+    """Return the arc from p to q; `bulge` is the tangent of a quarter of its angle, positive for a left turn."""
     chord = q - p
     left = np.array([-chord[1], chord[0], 0.0])
     sweep = 4 * np.arctan(bulge)
-    if abs(sweep) <= np.pi / 2:  # by its tangents: no centre, which lies far off for a flat arc
+    if abs(sweep) <= np.pi / 2:  # use the tangents, because the centre of a flat arc is far away
         middle = (p + q) / 2 - left * np.tan(sweep / 2) / 2
         knots = np.repeat([0.0, 1.0], 3)
         return Edge(knots, np.array([p, middle, q]), 2, np.array([1.0, np.cos(sweep / 2), 1.0]))

@@ -33,7 +33,7 @@ _CLOSED, _RATIONAL, _PLANAR = 1, 4, 8  # flags of a SPLINE
 _OPTIONS = Lock()
 
 LONGEST_COMMENT = 250
-"""Letters of one comment."""
+"""Largest number of characters of a comment."""
 
 _INKS = {
     1: (255, 0, 0), 2: (255, 255, 0), 3: (0, 255, 0), 4: (0, 255, 255), 5: (0, 0, 255), 6: (255, 0, 255),
@@ -50,22 +50,22 @@ def encode_dxf(
     version: str = "R2010",
     layers: Mapping[str, LayerChoice] | str | None = None,
 ) -> bytes:
-    """A drawing as the content of a DXF file in mm; the same drawing, by the same command, gives the same bytes.
+    """Return the bytes of a DXF file in mm; the same drawing and command give the same bytes.
 
-    A loop of lines and arcs is one closed polyline (a circle a CIRCLE), a loop that is one spline is one
-    closed SPLINE. A loop with splines among others is a chain of LINE, ARC and SPLINE in order, ends meeting,
-    bound by a GROUP, or with `curves` "arc" or "polyline" one closed LWPOLYLINE. In R12 every loop is a chain of
-    LINE and ARC in order, ends meeting: OpenSCAD and old machines read no others there. The order is
-    engraving, marks, inner cuts, outer cuts.
+    A loop of lines and arcs is a closed polyline, or a CIRCLE. A loop that is a single spline is a closed
+    SPLINE. A loop with splines and other segments is a GROUP of LINE, ARC and SPLINE in order, whose ends meet.
+    With `curves` "arc" or "polyline" it is a closed LWPOLYLINE. In R12 every loop is a chain of LINE and ARC in
+    order, because OpenSCAD and old machines read only these. The order is engraving, marks, inner cuts, outer
+    cuts.
 
     Parameters
     ----------
     drawing : Drawing
     curves : str
-        "spline" keeps splines up to degree 3 exactly, and higher ones as cubics to the tolerance but at most
-        0.001 mm; "bezier" writes these with Bezier knots, which more programs read exactly; "exact" keeps them all;
-        "arc" turns splines into tangent arcs; "polyline" turns splines and
-        arcs into lines. R12 knows no splines: there these mean "arc".
+        "spline" keeps splines up to degree 3 exactly, and writes higher degrees as cubics to the tolerance but at
+        most 0.001 mm. "bezier" writes splines with Bezier knots, which more programs read exactly. "exact" keeps
+        all splines. "arc" writes splines as tangent arcs. "polyline" writes splines and arcs as lines. R12 has no
+        splines, so the first three mean "arc".
     tolerance : float
         Largest distance, mm, of a replaced curve from the true one.
     version : str
@@ -103,7 +103,7 @@ def encode_dxf(
 
 
 def _made_by() -> list[str]:
-    """The command that runs as lines of a comment: those of old readers end behind 255 letters."""
+    """Return the running command as lines of a comment; old readers limit lines to 255 characters."""
     return wrap(MADE_BY.get(), LONGEST_COMMENT)
 
 
@@ -113,7 +113,7 @@ def _made_by() -> list[str]:
 def _through_ezdxf(
     paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray, version: str
 ) -> bytes:
-    """Paths on named layers as the content of a file."""
+    """Return the bytes of a file with paths on named layers."""
     with _plain_ezdxf() as ezdxf:
         document = ezdxf.new(version, setup=False, units=ezdxf.units.MM)
         for layer, style in styles.items():
@@ -124,7 +124,7 @@ def _through_ezdxf(
         for layer, path in paths:
             entities = [*_entities(space, path, {"layer": layer})]
             if len(entities) > 1:
-                # `document.groups.new` compares the name with all others: minutes for thousands of holes
+                # `document.groups.new` compares the name with all names, which takes minutes for thousands of holes
                 group = document.objects.add_dxf_object_with_reactor("GROUP", {"owner": groups.dxf.handle})
                 groups.add(f"LOOP_{len(groups) + 1}", group)
                 group.set_data(entities)
@@ -143,7 +143,7 @@ def _through_ezdxf(
 
 
 def _entities(space: Any, path: Path, on: dict[str, Any]) -> Iterator[Any]:
-    """The entities that draw a path."""
+    """Return the entities that draw a path."""
     if circle := _circle(path):
         yield space.add_circle(circle.center, circle.radius, on)
     elif not path.has_splines:
@@ -166,7 +166,7 @@ def _entities(space: Any, path: Path, on: dict[str, Any]) -> Iterator[Any]:
 
 @contextmanager
 def _plain_ezdxf() -> Iterator[Any]:
-    """ezdxf without time stamps and random identifiers, by which files would differ, and without its log."""
+    """Import ezdxf without time stamps, random identifiers and log, so that files are reproducible."""
     try:
         ezdxf = import_module("ezdxf")
     except ImportError:
@@ -189,7 +189,7 @@ def _plain_ezdxf() -> Iterator[Any]:
 
 
 def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray) -> bytes:
-    """Paths on named layers as the content of a file, as pairs of lines: a code and its value."""
+    """Return the bytes of a file with paths on named layers, as pairs of lines: a code and its value."""
     tags: list[tuple[int, object]] = [(999, line) for line in ("all lengths in mm", *_made_by())]
     tags += [(0, "SECTION"), (2, "HEADER")]
     tags += [(9, "$ACADVER"), (1, "AC1009")]
@@ -241,31 +241,31 @@ def _check_old_names(styles: Mapping[str, LayerStyle]) -> None:
 
 
 def _circle(path: Path) -> Arc | None:
-    """The whole circle that a path is; None of others."""
+    """Return the circle if the path is a whole circle, else None."""
     first = path.segments[0]
     return first if len(path.segments) == 1 and isinstance(first, Arc) and first.is_circle else None
 
 
 def _angles(arc: Arc) -> tuple[float, float]:
-    """Where an arc begins and ends when it is run anticlockwise, degrees."""
+    """Return the start and end angle of an arc run anticlockwise, degrees."""
     first, last = sorted((degrees(arc.start_angle), degrees(arc.end_angle)))
     return first, last
 
 
 def _bulges(path: Path) -> list[tuple[float, float, float]]:
-    """The corners of a path of lines and arcs as x, y and the bulge of what follows; of an open one its end too."""
+    """Return the vertices of a path of lines and arcs as x, y and bulge of the next segment."""
     segments = [piece for segment in path.segments for piece in _up_to_half_turns(segment)]
     rows = [(*one.start.tolist(), float(one.bulge) if isinstance(one, Arc) else 0.0) for one in segments]
     return rows if path.closed else [*rows, (*path.end.tolist(), 0.0)]
 
 
 def _up_to_half_turns(segment: Segment) -> list[Segment]:
-    """An arc of more than half a turn in two, so that its bulge stays moderate."""
+    """Return the segment, or two halves of an arc of more than 180 degrees, whose bulge would be large."""
     if isinstance(segment, Arc) and abs(segment.sweep) > pi * (1 + 1e-9):
         return [trim_segment(segment, 0.0, 0.5), trim_segment(segment, 0.5, 1.0)]
     return [segment]
 
 
 def _ink(rgb: tuple[int, int, int]) -> int:
-    """The number of the nearest of AutoCAD's colours."""
+    """Return the number of the nearest AutoCAD colour."""
     return min(_INKS, key=lambda ink: sum((a - b) ** 2 for a, b in zip(_INKS[ink], rgb, strict=True)))

@@ -173,7 +173,7 @@ class Edge:
         return float(4 * fine - coarse) / 3
 
     def stations(self, each: int = 17) -> FloatArray:
-        """Parameters along the edge, `each` to a span, both ends and all knots included."""
+        """Return parameters along the edge, `each` to a span, both ends and all knots included."""
         edges = self.spans.edges
         places = edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0, 1, each)
         return knot_runs(np.sort(places, axis=None))[0]  # `np.unique` loads all of numpy.ma

@@ -30,7 +30,7 @@ def curve_record(curve: PlaneCurve) -> dict[str, Any]:
 
 
 def curves_json(curves: Sequence[PlaneCurve]) -> str:
-    """The text of a JSON file that holds the curves; `read_json_drawing` reads them bit by bit."""
+    """Return the text of a JSON file that holds the curves; `read_json_drawing` reads them bit by bit."""
     data = {
         "schema": CURVES_SCHEMA,
         "units": "mm",

@@ -18,29 +18,29 @@ from elastica_cad.refusals import Length, note
 MESH_SUFFIXES = (".obj", ".stl", ".ply")
 
 LIKELY_SIZES_MM = (50.0, 20000.0)
-"""From corner to corner: sizes that a model made of strips may well have."""
+"""Likely sizes of a model made of strips: its diagonal, mm."""
 
 GUESSES = ("um", "cm", "in", "m")
-"""Units that a file without one was likely drawn in."""
+"""Units that are tried for a file without a unit."""
 
 
 def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Mesh:
-    """The triangles of a file, in mm; faces of four corners and more are cut into triangles.
+    """Read the triangles of a mesh file, in mm; larger faces are cut into triangles.
 
     Parameters
     ----------
     path : path-like
         .obj, .stl or .ply.
     unit : str, optional
-        What one unit of the file is: "mm", "cm", "m", "um", "in", "ft". These formats don't say; unless told
-        they are taken as mm, and a size that no model has is refused.
+        Unit of the file: "mm", "cm", "m", "um", "in", "ft". These formats do not contain a unit. By default it is
+        mm, and unlikely sizes are refused.
     scale : float
-        Factor from the file to the model, besides the unit.
+        Factor from the file to the model, in addition to the unit.
 
     Raises
     ------
     InputError
-        A missing or unknown file, no triangles in it, or a size that asks for `unit`.
+        The file is missing or unknown, it has no triangles, or its size is unlikely without `unit`.
     MissingDependencyError
         trimesh is not installed.
 
@@ -113,7 +113,7 @@ def _counted_from_the_start(data: bytes) -> BytesIO:
 
 
 def _positive(corner: bytes, counts: Sequence[int]) -> bytes:
-    """Return the indices v/vt/vn of a corner, positive ones."""
+    """Return the indices v/vt/vn of a corner with negative indices replaced by positive indices."""
     indices = corner.split(b"/")
     return b"/".join(
         b"%d" % (count + 1 + int(index)) if index.startswith(b"-") else index
@@ -122,7 +122,7 @@ def _positive(corner: bytes, counts: Sequence[int]) -> bytes:
 
 
 def _asking(size: float) -> str:
-    """What to ask of one whose mesh has no likely size in mm."""
+    """Return the message for a mesh with an unlikely size in mm."""
     guesses = {name: size * look_up_unit(name) for name in GUESSES}
     likely = [name for name, long in guesses.items() if LIKELY_SIZES_MM[0] <= long <= LIKELY_SIZES_MM[1]]
     hint = f" ({', '.join(f'{name}: {guesses[name]:.4g} mm' for name in likely)})" if likely else ""
@@ -135,7 +135,7 @@ def _asking(size: float) -> str:
 
 
 LEAST_SIZE_MM, MOST_SIZE_MM = 1.0, 1e6
-"""What is told to be smaller or larger was told in a wrong unit."""
+"""Smallest and largest size of a surface; other sizes mean that the unit is wrong."""
 
 
 SurfaceReader: TypeAlias = Callable[..., Surface]
@@ -153,12 +153,12 @@ def mesh_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
 def read_sized_surface(
     read_surface: SurfaceReader, path: Path, *, unit: str | None = None, scale: float | None = None
 ) -> Surface:
-    """The surface of a file in mm; a scale tells the size, so that the unit need not be told too.
+    """Read the surface of a file in mm; the unit is not needed if the scale is given.
 
     Raises
     ------
     InputError
-        A surface of a size that nothing made of strips has, and as `read_surface`.
+        The size of the surface is impossible for a model made of strips, or as `read_surface`.
     """
     unit = "mm" if unit is None and scale is not None else unit
     surface = read_surface(path, unit=unit, scale=1.0 if scale is None else scale)

@@ -23,14 +23,14 @@ HORIZONTAL = np.cos(np.radians(1.0))  # z of the unit normal of a plane that cou
 
 
 def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
-    """Return the run of edges (m, 3) in the coordinates of its own plane (m, 2).
+    """Return the run of edges (m, 3) in the coordinates of its plane (m, 2).
 
     The axes are those of `drawing_plane`.
 
     Raises
     ------
     InputError
-        The edges leave a common plane by more than `tolerance` mm and by more than the noise of a drawing.
+        The edges are not plane within `tolerance` mm and the noise of a drawing.
     """
     return in_plane(run, drawing_plane(run, tolerance))
 
@@ -42,16 +42,15 @@ def in_plane(run: Sequence[Edge], frame: Frame) -> Run:
 
 
 def drawing_plane(run: Sequence[Edge], tolerance: float = 0.0) -> Frame:
-    """Return the plane of a run of edges (m, 3) of a drawing, with its origin next to the origin of space.
+    """Return the plane of a run of edges (m, 3), with its origin next to the origin of space.
 
-    In a plane within a degree of horizontal, x and y are those of the drawing. The other planes are seen from the
-    side from which their horizontal direction runs towards positive x (or y): x along the horizontal line of the
-    plane, y along its steepest line, upwards.
+    In a plane within a degree of horizontal, x and y are the axes of the drawing. In all other planes, x is along
+    the horizontal line of the plane, towards positive x (or y). The y axis is along the steepest line, upwards.
 
     Raises
     ------
     InputError
-        The edges leave a common plane by more than `tolerance` mm and by more than the noise of a drawing.
+        The edges are not plane within `tolerance` mm and the noise of a drawing.
     """
     points = np.concatenate([edge.at(edge.stations()) for edge in run])
     noise = min(NOISE_MM, NOISE_SHARE * float(np.ptp(points, axis=0).max()))
@@ -67,7 +66,7 @@ def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
     centred = points - points.mean(axis=0)
     _, sizes, directions = np.linalg.svd(centred, full_matrices=False)
     normal = directions[-1]
-    if len(sizes) < 3 or sizes[1] <= 1e-9 * sizes[0]:  # points in line: of all their planes the upright one
+    if len(sizes) < 3 or sizes[1] <= 1e-9 * sizes[0]:  # collinear points: use the upright plane
         normal = np.cross(directions[0], (0.0, 0.0, 1.0))
         if np.linalg.norm(normal) < 1e-9:
             normal = np.array([0.0, 1.0, 0.0])
@@ -102,27 +101,27 @@ AS_DRAWN = np.eye(3)
 def placed_curve(
     edges: Sequence[Edge], *, plane: Frame | None = None, turned: ArrayLike | None = None
 ) -> tuple[PlaneCurve, Frame]:
-    """Join edges (m, 3) end to end, and return the one curve they make with its plane in space.
+    """Join edges (m, 3) end to end, and return the curve and its plane in space.
 
-    The curve runs the way the first edge does; a closed one begins there. Where the plane is parallel to xy the
-    frame's axes are the world's. In every other plane the frame's y axis points up, towards z, as far as it can,
-    and its z axis to the side from which the curve turns anticlockwise on the whole: where edges are turned, the
-    frame's side turns with them.
+    The curve has the direction of the first edge; a closed curve starts there. If the plane is parallel to xy,
+    the axes of the frame are parallel to the axes of space. In any other plane, the y axis of the frame points
+    towards z as far as possible. Its z axis points to the side from which the curve turns anticlockwise on the
+    whole. If edges are rotated, the frame rotates with them.
 
     Parameters
     ----------
     edges : sequence of Edge
         In any order.
     plane : Frame, optional
-        The plane in which they are drawn, where it is known.
+        The plane in which the edges are drawn, if it is known.
     turned : (3, 3) array, optional
-        The rotation by which a program has placed the edges after they were drawn; their side was chosen before it.
+        Rotation of the edges since they were drawn; the side of the frame is chosen before the rotation.
 
     Raises
     ------
     InputError
-        No edges, or edges that are not plane, have no length, do not meet or meet at a corner, or that lie in
-        another plane than `plane`.
+        There are no edges, or they are not plane, have no length, do not meet, meet at a corner, or are not in
+        the plane `plane`.
     """
     if not edges:
         raise InputError("no edge was given: give at least one edge or wire for the strip to follow")
@@ -140,15 +139,15 @@ def placed_curve(
 
 
 def edge_chains(edges: Sequence[Edge]) -> list[Run]:
-    """Join edges end to end, and return every chain; `place_chain` makes a curve of one."""
+    """Join edges end to end, and return all chains; `place_chain` makes a curve of a chain."""
     return join_runs([(edge,) for edge in edges], JOIN).chains
 
 
 def place_chain(
     run: Run, frame_of: Callable[[Run], Frame], holes: Sequence[Run] = ()
 ) -> tuple[PlaneCurve, Frame]:
-    """Return the curve of one chain of edges and its frame; refuse corners."""
-    # of a closed wire the last edge goes on in the first
+    """Return the curve of a chain of edges and its frame; refuse corners."""
+    # in a closed wire, the first edge follows the last
     closed = dist(run[0].start.tolist(), run[-1].end.tolist()) <= JOIN
     for before, after in pairwise((*run, *run[:1]) if closed else run):
         out, onward = before.points[-1] - before.points[-2], after.points[1] - after.points[0]
@@ -175,7 +174,7 @@ def place_chain(
 
 
 def _why_not_one(runs: Sequence[Run]) -> str:
-    """A sentence about several chains: the ends that were meant to meet, where there are such."""
+    """Return a message about several chains, with the ends that nearly meet, if any."""
     ends = np.array([(run[0].start, run[-1].end) for run in runs])
     between = np.linalg.norm(ends[:, :, None, None] - ends, axis=-1)  # run, its end; other run, its end
     between[np.arange(len(runs)), :, np.arange(len(runs))] = np.inf
@@ -202,7 +201,7 @@ def _why_not_one(runs: Sequence[Run]) -> str:
 
 
 def _within(run: Sequence[Edge], plane: Frame) -> Frame:
-    """The given plane, refused where the edges leave it; its origin where theirs is in every other plane."""
+    """Return the given plane, and refuse it if the edges are not in it; its origin is as in other planes."""
     points = np.concatenate([edge.at(edge.stations()) for edge in run])
     off = (points - plane.origin) @ plane.z_axis
     if np.abs(off).max() > max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())):
@@ -215,7 +214,7 @@ def _within(run: Sequence[Edge], plane: Frame) -> Frame:
 
 
 def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
-    """The plane of the edges, seen from the side that `placed_curve` tells."""
+    """Return the plane of the edges, with its side as in `placed_curve`."""
     points = np.concatenate([edge.points for edge in run])
     heights = points[:, 2]
     if heights.max() - heights.min() <= JOIN and turned is AS_DRAWN:
@@ -234,7 +233,7 @@ def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
 
 
 def _turning(points: FloatArray, normal: FloatArray) -> float:
-    """Angle, rad, by which points (m, 3) turn about a normal; of the first bend where they turn back."""
+    """Return the total turn, rad, of points (m, 3) about a normal, or the first bend if the total is 0."""
     chords = np.diff(points, axis=0)
     chords = chords[np.linalg.norm(chords, axis=1) > 0]
     before, after = chords[:-1], chords[1:]

@@ -32,7 +32,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import Length, note
 
 ALONG = ("distance", "station")
-"""Columns of a table of offsets from which all others are curves: the first of these names that its heading has."""
+"""Names of the common x column in a table of offsets; the first name that is in the heading is used."""
 
 NOTHING = ("", "-", "\u2013", "\u2014")
 """Cells of a table of offsets where a curve does not reach."""
@@ -41,10 +41,10 @@ _MINUS = "\u2212"
 """The minus of typesetters, which spreadsheets in Nordic languages write."""
 
 _VULGAR = re.compile("[\u00bc-\u00be\u2150-\u215e]")
-"""Fractions of one sign, such as five eighths."""
+"""Single characters for fractions, such as five eighths."""
 
 _SMALL = 20.0
-"""mm: numbers that are smaller, all of them, are no drawing of a strip."""
+"""Size, mm, of the smallest drawing of a strip."""
 
 _CONTROL = re.compile("[\x00-\x08\x0e-\x1f]")
 _SEP = re.compile(r'"?sep=(.)"?', re.IGNORECASE)
@@ -66,7 +66,8 @@ _STATED = re.compile(
     (?:\b(?:all|dimensions|measurements|coordinates|values)\s+in\s+|[(\[])([^\W\d_]+)""",
     re.IGNORECASE | re.VERBOSE,
 )
-"""What says the unit in a remark or a title, "Units: inches"; and words that may, "all in mm", "(inches)"."""
+"""Statements of a unit in a remark or a title, "Units: inches", and possible statements, "all in mm",
+"(inches)"."""
 
 _NUMBER = re.compile(r"[-+]?[\d.,]*\d[\d.,]*(?:[eE][-+]?\d+)?")
 _SPACES = re.compile("[ '\u2019]")
@@ -80,14 +81,14 @@ Row = tuple[int, list[str]]
 
 
 class Column(NamedTuple):
-    """One curve of a table.
+    """A curve of a table.
 
     Attributes
     ----------
     name : str
-        As in the heading; "" where the table is one curve.
+        As in the heading; "" if the table is a single curve.
     rows : list
-        Number and coordinates of each row; no coordinates where a row parts blocks.
+        Number and coordinates of each row; no coordinates in a row that separates blocks.
     """
 
     name: str
@@ -102,11 +103,11 @@ class PointTable:
     ----------
     columns : list of Column
     unit : str or None
-        The unit that the table names.
+        Unit named in the table.
     note : str
-        How numbers were read, where that is a guess.
+        Message on how ambiguous numbers were read.
     is_offsets : bool
-        True if every column is a curve over one other column.
+        True if every column is a curve over the same other column.
     """
 
     columns: list[Column]
@@ -136,12 +137,12 @@ class PointTable:
 
 
 def read_text(path: Path) -> str:
-    """Return the file as text: UTF-8, UTF-16 with its mark, or Windows-1252, in which Excel writes.
+    """Return the file as text: UTF-8, UTF-16 with a byte order mark, or Windows-1252 (Excel).
 
     Raises
     ------
     InputError
-        It holds bytes that no text has.
+        The file contains bytes that are not text.
     """
     data = path.read_bytes()
     encoding = "utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
@@ -158,7 +159,7 @@ def read_text(path: Path) -> str:
 
 
 def _parted(text: str) -> tuple[list[Row], list[str], str]:
-    """Rows with their cells, without quotes; remarks; the sign between cells, a blank where there is none."""
+    """Return rows with their cells, without quotes, remarks, and the separator (blank if none)."""
     lines = text.splitlines()
     stated = _SEP.fullmatch(lines[0].strip(" ")) if lines else None
     kept = [(n, line.strip(" ")) for n, line in enumerate(lines, 1) if not line.lstrip().startswith("#")]
@@ -211,15 +212,15 @@ class _Head(NamedTuple):
 
 @dataclass(frozen=True)
 class _Layout:
-    """Where the curves of a table are.
+    """Positions of the curves in a table.
 
     Attributes
     ----------
     columns : list of Column
     units : list of str
-        What the heading says of units.
+        Units named in the heading.
     titles : list of str
-        Cells above it.
+        Cells above the heading.
     is_offsets : bool
     """
 
@@ -254,7 +255,7 @@ class _Layout:
     def _of_axes(
         cls, heads: Sequence[_Head], above: list[Row], below: list[Row], units: list[str]
     ) -> "_Layout":
-        """A curve for every x and y, with z where there is one."""
+        """Return the layout with a curve for every pair of x and y, and z if there is a z column."""
         places = {axis: [k for k, head in enumerate(heads) if head.axis == axis] for axis in "xyz"}
         count = max(len(places["x"]), len(places["y"]))
         for axis, found in places.items():
@@ -291,7 +292,7 @@ class _Layout:
     def _of_offsets(
         cls, heads: Sequence[_Head], along: int, below: list[Row], units: list[str], titles: list[str]
     ) -> "_Layout":
-        """A curve for every column that has numbers."""
+        """Return the layout with a curve for every column that has numbers."""
         columns, used = [], [along]
         for k, head in enumerate(heads):
             if head.name.lower() in ALONG or not head.name:
@@ -307,7 +308,7 @@ class _Layout:
 
 
 def _filled(cells: list[str], places: Sequence[int]) -> list[str]:
-    """The cells of one of several curves; none where they are blank or missing."""
+    """Return the cells of a curve; empty if they are blank or missing."""
     found = [cells[k] if k < len(cells) else "" for k in places]
     return found if any(one not in NOTHING for one in found[:2]) else []
 
@@ -317,7 +318,7 @@ def _words(rows: list[Row]) -> list[str]:
 
 
 def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
-    """The units that a row of nothing but units names, and the rows without it."""
+    """Return the units of a row that contains only units, and the other rows."""
     for k, (_, cells) in enumerate(rows):
         if cells:
             bare = [cell.strip(" []()") for cell in cells]
@@ -327,7 +328,7 @@ def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
 
 
 def _units(said: Sequence[str], titles: Sequence[str]) -> list[str]:
-    """The units that the heading names, else those of titles and remarks."""
+    """Return the units named in the heading, or else in titles and remarks."""
     stated = [found for title in titles for found in _STATED.finditer(title)]
     words = [word for word in said if word not in NOTHING] or [
         found[1] or found[2] for found in stated if found[1] or read_unit(found[2])
@@ -348,7 +349,7 @@ def _mapped(columns: list[Column], change: Callable[[str], str]) -> list[Column]
 
 
 def _without_units(columns: list[Column]) -> tuple[list[Column], list[str]]:
-    """Columns without units behind their numbers, "12.5 mm", and those units."""
+    """Return columns without units after their numbers, "12.5 mm", and these units."""
     units: dict[str, None] = {}
 
     def bare(cell: str) -> str:
@@ -363,7 +364,7 @@ def _without_units(columns: list[Column]) -> tuple[list[Column], list[str]]:
 
 
 def _plain_numbers(columns: list[Column], separator: str, scale: float) -> tuple[list[Column], str]:
-    """Columns of numbers with a decimal point and no sign between thousands, and a note on how they were read."""
+    """Return numbers with decimal points and no separators of thousands, and a note on how they were read."""
     columns = _mapped(
         columns,
         lambda cell: _SPACES.sub("", cell) if _SPACES.search(cell) and _APART.fullmatch(cell) else cell,
@@ -374,16 +375,16 @@ def _plain_numbers(columns: list[Column], separator: str, scale: float) -> tuple
 
 
 def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) -> tuple[str, str]:
-    """The sign between thousands, "" where there is none, and a note on it where it is a guess.
+    """Return the separator of thousands ("" if none), and a message if it is a guess.
 
-    Three digits behind a single sign may be thousands or decimals, and other cells decide. Where none does, a comma
-    in quotes between commas is one of a country that writes decimal points; other signs part decimals unless those
-    would make a curve that is smaller than any strip.
+    Three digits after a single separator may be thousands or decimals, and the other cells decide. If they do
+    not, a quoted comma in comma-separated cells separates thousands. Other signs are decimal points, unless the
+    curve would then be smaller than any strip.
 
     Raises
     ------
     InputError
-        Numbers that may be read in two ways.
+        Numbers are ambiguous.
     """
     numbers = [(n, cell.lstrip("+-")) for n, cell in cells if _NUMBER.fullmatch(cell)]
     kinds: dict[str, dict[str, list[tuple[int, str]]]] = {",": {}, ".": {}}
@@ -429,7 +430,7 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
 
 
 def _first_data(rows: list[Row]) -> int:
-    """Index of the first row with two numbers or more, else with one; else of the row below a heading."""
+    """Return the index of the first row with two numbers (or one), or else of the row below the heading."""
     filled = [k for k, (_, cells) in enumerate(rows) if cells]
     for least in (2, 1):
         for k in filled:
@@ -465,12 +466,12 @@ def _is_number(cell: str) -> bool:
 
 
 def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -> list[float]:
-    """Return the coordinates of one row, mm.
+    """Return the coordinates of a row, mm.
 
     Raises
     ------
     InputError
-        Fewer or more cells, or one that is not a finite number.
+        The number of cells is wrong, or a cell is not a finite number.
     """
     if not least <= len(cells) <= most:
         raise InputError(
@@ -500,23 +501,23 @@ _DIGITS = 20_000  # numbers whose digits are looked at
 
 
 def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
-    """Fit curves to measured points, one "x, y" a row; blank rows part one curve from the next.
+    """Fit curves to measured points, "x, y" in each row; blank rows separate curves.
 
-    Columns are parted by commas, semicolons, tabs or blanks, or by the sign that Excel's `sep=;` names. Rows that
-    start with # are remarks. Titles, a heading and a row of units may be above the numbers. Decimals may have
-    commas where those part no columns, or in quotes. A third column is taken when it is constant: points of a plane
-    z = const.
+    Columns are separated by commas, semicolons, tabs or blanks, or by the sign that Excel's `sep=;` defines.
+    Rows that start with # are remarks. Titles, a heading and a row of units may precede the numbers. Decimal
+    commas are allowed in quotes, or if commas do not separate columns. A third column must be constant, for
+    points of a plane z = const.
 
-    A heading that names x and y (or Easting and Northing) among its columns selects them, several times for
-    several curves. It names their unit unless `unit` does: "x (in)", "y [mm]", "x_mm", "x in inches". A heading
-    with a column "distance" or "station" is of a table of offsets: every other column is a curve over that one,
-    called as the column is. Cells may be fractions, "3 1/2", feet and inches, 3' 4 5/8", or feet, inches and
-    eighths, "3-4-5"; where no unit is named, they are inches.
+    A heading that names x and y (or Easting and Northing) selects these columns, several times for several
+    curves. It also names the unit, unless `unit` is given: "x (in)", "y [mm]", "x_mm", "x in inches". A heading
+    with a column "distance" or "station" starts a table of offsets. Every other column is then a curve over
+    that column, with the name of its column. Cells may be fractions, "3 1/2", feet and inches, 3' 4 5/8", or
+    feet, inches and eighths, "3-4-5". Without a unit, these are inches.
 
     Raises
     ------
     InputError
-        A row that is not two or three finite numbers, which is named; too few points; a heading with two units.
+        A row is not two or three finite numbers, there are too few points, or the heading has two units.
     """
     check_tolerance(fit_tolerance, "tolerance for fitting")
     table = PointTable.read(file, unit=unit)
@@ -581,14 +582,14 @@ def _fitted(points: FloatArray, tolerance: float, digits: Provenance, noise: flo
 
 
 def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
-    """Read a control point file: its first line is "degree count", then come `count` lines "x y".
+    """Read a control point file: a line "degree count", then `count` lines "x y".
 
-    Its knots are the whole numbers from -degree to count: a uniform spline, not clamped at its ends.
+    The knots are the integers from -degree to count: a uniform spline, not clamped at its ends.
 
     Raises
     ------
     InputError
-        A first line that does not say degree and count, or other than `count` good points after it.
+        The first line is not degree and count, or it is not followed by `count` valid points.
     """
     scale = look_up_unit(unit or "mm")
     rows = [(n, line.split()) for n, line in enumerate(read_text(file).splitlines(), 1) if line.strip()]
@@ -628,7 +629,7 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
 
 
 def _blocks(rows: Sequence[Row], scale: float) -> list[FloatArray]:
-    """The points (n, 2) of each block of rows, mm."""
+    """Return the points (n, 2) of each block of rows, mm."""
     blocks: list[list[FloatArray]] = [[]]
     for n, cells in rows:
         if not any(cells):

@@ -16,7 +16,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.refusals import FieldName, Length
 
 FileMark: TypeAlias = tuple[int, int, int] | None
-"""What changes when a file does: time, size and number on the disk; None where there is no file."""
+"""Fingerprint of a file: modification time, size and number on the disk; None if there is no file."""
 
 _read: ContextVar[dict[Path, FileMark] | None] = ContextVar("files read", default=None)
 
@@ -26,12 +26,12 @@ UNIT = FieldName("unit")
 """Name of the option and key for the unit of a file, as messages show it."""
 
 LARGEST_FILE = 64 * 2**20
-"""Bytes of a file of curves."""
+"""Largest size of a file of curves, bytes."""
 
 LARGEST_OF_KIND = {".toml": 2 * 2**20} | dict.fromkeys(
     (".obj", ".stl", ".ply", ".step", ".stp", ".brep", ".brp"), 256 * 2**20
 )
-"""Bytes of designs, which are read slowly, and of meshes and bodies, which are large."""
+"""Largest sizes, bytes, of designs, which are read slowly, and of meshes and bodies, which are large."""
 
 
 def require_file(path: str | Path) -> Path:
@@ -141,33 +141,33 @@ def name_source(path: str | Path) -> Iterator[Path]:
 
 
 SMALLEST_SIZE, LARGEST_SIZE = 1e-3, 1e6
-"""Sizes of curves that are read, mm: a thousandth of a millimetre to a kilometre."""
+"""Smallest and largest size of curves that are read, mm."""
 
 FARTHEST = 1e10
-"""Largest coordinate, mm: maps in metres lie thousands of kilometres from their origin."""
+"""Largest coordinate, mm, such as in maps in metres with a distant origin."""
 
 LARGEST_NUMBER = 1e9
-"""Of any option or value in a design, whatever its unit; what it stands for has its own range."""
+"""Largest absolute value of an option or a number in a design, in any unit; most have a smaller range."""
 
 MOST_SHAPES = 20_000
-"""Shapes of a drawing, those of its blocks and clones counted as often as they are shown."""
+"""Largest number of shapes in a drawing, with those of blocks and clones counted for each copy."""
 
 MOST_EDGES = 120_000
-"""Pieces of all curves of one file."""
+"""Largest number of pieces of all curves of a file."""
 
 MOST_CURVES = 5_000
-"""Curves of one file."""
+"""Largest number of curves of a file."""
 
 MOST_PIECES = 3_000
-"""Pieces of one curve, and its control points or measured points over four."""
+"""Largest number of pieces of a curve, and of control points or measured points divided by four."""
 
 MOST_DEGREE = 25
 """Largest degree of a spline."""
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _WRITTEN = re.compile(r"[-+]?(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")
-_PROGRAMS = 6  # significant digits, from which a program may count those instead of decimals
-_EVIDENCE = 2  # of the largest numbers that, not being round, would show all decimals that were written
+_PROGRAMS = 6  # significant digits from which a program may use a fixed number of them instead of decimals
+_EVIDENCE = 2  # number of large numbers that are not multiples of 10 from which their decimals decide
 
 
 def check_places(points: FloatArray) -> FloatArray:
@@ -176,7 +176,7 @@ def check_places(points: FloatArray) -> FloatArray:
     Raises
     ------
     InputError
-        The first that is not.
+        A coordinate is not finite or too far away.
     """
     bad = ~(np.abs(points) <= FARTHEST)
     if bad.any():
@@ -191,7 +191,7 @@ def check_places(points: FloatArray) -> FloatArray:
 
 
 def check_size(points: FloatArray) -> None:
-    """Refuse a curve whose control points (n, d), mm, spread over less or more than any strip does."""
+    """Refuse a curve whose control points (n, d), mm, span less or more than any strip."""
     check_places(points)
     size = float(np.ptp(points, axis=0).max()) if len(points) else 0.0
     if size != 0 and not SMALLEST_SIZE <= size <= LARGEST_SIZE:
@@ -206,9 +206,7 @@ def check_size(points: FloatArray) -> None:
 
 
 def check_count(count: int, most: int, what: str, instead: str) -> int:
-    """Return a count, and refuse it where it is above `most`; the message says `what` it counts and what to do
-    `instead`.
-    """
+    """Return a count of `what`, and refuse it with the advice `instead` if it exceeds `most`."""
     if count > most:
         raise InputError(
             "has {whole} {what}, and at most {most} are read: {instead}",
@@ -232,19 +230,19 @@ def check_degree(degree: int) -> int:
 
 
 def check_tolerance(value: float, name: str = "tolerance") -> float:
-    """Return the tolerance of a reader, mm: how far ends that it joins, or points that it fits, may lie off.
+    """Return the tolerance of a reader for joints and fits, mm.
 
     Parameters
     ----------
     value : float
         From 1e-9 to 1000 mm.
     name : str
-        What the message calls it.
+        Name in the message.
 
     Raises
     ------
     InputError
-        No number, or one outside that range.
+        The value is not a number in that range.
     """
     if not (isinstance(value, int | float | np.number) and 1e-9 <= value <= 1e3):
         raise InputError(
@@ -256,15 +254,15 @@ def check_tolerance(value: float, name: str = "tolerance") -> float:
 
 
 def _whole(number: int) -> str:
-    """A whole number, shortened where it has very many digits."""
+    """Return an integer as text, shortened if it has very many digits."""
     return str(number) if abs(number) < 10**12 else "more than 1e12"
 
 
 def half_last_place(numbers: Iterable[str]) -> float:
-    """Return half a unit of the last digit to which coordinates were written: the most that rounding moved one.
+    """Return half a unit of the last digit of coordinates, which is their largest rounding error.
 
-    Some programs write a fixed number of decimals, without closing zeros, others so many significant digits; the
-    coarsest number of either decides. No number: 0.
+    Some programs write a fixed number of decimals without trailing zeros, and some a fixed number of
+    significant digits. The coarsest number of either kind decides. Without numbers it is 0.
 
     Examples
     --------
@@ -287,7 +285,7 @@ def half_last_place(numbers: Iterable[str]) -> float:
 
 
 def _digits(text: str) -> tuple[float, int, int] | None:
-    """Size, decimals and significant digits of a written number; None for what is none."""
+    """Return the size, decimals and significant digits of a written number, or None for other text."""
     match = _WRITTEN.fullmatch(text.strip())
     if match is None or not (match[1] or match[2]):
         return None

@@ -41,17 +41,16 @@ def read_svg_drawing(
 ) -> DrawnFile:
     """Read the curves of an SVG file with their names and layers, in mm; the arguments are those of `read_drawing`.
 
-    Up on the screen is up: y is minus SVG's y. Bezier curves and arcs stay exact, with all transforms applied; a
-    path of straight lines only is fitted. The size of a user unit follows from width, height and viewBox of the
-    drawing; without a width in mm or the like it is a CSS pixel, 25.4/96 mm, a point, 25.4/72 mm, where Adobe
-    Illustrator drew it, which counts in points and calls them px, and 25.4/90 mm where Inkscape before 0.92
-    did. The origin is the one of the user units. Text,
-    images, definitions and what is not displayed are left out and counted.
+    The y axis points up, so y is minus SVG's y. Bezier curves and arcs stay exact, with all transforms applied.
+    A path of straight lines only is fitted. The size of a user unit follows from width, height and viewBox.
+    Without a width in a physical unit, a user unit is a CSS pixel, 25.4/96 mm. It is a point, 25.4/72 mm, in
+    files of Adobe Illustrator, and 25.4/90 mm in files of Inkscape before 0.92. The origin is that of the user
+    units. Text, images, definitions and hidden shapes are left out and counted.
 
     Raises
     ------
     InputError
-        Not an SVG file, an unknown unit, path data that break off, nothing usable in it.
+        The file is not an SVG file, its unit is unknown, path data are truncated, or it has no usable curve.
     """
     tree = svg_tree(file)
     known, pixel = (ReadUnit.requested(unit), _PX) if unit else _program(tree)
@@ -98,9 +97,9 @@ _OF_INKSCAPE = "its pixels are taken as 90 to the inch, as Inkscape before 0.92 
 
 
 def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
-    """How the unit is known, and the size of a pixel, mm, where the program that drew it has one of its own.
+    """Return the unit with its source, and the size of a pixel, mm, for the program that wrote the file.
 
-    Illustrator and Affinity do without a size in mm or the like, Inkscape before 0.92 without that or a viewBox.
+    Illustrator and Affinity may omit a size in a physical unit; Inkscape before 0.92 may omit it or the viewBox.
     """
     sizes = [(text, read_length(text)) for text in tree.size if text]
     sized = any(length and length[1] in PHYSICAL for _, length in sizes)
@@ -132,7 +131,7 @@ def _is_exported_for_screens(tree: SvgTree) -> bool:
 
 
 def _scale(tree: SvgTree) -> FloatArray:
-    """Millimetres in one user unit along x and y, from width, height and viewBox."""
+    """Return the size of a user unit along x and y, mm, from width, height and viewBox."""
     size = [read_length(text) for text in tree.size]
     box = [float(v) for v in re.findall(NUMBER, tree.root.get("viewBox", ""))]
     if len(box) != 4 or not np.all(np.isfinite(box)) or box[2] <= 0 or box[3] <= 0:
@@ -147,7 +146,7 @@ def _scale(tree: SvgTree) -> FloatArray:
 
 
 def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
-    """The subpaths of all shapes that are shown, mm; `to_mm` (2, 2) maps user units."""
+    """Return the subpaths of all visible shapes, mm; `to_mm` (2, 2) maps user units."""
     try:
         from svgelements import SVG, Shape
     except ImportError as error:
@@ -195,18 +194,18 @@ class _DrawnShape(NamedTuple):
 
 
 class _Shapes:
-    """Reads the shapes of a tree, a path once however many clones show it, and counts what is left out.
+    """Reader of the shapes of a tree, which reads a path once for all its clones and counts what is left out.
 
     Attributes
     ----------
     drawn : set of int
-        Marks of shapes that are shown.
+        Marks of visible shapes.
     unpainted : set of int
         Marks of shapes that have neither a stroke nor a fill.
     clipped : dict
-        Names of shapes of which a clip path or mask may hide a part; the values are None.
+        Names of shapes that a clip path or mask may hide in part; the values are None.
     bad : dict
-        The error of each shape, by its mark, that cannot be read.
+        Errors of shapes that cannot be read, by mark.
     """
 
     def __init__(self, tree: SvgTree) -> None:
@@ -228,7 +227,7 @@ class _Shapes:
         return seen or shapes
 
     def read(self, shape: Any) -> _DrawnShape | None:
-        """What svgelements found, with the path as `path_data` reads it; None where it is hidden or bad."""
+        """Return a shape with its path as `path_data` reads it, or None if it is hidden or invalid."""
         mark = int(shape.values[MARK])
         m = shape.transform
         matrix, offset = np.array([[m.a, m.c], [m.b, m.d]], dtype=float), np.array([m.e, m.f], dtype=float)
@@ -259,7 +258,7 @@ class _Shapes:
         return _DrawnShape(runs, source, matrix, offset)
 
     def _edges(self, mark: int, shape: Any) -> tuple[list[Run], float]:
-        """Subpaths, and half a unit of their coordinates' last digit."""
+        """Return the subpaths, and half a unit of the last digit of their coordinates."""
         source = self.tree.shapes[mark]
         if source.data is None:
             return list(_subpaths(shape.segments(transformed=False))), source.rounding
@@ -269,7 +268,7 @@ class _Shapes:
         return [_with_polylines(run) for run in path.runs], path.rounding
 
     def tell_left_out(self) -> None:
-        """Count hidden and bad shapes among what the tree skips; where all are bad, raise the first error."""
+        """Count hidden and bad shapes among what the tree skips; if all are bad, raise the first error."""
         shapes, skipped = self.tree.shapes, self.tree.skipped
         hidden = {mark for mark, shape in enumerate(shapes) if shape.shown} - self.drawn - self.unpainted
         for kind, marks in (
@@ -285,7 +284,7 @@ class _Shapes:
             skipped[f"{shapes[mark].kind}{name} that {problem}"] += 1
 
     def remarks(self) -> tuple[str, ...]:
-        """Sentences on what a browser shows otherwise than it was read."""
+        """Return messages about shapes that a browser displays differently."""
         clipped = [note(
             "clipped or masked in the drawing, but read whole: {shapes}. Release the clip to see the whole curve, "
             "or cut the path where it is to end",
@@ -306,7 +305,7 @@ def _is_hidden(shape: Any) -> bool:
 
 
 def _paints(values: Mapping[str, str], what: str) -> bool:
-    """Is the stroke, or the fill, of a shape seen?"""
+    """Return True if the stroke or the fill (`what`) of a shape is visible."""
     paint = values[what].strip().lower()
     clear = paint in ("none", "transparent") or _CLEAR.fullmatch(paint)
     sizes = [values.get(f"{what}-opacity"), values.get("stroke-width") if what == "stroke" else None]
@@ -314,7 +313,7 @@ def _paints(values: Mapping[str, str], what: str) -> bool:
 
 
 def _reaches_out(runs: Sequence[Run], box: Box | None, way: str) -> bool:
-    """Is a part of a shape outside of the rectangle that clips it? True where that is not known."""
+    """Return True if a part of a shape is, or may be, outside of the rectangle that clips it."""
     from svgelements import Matrix
 
     if box is None:
@@ -327,7 +326,7 @@ def _reaches_out(runs: Sequence[Run], box: Box | None, way: str) -> bool:
 
 
 def _in_user_units(tree: SvgTree) -> bytes:
-    """The document without the size of its root."""
+    """Return the document without the size of its root."""
     root = tree.root
     box = root.get("viewBox", "").replace(",", " ").split()
     lengths = [read_length(text) for text in tree.size]
@@ -341,7 +340,7 @@ def _in_user_units(tree: SvgTree) -> bytes:
 
 
 def _subpaths(segments: Any) -> Iterator[Run]:
-    """Edges between one Move and the next."""
+    """Return the edges between each Move and the next."""
     run: list[Edge] = []
     for segment in segments:
         kind = type(segment).__name__
@@ -356,14 +355,14 @@ def _subpaths(segments: Any) -> Iterator[Run]:
 
 
 def _with_polylines(run: Sequence[Edge]) -> Run:
-    """Several straight edges and nothing else are one polyline."""
+    """Return several straight edges as a polyline; other runs are unchanged."""
     if len(run) > 1 and all(edge.degree == 1 for edge in run):
         return (Edge.polyline(np.concatenate([run[0].points[:1], *(edge.points[1:] for edge in run)])),)
     return tuple(run)
 
 
 def _edge(kind: str, segment: Any) -> Edge | None:
-    """One side of a basic shape in its own coordinates; None when it has no length."""
+    """Return a side of a basic shape in its coordinates, or None if it has no length."""
     return bezier_edge(_points(segment.start, segment.end)) if kind in ("Line", "Close") else _arc(segment)
 
 
@@ -375,7 +374,7 @@ def _points(*points: Any) -> FloatArray:
 
 
 def _arc(segment: Any) -> Edge | None:
-    """The exact arc through both ends; its centre found anew, for a half turn leaves it ill-conditioned."""
+    """Return the exact arc between both ends; its centre is computed again, to be accurate for half turns."""
     start, end, center, px, py = _points(segment.start, segment.end, segment.center, segment.prx, segment.pry)
     x_axis, y_axis = px - center, py - center
     rx, ry = float(np.hypot(*x_axis)), float(np.hypot(*y_axis))

@@ -17,7 +17,7 @@ from elastica_cad.formats.source_file import MOST_PIECES, NUMBER, check_count, h
 _SPACE = re.compile(r"[\s,]*")
 _NUMBER = re.compile(NUMBER)
 _COUNTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
-_MOST_SEGMENTS = 20 * MOST_PIECES  # of one path, with all its subpaths
+_MOST_SEGMENTS = 20 * MOST_PIECES  # of a path with all its subpaths
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +38,7 @@ class PathData:
 
 @dataclass
 class _Pen:
-    """Where the pen is and what it has drawn."""
+    """Position of the pen, and the edges drawn so far."""
 
     here: FloatArray = field(default_factory=lambda: np.zeros(2))
     start: FloatArray = field(default_factory=lambda: np.zeros(2))
@@ -63,7 +63,7 @@ def path_data(text: str) -> PathData:
     Raises
     ------
     InputError
-        Data that break off or make no sense; it says after what.
+        The data are truncated or invalid; the message includes the position.
 
     Examples
     --------
@@ -86,7 +86,7 @@ def path_data(text: str) -> PathData:
 
 
 def _commands(text: str) -> Iterator[tuple[str, list[str]]]:
-    """Every command with its numbers; repeated ones as often as they are meant."""
+    """Return every command with its numbers, with implicit repetitions."""
     at = _skip(text, 0)
     first = True
     while at < len(text):
@@ -107,7 +107,7 @@ def _commands(text: str) -> Iterator[tuple[str, list[str]]]:
 
 
 def _words(text: str, at: int, kind: str) -> tuple[list[str], int]:
-    """The numbers of one command; the flags of an arc may follow each other without a space."""
+    """Return the numbers of a command; the flags of an arc need no space between them."""
     words = []
     for position in range(_COUNTS[kind]):
         if kind == "A" and position in (3, 4):
@@ -136,7 +136,7 @@ def _broken(text: str, at: int) -> InputError:
 
 
 def _draw(pen: _Pen, kind: str, values: FloatArray, *, relative: bool) -> None:
-    """One command."""
+    """Draw a command."""
     origin = pen.here if relative else np.zeros(2)
     if kind == "Z":
         if np.any(pen.here != pen.start):
@@ -182,7 +182,7 @@ def _draw(pen: _Pen, kind: str, values: FloatArray, *, relative: bool) -> None:
 
 
 def _reflected(pen: _Pen, after: str) -> FloatArray:
-    """The handle of the command before, mirrored at the pen; the pen itself after a command of another kind."""
+    """Return the previous handle mirrored at the pen, or the pen position after a command of another kind."""
     if pen.handle is None or pen.before not in after:
         return pen.here
     return 2 * pen.here - pen.handle
@@ -193,16 +193,14 @@ def _line(start: FloatArray, end: FloatArray) -> Edge | None:
 
 
 def bezier_edge(points: FloatArray) -> Edge | None:
-    """Return a Bezier piece, or a line where its control points follow each other on the chord; None without
-    length.
-    """
+    """Return a Bezier piece, a line if it is straight, or None if it has no length."""
     if not np.any(points != points[0]):
         return None
     return Edge.polyline(points[[0, -1]]) if _is_straight(points) else Edge.bezier(points)
 
 
 def _is_straight(points: FloatArray) -> bool:
-    """Do the control points follow each other on the chord? Drawn-in handles often make straight lines."""
+    """Return True if the control points are in order on the chord, as in lines drawn with handles."""
     chord = points[-1] - points[0]
     along = (points - points[0]) @ chord
     across = (points - points[0]) @ np.array([-chord[1], chord[0]])
@@ -212,12 +210,12 @@ def _is_straight(points: FloatArray) -> bool:
 def _arc_edge(
     start: FloatArray, end: FloatArray, radii: FloatArray, turned: float, *, large: bool, sweep: bool
 ) -> Edge | None:
-    """The exact elliptic arc between two points, its radii enlarged where they do not reach.
+    """Return the exact elliptic arc between two points, with the radii enlarged if they are too small.
 
     Parameters
     ----------
     radii : (2,) array
-        Semi-axes; an arc without one is a line.
+        Semi-axes; if one is 0, the arc is a line.
     turned : float
         Angle of the first axis, rad.
     large, sweep : bool
@@ -234,8 +232,8 @@ def _arc_edge(
 def arc_between(
     start: FloatArray, end: FloatArray, axes: FloatArray, *, large: bool, sweep: bool
 ) -> Edge | None:
-    """The exact arc between two points whose semi-axes are the columns of `axes` (2, 2); see `_arc_edge`."""
-    # in units of the axes: the centre lies on the perpendicular bisector of the chord of a unit circle
+    """Return the exact arc between two points; its semi-axes are the columns of `axes` (2, 2), see `_arc_edge`."""
+    # in units of the axes: the centre is on the perpendicular bisector of the chord of a unit circle
     half = np.linalg.solve(axes, (end - start) / 2)
     reach = float(np.hypot(*half))
     if reach < 1e-12:

@@ -29,9 +29,9 @@ _PROPERTIES = frozenset((
     "clip-path", "mask", "transform", "transform-origin", "transform-box", "d", "x", "y", "width", "height",
     "cx", "cy", "r", "rx", "ry",
 ))  # fmt: skip
-"""Properties that decide which curves are seen, and where."""
+"""Properties that affect the visibility and position of curves."""
 
-_OF_PARENT = ("inherit", "unset")  # values that stand for the one of the element around
+_OF_PARENT = ("inherit", "unset")  # values that mean the value of the parent element
 _SCREEN = re.compile(r"\s*((only\s+)?(all|screen)|not\s+(print|speech))?\s*", re.IGNORECASE)
 _PRINT = re.compile(r"\s*((only\s+)?(print|speech)\b.*|not\s+(all|screen))\s*", re.IGNORECASE)
 _DYNAMIC = re.compile(r"::|:(hover|active|focus|visited|target|before|after)", re.IGNORECASE)
@@ -50,7 +50,7 @@ _SIMPLE = re.compile(
 )
 
 _Steps = list[tuple[str, list[re.Match[str]]]]
-"""A selector from left to right: the combinator before, and the simple selectors of one element."""
+"""Steps of a selector from left to right: the preceding combinator, and the simple selectors of an element."""
 
 
 class _Rule(NamedTuple):
@@ -103,7 +103,7 @@ def _apply_styles(root: Element) -> list[str]:
 
 
 def _rules(sheet: Element) -> Iterator[tuple[str, str, bool]]:
-    """Selectors and declarations of the rules of a sheet, and whether they surely hold on a screen."""
+    """Return selectors and declarations of the rules of a sheet, and whether they always apply on a screen."""
     holds: list[bool | None] = [_holds(sheet.get("media", ""))]  # None: not on a screen, or no rules
     selector = text = ""
     for piece in _PIECE.findall(_COMMENT.sub(" ", "".join(sheet.itertext()))):
@@ -126,13 +126,13 @@ def _rules(sheet: Element) -> Iterator[tuple[str, str, bool]]:
 
 
 def _holds(queries: str) -> bool | None:
-    """Do media queries hold on a screen? None where they are for paper, False where that depends on the screen."""
+    """Return whether media queries apply on a screen: None for print only, False if it depends on the screen."""
     each = queries.split(",")
     return True if any(map(_SCREEN.fullmatch, each)) else None if all(map(_PRINT.fullmatch, each)) else False
 
 
 def _declarations(text: str) -> list[tuple[str, str, bool]]:
-    """The declarations that count here: name, value, and whether it is important."""
+    """Return the relevant declarations: name, value, and True if it is important."""
     found = []
     for name, written in _DECLARATION.findall(_COMMENT.sub(" ", text)):
         value, _, important = written.partition("!")
@@ -143,7 +143,7 @@ def _declarations(text: str) -> list[tuple[str, str, bool]]:
 
 
 def _steps(selector: str) -> _Steps | None:
-    """The steps of a selector; None of one that is not evaluated."""
+    """Return the steps of a selector, or None if it is not supported."""
     steps: _Steps = [("", [])]
     at = 0
     while at < len(selector):
@@ -159,14 +159,14 @@ def _steps(selector: str) -> _Steps | None:
 
 
 def _rank(part: re.Match[str]) -> int:
-    """What a simple selector counts as: 0 an id, 1 a class, attribute or place, 2 a kind, 3 nothing."""
+    """Return the rank of a simple selector: 0 for id, 1 for class, attribute or place, 2 for kind, 3 for "*"."""
     if part["name"] == "*":
         return 3
     return {"#": 0, "": 2}.get(part["kind"], 1) if part["name"] else 1
 
 
 def _key(part: re.Match[str]) -> str:
-    """What an element must have for a selector to match: its id, class or kind, or "*" for any."""
+    """Return the id, class or kind that an element needs to match, or "*" for any element."""
     return part["kind"] + _unescaped(part["name"]) if part["name"] else "*"
 
 
@@ -179,7 +179,7 @@ def _kind(element: Element) -> str:
 
 
 class _Tree:
-    """The elements of a document, with what is around and before each."""
+    """The elements of a document, with their parents and preceding siblings."""
 
     def __init__(self, root: Element) -> None:
         self.elements = list(root.iter())
@@ -189,10 +189,10 @@ class _Tree:
             for parent in self.elements
             for before, after in zip(parent, list(parent)[1:], strict=False)
         }
-        self.after = set(self.before.values())  # elements that another one follows
+        self.after = set(self.before.values())  # elements with a following sibling
 
     def matches(self, element: Element, steps: _Steps) -> bool:
-        """Does a selector select the element?"""
+        """Return True if a selector matches the element."""
         found, combinator = {element}, None
         for before, parts in reversed(steps):
             if combinator is not None:
@@ -213,7 +213,7 @@ class _Tree:
                 here = None if once else way.get(here)
 
     def _has(self, element: Element, part: re.Match[str]) -> bool:
-        """Does one simple selector hold?"""
+        """Return True if a simple selector matches the element."""
         if part["place"]:
             place = part["place"].lower()
             if element not in self.around or place == "root":
@@ -239,10 +239,10 @@ class _Tree:
 
 _LENGTH = re.compile(rf"\s*({NUMBER}|[-+]?\d+,\d+)\s*([a-z]*)\s*", re.IGNORECASE)
 PHYSICAL = {"pc": MM_PER_INCH / 6, "q": 0.25} | {unit: MILLIMETRES[unit] for unit in ("pt", "mm", "cm", "in")}
-"""Millimetres in one of each unit that is not a pixel."""
+"""Size of units other than the pixel, mm."""
 
 _MM = PHYSICAL | {"px": MILLIMETRES["px"], "": MILLIMETRES["px"]}
-_MM |= dict.fromkeys(("em", "rem"), 16 * _MM["px"])  # of a font that nobody chose
+_MM |= dict.fromkeys(("em", "rem"), 16 * _MM["px"])  # of the default font
 _LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 
 
@@ -252,7 +252,7 @@ def tag(element: ElementTree.Element) -> str:
 
 
 def read_length(text: str | None) -> tuple[float, str] | None:
-    """Return a length in mm and its unit in small letters; None for percentages and what is no length.
+    """Return a length in mm and its lower-case unit, or None for percentages and other text.
 
     Examples
     --------
@@ -266,7 +266,7 @@ def read_length(text: str | None) -> tuple[float, str] | None:
 
 
 def _linked_id(element: ElementTree.Element) -> str:
-    """The id in this file that it refers to; "" without one."""
+    """Return the id in this file that the element links to, or ""."""
     link = next((text for name in _LINKS if (text := element.get(name))), "")
     return link[1:] if link.startswith("#") else ""
 
@@ -324,7 +324,7 @@ def _fit_views(root: ElementTree.Element) -> None:
 
 
 def _resolve(element: ElementTree.Element, around: Extent) -> None:
-    """Percentages of an element in user units; of a radius they are of the diagonal over the root of two."""
+    """Convert percentages of an element to user units; those of a radius refer to the diagonal / sqrt(2)."""
     for name in (*_ALONG, "r"):
         share = _SHARE.fullmatch(element.get(name, ""))
         if share:
@@ -340,13 +340,13 @@ def _resolve(element: ElementTree.Element, around: Extent) -> None:
 
 
 def _origin(word: str, whole: float) -> float:
-    """One coordinate of the origin of a transform."""
+    """Return a coordinate of the origin of a transform."""
     share = _SHARE.fullmatch(_ORIGINS.get(word, word))
     return float(share[1]) * whole / 100 if share else _size(word, 0.0)
 
 
 def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Extent:
-    """Width and height: those of the clone, else the drawing's own, else all that is around."""
+    """Return the width and height of the clone, or else of the drawing, or else of the surroundings."""
     width, height = (
         _size(shown.get(side) or view.get(side), whole)
         for side, whole in zip(("width", "height"), around, strict=True)
@@ -355,7 +355,7 @@ def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent
 
 
 def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Fit:
-    """How `view` stands in the box of `shown`, itself or a clone of it."""
+    """Return the fit of `view` in the box of `shown`, which is `view` or a clone of it."""
     box, sides = _box(view), _sides(shown, view, around)
     at = [_size(shown.get(axis), whole, default=0.0) for axis, whole in zip("xy", around, strict=True)]
     if box is None:
@@ -378,7 +378,7 @@ def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) 
 
 
 def _over(asked: Fit, own: Fit, target: ElementTree.Element) -> Fit:
-    """What, before the drawing's own fit, comes to the one asked for by its clone."""
+    """Return the transform that changes the drawing's fit `own` to the fit `asked` of its clone."""
     if not (own[0] and own[1]):
         return 0.0, 0.0, 0.0, 0.0
     start = [_size(target.get(axis), 0.0, default=0.0) for axis in "xy"]
@@ -388,7 +388,7 @@ def _over(asked: Fit, own: Fit, target: ElementTree.Element) -> Fit:
 
 
 def _place(element: ElementTree.Element, fit: Fit) -> None:
-    """Write the fit as a transform, in place of the box."""
+    """Replace the box by a transform with the fit."""
     numbers = " ".join(map(repr, (fit[0], 0.0, 0.0, *fit[1:])))
     element.set("transform", f"{element.get('transform', '')} matrix({numbers})".strip())
     for name in ("x", "y", "width", "height", "viewBox", "preserveAspectRatio"):
@@ -396,7 +396,7 @@ def _place(element: ElementTree.Element, fit: Fit) -> None:
 
 
 def _box(element: ElementTree.Element) -> tuple[float, float, float, float] | None:
-    """The numbers of a viewBox that has a size."""
+    """Return the numbers of a viewBox, or None if it has no size."""
     box = tuple(float(v) for v in re.findall(NUMBER, element.get("viewBox", "")))
     if len(box) != 4 or not (0 < box[2] < 1e15 and 0 < box[3] < 1e15):
         return None
@@ -404,7 +404,7 @@ def _box(element: ElementTree.Element) -> tuple[float, float, float, float] | No
 
 
 def _size(text: str | None, whole: float, default: float | None = None) -> float:
-    """A length in user units; `whole`, all of its side, is what none means unless told."""
+    """Return a length in user units; if there is none, `default` or else `whole`, the full side."""
     length = read_length(text)
     if length is None:
         return whole if default is None else default
@@ -429,7 +429,7 @@ _NO_CURVES = ("text", "image", "foreignObject", "flowRoot", "switch")
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 
 _LABELS = (f"{_INKSCAPE}label", "data-name", "{http://www.serif.com/}id")
-"""Attributes in which Inkscape, Illustrator and Affinity keep the name of a shape as a person wrote it."""
+"""Attributes that contain the name of a shape given by a person in Inkscape, Illustrator and Affinity."""
 
 _KIND = re.compile(
     r"""((path|rect(angle)?|circle|ellipse|oval|line|polyline|polygon|vector|shape|spline|bspline|bezcurve|d?wire|sketch
@@ -456,13 +456,13 @@ _DEEPEST = 200  # elements within elements
 _MOST_ELEMENTS = 5 * MOST_SHAPES  # once clones are put in place: groups and texts take time too
 _MOST_TEXT = 64 * 2**20  # characters once clones are put in place
 MARK = "data-shape"
-"""The attribute that says which shape of the tree an expanded one is."""
+"""Attribute with the number of the shape in the tree, for expanded clones."""
 
 CLIPPED = "data-clipped"
-"""The attribute of a clone that is clipped or masked, with all that it shows."""
+"""Attribute of a clone that is clipped or masked."""
 
 CLONE = "data-clone-"
-"""Begins the attributes with the numbers of clones; a shape within clones has them all, the outermost first."""
+"""Prefix of attributes with the numbers of clones; a shape in nested clones has all, the outermost first."""
 
 
 @dataclass(frozen=True)
@@ -495,7 +495,7 @@ class Name:
 
 @dataclass(frozen=True)
 class Shape:
-    """A shape as the file holds it.
+    """A shape in the file.
 
     Attributes
     ----------
@@ -503,16 +503,16 @@ class Shape:
         "path", "circle", ...
     name : Name
     layer : str
-        The label of its layer in Inkscape.
+        Label of its layer in Inkscape.
     data : str or None
         The path data of a path.
     rounding : float
-        Half a unit of the last digit of what its size is written with; of a path 0.
+        Half a unit of the last digit of its size attributes; 0 for a path.
     shown : bool
-        Does it stand where shapes are shown, not among definitions?
+        True if it is not inside definitions or other hidden elements.
     clips : tuple of (box, str)
-        What clips or masks it: low x, low y, high x, high y of a rectangle, None of any other area; and the
-        transforms from the shape to it.
+        Clip paths and masks: low x, low y, high x, high y of a rectangle, or None for any other area, with the
+        transforms from the shape to the area.
     """
 
     kind: str
@@ -572,12 +572,12 @@ def svg_tree(path: Path) -> SvgTree:
 
 
 def _open_svg(path: Path) -> BinaryIO:
-    """The file, unpacked where it is packed (.svgz).
+    """Open the file, and unpack it if it is compressed (.svgz).
 
     Raises
     ------
     InputError
-        It cannot be unpacked, or comes to more than is read.
+        The file cannot be unpacked, or is too large.
     """
     file = path.open("rb")
     if file.read(2) != _PACKED:
@@ -620,7 +620,7 @@ def _read_head(file: BinaryIO) -> str:
             found.append(text)
 
     parser.EntityDeclHandler, parser.StartElementHandler, parser.CommentHandler = declare, begin, comment
-    with suppress(ExpatError, LookupError):  # no XML: whoever reads all of it says so
+    with suppress(ExpatError, LookupError):  # not XML: the parser of the whole file reports it
         while elements < 2 and (data := file.read(_HEAD)):
             parser.Parse(data)
     file.seek(0)
@@ -628,7 +628,7 @@ def _read_head(file: BinaryIO) -> str:
 
 
 def _refuse_bombs(tree: SvgTree) -> None:
-    """Count what clones (`use`) come to, and take out those that refer to themselves."""
+    """Count the shapes that clones (`use`) expand to, and remove clones that refer to themselves."""
     order: list[tuple[ElementTree.Element, int]] = [(tree.root, 0)]
     for element, depth in order:  # grows while it is walked: parents before children
         if depth > _DEEPEST:
@@ -675,7 +675,7 @@ def _refuse_bombs(tree: SvgTree) -> None:
 
 
 def _cloned(root: ElementTree.Element, wanted: set[str]) -> dict[str, ElementTree.Element]:
-    """What clones stand for: the first of each name, as browsers have it; later ones lose a name that is taken."""
+    """Return the first element of each id that clones refer to; delete the id of later duplicates."""
     named: dict[str, ElementTree.Element] = {}
     for element in root.iter():
         name = element.get("id")
@@ -685,7 +685,7 @@ def _cloned(root: ElementTree.Element, wanted: set[str]) -> dict[str, ElementTre
 
 
 def _mark(tree: SvgTree) -> None:
-    """Name every shape by its number, take the path data out, write lengths such as 10mm as user units."""
+    """Mark every shape with its number, remove path data, and write lengths such as 10mm in user units."""
     areas = {
         e.get("id"): _rectangle(e) for e in reversed([*tree.root.iter()]) if tag(e) in ("clipPath", "mask")
     }
@@ -738,13 +738,13 @@ _AREAS = ("clip-path", "mask")
 
 
 def _referred(text: str) -> str:
-    """The id in `url(#id)`; "" without one."""
+    """Return the id in `url(#id)`, or ""."""
     match = re.match(r"""url\(\s*["']?#([^"')]*)""", text)
     return match[1].strip() if match else ""
 
 
 def _rectangle(area: ElementTree.Element) -> Box | None:
-    """The one upright rectangle that a clip path consists of; None of any other."""
+    """Return the rectangle if a clip path is a single upright rectangle, else None."""
     shapes = [child for child in area if tag(child) in (*_SHAPES, "use", "text", "g")]
     written = {name for element in (area, *shapes) for name in element.attrib}
     if tag(area) != "clipPath" or len(shapes) != 1 or written & {"transform", "clipPathUnits", *_AREAS}:

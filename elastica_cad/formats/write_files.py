@@ -72,16 +72,16 @@ def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
 def write_atomically(
     path: str | os.PathLike[str], content: bytes | Callable[[BinaryIO], None], force: bool = False
 ) -> Path:
-    """Write a file under a temporary name beside its place, then rename it: no file is ever half written.
+    """Write a file under a temporary name in its folder, then rename it, so that no incomplete file remains.
 
-    A program that is killed while it writes may leave the file of that temporary name.
+    If a program is killed while it writes, the file with the temporary name may remain.
 
     Parameters
     ----------
     path : path-like
         The file.
     content : bytes, or callable
-        The bytes, or a function that writes them to the open binary file it is given.
+        The bytes, or a function that writes them to an open binary file.
     force : bool
         Overwrite a file of that name.
 
@@ -93,7 +93,7 @@ def write_atomically(
     Raises
     ------
     InputError
-        As `check_target`; or there is no permission or no room.
+        As `check_target`, or there is no permission or no free space.
 
     Examples
     --------
@@ -140,29 +140,29 @@ def reason(error: OSError) -> str:
 def write_together(
     folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False
 ) -> Iterator[Path]:
-    """Give a temporary folder whose files move to `folder` only when the whole block has succeeded.
+    """Return a temporary folder whose files move to `folder` only if the whole block succeeds.
 
-    A folder that is not there yet appears in one step. Into one that is there the files move one after the other;
-    after an error, or Ctrl-C, the new ones among those that were moved are taken back.
+    A new folder appears in a single step. If the folder exists, the files move one by one. After an error or
+    Ctrl-C, the new files among the moved files are removed.
 
     Parameters
     ----------
     folder : path-like
-        Where the files are to be; made if need be.
+        Target folder; created if it does not exist.
     names : iterable of str
-        File names that the block will write into the folder it is given, in folders of their own where they have /.
+        Names of the files that the block writes into the temporary folder, in subfolders if they contain /.
     force : bool
         Overwrite files of those names.
 
     Yields
     ------
     Path
-        The temporary folder, on the same disk. If a program is killed, a later one removes it after a day.
+        The temporary folder, on the same disk. If a program is killed, a later program removes it after a day.
 
     Raises
     ------
     InputError
-        `folder` is a file or can't be made, or a file exists and `force` is not set: before the block runs.
+        Before the block runs: `folder` is a file or can't be created, or a file exists and `force` is not set.
 
     Examples
     --------
@@ -266,14 +266,14 @@ _OURS = b"elastica_cad writes files here\n"
 """Content of a lock file."""
 
 _STALE_S = 24 * 3600
-"""Age from which on the temporary folder of a dead process is removed."""
+"""Age, s, of temporary folders of dead processes that are removed."""
 
 
 @contextmanager
 def _workshop(ground: Path, above: Path) -> Iterator[Path]:
-    """Give a folder within a temporary one in `ground`, which is locked and removed at the end.
+    """Provide a folder in a locked temporary folder in `ground`, which is removed at the end.
 
-    Folders there and in `above` that killed processes left more than a day ago are removed first.
+    Temporary folders there and in `above` that killed processes left more than a day ago are removed first.
     """
     for place in {ground, above}:
         for old in place.glob(".elastica-*"):
@@ -328,7 +328,7 @@ def _take(lock: BinaryIO | FileIO) -> None:
 
 @contextmanager
 def _refusals(folder: str | os.PathLike[str]) -> Iterator[None]:
-    """What the system refuses, as a sentence."""
+    """Convert errors of the file system to InputError."""
     try:
         yield
     except OSError as problem:
@@ -353,9 +353,9 @@ def _about_its_own_files(workshop: Path) -> Iterator[None]:
 
 
 def _places(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool) -> tuple[Path, Path]:
-    """The folder with links followed, checked, and the lowest of those above it that is there."""
+    """Return the checked real path of the folder, and its nearest existing parent."""
     target = Path(os.path.realpath(os.fspath(folder)))
-    # a folder that may not be looked into, or a name that no disk takes, is found here already
+    # unreadable folders and invalid names raise OSError here
     if target.exists() and not target.is_dir():
         raise InputError(
             "{folder} is a file, not a folder: choose another folder for the files", folder=folder
@@ -365,7 +365,7 @@ def _places(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool
 
 
 def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) -> None:
-    """All files to their places."""
+    """Move all files to their folder."""
     _check(target, names, force=force)  # another may have come first
     if not target.exists():
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -386,7 +386,7 @@ def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) ->
 
 
 def _check(target: Path, names: Iterable[str], *, force: bool) -> None:
-    """Refuse files that are there already, or stand where a folder is to be."""
+    """Refuse existing files, and files in place of folders."""
     for path in (target / name for name in names):
         files = [one for one in path.parents if one.exists() and not one.is_dir()]
         if files:

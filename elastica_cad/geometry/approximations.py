@@ -19,14 +19,14 @@ from elastica_cad.refusals import Length
 Motion = Callable[[FloatArray, int, bool], FloatArray]
 
 _PROBES = np.array([0.06, 0.2, 0.36, 0.5, 0.64, 0.8, 0.94])
-"""Places of a span at which the error is measured, in shares of the span: unlike the sites, unevenly spaced."""
+"""Fractions of a span at which the error is measured; spaced unevenly, unlike the sites."""
 
 _MOST_SPANS = 20_000
 """Largest number of spans; a tolerance that needs more is refused."""
 
 
 def as_cubics(path: Path, tolerance: float = 0.02, *, rational: bool = True) -> Path:
-    """The path with every spline of degree 3 at most and clamped; what already is stays exact.
+    """Return the path with clamped splines of degree 3 at most; splines that are already so stay exact.
 
     Parameters
     ----------
@@ -65,9 +65,9 @@ def _as_cubic(segment: Segment, tolerance: float, rational: bool) -> Segment:
 
 
 def as_beziers(path: Path) -> Path:
-    """The path with every spline as joined cubic Bezier curves: the same curve, each interior knot three times.
+    """Return the same path with every spline as joined cubic Bezier curves: each interior knot three times.
 
-    Splines are of degree 3 at most, as `as_cubics` makes them.
+    The splines must have degree 3 at most, as those of `as_cubics`.
 
     Examples
     --------
@@ -95,7 +95,7 @@ def _joined_beziers(curve: PlaneCurve) -> PlaneCurve:
 
 
 def _raised(rows: FloatArray) -> FloatArray:
-    """Homogeneous control points (n, 3) of one Bezier curve, those of degree 1 and 2 raised to 3."""
+    """Return homogeneous control points (n, 3) of a Bezier curve, with degree 1 or 2 raised to 3."""
     while (degree := len(rows) - 1) < 3:
         share = np.arange(1, degree + 1)[:, None] / (degree + 1)
         rows = np.concatenate([rows[:1], share * rows[:-1] + (1 - share) * rows[1:], rows[-1:]])
@@ -103,7 +103,7 @@ def _raised(rows: FloatArray) -> FloatArray:
 
 
 def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ...]:
-    """The distinct knots of a curve, a row (k,) for each stretch that has `continuity` continuous derivatives.
+    """Return the distinct knots (k,) of each stretch of a curve with `continuity` continuous derivatives.
 
     The last knot of a stretch is the first of the next.
 
@@ -123,9 +123,9 @@ def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ..
 
 
 def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: float) -> PlaneCurve:
-    """The clamped cubic B-spline that follows `motion` to `tolerance` mm at equal parameters.
+    """Return the clamped cubic B-spline that follows `motion` to `tolerance` mm at equal parameters.
 
-    It passes through the motion at the knots and has its direction at the ends of every stretch.
+    The spline interpolates the motion at the knots and has its direction at the ends of every stretch.
 
     Parameters
     ----------
@@ -133,7 +133,7 @@ def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: 
         Maps parameters (n,), order (0 or 1) and side (True: the left limit) to positions or derivatives
         (n, 2); smooth inside each stretch.
     stretches : tuple of arrays
-        Sites from which each stretch is refined; the end of one is the start of the next.
+        Initial sites of each stretch; the last site of a stretch is the first site of the next stretch.
     """
     knots: list[FloatArray] = []
     points: list[FloatArray] = []
@@ -146,7 +146,7 @@ def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: 
 
 
 def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tuple[FloatArray, FloatArray]:
-    """Knots and control points of one stretch: interpolating, with end slopes, refined as needed."""
+    """Return knots and control points of the spline that interpolates a stretch with its end slopes."""
     ends = np.concatenate([motion(sites[:1], 1, False), motion(sites[-1:], 1, True)])
     while sites.size <= _MOST_SPANS:
         knots = clamped_knots(sites, {}, 3)
@@ -172,23 +172,23 @@ def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tup
 
 
 _ROUNDING_SHARE = 1e-12
-"""A chord shorter than this share of its coordinates has no direction."""
+"""Fraction of its coordinates below which a chord has no direction."""
 
 _SHORTEST_SHARE = 1e-6
-"""Splines are never cut into pieces shorter than this part of their parameter."""
+"""Shortest piece of a spline, as a fraction of its parameter range."""
 
 _SAMPLES = np.linspace(0.0, 1.0, 33)
-"""Places on a piece of a spline at which a biarc is compared with it."""
+"""Fractions of a spline piece at which a biarc is compared with it."""
 
 _TAKEN = 0.95
-"""Share of the tolerance that is used, since samples may miss the worst place."""
+"""Fraction of the tolerance that is used, because samples may miss the largest error."""
 
 _NEAR = 0.05
-"""A biarc may be shorter than the longest possible one by this share."""
+"""Fraction by which a biarc may be shorter than the longest possible biarc."""
 
 
 def as_polyline(path: Path, tolerance: float = 0.02) -> Path:
-    """The path as lines between points on it, nowhere further than `tolerance` mm from it.
+    """Return the path as lines between points on it, at most `tolerance` mm from it.
 
     Examples
     --------
@@ -200,7 +200,7 @@ def as_polyline(path: Path, tolerance: float = 0.02) -> Path:
 
 
 def as_arcs(path: Path, tolerance: float = 0.02) -> Path:
-    """The path with every spline replaced by tangent arcs (biarcs), nowhere further than `tolerance` mm away.
+    """Return the path with every spline replaced by tangent arcs (biarcs) at most `tolerance` mm away.
 
     Lines and arcs are kept. Each biarc meets the spline's points and directions at its ends.
 
@@ -229,7 +229,7 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
             start = a, spline.tangent_at(a)
             b, found = _longest(spline, start, end, tolerance)
             if end - b < 0.5 * (b - a) and b < end:
-                # two pieces of like size rather than a stump at the end
+                # two pieces of similar size instead of a very short last piece
                 middle = (a + end) / 2
                 shorter, off = _biarc(spline, start, middle)
                 b, found = (middle, shorter) if off <= _TAKEN * tolerance else (b, found)
@@ -241,7 +241,7 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
 def _longest(
     spline: Spline, start: tuple[float, FloatArray], end: float, tolerance: float
 ) -> tuple[float, list[Segment]]:
-    """The furthest place b, to a twentieth, and the biarc up to there that stays within the tolerance."""
+    """Return the largest parameter b (to 5 %) and the biarc up to it that stays within the tolerance."""
     allowed = _TAKEN * tolerance
     pieces, off = _biarc(spline, start, end)
     if off <= allowed:
@@ -265,7 +265,7 @@ def _longest(
 
 
 def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[list[Segment], float]:
-    """The biarc from a place, with its direction, to u = b with equal tangent lengths, and how far it strays."""
+    """Return the biarc from `start` to u = b with equal tangent lengths, and its largest error, mm."""
     a, s = start
     samples = spline.at(a + (b - a) * _SAMPLES)
     p, q = samples[0], samples[-1]
@@ -274,7 +274,7 @@ def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[l
     along, bend = float(chord @ (s + t)), float(2 * (1 - s @ t))
     square = float(chord @ chord)
     if along <= _ROUNDING_SHARE * float(np.abs([p, q]).max()):
-        return [], np.inf  # backwards, or once round a loop
+        return [], np.inf  # the chord runs backwards, or the spline is a loop
     # positive root of bend d^2 + 2 along d = square, in the form that holds for bend = 0 too
     d = square / (along + np.sqrt(along**2 + bend * square))
     middle = (p + d * s + q - d * t) / 2
@@ -284,6 +284,6 @@ def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[l
 
 
 def _arc(p: FloatArray, q: FloatArray, tangent: FloatArray, end: float) -> Segment:
-    """The arc from p to q that has `tangent` at p (end = 1) or at q (end = -1)."""
+    """Return the arc from p to q with `tangent` at p (end = 1) or at q (end = -1)."""
     half_turn = end * float(turn_between(tangent, q - p))
     return segment_from_bulge(p, q, float(np.tan(half_turn / 2)))

@@ -10,25 +10,25 @@ from numpy.polynomial import chebyshev
 from elastica_cad._types import FloatArray, IntArray
 
 _DEGREE = 15
-"""Degree of the Chebyshev series that represents the speed on one panel."""
+"""Degree of the Chebyshev series of the speed on each panel."""
 
 _FINE = 1e-14
-"""Last coefficients smaller than this, relative to the speed, are rounding errors."""
+"""Size of the last coefficients, relative to the speed, below which they are rounding errors."""
 
 _NOISE_SHARE = 1e-8
-"""Coefficients smaller than this, relative to the speed, are rounding errors if halving the panel does not
+"""Size of coefficients, relative to the speed, below which they are rounding errors if halving the panel does not
 reduce them."""
 
 _NARROWEST = 2.0**-40
-"""Narrowest panel, as a share of the whole: one this narrow is as wide as rounding errors."""
+"""Narrowest panel, as a fraction of the parameter range; halving it further gives rounding errors only."""
 
-_NEWTON_STEPS = 40  # three are usual; as many only where the curve almost stands still
+_NEWTON_STEPS = 40  # three are usual; as many only where the speed is almost 0
 
 _SITES = chebyshev.chebpts1(_DEGREE + 1)
 _TO_SERIES = np.linalg.inv(chebyshev.chebvander(_SITES, _DEGREE)).T
 _INTEGRATE = np.asarray(chebyshev.chebint(np.eye(_DEGREE + 1), lbnd=-1, axis=0), dtype=float).T
 _PLACES = np.linspace(-1.0, 1.0, 17)
-"""Places in a panel at which the arc length is tabulated, as starting points for Newton's method."""
+"""Positions in a panel at which the arc length is tabulated, as starting points for Newton's method."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,14 +50,14 @@ class ArcLength:
     series: FloatArray
 
     def length_at(self, t: FloatArray) -> FloatArray:
-        """Arc lengths (n,) of parameters (n,)."""
+        """Return arc lengths (n,) at parameters (n,)."""
         panel = np.searchsorted(self.t[1:-1], t, side="right")
         x = np.clip(2 * (t - self.t[panel]) / np.diff(self.t)[panel] - 1, -1.0, 1.0)
         s = self.s[panel] + chebyshev.chebval(x, self.series.T[:, panel], tensor=False)
         return np.asarray(np.where(x <= -1, self.s[panel], np.where(x >= 1, self.s[panel + 1], s)))
 
     def parameter_at(self, s: FloatArray) -> FloatArray:
-        """Parameters (n,) of arc lengths (n,), by Newton's method between the tabulated places beside them."""
+        """Return parameters (n,) at arc lengths (n,), by Newton's method between tabulated values."""
         places, reached = self._table
         cell = np.searchsorted(reached[1:-1], s, side="right")
         panel = cell // (_PLACES.size - 1)
@@ -73,7 +73,7 @@ class ArcLength:
             following = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
             step = np.abs(following - x).max(initial=0.0)
             x = following
-            if step < 1e-7:  # the error after it is the square of this
+            if step < 1e-7:  # the error after this step is its square
                 break
         t = self.t[panel] + np.diff(self.t)[panel] * (1 + x) / 2
         return np.asarray(np.where(s <= 0, self.t[0], np.where(s >= self.s[-1], self.t[-1], t)))
@@ -85,7 +85,7 @@ class ArcLength:
 
     @cached_property
     def _table(self) -> tuple[FloatArray, FloatArray]:
-        """Places over all panels, each 2 wide, and the arc length there, which does not fall."""
+        """Positions over all panels, each 2 wide, and the arc length there, which never decreases."""
         panels = len(self.series)
         inside = self.series @ chebyshev.chebvander(_PLACES[:-1], _DEGREE + 1).T + self.s[:-1, None]
         places = (2.0 * np.arange(panels)[:, None] + _PLACES[:-1]).ravel()
@@ -96,8 +96,8 @@ class ArcLength:
 def arc_length_table(speed: Callable[[IntArray, FloatArray], FloatArray], edges: FloatArray) -> ArcLength:
     """Tabulate the integral of `speed` over the spans between `edges`.
 
-    Panels are halved until the last Chebyshev coefficients of the speed are rounding, which is where halving no
-    longer helps when the parameters themselves are large beside their domain.
+    Panels are halved until the last Chebyshev coefficients of the speed are rounding errors. If the parameters
+    are large compared with their range, halving stops where it no longer reduces these coefficients.
 
     Parameters
     ----------

@@ -24,25 +24,25 @@ class Constraint(Protocol):
     """Equations that the control points of a curve must satisfy."""
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Residuals (k,) and their derivatives (k, 2 m) by the control points, x and y of each in turn."""
+        """Return residuals (k,) and their derivatives (k, 2 m) by x and y of each control point in turn."""
 
 
 @dataclass(frozen=True, eq=False)
 class EndPositions:
-    """The ends of the curve stay at given points (2,), mm; None leaves an end free."""
+    """Fixed end points (2,), mm; None leaves an end free."""
 
     start: FloatArray | None
     end: FloatArray | None
 
     @classmethod
     def of(cls, curve: PlaneCurve) -> "EndPositions":
-        """Both ends stay where they are on `curve`."""
+        """Return the constraint that keeps both ends of `curve`."""
         require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
         start, end = curve.evaluate(np.array(curve.domain))
         return cls(start, end)
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Gaps in x and y of the ends that are held, mm."""
+        """Return the x and y distances of the fixed ends from their points, mm."""
         held = [(t, p) for t, p in zip(curve.domain, (self.start, self.end), strict=True) if p is not None]
         if not held:
             return np.zeros(0), np.zeros((0, curve.control_points.size))
@@ -53,14 +53,14 @@ class EndPositions:
 
 @dataclass(frozen=True, eq=False)
 class EndTangents:
-    """The end tangents stay normal to given vectors (2,); None leaves an end free."""
+    """Fixed end tangents, given by their normal vectors (2,); None leaves an end free."""
 
     start_normal: FloatArray | None
     end_normal: FloatArray | None
 
     @classmethod
     def of(cls, curve: PlaneCurve) -> "EndTangents":
-        """Both tangents stay as they are on `curve`."""
+        """Return the constraint that keeps both end tangents of `curve`."""
         require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
         velocity = curve.evaluate(np.array(curve.domain), 1)
         unit = velocity / np.linalg.norm(velocity, axis=1, keepdims=True)
@@ -68,7 +68,7 @@ class EndTangents:
         return cls(start, end)
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Normal parts of the velocities d/dt at the ends that are held."""
+        """Return the normal components of the velocities d/dt at the fixed ends."""
         ends = zip(curve.domain, (self.start_normal, self.end_normal), strict=True)
         held = [(t, n) for t, n in ends if n is not None]
         if not held:
@@ -80,14 +80,14 @@ class EndTangents:
 
 @dataclass(frozen=True, eq=False)
 class SmoothJoints:
-    """The tangent stays continuous where pieces meet in a control point, as those of a pen's path do.
+    """Continuous tangents where pieces meet in a control point.
 
     Attributes
     ----------
     at : (k,) array
-        Which control points pieces meet in.
+        Indices of the control points in which pieces meet.
     size : (k,) array
-        Lengths, mm, that make lengths of the residuals.
+        Lengths, mm, by which cross products of handles are divided, so that residuals are lengths.
     """
 
     at: IntArray
@@ -95,7 +95,7 @@ class SmoothJoints:
 
     @classmethod
     def of(cls, curve: PlaneCurve) -> "SmoothJoints":
-        """The joints of `curve`, but for its corners."""
+        """Return the constraint for all joints of `curve` except its corners."""
         corners = {corner.t for corner in curve.tangent_breaks}
         free = [one.t for one in curve.breaks if one.t not in corners]
         first = np.searchsorted(curve.knots, free, side="left")
@@ -105,7 +105,7 @@ class SmoothJoints:
         return cls(at, handle)
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Distance, mm, of the control point before a joint from the tangent after it."""
+        """Return the distance, mm, of the control point before each joint from the tangent after the joint."""
         points, at = curve.control_points, self.at
         before, after = points[at] - points[at - 1], points[at + 1] - points[at]
         residual = cross(before, after) / self.size
@@ -118,12 +118,12 @@ class SmoothJoints:
 
 @dataclass(frozen=True)
 class FixedLength:
-    """The arc length stays `length`, mm."""
+    """Fixed arc length `length`, mm."""
 
     length: float
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Excess length, mm; the derivative by q_i is the integral of <gamma' / |gamma'|, dR_i/dt>."""
+        """Return the excess length, mm; its derivative by q_i is the integral of <gamma' / |gamma'|, dR_i/dt>."""
         low, width = curve.smooth_panels[:-1], np.diff(curve.smooth_panels)
         x, w = gauss_rule(16)
         t = (low[:, None] + width[:, None] * (1 + x) / 2).ravel()
@@ -136,9 +136,9 @@ class FixedLength:
 
 @dataclass(frozen=True, eq=False)
 class InflectionsOnLine:
-    """The inflections near parameters `t` (k,) lie on the line a + <b, x> = 0.
+    """Inflections near parameters `t` (k,) that are on the line a + <b, x> = 0.
 
-    With a natural curvature, 1/mm, they are the places where the curvature crosses that.
+    With a natural curvature, 1/mm, inflections are the points where the curvature crosses the natural curvature.
     """
 
     a: float
@@ -147,7 +147,7 @@ class InflectionsOnLine:
     natural_curvature: float = 0.0
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Values a + <b, gamma(t_0)> at the inflections t_0, which move with the control points."""
+        """Return values a + <b, gamma(t_0)> at the inflections t_0, which move with the control points."""
         position, jacobian = _inflections(curve, self.t, self.natural_curvature)
         b = np.asarray(self.b, dtype=float)
         return self.a + position @ b, np.asarray(np.einsum("k,ikq->iq", b, jacobian))
@@ -155,14 +155,14 @@ class InflectionsOnLine:
 
 @dataclass(frozen=True, eq=False)
 class PointsOnLine:
-    """The points of given parameters `t` (k,) lie on the line a + <b, x> = 0, as pinned ends must."""
+    """Points at parameters `t` (k,) that are on the line a + <b, x> = 0, as pinned ends must be."""
 
     a: float
     b: FloatArray
     t: FloatArray
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Values a + <b, gamma(t)>."""
+        """Return values a + <b, gamma(t)>."""
         b = np.asarray(self.b, dtype=float)
         rows = directed_rows(curve.basis(self.t), np.tile(b, (self.t.size, 1)))
         return self.a + curve.evaluate(self.t) @ b, rows
@@ -170,26 +170,26 @@ class PointsOnLine:
 
 @dataclass(frozen=True, eq=False)
 class CurvatureAt:
-    """The curvature at given parameters `t` (k,) is `curvature`, 1/mm; `size`, mm, makes a length of it."""
+    """Fixed `curvature`, 1/mm, at parameters `t` (k,); `size`, mm, converts residuals to lengths."""
 
     t: FloatArray
     curvature: float | FloatArray
     size: float
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Excess curvature times the square of `size`, mm."""
+        """Return the excess curvature times the square of `size`, mm."""
         excess = curve.curvature_at(self.t) - self.curvature
         return excess * self.size**2, curvature_rows(curve, self.t) * self.size**2
 
 
 @dataclass(frozen=True, eq=False)
 class CollinearInflections:
-    """The inflections near parameters `t` (k,) lie on one line, whichever it is."""
+    """Inflections near parameters `t` (k,) that are on one line; the line is free."""
 
     t: FloatArray
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Distances, mm, of the other inflections from the line through the two that are farthest apart."""
+        """Return distances, mm, of inflections from the line through the two inflections farthest apart."""
         position, jacobian = _inflections(curve, self.t)
         apart = np.linalg.norm(position[:, None] - position[None], axis=2)
         i, j = np.unravel_index(int(apart.argmax()), apart.shape)
@@ -200,7 +200,7 @@ class CollinearInflections:
         normal = np.array([-chord[1], chord[0]]) / size
         offset = position[others] - position[i]
         along = offset @ chord / size**2
-        # d<offset, n>: the chord's own turn moves the line by the share `along` of its far end
+        # d<offset, n>: rotation of the chord moves the line by the fraction `along` of the movement of its far end
         step = jacobian[others] - jacobian[i] - along[:, None, None] * (jacobian[j] - jacobian[i])
         return offset @ normal, np.asarray(np.einsum("k,ikq->iq", normal, step))
 
@@ -214,13 +214,13 @@ def least_norm_newton(
 ) -> tuple[PlaneCurve, tuple[float, ...]]:
     """Move the control points a little until all constraints hold (paper, Appendix C).
 
-    Each step is the least-norm solution of J dq = -G; it is shortened only where the residual would grow.
+    Each step is the least-norm solution of J dq = -G. A step is shortened only if the residual would grow.
 
     Parameters
     ----------
     tolerance : float
-        Norm of all residuals at which to stop, relative to the size of the curve. It stops too where no step
-        lessens residuals that rounding of the control points makes: with dense knots these are larger.
+        Norm of all residuals at which to stop, relative to the size of the curve. The iteration also stops if no
+        step reduces residuals caused by rounding of the control points; these are larger with dense knots.
 
     Returns
     -------
@@ -231,7 +231,7 @@ def least_norm_newton(
     Raises
     ------
     NotConvergedError
-        When the constraints contradict each other, or an inflection gets lost on the way.
+        If the constraints contradict each other, or an inflection disappears during the iteration.
 
     Examples
     --------
@@ -272,14 +272,14 @@ def least_norm_newton(
 
 
 def _rounding(curve: PlaneCurve, jacobian: FloatArray) -> float:
-    """Norm of the residuals that control points make by being rounded, and evaluation by being some times so."""
+    """Return the norm of the residuals that rounding of the control points and of their evaluation may cause."""
     return float(8 * _EPS * np.linalg.norm(np.abs(jacobian) @ np.abs(curve.control_points).ravel()))
 
 
 def _advanced(
     curve: PlaneCurve, constraints: Sequence[Constraint], step: FloatArray, norm: float
 ) -> tuple[PlaneCurve, FloatArray, FloatArray]:
-    """The curve after the longest of the steps 1, 1/2, ... 1/64 that lessens the residual."""
+    """Return the curve after the longest of the steps 1, 1/2, ... 1/64 that reduces the residual."""
     lost: Exception | None = None
     for halving in range(7):
         try:
@@ -304,12 +304,12 @@ def _assembled(curve: PlaneCurve, constraints: Sequence[Constraint]) -> tuple[Fl
 
 
 def directed_rows(basis: FloatArray, direction: FloatArray) -> FloatArray:
-    """Derivatives (k, 2 m) of <direction_k, sum_i basis_ki q_i> by the control points q_i."""
+    """Return derivatives (k, 2 m) of <direction_k, sum_i basis_ki q_i> by the control points q_i."""
     return np.asarray((basis[:, :, None] * direction[:, None, :]).reshape(basis.shape[0], -1))
 
 
 def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
-    """Derivatives (k, 2 m) of the curvature det(gamma', gamma'') / |gamma'|^3 at parameters t (k,)."""
+    """Return derivatives (k, 2 m) of the curvature det(gamma', gamma'') / |gamma'|^3 at parameters t (k,)."""
     d1, d2 = curve.evaluate(t, 1), curve.evaluate(t, 2)
     speed = np.hypot(d1[:, 0], d1[:, 1])[:, None]
     turned1, turned2 = (np.column_stack([-d[:, 1], d[:, 0]]) for d in (d1, d2))
@@ -319,7 +319,7 @@ def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
 
 
 def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> tuple[FloatArray, FloatArray]:
-    """Positions (k, 2) of the inflections near given parameters, and derivatives (k, 2, 2 m).
+    """Return positions (k, 2) of the inflections near given parameters, and derivatives (k, 2, 2 m).
 
     They stay where kappa = kappa_0, so dt_0/dq = -(d kappa/dq) / (d kappa/dt).
     """
@@ -332,7 +332,7 @@ def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> t
 
 
 def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) -> FloatArray:
-    """One inflection for each given parameter: in order where the numbers agree, else the nearest."""
+    """Return an inflection for each given parameter: in order if the counts agree, else the nearest."""
     found = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
     if found.size < near.size:
         raise NotConvergedError(

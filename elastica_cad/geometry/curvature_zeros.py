@@ -1,7 +1,7 @@
-"""Where a piecewise polynomial along the curve vanishes: curvature zeros and crossings with a line.
+"""Zeros of piecewise polynomials along a curve: zeros of the curvature and crossings with a line.
 
-The sign of the curvature is that of det(P, P', P'') / w^3 in homogeneous coordinates P = (x w, y w, w), a
-polynomial on every knot span; so no zero can hide between samples, however close two of them lie.
+The sign of the curvature is that of det(P, P', P'') / w^3 in homogeneous coordinates P = (x w, y w, w). This is
+a polynomial on every knot span. So no zero is missed between samples, however close two zeros are.
 """
 
 from collections.abc import Callable
@@ -26,7 +26,7 @@ _FOLLOWED = 1e-13
 function."""
 
 _FOLLOWED_NOISE = 1e-12
-"""Their size in Bernstein form, in which the zeros are found."""
+"""Size of the curvature polynomials in Bernstein form, in which the zeros are found."""
 
 _FLAT = 1e-7
 """A function that stays below this share of its size between two places is 0 there."""
@@ -50,7 +50,7 @@ class ZeroPlace:
     Attributes
     ----------
     t, t_end : float
-        Place; t_end differs from t only for a stretch on which the function vanishes ("flat").
+        Parameters; t_end differs from t only for a stretch on which the function vanishes ("flat").
     kind : str
         "crossing" (the sign changes), "touch" (it does not), "end" (zero at an end of the curve),
         "jump" (the sign changes by a jump, at a knot), "flat" (zero all along t..t_end).
@@ -66,7 +66,7 @@ class ZeroPlace:
 
 
 def curvature_zero_places(bezier: FloatArray, edges: FloatArray, smooth: BoolArray) -> tuple[ZeroPlace, ...]:
-    """All zeros of the curvature of homogeneous Bezier pieces (p, degree + 1, 3).
+    """Return all zeros of the curvature of homogeneous Bezier pieces (p, degree + 1, 3).
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def curvature_zero_places(bezier: FloatArray, edges: FloatArray, smooth: BoolArr
 
 
 def line_places(bezier: FloatArray, edges: FloatArray, a: float, b: FloatArray) -> tuple[ZeroPlace, ...]:
-    """All zeros of a + <b, gamma> along homogeneous Bezier pieces."""
+    """Return all zeros of a + <b, gamma> along homogeneous Bezier pieces."""
     terms = bezier * np.array([b[0], b[1], a])
     distance = terms.sum(axis=-1)
     noise = 16 * _EPS * np.abs(terms).sum(axis=-1).max(axis=1)
@@ -94,19 +94,20 @@ def line_places(bezier: FloatArray, edges: FloatArray, a: float, b: FloatArray) 
 def function_zero_places(
     function: Callable[[FloatArray], FloatArray], edges: FloatArray, smooth: BoolArray, size: float
 ) -> tuple[ZeroPlace, ...]:
-    """All zeros along the curve of a function that is no quotient of polynomials, but smooth between `edges`.
+    """Return all zeros along the curve of a function that is smooth between `edges`.
 
-    Each span is halved until a polynomial follows the function to rounding; its zeros are then found like those
-    of the curvature, so that none hides between samples and one that only touches is seen.
+    The function need not be a quotient of polynomials. Each span is halved until a polynomial agrees with the
+    function to rounding. The zeros of the polynomials are then found like those of the curvature: none is
+    missed between samples, and zeros without a change of sign are found.
 
     Parameters
     ----------
     function : callable
-        Maps parameters (k,), never those of an edge, to values (k,).
+        Maps parameters (k,), never at an edge, to values (k,).
     smooth : (p - 1,) bool array
         True where the function is continuous across an inner edge.
     size : float
-        Against which values are small.
+        Typical size of the values, to which tolerances are relative.
     """
     low, high, cuts = edges[:-1], edges[1:], np.zeros(edges.size - 1, dtype=int)
     found: list[tuple[FloatArray, FloatArray]] = []
@@ -132,15 +133,14 @@ def function_zero_places(
 
 
 def _smooth_between(starts: FloatArray, edges: FloatArray, smooth: BoolArray) -> BoolArray:
-    """Whether pieces that were cut at `starts` (k,) meet smoothly (k - 1,): as `smooth` says at the inner
-    `edges`, and always elsewhere."""
+    """Return True (k - 1,) where neighbouring pieces that start at `starts` (k,) meet smoothly."""
     joined = np.ones(starts.size - 1, dtype=bool)
     joined[np.searchsorted(starts, edges[1:-1]) - 1] = smooth
     return joined
 
 
 def _straight_pieces(bezier: FloatArray) -> BoolArray:
-    """Which pieces of a curve of extent 1 are straight (p,): curvature below 1e-8."""
+    """Return True (p,) for pieces of a curve of extent 1 that are straight: curvature below 1e-8."""
     points = bezier[..., :2] / bezier[..., 2:]
     x, y = (points - points[:, :1]).transpose(2, 0, 1)
     along, across = x[:, -1:], y[:, -1:]
@@ -157,7 +157,7 @@ def _extent(bezier: FloatArray) -> float:
 
 
 def _unit_sized(bezier: FloatArray) -> FloatArray:
-    """The pieces moved to the origin and scaled to extent 1, weights to largest 1."""
+    """Return the pieces moved to the origin and scaled to extent 1 and largest weight 1."""
     points = bezier[..., :2] / bezier[..., 2:]
     high, low = points.max(axis=(0, 1)), points.min(axis=(0, 1))
     unit = np.empty_like(bezier)
@@ -167,10 +167,10 @@ def _unit_sized(bezier: FloatArray) -> FloatArray:
 
 
 def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Bernstein coefficients of det(A, B - A, A - 2B + C) and their rounding level (p,).
+    """Return Bernstein coefficients of det(A, B - A, A - 2B + C) and their rounding level (p,).
 
-    A, B, C are the de Casteljau points of the last but one step; the determinant is det(P, P', P'') up to the
-    factor degree^2 (degree - 1), and kappa = (degree - 1)/degree * it * w^3 / |h|^3 with h of `hodograph`.
+    A, B, C are the de Casteljau points of the last but one step. The determinant D is det(P, P', P'') up to the
+    factor degree^2 (degree - 1), and kappa = (degree - 1)/degree * D * w^3 / |h|^3 with h of `hodograph`.
     """
     centre = bezier[:, :, :2].sum(axis=1) / bezier[:, :, 2:].sum(axis=1)
     step = bezier[:, 1:] - bezier[:, :-1]
@@ -243,7 +243,7 @@ def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
 def _at_start(
     f: _Pieces, edges: FloatArray, i: int, *, zero: BoolArray, start: list[int], stop: list[int]
 ) -> list[ZeroPlace]:
-    """The zero, if any, at the knot where piece i begins, or the flat stretch that begins there."""
+    """Return the zero at the knot where piece i starts, or the flat stretch that starts there, or None."""
     t = float(edges[i])
     if f.flat[i]:
         if i and f.flat[i - 1]:

@@ -1,14 +1,14 @@
 """Smoothing of curves: jumps of curvature, and polylines of drawings.
 
-The fair curve c is the spline of degree 4 with simple knots that minimises
+The smooth curve c is the spline of degree 4 with simple knots that minimises
 
     integral of (n . (c - drawn))^2 ds + l^6 integral of (d kappa / ds)^2 ds,
 
-its ends and end tangents as drawn (and ends without curvature where that is asked for), with the largest length l
-for which it stays within the tolerance; of a closed curve it is periodic. The slope of the curvature is linearised
-about the curve of the round before; all systems are sparse.
+It keeps the ends and end tangents of the drawn curve; on request the curvature is 0 at the ends. The length l
+is the largest for which the curve stays within the tolerance. If the drawn curve is closed, c is periodic. The
+slope of the curvature is linearised about the curve of the previous round. All systems are sparse.
 
-Corners so slight that a strip may round them are taken out before, by turning handles.
+Corners of at most 5 degrees are removed first, by turning handles.
 """
 
 from collections.abc import Callable
@@ -55,7 +55,7 @@ def fit_polyline(vertices: FloatArray, tolerance: float) -> tuple[PlaneCurve, fl
 
 
 def allowed_distance(vertices: FloatArray) -> float:
-    """Return the distance, mm, up to which a smooth curve counts as what a polyline with these vertices means."""
+    """Return the largest allowed distance, mm, of a smooth curve from a polyline with these vertices."""
     return max(0.5, 0.005 * float(np.ptp(vertices, axis=0).max()))
 
 
@@ -92,26 +92,26 @@ USUAL, USUAL_SHARE = 0.1, 5e-4
 
 _EACH = 5  # sites in a span
 _FEWEST, _MOST = 24, 768  # spans
-_ROUNDS = 3  # rounds: what is found moves the sites of the next
+_ROUNDS = 3  # rounds of linearisation
 _HALVINGS = 14  # of the range of smoothing weights
-_USED = 0.96  # of the tolerance at the sites: what is between them is measured afterwards
+_USED = 0.96  # of the tolerance at the sites; the distance between sites is measured afterwards
 _SLIDE = 1e4  # weight of sliding along the curve, beside moving across it
-_FINE = 1.5  # spans in the length over which curvature is evened out
+_FINE = 1.5  # spans in the smoothing length l
 _DENSE = 8  # points in a span when the distance is measured
 
 
 @dataclass(frozen=True, eq=False)
 class Fairing:
-    """A fair curve beside the drawn one.
+    """Smooth curve close to a drawn curve.
 
     Attributes
     ----------
     curve : PlaneCurve
         Degree 4, simple knots: curvature and its slope are continuous.
     moved : float
-        Largest distance of either curve from the other, mm, by dense sampling.
+        Largest distance between the two curves, mm, by dense sampling.
     tolerance : float
-        What was allowed, mm.
+        Largest allowed distance, mm.
     """
 
     curve: PlaneCurve
@@ -120,10 +120,10 @@ class Fairing:
 
 
 def may_step(curve: PlaneCurve) -> bool:
-    """Return True if the curvature jumps, or its slope at an inflection: the width of a strip may step there.
+    """Return True if the curvature jumps, or its slope jumps at an inflection, so that a strip's width may step.
 
-    A curve with corners or straight pieces is no candidate for smoothing: the corners are refused, and the straight
-    pieces are meant to be straight.
+    Curves with corners or straight pieces are not smoothed: corners are refused, and straight pieces are
+    intended to be straight.
     """
     breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
     rough = [b for b in breaks if b.continuity <= 2]
@@ -137,25 +137,24 @@ def may_step(curve: PlaneCurve) -> bool:
 
 
 def usual_tolerance(curve: PlaneCurve) -> float:
-    """Largest distance in mm by which a curve is smoothed by default."""
+    """Return the largest distance, mm, by which a curve is smoothed by default."""
     return min(USUAL, USUAL_SHARE * curve.length)
 
 
 def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = (False, False)) -> Fairing:
-    """The curve with its curvature evened out as far as `tolerance` (mm) allows, ends and end tangents kept.
+    """Return the curve smoothed as far as `tolerance` (mm) allows, with the same ends and end tangents.
 
-    A closed curve is as fair where it closes as elsewhere, and nothing of it is kept.
+    A closed curve is smoothed at its seam too, and no point of it is fixed.
 
     Parameters
     ----------
     unbent : (bool, bool)
-        Is the curvature to vanish at the start, at the end?
+        True if the curvature must be 0 at the start, at the end.
 
     Raises
     ------
     InputError
-        A curve with corners, a tolerance that is not positive, or so small that no spline of some
-        hundred pieces can even out the jumps.
+        The curve has corners, or the tolerance is not positive or too small for a spline of 768 pieces.
 
     Examples
     --------
@@ -195,7 +194,7 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
 def _fitted(
     curve: PlaneCurve, tolerance: float, spans: int, unbent: tuple[bool, bool]
 ) -> tuple[Fairing | None, float]:
-    """The fairest spline of so many spans within the tolerance, if any, and its length of evening out."""
+    """Return the smoothest spline with `spans` spans within the tolerance, or None, and its smoothing length l."""
     problem = _Problem(curve, spans, unbent)
     points = problem.start()
     within: FloatArray | None = None
@@ -225,10 +224,11 @@ def _fitted(
 
 
 class _Problem:
-    """The least squares problem for one number of spans.
+    """Least squares problem for a given number of spans.
 
-    Its unknowns are x and y of the control points that are sought, one after the other: all of an open curve but
-    those at its ends that are held, and of a closed one those of one turn, as its last ones are the first again.
+    The unknowns are x and y of the free control points in turn. Of an open curve, these are all except the
+    fixed control points at its ends. Of a closed curve, they are those of one turn, because its last control
+    points repeat the first ones.
     """
 
     def __init__(self, curve: PlaneCurve, spans: int, unbent: tuple[bool, bool]) -> None:
@@ -259,10 +259,10 @@ class _Problem:
         self.data_part = self._normal_equations(both, np.concatenate(target))
 
     def _hold_ends(self, ends: CurveSamples, unbent: tuple[bool, bool]) -> IntArray:
-        """Hold the control points that keep ends and end tangents; which unknown (m,) each is, -1 for these."""
+        """Fix the end control points; return the index of the unknown (m,) of each control point, -1 if fixed."""
         step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
         first, last = (3 if one else 2 for one in unbent)
-        # a straight line of even speed has its control points there
+        # control points of a straight line with constant speed
         reach = np.array([0.0, 1.0, 3.0])[:, None]
         self.held[:first] = (ends.position[0] + reach * step[0])[:first]
         self.held[-last:] = (ends.position[1] - reach * step[1])[:last][::-1]
@@ -272,7 +272,7 @@ class _Problem:
 
     @staticmethod
     def _choice(places: IntArray) -> Any:
-        """Matrix (2 m, k) from the unknowns to those control points that are not held, x and y in turn."""
+        """Return the matrix (2 m, k) from the unknowns to the free control points, x and y in turn."""
         from scipy.sparse import csr_matrix
 
         sought = np.flatnonzero(places >= 0)
@@ -282,7 +282,7 @@ class _Problem:
         return csr_matrix((np.ones(row.size), (row, column)), shape=size)
 
     def _rows(self, direction: FloatArray, derivative: int) -> Any:
-        """The sparse matrix (n, 2 m) that takes control points to direction . c^(derivative) at the sites."""
+        """Return the sparse matrix (n, 2 m) from control points to direction . c^(derivative) at the sites."""
         from scipy.sparse import csr_matrix
 
         numbers = self.basis[derivative][:, :, None] * direction[:, None, :]
@@ -291,21 +291,21 @@ class _Problem:
         return csr_matrix((numbers.ravel(), columns.ravel(), starts), shape=(len(numbers), self.held.size))
 
     def _values(self, points: FloatArray, derivative: int) -> FloatArray:
-        """Derivative (n, 2) of the curve at the sites."""
+        """Return the derivative (n, 2) of the curve at the sites."""
         return np.asarray(np.einsum("nk,nkd->nd", self.basis[derivative], points[self.support]))
 
     def _normal_equations(self, rows: Any, target: FloatArray) -> tuple[Any, FloatArray]:
-        """Matrix and right-hand side for the unknowns of least squares of rows @ points - target."""
+        """Return the matrix and right-hand side of the least squares problem rows @ points = target."""
         sought = rows @ self.chosen
         return sought.T @ sought, sought.T @ (target - rows @ self.held.ravel())
 
     def start(self) -> FloatArray:
-        """The spline nearest to the drawn curve."""
+        """Return the control points of the spline closest to the drawn curve."""
         rows = self._rows(self.across, 3)
         return self.solved(self._normal_equations(rows, np.zeros(self.s.size)), self.width**6 / 64)
 
     def slope_rows(self, points: FloatArray) -> tuple[Any, FloatArray]:
-        """Normal equations of the slope of the curvature, linearised about the curve of `points`.
+        """Return the normal equations of the curvature slope, linearised about the curve of `points`.
 
         With unit tangent t, unit normal n and a speed near 1, a change d of the curve changes d kappa / ds by
         n . d''' - 3 kappa t . d'' - 2 kappa' t . d' - 2 kappa^2 n . d'.
@@ -325,7 +325,7 @@ class _Problem:
         return self._normal_equations(rows, rows @ points.ravel() - slope)
 
     def solved(self, slope: tuple[Any, FloatArray], weight: float) -> FloatArray:
-        """Control points (m, 2) of least squares of distance and slope."""
+        """Return the control points (m, 2) that minimise distance and weighted curvature slope."""
         from scipy.sparse.linalg import spsolve
 
         matrix, right = (data + weight * part for data, part in zip(self.data_part, slope, strict=True))
@@ -333,12 +333,12 @@ class _Problem:
         return np.asarray(self.held + (self.chosen @ found).reshape(-1, 2), dtype=float)
 
     def off(self, points: FloatArray) -> float:
-        """Largest distance across the drawn curve at the sites, mm."""
+        """Return the largest distance normal to the drawn curve at the sites, mm."""
         return float(np.abs(((self._values(points, 0) - self.data) * self.across).sum(axis=1)).max())
 
 
 def two_sided_distance(one: PlaneCurve, other: PlaneCurve, count: int = 2000) -> float:
-    """Largest distance of a point of either curve from the other curve, mm, over `count` points of each.
+    """Return the largest distance between two curves, mm, sampled at `count` points of each.
 
     Points are taken at equal distances and at all knots.
     """
@@ -351,7 +351,7 @@ def _points(curve: PlaneCurve, count: int) -> FloatArray:
 
 
 def _farthest(points: FloatArray, curve: PlaneCurve) -> float:
-    """Largest distance of points (n, 2) from a curve, mm."""
+    """Return the largest distance of points (n, 2) from a curve, mm."""
     return float(distances(Spline(curve), points).max())
 
 
@@ -359,21 +359,21 @@ PER_ROUNDING = 2 * np.sqrt(2.0)
 """Largest distance between the end of a handle and its node that rounding of all coordinates by 1 causes."""
 
 SMOOTHING_SHARE = 0.5
-"""Share of the allowed distance that may be used for smoothing; the rest is left for making the curvature fair."""
+"""Fraction of the allowed distance that is used to remove corners; the rest is for smoothing the curvature."""
 
 POLYLINE_SHARE = 0.1
 """Largest `smooth` that is suggested for a polyline, as a fraction of its size."""
 
 WORTH_SHARE = 1e-3
-"""Largest move, as a share of the length, that is suggested; larger ones would change the drawing visibly."""
+"""Largest suggested move, as a fraction of the length; larger moves would change the drawing visibly."""
 
 
 def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
-    """The curve without slight corners, and how far, mm, it was moved at most to take them out.
+    """Return the curve without slight corners, and the largest distance, mm, by which it was moved.
 
-    Corners of more than 5 degrees stay, and those for which it would move by more than half of `smooth` (mm).
-    A curve that was fitted to points that waver is fitted to them anew, within `smooth` of each. A polyline becomes
-    the smooth curve through its vertices, if that stays within `smooth` of the sides.
+    Corners of more than 5 degrees stay, and so do corners whose removal would move the curve by more than half
+    of `smooth` (mm). A curve that was fitted to noisy points is fitted again, within `smooth` of each point. A
+    polyline becomes the smooth curve through its vertices, if that curve stays within `smooth` of the sides.
 
     Examples
     --------
@@ -401,10 +401,11 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
 
 
 def smooth_for_corners(curve: PlaneCurve) -> float | None:
-    """The `smooth`, mm, of one figure, with which `round_corners` takes out all corners; None if it is no detail
-    of a spline.
+    """Return the `smooth`, mm, rounded to one digit, with which `round_corners` removes all corners.
 
-    It is at least the usual smoothing distance, at most a thousandth of the length.
+    For a spline, it is at least the default smoothing distance, and at most a thousandth of the length. For a
+    polyline, it is at most a tenth of the size. The result is None if there are no corners to remove, or if they
+    cannot be removed within that limit.
 
     Examples
     --------

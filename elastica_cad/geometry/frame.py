@@ -1,4 +1,4 @@
-"""Where a plane lies in space."""
+"""Position and orientation of planes in space."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -78,11 +78,11 @@ class Frame:
         return self.axes[:2]
 
     def point(self, local: ArrayLike) -> FloatArray:
-        """Points in space (..., 3) of local coordinates (..., 2) or (..., 3), mm."""
+        """Return points in space (..., 3) of local coordinates (..., 2) or (..., 3), mm."""
         return self.origin + self.direction(local)
 
     def direction(self, local: ArrayLike) -> FloatArray:
-        """Vectors in space (..., 3) of local components (..., 2) or (..., 3)."""
+        """Return vectors in space (..., 3) of local components (..., 2) or (..., 3)."""
         local = numbers(local, "local coordinates")
         if local.shape[-1:] not in ((2,), (3,)):
             raise InputError(
@@ -104,14 +104,14 @@ class Frame:
         return Frame(outer.point(self.origin), outer.direction(self.x_axis), outer.direction(self.y_axis))
 
     def carried(self, home: "Frame", now: "Frame") -> "Frame":
-        """The frame, moved as what lay in `home` and lies in `now`."""
+        """Return the frame after the rigid motion that takes the frame `home` to `now`."""
         for frame in (home, now):
             require_record(frame, Frame, "what a frame is carried with", "a Frame")
         axes = (home.axes @ axis for axis in (self.x_axis, self.y_axis))
         return Frame(home.local(self.origin), *axes).within(now)
 
     def shifted(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> "Frame":
-        """The frame with its origin moved along its own axes, mm."""
+        """Return the frame with its origin moved along its axes, mm."""
         for axis, shift in zip("xyz", (x, y, z), strict=True):
             require_number(shift, f"the shift along {axis}", "mm")
         origin = self.point((x, y, z))
@@ -122,7 +122,7 @@ class Frame:
 
 
 def frame_or_plain(frame: Frame | None, what: str = "the frame") -> Frame:
-    """The frame, the xy plane for None; refuses what is neither."""
+    """Return the frame, or the xy plane for None; raise InputError for any other type."""
     if frame is None:
         return Frame()
     require_record(frame, Frame, what, "a Frame")

@@ -1,4 +1,4 @@
-"""Where the numbers of a curve come from, and how exact measured points are."""
+"""Origin of a curve's numbers, and the noise of measured points."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -13,33 +13,34 @@ from elastica_cad.geometry.tangent_healing import Turn
 from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
 ORDERS = range(2, 8)
-"""Of the divided differences that tell noise from shape."""
+"""Orders of the divided differences that separate noise from shape."""
 
 FEWEST = 8
-"""Differences of an order from which the noise is estimated."""
+"""Fewest differences of an order from which the noise is estimated."""
 
 SETTLED = 0.7
-"""A curve's differences fall by more than this from order to order, those of noise do not."""
+"""Ratio of the differences of successive orders: a smooth curve's decrease faster, those of noise do not."""
 
 CROWDED_SHARE = 0.1
-"""Of the distance between points: where noise is larger, every other point is left out, as the way along the curve
-cannot be told from noise."""
+"""Noise, as a fraction of the point spacing, above which every other point is left out, because the order of
+the points along the curve is lost in noise."""
 
 TOLD_MM = 0.01
-"""Noise that is reported; less is within what a fit takes out."""
+"""Smallest reported noise, mm; a fit removes smaller noise."""
 
 FINEST_MM = 1e-3
 """Finest resolution of points, mm: curves that differ by less have the same widths."""
 
 MOST_DECIMALS = 9
-"""Decimals of millimetres that are looked for in points."""
+"""Largest number of decimals of millimetres that points may have."""
 
 REACH = 4.0
-"""Standard deviations from a smooth curve within which all of some hundred points lie; of fewer points, fewer."""
+"""Number of standard deviations from a smooth curve within which about a hundred points are; fewer for fewer
+points."""
 
 STRAY_TIMES = 4.0
-"""A point stands out when it is this many times as far off its neighbours' curve as any point is without it, and as
-rounding moves one.
+"""Factor for outliers. A point is an outlier if its distance from the curve of its neighbours exceeds this many
+times the largest distance without it, and this many times the rounding error.
 """
 
 
@@ -54,9 +55,9 @@ class MeasuredPoints:
     waver : float
         Standard deviation of their distance from the curve, mm.
     least : float
-        What rounding alone makes of that, mm.
+        Standard deviation that rounding alone causes, mm.
     rounding : float
-        Largest error of a coordinate by the number of its decimals, mm.
+        Largest rounding error of a coordinate, from the number of its decimals, mm.
     """
 
     points: FloatArray
@@ -66,9 +67,9 @@ class MeasuredPoints:
 
     @classmethod
     def of(cls, points: FloatArray, least: float = 0.0, rounding: float = 0.0) -> "MeasuredPoints":
-        """Return the points (n, 2), no two in a row the same, with their noise.
+        """Return the points (n, 2), without equal neighbours, with their noise.
 
-        A `rounding` of 0 is that of the decimals that the numbers have.
+        If `rounding` is 0, it is found from the decimals of the numbers.
         """
         return cls(points, max(estimate_waver(points), least), least, rounding or _half_last_decimal(points))
 
@@ -79,23 +80,23 @@ class MeasuredPoints:
 
     @property
     def resolution(self) -> float:
-        """Distance, mm, by which rounding may move a point, at least `FINEST_MM`."""
+        """Distance, mm, by which rounding may move a point; at least `FINEST_MM`."""
         return max(float(np.sqrt(2.0)) * self.rounding, FINEST_MM)
 
     @property
     def reach(self) -> float:
-        """How far from the points a smooth curve may be, mm, so that it need not follow the noise.
+        """Distance from the points, mm, within which a smooth curve need not follow the noise.
 
-        It is never less than the largest error of rounding, whose standard deviation is a root of 3 below it.
+        It is at least the largest rounding error, which is sqrt(3) times the standard deviation of rounding.
         """
         return rounded_up(np.clip(2 * np.log10(len(self.points)), np.sqrt(3), REACH) * self.waver, 2)
 
     @cached_property
     def stray(self) -> tuple[Refusal, ...]:
-        """A sentence about the one point that stands out, as a mistyped one does; none where none stands out.
+        """Message about the point that is an outlier, such as a mistyped point; empty if there is none.
 
-        It is the one without which no points are far off the cubics through their neighbours. The first and last
-        cannot be judged: a curve may end as they say.
+        Without the outlier, all points are close to the cubics through their neighbours. The first and last
+        point are not checked, because a curve may end anywhere.
         """
         count = len(self.points)
         if count < FEWEST + 4:
@@ -136,7 +137,7 @@ class MeasuredPoints:
 
     @property
     def shown(self) -> Length:
-        """The noise as a message tells it."""
+        """Noise, mm, rounded to one digit for messages."""
         return Length(float(f"{self.waver:.1g}"))
 
     @property
@@ -162,11 +163,12 @@ def _half_last_decimal(points: FloatArray) -> float:
 
 
 def estimate_waver(points: FloatArray) -> float:
-    """Standard deviation, mm, of the distance of points (n, 2) from the smooth curve that they stand for.
+    """Return the standard deviation, mm, of the distance of points (n, 2) from a smooth curve.
 
-    It is the median of divided differences across the curve, scaled to unit variance of white noise, of the first
-    order from which a higher one lowers it no more (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986, take
-    order 2); 0 where points are too few, or their differences are those of a curve.
+    It is the median of divided differences normal to the curve, scaled to unit variance of white noise. The
+    order is the first whose next higher order does not reduce the estimate (Gasser, Sroka and Jennen-Steinmetz,
+    Biometrika 73, 1986, take order 2). It is 0 if there are too few points, or if the differences decrease like
+    those of a smooth curve.
 
     Examples
     --------
@@ -186,19 +188,19 @@ def estimate_waver(points: FloatArray) -> float:
 
 
 def _across(points: FloatArray, order: int) -> float:
-    """Typical divided difference of this order across the curve, of unit variance for white noise of 1 mm."""
+    """Return the median divided difference normal to the curve, scaled to unit variance for white noise of 1 mm."""
     return float(np.median(np.abs(_differences(points, order)[0])) / 0.6745)
 
 
 def _off_nearest(points: FloatArray) -> FloatArray:
-    """Distances (n,), mm, of points across the curve from the cubics through their four nearest; 0 at the ends."""
+    """Return distances (n,), mm, of points from the cubics through their four nearest points; 0 at the ends."""
     across, weights = _differences(points, 4)
     middle = across / weights[:, 2]
     return np.abs([0.0, across[0] / weights[0, 1], *middle, across[-1] / weights[-1, 3], 0.0])
 
 
 def _differences(points: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
-    """Divided differences (m,) across the curve, and the weights (m, order + 1) of their points, of unit norm."""
+    """Return divided differences (m,) normal to the curve, and unit weights (m, order + 1) of their points."""
     window = np.arange(len(points) - order)[:, None] + np.arange(order + 1)
     s, near = lengths_along(points)[window], points[window]
     gaps = (s[:, :, None] - s[:, None, :]) / np.ptp(s, axis=1)[:, None, None] + np.eye(order + 1)
@@ -211,28 +213,28 @@ def _differences(points: FloatArray, order: int) -> tuple[FloatArray, FloatArray
 
 @dataclass(frozen=True, eq=False)
 class Provenance:
-    """What a file says about a curve beside its numbers.
+    """Record of a curve's origin in a file: name, layer, units, precision.
 
     Parameters
     ----------
     rounding : float
-        How far a coordinate may be from what was drawn by the number of its digits alone, mm; 0: not at all.
+        Largest rounding error of a coordinate, from the number of its digits, mm; 0 if coordinates are exact.
     healed : float
-        How far the curve was moved to take rounding out of its tangents, mm.
+        Distance by which the curve was moved to remove rounding errors from its tangents, mm.
     undecided : tuple of Turn
-        Turns of the tangent that may be corners and may be rounding.
+        Turns of the tangent that are either corners or rounding errors.
     place : (3, 3) array, optional
         From millimetres to the coordinates that the drawing program shows.
     unit : str
-        What those coordinates are called: "mm", "user units".
+        Unit of those coordinates: "mm", "user units".
     name, layer : str
-        What the file calls the curve and its layer; empty when it has no name for them.
+        Names of the curve and its layer in the file; empty if it has none.
     holes : tuple of (float, float, float)
         Circles drawn on a straight first or last piece of the curve: centre and diameter, mm.
     measured : MeasuredPoints, optional
         The points that the whole curve was fitted to.
     vertices : (n, 2) array, optional
-        The vertices of the drawn polyline that the whole curve is, if it has corners, mm.
+        Vertices of the drawn polyline, mm, if the whole curve is a polyline with corners.
     """
 
     rounding: float = 0.0
@@ -247,7 +249,7 @@ class Provenance:
     vertices: FloatArray | None = None
 
     def shown(self, point: ArrayLike) -> str:
-        """A point (2,) in mm as the drawing program shows it.
+        """Return a point (2,) in mm as the drawing program displays it.
 
         Examples
         --------
@@ -264,7 +266,7 @@ class Provenance:
         return note("({x:.6g}, {y:.6g}) {unit}", x=x, y=y, unit=self.unit)
 
     def transformed(self, matrix: FloatArray) -> "Provenance":
-        """The record of the curve's image under a 3 x 3 map; of a projective one the digits say nothing."""
+        """Return the record of the curve's image under a 3 x 3 map."""
         m = np.asarray(matrix, dtype=float)
         if m[2, :2].any():
             return replace(self, rounding=0.0, place=None, holes=(), measured=None, vertices=None)
@@ -290,11 +292,11 @@ class Provenance:
         )
 
     def reversed(self) -> "Provenance":
-        """The record of the curve run from its other end."""
+        """Return the record of the reversed curve."""
         measured = self.measured and replace(self.measured, points=self.measured.points[::-1])
         vertices = None if self.vertices is None else self.vertices[::-1]
         return replace(self, measured=measured, vertices=vertices)
 
     def of_part(self) -> "Provenance":
-        """The record of a part of the curve: the points were of the whole."""
+        """Return the record of a part of the curve, without the points of the whole curve."""
         return replace(self, measured=None, vertices=None)

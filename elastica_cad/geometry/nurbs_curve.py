@@ -37,7 +37,7 @@ from elastica_cad.geometry.splines import (
 )
 from elastica_cad.refusals import Length, note
 
-_STANDSTILL_SHARE = 1e-9  # of the largest speed on the span; a curve slower than that stands still
+_STANDSTILL_SHARE = 1e-9  # of the largest speed on the span; lower speeds count as zero
 _STILL_SPAN = 1e-14  # of the largest speed of all; a span that is nowhere faster is a point
 _ALONG_SHARE = 1e-9  # of a velocity, that it has along the axis of its cone
 _MOST_HALVINGS = 27  # halvings of a knot span; a direction that still is undecided there is a cusp
@@ -45,7 +45,7 @@ _MOST_HALVINGS = 27  # halvings of a knot span; a direction that still is undeci
 
 @dataclass(frozen=True, eq=False)
 class TangentAngle:
-    """Angle of the tangent over the cones of the curve, continued from one to the next.
+    """Angle of the tangent over the cones of the curve, continuous from cone to cone.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class TangentAngle:
     angle : (k,) array
         Angle of that direction, continued from cone to cone.
     spread : float
-        Between the least and the largest angle of the curve, rad, or a little more.
+        Upper bound on the difference between the largest and the smallest angle of the curve, rad.
     """
 
     edges: FloatArray
@@ -65,13 +65,13 @@ class TangentAngle:
     spread: float
 
     def at(self, t: FloatArray, velocity: FloatArray, *, left: bool = False) -> FloatArray:
-        """Angle (n,) of velocities (n, 2) at parameters (n,), without jumps of 2 pi."""
+        """Return angles (n,) of velocities (n, 2) at parameters (n,), without jumps of 2 pi."""
         cone = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
         return np.asarray(self.angle[cone] + turn_between(self.axis[cone], velocity), dtype=float)
 
 
 def hodograph(bezier: FloatArray) -> FloatArray:
-    """Bernstein coefficients (p, n, 2) along the velocity of homogeneous Bezier pieces (p, degree + 1, 3).
+    """Return Bernstein coefficients (p, n, 2) along the velocity of homogeneous Bezier pieces (p, degree + 1, 3).
 
     The derivative by u times the squared weight: w P' - P w' (degree times left out).
     """
@@ -89,7 +89,7 @@ class TangentCones:
     Attributes
     ----------
     edges : (k + 1,) array
-        Parameters at which they meet.
+        Parameters at which the parts meet.
     hodographs : (k, n, 2) array
         Bernstein coefficients along the velocity.
     standstill : float or None
@@ -103,7 +103,7 @@ class TangentCones:
 
 
 def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
-    """The turning angle of a curve without cusp; at a tangent break it jumps by the exterior angle."""
+    """Return the turning angle of a curve without cusp; at a tangent break it jumps by the exterior angle."""
     first, last = _unit(cones.hodographs[:, [0, -1]].swapaxes(0, 1))
     axis = _unit(first + last)
     # the velocity runs between its coefficients
@@ -119,7 +119,7 @@ def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
 
 
 def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> TangentCones:
-    """The tangent cones of pieces whose velocities have Bernstein coefficients (p, n, 2)."""
+    """Return the tangent cones of pieces whose velocities have Bernstein coefficients (p, n, 2)."""
     part, low, width = hodographs, edges[:-1], edges[1:] - edges[:-1]
     size = np.hypot(part[..., 0], part[..., 1])
     largest = size.max(axis=1)
@@ -161,7 +161,7 @@ def _unit(v: FloatArray) -> FloatArray:
 
 
 def turn_between(u: FloatArray, v: FloatArray) -> FloatArray:
-    """Angles (...,) from directions u to directions v (..., 2), rad in (-pi, pi], positive to the left."""
+    """Return angles (...,) from directions u to directions v (..., 2), rad in (-pi, pi], positive to the left."""
     cross = u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
     return np.asarray(np.arctan2(cross, u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1]))
 
@@ -200,7 +200,7 @@ class RationalPieces:
         return self.bezier[0, 0].tolist(), self.bezier[-1, -1].tolist()
 
     def inside(self, t: FloatArray) -> FloatArray:
-        """The parameters, rounding beyond the ends taken off; others outside are refused."""
+        """Return the parameters clipped to the domain within rounding; refuse parameters outside."""
         a, b = self.edges[0], self.edges[-1]
         inside = np.minimum(np.maximum(t, a), b)
         if not np.abs(t - inside).max(initial=0.0) <= 1e-9 * (b - a):
@@ -208,7 +208,7 @@ class RationalPieces:
         return np.asarray(inside)
 
     def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:
-        """Position and derivatives d/dt up to `order`, each (n, 2)."""
+        """Return the position and derivatives d/dt up to `order`, each (n, 2)."""
         return self.within(*self.spans.locate(self.inside(t), left=left), order)
 
     def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
@@ -221,14 +221,14 @@ class RationalPieces:
         return rows
 
     def beside_knots(self, order: int) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Derivatives up to `order` just before and just after the p - 1 interior knots, each (p - 1, 2)."""
+        """Return derivatives up to `order` just before and just after the p - 1 interior knots, each (p - 1, 2)."""
         knots = self.edges.size - 2
         before = np.arange(knots)
         both = self.within(np.concatenate([before, before + 1]), np.repeat([1.0, 0.0], knots), order)
         return [d[:knots] for d in both], [d[knots:] for d in both]
 
     def speed(self, index: IntArray, t: FloatArray) -> FloatArray:
-        """Lengths (n,) of the velocities d/dt, mm, at parameters (n,) of spans (n,)."""
+        """Return lengths (n,) of the velocities d/dt, mm, at parameters (n,) of spans (n,)."""
         u = (t - self.edges[index]) / self.spans.widths[index]
         u = np.minimum(np.maximum(u, 0.0), 1.0)
         if self.rational:
@@ -236,7 +236,7 @@ class RationalPieces:
         return norm(sums_in_pieces(self._series(1), index, u))
 
     def stationary(self) -> FloatArray:
-        """Parameters (k,) of the knots and of all places where x or y is stationary."""
+        """Return parameters (k,) of the knots and of all places where x or y is stationary."""
         velocity, edges = hodograph(self.bezier), self.edges
         inner = interior_roots(np.concatenate([velocity[..., 0], velocity[..., 1]]))
         at, u = np.array([r.piece for r in inner], dtype=int) % len(velocity), np.array([r.u for r in inner])
@@ -249,11 +249,11 @@ class RationalPieces:
 
     @cached_property
     def tangent_cones(self) -> TangentCones:
-        """Parts of the curve within which it turns by less than half a turn."""
+        """Parts of the curve within which the tangent turns by less than 180 degrees."""
         return cut_into_tangent_cones(hodograph(self.bezier), self.edges)
 
     def _series(self, order: int) -> FloatArray:
-        """The derivative d/dt of this order of all pieces, (p, degree + 1, 2 or 3), in a scaled Bernstein basis."""
+        """Return the derivative d/dt of all pieces, (p, degree + 1, 2 or 3), in a scaled Bernstein basis."""
         if order not in self._known:
             degree, widths = self.spans.degree, self.spans.widths[:, None, None]
             if order > degree:
@@ -266,15 +266,16 @@ class RationalPieces:
 
     @cached_property
     def _known(self) -> dict[int, FloatArray]:
-        """The series that were asked for, by order."""
+        """Cached derivative series, by order."""
         return {}
 
     @cached_property
     def _local(self) -> FloatArray:
-        """Bezier points (p, degree + 1, 2 or 3) of the pieces, w among them where weights differ.
+        """Bezier points (p, degree + 1, 2 or 3) of the pieces, with weights if these differ.
 
-        Each piece is seen from its middle control point, from which the others are subtracted without rounding: the
-        second derivatives of short pieces far from the origin would otherwise carry that of their coordinates.
+        Coordinates are relative to the middle control point of each piece, because this subtraction is exact.
+        Otherwise, the second derivatives of short pieces far from the origin would have the rounding errors of
+        the coordinates.
         """
         near = self.control_points[self.spans.first[:, None] + np.arange(self.spans.degree + 1)]
         near[..., :2] -= near[..., 2:] * self._origins[:, None, :]
@@ -289,7 +290,7 @@ class RationalPieces:
 
 @lru_cache(maxsize=64)
 def _raised(degree: int, times: int) -> FloatArray:
-    """Scaled Bernstein coefficients of `degree` from plain ones of `times` degrees less, (degree + 1, ...)."""
+    """Return the matrix from Bernstein coefficients of degree `degree - times` to scaled ones of `degree`."""
     c = np.eye(degree + 1 - times)
     for _ in range(times):
         c = raise_degree(c) if c.shape[1] > 1 else np.repeat(c, 2, axis=1)
@@ -297,7 +298,7 @@ def _raised(degree: int, times: int) -> FloatArray:
 
 
 def _quotient(numerators: list[FloatArray], weights: list[FloatArray]) -> list[FloatArray]:
-    """Derivatives (k, n) of P / w from those of P (k, n) and w (n,), by Leibniz' rule."""
+    """Return derivatives (k, n) of P / w from derivatives of P (k, n) and of w (n,), by Leibniz' rule."""
     out: list[FloatArray] = []
     for k, numerator in enumerate(numerators):
         value = numerator.copy()
@@ -308,38 +309,38 @@ def _quotient(numerators: list[FloatArray], weights: list[FloatArray]) -> list[F
 
 
 def curvature(d1: FloatArray, d2: FloatArray) -> FloatArray:
-    """Signed curvature (n,) from first and second derivatives (n, 2) by any parameter."""
+    """Return the signed curvature (n,) from first and second derivatives (n, 2) by any parameter."""
     speed = norm(d1)
     return np.asarray(cross(d1, d2) / (speed * speed * speed))
 
 
 def curvature_slope(d1: FloatArray, d2: FloatArray, d3: FloatArray) -> FloatArray:
-    """Derivative of the curvature by arc length (n,), from derivatives (n, 2) by any parameter."""
+    """Return the derivative of the curvature by arc length (n,), from derivatives (n, 2) by any parameter."""
     speed2 = dot(d1, d1)
     square = speed2 * speed2
     return np.asarray(cross(d1, d3) / square - 3 * cross(d1, d2) * dot(d1, d2) / (square * speed2))
 
 
 def norm(v: FloatArray) -> FloatArray:
-    """Lengths (n,) of vectors (n, 2)."""
+    """Return lengths (n,) of vectors (n, 2)."""
     return np.asarray(np.hypot(v[:, 0], v[:, 1]))
 
 
 def dot(u: FloatArray, v: FloatArray) -> FloatArray:
-    """Products (n,) of pairs of vectors (n, 2)."""
+    """Return products (n,) of pairs of vectors (n, 2)."""
     return np.asarray(u[:, 0] * v[:, 0] + u[:, 1] * v[:, 1])
 
 
 def cross(u: FloatArray, v: FloatArray) -> FloatArray:
-    """Determinants (n,) of pairs of vectors (n, 2)."""
+    """Return determinants (n,) of pairs of vectors (n, 2)."""
     return np.asarray(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
 
 
 ORDERS_OF_SIDES = 3
-"""Number of derivatives that `KnotSides` compares; higher ones follow from the multiplicity of a knot."""
+"""Number of derivatives that `KnotSides` compares; the multiplicity of a knot determines the higher ones."""
 
 SHORT_SPAN_SHARE = 1e-6
-"""Knots nearer to each other than this share of the domain are examined on both sides of each knot only."""
+"""Distance between knots, as a fraction of the domain, below which continuity is checked by evaluation only."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -360,7 +361,7 @@ class KnotSides:
 
     @classmethod
     def of_seam(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
-        """Compare a closed curve (3, 1) where its end meets its start: before it closes, and after it begins."""
+        """Compare the end of a closed curve with its start, (3, 1) each."""
         sides = []
         for t, left in ((pieces.edges[-1:], True), (pieces.edges[:1], False)):
             _, d1, d2, d3 = pieces.at(t, 3, left=left)
@@ -378,14 +379,14 @@ class KnotSides:
 
 
 def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
-    """Number of continuous derivatives at the interior knots (p - 1,), from their multiplicity."""
+    """Return the number of continuous derivatives at the interior knots (p - 1,), from their multiplicity."""
     t = pieces.edges[1:-1]
     repeated = np.searchsorted(knots, t, side="right") - np.searchsorted(knots, t)
     return np.asarray(pieces.spans.degree - repeated)
 
 
 def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
-    """Number of the quantities angle, curvature and its slope, in this order, that agree on both sides."""
+    """Return how many of angle, curvature and its slope, in this order, are equal on both sides."""
     before, after = sides.before, sides.after
     scale = 1 / length + np.maximum(np.abs(before[1]), np.abs(after[1]))
     allowed = np.array([np.full(scale.size, 1e-9), 1e-8 * scale, 1e-6 * scale**2])
@@ -393,13 +394,12 @@ def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
 
 
 def _in_millimetres(point: FloatArray) -> str:
-    """A place as it stands in messages."""
+    """Return a point formatted for messages."""
     return f"({point[0]:g}, {point[1]:g}) mm"
 
 
 SHORT_HANDLE = 1e-3
-"""A handle shorter than this share of the curve's size was drawn so short: it is not a result of missing
-digits."""
+"""Length of a handle, as a fraction of the curve's size, that is intended even if coordinates have few digits."""
 
 
 def _refuse_standstill(
@@ -408,10 +408,10 @@ def _refuse_standstill(
     shown: Callable[[FloatArray], str] = _in_millimetres,
     rounding: float = 0.0,
 ) -> None:
-    """Raise InputError, with the place, when the curve has zero length or a point without tangent.
+    """Raise InputError, with the position, if the curve has zero length or a point without tangent.
 
-    `shown` writes a point (2,) in mm the way the drawing program does; `rounding` is how far one may be from what
-    was drawn, mm.
+    `shown` formats a point (2,) in mm as the drawing program does. `rounding` is the largest rounding error of
+    a coordinate, mm.
     """
     if np.ptp(control_points, axis=0).max() == 0:
         raise InputError("all control points coincide: the curve has zero length")
@@ -507,18 +507,18 @@ class NurbsCurve:
         shown, rounding = (_in_millimetres, 0.0) if drawn is None else (drawn.shown, drawn.rounding)
         steps = np.diff(points, axis=0)
         along = steps @ steps.sum(axis=0)
-        if self.is_rational or along.min() <= _AHEAD_SHARE * along.sum():  # else it goes ahead everywhere
+        if self.is_rational or along.min() <= _AHEAD_SHARE * along.sum():  # else no point has zero speed
             _refuse_standstill(self._pieces, self.control_points, shown, rounding)
 
     def __getstate__(self) -> dict[str, Any]:
-        """The numbers alone: what was computed from them is larger by far, and soon had again."""
+        """Return the numbers alone: cached results are much larger and quickly computed again."""
         return {field.name: getattr(self, field.name) for field in fields(self)}
 
     def _part(
         self, knots: FloatArray, control_points: FloatArray, weights: FloatArray | None,
         provenance: Provenance | None = None,
     ) -> Self:  # fmt: skip
-        """A curve of this degree that is a part or a moved copy of this one, so that it needs no check."""
+        """Return a curve of this degree that is a part or a moved copy of this curve, without checking it again."""
         made = object.__new__(type(self))
         for array in (knots, control_points, weights):
             if array is not None:
@@ -534,7 +534,7 @@ class NurbsCurve:
 
     @classmethod
     def spline(cls, control_points: ArrayLike, degree: int = 4) -> Self:
-        """The clamped B-spline with uniform knots over `control_points` (m, 2), m > degree."""
+        """Return the clamped B-spline with uniform knots over `control_points` (m, 2), m > degree."""
         points, degree = finite("control_points", control_points), whole_degree(degree)
         count = points.shape[0] if points.ndim else 0
         if count <= degree:
@@ -547,7 +547,7 @@ class NurbsCurve:
 
     @classmethod
     def line(cls, start: ArrayLike, end: ArrayLike, *, degree: int = 2) -> Self:
-        """The straight segment between two points."""
+        """Return the straight segment between two points."""
         a, b = finite("start", start), finite("end", end)
         degree = whole_degree(degree)
         if a.shape != (2,) or b.shape != (2,):
@@ -557,7 +557,7 @@ class NurbsCurve:
 
     @classmethod
     def arc(cls, center: ArrayLike, radius: float, start_angle: float, end_angle: float) -> Self:
-        """The circular arc between two angles (rad), counterclockwise when end_angle > start_angle; exact."""
+        """Return the exact circular arc between two angles (rad), counterclockwise if end_angle > start_angle."""
         return cls.ellipse(center, (radius, radius), start=start_angle, end=end_angle)
 
     @classmethod
@@ -569,7 +569,7 @@ class NurbsCurve:
         start: float = 0.0,
         end: float = 2 * np.pi,
     ) -> Self:
-        """The ellipse arc (a cos v, b sin v), v from start to end (rad), turned and moved; exact."""
+        """Return the ellipse arc (a cos v, b sin v), v from start to end (rad), rotated and moved; exact."""
         centre, axes = finite("center", center), finite("semi_axes", semi_axes)
         if centre.shape != (2,):
             raise InputError(f"the center must be two numbers, in mm, not {centre.tolist()}")
@@ -592,20 +592,20 @@ class NurbsCurve:
     ) -> Self:
         """Return a spline with few control points that passes all `points` (n, 2) within `tolerance` mm.
 
-        Of points that waver, such as measured ones, the curve keeps the noise: strips tell where it rules their
-        widths, and `smooth` of a strip takes it out.
+        The curve keeps the noise of measured points. Strips report noise that affects their widths, and
+        `smooth` of a strip removes it.
 
         Parameters
         ----------
         points : (n, 2) array_like
-            Points in order, mm; the first and last are met exactly.
+            Points in order, mm; the curve starts and ends exactly at the first and last point.
         degree : int
             3, 4 or 5.
         tolerance : float
             Largest distance of a point from the curve, mm.
         smoothing : float, optional
-            Weight of the mean square third derivative (mm, parameter from 0 to 1) beside the mean square
-            distance (mm2); it may then miss the tolerance. Chosen by the noise of the points when not given.
+            Weight of the mean square third derivative (mm, parameter from 0 to 1) relative to the mean square
+            distance (mm2); the curve may then exceed the tolerance. By default chosen from the noise of the points.
 
         Examples
         --------
@@ -630,7 +630,7 @@ class NurbsCurve:
         degree: int = 4,
         breaks: Sequence[tuple[float, int]] = (),
     ) -> Self:
-        """The spline that follows a smooth function within `tolerance` mm, in the function's own parameter.
+        """Return the spline that follows a smooth function within `tolerance` mm, in the function's own parameter.
 
         Parameters
         ----------
@@ -664,13 +664,13 @@ class NurbsCurve:
 
     @property
     def is_rational(self) -> bool:
-        """Whether the weights differ."""
+        """True if the weights differ."""
         return self.weights is not None
 
     def evaluate(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray:
-        """Position or its derivative d/dt of order up to 3, shape (..., 2) for parameters (...).
+        """Return the position or its derivative d/dt of order up to 3, shape (..., 2) for parameters (...).
 
-        At a knot of low continuity the right-hand value is given, with `left=True` the left-hand one.
+        At a knot of low continuity this is the right-hand value, or the left-hand value with `left=True`.
         """
         if not (is_whole(derivative) and 0 <= derivative <= 3):
             raise InputError(f"derivatives of order 0 to 3 are known, not {derivative!r}")
@@ -678,11 +678,11 @@ class NurbsCurve:
         return self._pieces.at(t.ravel(), derivative, left=left)[derivative].reshape(*t.shape, 2)
 
     def derivatives(self, t: FloatArray, order: int) -> list[FloatArray]:
-        """Positions and their derivatives d/dt up to `order`, (n, 2) each, at parameters (n,), at one go."""
+        """Return positions and their derivatives d/dt up to `order`, (n, 2) each, at parameters (n,)."""
         return self._pieces.at(t, order)
 
     def basis(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
-        """Derivatives (n, m) of the position (or of its derivative) at t (n,) by the m control points.
+        """Return derivatives (n, m) of the position (or of its derivative) at t (n,) by the m control points.
 
         The rational basis functions R_i: position = sum of R_i(t) times control point i.
         """
@@ -694,13 +694,14 @@ class NurbsCurve:
         return _quotient(numerators, [rows.sum(axis=0) for rows in numerators])[derivative].T
 
     def with_control_points(self, control_points: ArrayLike) -> Self:
-        """The curve with the same knots and weights over other control points (m, 2)."""
+        """Return the curve with the same knots and weights over other control points (m, 2)."""
         return type(self)(self.knots, numbers(control_points, "control_points"), self.degree, self.weights)
 
     def siblings(self, control_points: FloatArray) -> list[Self]:
-        """Curves over the same knots and control points (n, m, 2), without weights.
+        """Return curves with the same knots and control points (n, m, 2), without weights.
 
-        They are not checked, for thousands at one go: like this one they must run on without standing still.
+        The curves are not checked, to be fast for thousands of curves. Their speed must be positive everywhere,
+        as in this curve.
         """
         return [self._part(self.knots, points, None) for points in control_points]
 
@@ -710,7 +711,7 @@ class NurbsCurve:
         return self._pieces.edges, self._pieces.bezier
 
     def bezier_pieces(self) -> tuple[tuple[float, float, FloatArray], ...]:
-        """The knot spans as (t0, t1, homogeneous control points (degree + 1, 3): rows x w, y w, w)."""
+        """Return the knot spans as (t0, t1, homogeneous control points (degree + 1, 3): rows x w, y w, w)."""
         edges = self._pieces.edges
         return tuple(
             (float(a), float(b), piece.copy())
@@ -718,14 +719,14 @@ class NurbsCurve:
         )
 
     def reversed(self) -> Self:
-        """The curve run from its other end."""
+        """Return the reversed curve."""
         weights = None if self.weights is None else self.weights[::-1]
         knots = self.knots[0] + self.knots[-1] - self.knots[::-1]
         drawn = self.provenance and self.provenance.reversed()
         return self._part(knots, self.control_points[::-1], weights, drawn)
 
     def trimmed(self, start: float, end: float) -> Self:
-        """The part between two parameters as a clamped curve of its own (Boehm's knot insertion)."""
+        """Return the part between two parameters as a new clamped curve (Boehm's knot insertion)."""
         p, start, end = self.degree, self._at_knot(start), self._at_knot(end)
         points = self._pieces.control_points.copy() if self.is_rational else self.control_points.copy()
         last = int(np.searchsorted(self.knots, end)) - 1
@@ -741,13 +742,13 @@ class NurbsCurve:
         return self._part(knots, rows, None)
 
     def _at_knot(self, t: float) -> float:
-        """The knot that a parameter lies at but for rounding, else the parameter."""
+        """Return the knot that equals a parameter within rounding, else the parameter."""
         low, high = self.domain
         nearest = float(self.knots[np.abs(self.knots - t).argmin()])
         return nearest if abs(nearest - t) <= SAME_KNOT * (high - low) else t
 
     def transformed(self, matrix: ArrayLike) -> Self:
-        """The exact image under a projective map: matrix @ (x, y, 1), divided by its third number.
+        """Return the exact image under a projective map: matrix @ (x, y, 1) divided by its third component.
 
         Realizable curves stay realizable with clamped ends (paper, section 4.3).
 
@@ -778,7 +779,7 @@ class NurbsCurve:
         points, (low, high) = self.control_points, self.domain
         box = box_about(points[[0, -1]])
         clamped = self.knots[0] == low and self.knots[-1] == high
-        if clamped and (points >= box[0]).all() and (points <= box[1]).all():  # the curve lies in their hull
+        if clamped and (points >= box[0]).all() and (points <= box[1]).all():  # convex hull property
             return box
         return box_about(self.evaluate(self._pieces.stationary()))
 
@@ -791,7 +792,7 @@ class NurbsCurve:
 
 
 def _de_boor(knots: FloatArray, points: FloatArray, span: int, t: float) -> list[FloatArray]:
-    """De Boor's triangle at a parameter in the span that begins at a knot: its rows (degree, d) to (1, d)."""
+    """Return the rows (degree, d) to (1, d) of De Boor's triangle in the span that starts at a knot."""
     degree = knots.size - len(points) - 1
     rows, near = [points[span - degree : span + 1]], knots[span - degree + 1 : span + degree + 1]
     for level in range(1, degree + 1):

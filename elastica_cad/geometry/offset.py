@@ -25,15 +25,15 @@ from elastica_cad.geometry.segments import (
 from elastica_cad.refusals import Length
 
 _LOST_OFFSETS = 4.0
-"""A piece of the path longer than this many offsets must not disappear: it is a feature, not a corner."""
+"""Length in offsets above which a piece of the path is a feature that must not disappear."""
 
 
 def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path:
-    """The path at `distance` mm from `path`: exact for lines and arcs, to `tolerance` for splines.
+    """Return the path at `distance` mm from `path`: exact for lines and arcs, to `tolerance` for splines.
 
-    A closed path grows where `distance` is positive and shrinks where it is negative, whichever way it runs;
-    an open path moves to the left of its direction where `distance` is positive. Outer corners are rounded by
-    arcs about the old corner, inner ones are trimmed. A spline stays one spline (cubic).
+    A closed path grows if `distance` is positive and shrinks if it is negative, whatever its direction. An open
+    path moves to the left of its direction if `distance` is positive. Outer corners are rounded by arcs about
+    the original corner, inner corners are trimmed. The offset of a spline is a single cubic spline.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ class _Element:
 
 
 def _elements(path: Path, left: float, tolerance: float) -> list[_Element]:
-    """Moved segments with the arcs that round the corners which open up."""
+    """Return the moved segments, with arcs about the corners that are open on the offset side."""
     segments = [part for segment in path.segments for part in _without_corners(segment)]
     following = segments[1:] + (segments[:1] if path.closed else [])
     elements: list[_Element] = []
@@ -96,7 +96,7 @@ def _elements(path: Path, left: float, tolerance: float) -> list[_Element]:
 
 
 def _without_corners(segment: Segment) -> list[Segment]:
-    """A spline cut where its direction jumps."""
+    """Return the segment, or the parts of a spline between its corners."""
     if not isinstance(segment, Spline):
         return [segment]
     t0, t1 = segment.curve.domain
@@ -105,7 +105,7 @@ def _without_corners(segment: Segment) -> list[Segment]:
 
 
 def _moved(segment: Segment, left: float, tolerance: float) -> Segment | None:
-    """The segment moved to its left; None where an arc's radius is used up."""
+    """Return the segment moved to its left, or None if the radius of an arc would not stay positive."""
     if isinstance(segment, Line):
         normal = left_of(segment.tangent_at(0.0))
         return Line(segment.start + left * normal, segment.end + left * normal)
@@ -143,7 +143,7 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
 
 
 def _corner(before: Segment, after: Segment, left: float) -> Arc | None:
-    """The arc about a corner that opens up on the offset side; None where it closes or is no corner."""
+    """Return the arc about a corner that is open on the offset side, or None for any other joint."""
     s, t = before.tangent_at(1.0), after.tangent_at(0.0)
     turn = float(turn_between(s, t))
     if turn * left >= 0 or abs(turn * left) < JOIN / 4:
@@ -154,7 +154,7 @@ def _corner(before: Segment, after: Segment, left: float) -> Arc | None:
 
 
 class _Ring:
-    """The raw offset's elements in order, joined by trimming; elements that vanish are taken out."""
+    """Ordered elements of the raw offset, which are joined by trimming; vanishing elements are removed."""
 
     def __init__(self, elements: list[_Element], closed: bool, distance: float) -> None:
         self.elements = elements
@@ -162,7 +162,7 @@ class _Ring:
         self.distance = distance
 
     def joined(self) -> list[Segment]:
-        """The trimmed chain."""
+        """Return the trimmed chain."""
         alive = [i for i, element in enumerate(self.elements) if element.piece is not None]
         while True:
             self._refuse_losses(set(alive))
@@ -194,7 +194,7 @@ class _Ring:
         return self._piece(i).length
 
     def _refuse_losses(self, alive: set[int]) -> None:
-        """Refuse a result in which a stretch of the path has no counterpart."""
+        """Refuse a result in which a feature of the path has disappeared."""
         n = len(self.elements)
         if not alive or (self.closed and len(alive) == 1 and n > 1 and not _closes(self._piece(min(alive)))):
             self._refuse(self.elements[0].source)
@@ -219,7 +219,7 @@ def _closes(piece: Segment) -> bool:
 
 
 def _joint(a: Segment, b: Segment) -> tuple[float, float] | None:
-    """Parameters of a and b at which they meet; None where they do not meet."""
+    """Return the parameters of a and b where they meet, or None if they do not meet."""
     if np.hypot(*(b.start - a.end)) <= JOIN / 2:
         return 1.0, 0.0
     crossings = segment_crossings(a, b)
@@ -229,7 +229,7 @@ def _joint(a: Segment, b: Segment) -> tuple[float, float] | None:
 
 
 def _check(path: Path, moved: Path, distance: float, tolerance: float) -> None:
-    """Refuse a result that crosses itself or comes nearer to the path than it should."""
+    """Refuse a result that crosses itself or is closer to the path than `distance`."""
     samples = np.concatenate([segment.at(np.array([0.1, 0.35, 0.65, 0.9])) for segment in moved.segments])
     near = np.min([distances(segment, samples) for segment in path.segments], axis=0)
     worst = int(np.argmin(near))

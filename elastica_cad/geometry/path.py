@@ -31,12 +31,12 @@ _BLOCK = 4096
 _NEWTON_STEPS = 6
 _ROUNDING_SHARE = 1e-12  # of a length
 _SETTLED = 1e-12  # of the domain: the distance changes with the square of such a step
-_UNSETTLED = 1e-7  # of the domain, after Newton's last step: it goes round in circles
+_UNSETTLED = 1e-7  # of the domain, after Newton's last step: it has not converged
 _SEARCHES = 20  # each leaves a quarter of the span, or less
 
 
 def distances(segment: Segment, points: ArrayLike) -> FloatArray:
-    """Least distances (n,) of points (n, 2) from a segment, mm, to rounding error."""
+    """Return least distances (n,) of points (n, 2) from a segment, mm, to rounding error."""
     p = np.asarray(points, dtype=float).reshape(-1, 2)
     if isinstance(segment, Line):
         return _to_chords(p, segment.start[None], segment.end[None])[0][:, 0]
@@ -47,7 +47,7 @@ def distances(segment: Segment, points: ArrayLike) -> FloatArray:
 
 
 def polyline_distances(line: FloatArray, points: FloatArray) -> FloatArray:
-    """Least distances (n,) of points (n, 2) from a polyline (m, 2), mm."""
+    """Return least distances (n,) of points (n, 2) from a polyline (m, 2), mm."""
     rows = max(1, _BLOCK * _BLOCK // (16 * len(line)))
     return np.concatenate(
         [
@@ -58,7 +58,7 @@ def polyline_distances(line: FloatArray, points: FloatArray) -> FloatArray:
 
 
 def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
-    """Largest distance of 401 points of `found` from `target`, mm; 0 where it is rounding."""
+    """Return the largest distance of 401 points of `found` from `target`, mm, or 0 if it is a rounding error."""
     points, rounding = found.sample(401).position, _ROUNDING_SHARE * found.length
     if np.abs(points - target.sample(401).position).max() <= rounding:
         return 0.0
@@ -67,7 +67,7 @@ def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
 
 
 def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Distances (n, m) of points from chords a[j] b[j], and where on the chord (0 to 1) they are taken."""
+    """Return distances (n, m) of points from chords a[j] b[j], and the nearest positions on the chords (0 to 1)."""
     (x, y), (dx, dy) = a.T, (b - a).T
     left, down = p[:, :1] - x, p[:, 1:] - y  # x and y apart: sums over an axis of two are slow
     square = dx**2 + dy**2
@@ -87,10 +87,10 @@ def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
 
 
 def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
-    """Nearest chords, then Newton on <gamma - p, gamma'> = 0, kept only where it comes nearer."""
+    """Return distances from a spline by Newton's method on <gamma - p, gamma'> = 0 from the nearest chords."""
     u, q = chords(spline, _chord_tolerance(spline))
     chord, where = _to_chords(p, q[:-1], q[1:])
-    # the nearest chord, and those of other branches that may be nearer but for what chords leave out
+    # the nearest chord, and chords of other branches that may be nearer within the chord error
     close = chord <= chord.min(axis=1, keepdims=True) + 2 * _chord_tolerance(spline)
     close[:, 1:] &= chord[:, 1:] < chord[:, :-1]
     close[:, :-1] &= chord[:, :-1] <= chord[:, 1:]
@@ -119,9 +119,9 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
 
 
 def _searched(p: FloatArray, curve: PlaneCurve, low: FloatArray, high: FloatArray) -> FloatArray:
-    """Least distances (n,) of points from spans low to high of a curve, by ever finer samples.
+    """Return least distances (n,) of points from the spans low to high of a curve, by repeated sampling.
 
-    For spans that are run through so unevenly that Newton's method strays from where their chords say.
+    Used if the speed is so uneven that Newton's method leaves the span found by chords.
     """
     rows, least = np.arange(len(p)), np.full(len(p), np.inf)
     for _ in range(_SEARCHES):
@@ -135,7 +135,7 @@ def _searched(p: FloatArray, curve: PlaneCurve, low: FloatArray, high: FloatArra
 
 
 def _chord_tolerance(spline: Spline) -> float:
-    """Largest distance of chords from a spline, mm, with which Newton's method can start from them."""
+    """Return the largest distance of chords from a spline, mm, for starting points of Newton's method."""
     return 1e-3 * max(1.0, spline.length / 100)
 
 
@@ -145,19 +145,19 @@ JOIN = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """A chain of segments whose ends meet to 1e-6 mm.
+    """A chain of segments whose ends meet within 1e-6 mm.
 
     Parameters
     ----------
     segments : sequence of Line, Arc, Spline
-        Each begins where the one before it ends.
+        Each segment begins where the previous segment ends.
     closed : bool
         True where the last segment ends at the start of the first.
 
     Raises
     ------
     InputError
-        No segments, or ends that do not meet.
+        There are no segments, or their ends do not meet.
 
     Examples
     --------
@@ -188,7 +188,7 @@ class Path:
 
     @classmethod
     def polyline(cls, points: ArrayLike, bulges: ArrayLike | None = None, *, closed: bool = False) -> "Path":
-        """Lines through `points` (n, 2); arcs where the point's bulge, tan(turn / 4) as in DXF, is not 0.
+        """Return a path of lines through `points` (n, 2), or arcs for nonzero bulges, tan(turn / 4) as in DXF.
 
         Repeated points are passed over; a closed path may or may not repeat its first point at the end.
         """
@@ -208,12 +208,12 @@ class Path:
 
     @classmethod
     def polygon(cls, points: ArrayLike) -> "Path":
-        """The closed path of lines through `points` (n, 2)."""
+        """Return the closed path of lines through `points` (n, 2)."""
         return cls.polyline(points, closed=True)
 
     @classmethod
     def rectangle(cls, width: float, height: float, *, corner: ArrayLike = (0.0, 0.0)) -> "Path":
-        """A closed rectangle, anticlockwise from its lower left `corner`, mm."""
+        """Return a closed rectangle, anticlockwise from its lower left `corner`, mm."""
         if not (is_number(width) and is_number(height) and width > 0 and height > 0):
             raise InputError(f"a rectangle of {width} by {height} mm: both sides must be positive")
         x, y = point(corner, "the corner of a rectangle")
@@ -221,7 +221,7 @@ class Path:
 
     @classmethod
     def circle(cls, center: ArrayLike, radius: float) -> "Path":
-        """A circle, anticlockwise, one arc."""
+        """Return a circle as one anticlockwise arc."""
         return cls((Arc(center, radius, 0.0, 2 * np.pi),), closed=True)
 
     @property
@@ -265,22 +265,22 @@ class Path:
         return box_around(np.array([segment.bounds for segment in self.segments]))
 
     def reversed(self) -> "Path":
-        """The path run the other way."""
+        """Return the reversed path."""
         return Path([segment.reversed() for segment in reversed(self.segments)], self.closed)
 
     def transformed(self, matrix: ArrayLike) -> "Path":
-        """The path moved by a 3x3 affine matrix; an uneven scaling turns arcs into exact rational splines."""
+        """Return the path moved by a 3x3 affine matrix; arcs become splines unless it is a similarity."""
         m = numbers(matrix, "the matrix that a path is moved by")
         even = is_similarity(m)
         plain = [s.as_spline() if isinstance(s, Arc) and not even else s for s in self.segments]
         return Path([s.transformed(m) for s in plain], self.closed)
 
     def moved(self, x: float, y: float) -> "Path":
-        """The path shifted by (x, y) mm."""
+        """Return the path shifted by (x, y) mm."""
         return self.transformed([[1.0, 0.0, x], [0.0, 1.0, y], [0.0, 0.0, 1.0]])
 
     def points(self, tolerance: float) -> FloatArray:
-        """Points (n, 2) on the path whose polyline stays within `tolerance` mm of it.
+        """Return points (n, 2) on the path whose polyline stays within `tolerance` mm of it.
 
         The first point of a closed path is not repeated at the end.
         """

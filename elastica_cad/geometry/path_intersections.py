@@ -1,4 +1,4 @@
-"""Where segments and paths cross, and what of a path lies between two lines across."""
+"""Crossings of segments and paths, and the parts of a path between two vertical lines."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -36,12 +36,12 @@ class Chords:
 
     @classmethod
     def of(cls, segment: Segment) -> "Chords":
-        """The chords of a segment."""
+        """Return the chords of a segment."""
         return cls(segment, *chords(segment, _CHORD_TOLERANCE_MM))
 
 
 def segment_crossings(a: Segment, b: Segment) -> tuple[tuple[float, float], ...]:
-    """Parameters (u, v) in [0, 1] where a(u) = b(v), to rounding error.
+    """Return parameters (u, v) in [0, 1] where a(u) = b(v), to rounding error.
 
     The end of `a` and the start of `b` are tried first, so that a crossing close to a shared corner is found.
     """
@@ -51,7 +51,7 @@ def segment_crossings(a: Segment, b: Segment) -> tuple[tuple[float, float], ...]
 def chord_crossings(
     first: Chords, second: Chords, *, corner: bool = False
 ) -> tuple[tuple[float, float], ...]:
-    """Parameters (u, v) in [0, 1] where two segments cross, a(u) = b(v), to rounding error.
+    """Return parameters (u, v) in [0, 1] where two segments cross, a(u) = b(v), to rounding error.
 
     Parameters
     ----------
@@ -80,12 +80,12 @@ def chord_crossings(
 
 
 def polylines_cross(p: FloatArray, q: FloatArray) -> FloatArray | None:
-    """A point (2,) where the polylines through p (n, 2) and q (m, 2) cross or touch, or None."""
+    """Return a point (2,) where the polylines through p (n, 2) and q (m, 2) cross or touch, or None."""
     return _first_crossing(p, q, *_candidate_pairs(p, q))
 
 
 def encloses(loop: FloatArray, point: FloatArray) -> bool:
-    """Whether the polyline through (n, 2), closed from its last point to its first, encloses a point (2,)."""
+    """Return True if the polygon with vertices (n, 2) encloses a point (2,)."""
     (x0, y0), (x1, y1) = (loop - point).T, (np.roll(loop, -1, axis=0) - point).T
     rises = (y0 > 0) != (y1 > 0)
     x = x0[rises] - y0[rises] * (x1[rises] - x0[rises]) / (y1[rises] - y0[rises])
@@ -93,7 +93,7 @@ def encloses(loop: FloatArray, point: FloatArray) -> bool:
 
 
 def self_crossing(p: FloatArray, *, closed: bool) -> FloatArray | None:
-    """A point (2,) where the polyline through p (n, 2) meets itself, or None.
+    """Return a point (2,) where the polyline through p (n, 2) meets itself, or None.
 
     Neighbouring chords do not count. A closed polyline does not repeat its first point.
     """
@@ -115,7 +115,7 @@ def _first_crossing(p: FloatArray, q: FloatArray, i: IndexArray, j: IndexArray) 
 
 
 def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArray]:
-    """Index pairs (i, j) of chords of p and q whose bounding boxes overlap, in order.
+    """Return index pairs (i, j) of chords of p and q whose bounding boxes overlap, in order.
 
     Boxes of neighbouring chords are joined into a tree; only boxes that overlap are opened again.
     """
@@ -140,11 +140,11 @@ def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArr
 
 
 _FAN = 8
-"""Boxes that are joined into one: few levels for short polylines, few vain pairs for long ones."""
+"""Number of boxes that are joined to one: few levels for short polylines, few useless pairs for long ones."""
 
 
 def _box_tree(points: FloatArray) -> list[tuple[FloatArray, FloatArray]]:
-    """Lower and upper corners (m, 2) of the boxes of chords, then of each few of them, up to the box of all."""
+    """Return lower and upper corners (m, 2) of the boxes of chords, then of groups of boxes, up to one box."""
     levels = [(np.minimum(points[:-1], points[1:]), np.maximum(points[:-1], points[1:]))]
     while len(levels[-1][0]) > 1:
         low, high = levels[-1]
@@ -154,14 +154,14 @@ def _box_tree(points: FloatArray) -> list[tuple[FloatArray, FloatArray]]:
 
 
 def _side(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:
-    """Twice the area of the triangles a b c: on which side of a b the points c lie."""
+    """Return twice the signed area of the triangles a b c: positive if c is to the left of a b."""
     return cross(b - a, c - a)
 
 
 def _line_parameters(
     a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Intersections of the lines a b and c d (n, 2 each), as fractions of a b and of c d; nan where parallel."""
+    """Return intersections of the lines a b and c d (n, 2 each), as fractions of a b and c d; nan if parallel."""
     p, q, gap = b - a, d - c, c - a
     det = cross(p, q)
     det = np.where(np.abs(det) > 1e-14 * np.hypot(*p.T) * np.hypot(*q.T), det, np.nan)
@@ -169,7 +169,7 @@ def _line_parameters(
 
 
 def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
-    """Crossings of chords of the two segments, a little beyond their ends too."""
+    """Return crossings of chords of the two segments, including those slightly beyond their ends."""
     u, v, p, q = a.u, b.u, a.points, b.points
     i, j = _candidate_pairs(p, q)
     f, g = _line_parameters(p[i], p[i + 1], q[j], q[j + 1])
@@ -179,7 +179,7 @@ def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
 
 
 def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] | None:
-    """The crossing that Newton's method reaches from (u, v), or None where there is none on the segments."""
+    """Return the crossing found by Newton's method from (u, v), or None if it is not on the segments."""
     for _ in range(30):
         inside_u, inside_v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
         (ax, ay, adx, ady), (bx, by, bdx, bdy) = _motion(a, inside_u), _motion(b, inside_v)
@@ -208,16 +208,16 @@ def _motion(segment: Segment, u: float) -> tuple[float, float, float, float]:
 
 
 FLAT_MM = 0.002
-"""Flatness of loops in tests of what lies inside them."""
+"""Flatness of loops, mm, in tests of points inside them."""
 
 
 def clip_across(path: Path, low: float, high: float) -> Path:
-    """The part of a closed path with low <= x <= high, closed by straight lines; its curves stay exact.
+    """Return the part of a closed path with low <= x <= high, closed by straight lines; curves stay exact.
 
     Raises
     ------
     InputError
-        A line that meets the path more or less often than twice, so that there is not one part, or none.
+        The path is outside of that range, or the part is not in one piece.
 
     Examples
     --------
@@ -251,7 +251,7 @@ def clip_across(path: Path, low: float, high: float) -> Path:
 
 
 def trim_across(path: Path, low: float, high: float) -> tuple[Path, ...]:
-    """The parts of an open path with low <= x <= high, in order.
+    """Return the parts of an open path with low <= x <= high, in order.
 
     Examples
     --------
@@ -263,7 +263,7 @@ def trim_across(path: Path, low: float, high: float) -> tuple[Path, ...]:
 
 
 def trim_off(path: Path, loops: Sequence[Path]) -> tuple[Path, ...]:
-    """The parts of an open path that lie outside of closed ones, in order.
+    """Return the parts of an open path that are outside of closed paths, in order.
 
     Examples
     --------
@@ -281,14 +281,14 @@ def trim_off(path: Path, loops: Sequence[Path]) -> tuple[Path, ...]:
 
 
 def _runs_between(path: Path, low: float, high: float) -> list[list[Segment]]:
-    """Chains of a path's segments between two lines across, in order."""
+    """Return chains of a path's segments between two vertical lines, in order."""
     (left, bottom), (right, top) = path.bounds
     walls = [Line((x, bottom - 1), (x, top + 1)) for x in (low, high) if left + JOIN < x < right - JOIN]
     return _runs(path, walls, lambda place: low <= float(place[0]) <= high)
 
 
 def _runs(path: Path, walls: Sequence[Segment], keeps: Callable[[FloatArray], bool]) -> list[list[Segment]]:
-    """Chains of a path's segments, cut at `walls`, whose middles are kept, in order."""
+    """Return ordered chains of the pieces between `walls` whose midpoints satisfy `keeps`."""
     runs: list[list[Segment]] = [[]]
     for segment in path.segments:
         cuts = {u for wall in walls for u, _ in segment_crossings(segment, wall)}
@@ -302,7 +302,7 @@ def _runs(path: Path, walls: Sequence[Segment], keeps: Callable[[FloatArray], bo
 
 
 def _is_within(segment: Segment, u: float) -> bool:
-    """Whether a place on a segment is not one of its ends, within rounding."""
+    """Return True if a point on a segment is not one of its ends, within rounding."""
     gaps = np.array([segment.start, segment.end]) - segment.at(u)
     return 0 < u < 1 and bool(np.hypot(*gaps.T).min() > JOIN)
 

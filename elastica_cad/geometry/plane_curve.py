@@ -67,7 +67,7 @@ class CurveSamples:
 
 @dataclass(frozen=True)
 class CurvatureZero:
-    """A place (or, if flat, a stretch) where the curvature vanishes or jumps to the other sign.
+    """A point (or, if flat, a stretch) where the curvature vanishes or jumps to the other sign.
 
     Attributes
     ----------
@@ -92,7 +92,7 @@ class CurvatureZero:
 
     @property
     def changes_sign(self) -> bool:
-        """Does the curve bend one way before and the other way after?"""
+        """True if the curvature has opposite signs before and after."""
         return self.before * self.after < 0
 
 
@@ -123,7 +123,7 @@ class TangentBreak:
     angle: float
 
 
-SURVEY_POINTS = 601  # at which all who look along the whole curve find it evaluated
+SURVEY_POINTS = 601  # number of points of the sample that all functions share
 
 DRAWN_POINTS = 301  # of a curve in a notebook, a few pixels apart
 
@@ -152,12 +152,12 @@ class PlaneCurve(NurbsCurve):
     weights : (m,) array_like, optional
         Positive weights of a rational curve.
     provenance : Provenance, optional
-        What the file that it was drawn in says beside the numbers.
+        Record of the curve's origin in a file.
 
     Raises
     ------
     InputError
-        When the numbers make no curve with a tangent everywhere: too few or non-finite control points, knots
+        The numbers do not define a curve with a tangent everywhere: too few or non-finite control points, knots
         that decrease or break the curve apart, weights not positive, zero length, a cusp.
 
     Examples
@@ -168,19 +168,19 @@ class PlaneCurve(NurbsCurve):
     """
 
     def curvature_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
-        """Signed curvature, 1/mm, at parameters t."""
+        """Return the signed curvature, 1/mm, at parameters t."""
         t = numbers(t, "parameters")
         return curvature(*self._pieces.at(t.ravel(), 2, left=require_flag(left, "left"))[1:]).reshape(t.shape)
 
     def curvature_slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
-        """Derivative of the curvature by arc length, 1/mm2, at parameters t."""
+        """Return the derivative of the curvature by arc length, 1/mm2, at parameters t."""
         t = numbers(t, "parameters")
         return curvature_slope(*self._pieces.at(t.ravel(), 3, left=require_flag(left, "left"))[1:]).reshape(
             t.shape
         )
 
     def angle_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
-        """Turning angle, rad, at parameters t: continuous along the curve, in [-pi, pi] at its start."""
+        """Return the turning angle, rad, at parameters t: continuous along the curve, in [-pi, pi] at its start."""
         t = numbers(t, "parameters")
         _, d1 = self._pieces.at(t.ravel(), 1, left=require_flag(left, "left"))
         return self._turning.at(t.ravel(), d1, left=left).reshape(t.shape)
@@ -201,12 +201,12 @@ class PlaneCurve(NurbsCurve):
         return float(self._pieces.arc_length.s[-1])
 
     def arc_length(self, t: ArrayLike) -> FloatArray:
-        """Arc length from the start, mm, at parameters t."""
+        """Return the arc length from the start, mm, at parameters t."""
         t = numbers(t, "parameters")
         return self._pieces.arc_length.length_at(self._pieces.inside(t.ravel())).reshape(t.shape)
 
     def parameter(self, s: ArrayLike) -> FloatArray:
-        """Parameters at arc lengths s (mm)."""
+        """Return parameters at arc lengths s (mm)."""
         s = numbers(s, "arc lengths")
         slack = 1e-9 * self.length
         if s.size and not (s.min() >= -slack and s.max() <= self.length + slack):
@@ -220,7 +220,7 @@ class PlaneCurve(NurbsCurve):
         return self._pieces.arc_length.t
 
     def at(self, s: ArrayLike) -> CurveSamples:
-        """Position, angle and curvature at arc lengths s (n,)."""
+        """Return the position, angle and curvature at arc lengths s (n,)."""
         s = np.atleast_1d(numbers(s, "arc lengths"))
         if s.ndim > 1:
             raise InputError(f"arc lengths are an array of {s.ndim} dimensions: give one row")
@@ -251,7 +251,7 @@ class PlaneCurve(NurbsCurve):
         return self._measured(self._polished(found))
 
     def curvature_equals(self, level: float) -> tuple[CurvatureZero, ...]:
-        """All places where the curvature is `level` (1/mm); before, after: signs of curvature - level."""
+        """Return all points where the curvature is `level` (1/mm), with the signs of curvature - level."""
         level = require_number(level, "the curvature to look for", "1/mm")
         if level == 0:
             return self.curvature_zeros
@@ -263,7 +263,7 @@ class PlaneCurve(NurbsCurve):
         size: float,
         breaks: Sequence[tuple[float, bool]] = (),
     ) -> tuple[CurvatureZero, ...]:
-        """All zeros and sign changes of a function along the curve, in order.
+        """Return all zeros and sign changes of a function along the curve, in order.
 
         Parameters
         ----------
@@ -292,8 +292,7 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def inflections(self) -> FloatArray:
-        """Arc lengths (k,), mm, where the curvature changes sign; where it is 0 in between, the middle of that
-        piece."""
+        """Arc lengths (k,), mm, where the curvature changes sign; of a straight piece between, its middle."""
         return np.array([(z.s + z.s_end) / 2 for z in self.curvature_zeros if z.changes_sign])
 
     @cached_property
@@ -304,7 +303,7 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def tangent_breaks(self) -> tuple[TangentBreak, ...]:
-        """Corners of more than 1e-5 rad, without that of a closed curve's seam."""
+        """Corners of more than 1e-5 rad, without the corner at the seam of a closed curve."""
         if self._pieces.edges.size == 2 or self._is_smooth(1):
             return ()
         angle = self._knot_sides.corners
@@ -317,7 +316,7 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def seam(self) -> Break | None:
-        """The place where a closed curve meets its start, with its continuity; None for an open curve."""
+        """Start of a closed curve with its continuity, or None for an open curve."""
         if not self.is_closed:
             return None
         return Break(0.0, self.domain[0], int(agreeing_orders(self._seam_sides, self.length)[0]))
@@ -329,26 +328,26 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def has_corners(self) -> bool:
-        """Whether the direction jumps by more than 1e-5 rad anywhere, also where the curve closes."""
+        """True if the direction jumps by more than 1e-5 rad anywhere, including the seam of a closed curve."""
         return bool(self.tangent_breaks) or abs(self.seam_turn) > CORNER_RAD
 
     @cached_property
     def is_straight(self) -> bool:
-        """Is the whole curve a straight segment?"""
+        """True if the whole curve is a straight segment."""
         flats = [(z.kind, z.before, z.after) for z in self.curvature_zeros]
         return flats == [("flat", 0, 0)] and not self.tangent_breaks  # nothing bends before or after it
 
     @cached_property
     def is_closed(self) -> bool:
-        """Do the ends meet (within 1e-9 of the length)?"""
+        """True if the ends meet within 1e-9 of the length."""
         (x0, y0, w0), (x1, y1, w1) = self._pieces.ends
         gap = hypot(x1 / w1 - x0 / w0, y1 / w1 - y0 / w0)
         return gap <= 1e-9 * self.length
 
     def self_intersections(self) -> FloatArray:
-        """Pairs of arc lengths (k, 2), mm, at which the curve crosses or touches itself, in order."""
+        """Return pairs of arc lengths (k, 2), mm, where the curve crosses or touches itself, in order."""
         if self._turning.spread <= np.pi * (1 + _ROUNDING):
-            return np.zeros((0, 2))  # it never comes back: what closes must turn by more than half a turn
+            return np.zeros((0, 2))  # a curve that meets itself turns by more than 180 degrees
         bezier, edges = self._pieces.bezier, self._pieces.edges
         return self.arc_length(find_self_intersections(bezier, edges, lambda t: self.derivatives(t, 1)))
 
@@ -367,7 +366,7 @@ class PlaneCurve(NurbsCurve):
         return knot_orders(self._pieces, self.knots)
 
     def _is_smooth(self, order: int) -> bool:
-        """Whether the multiplicities of the knots alone show that the curve is smooth to this order."""
+        """Return True if the knot multiplicities alone show that the curve is smooth to this order."""
         spans = self._pieces.spans
         apart = spans.widths.min() > SHORT_SPAN_SHARE * (spans.edges[-1] - spans.edges[0])
         return bool(apart and self._knot_orders.min(initial=order) >= order)
@@ -385,7 +384,7 @@ class PlaneCurve(NurbsCurve):
         return self._continuity >= 2
 
     def _polished(self, found: tuple[zeros.ZeroPlace, ...]) -> tuple[zeros.ZeroPlace, ...]:
-        """Crossings brought nearer by a step of Newton's: pieces are short, and their coordinates rounded."""
+        """Refine crossings by a step of Newton's method, because coordinates of short pieces are rounded."""
         crossing = [i for i, place in enumerate(found) if place.kind == "crossing"]
         if not crossing:
             return found
@@ -411,7 +410,7 @@ class PlaneCurve(NurbsCurve):
 
 
 def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[CurvatureZero, ...]:
-    """All points that a curve has in common with the line a + <b, x> = 0, in order along the curve.
+    """Return all intersections of a curve with the line a + <b, x> = 0, in order along the curve.
 
     Parameters
     ----------
@@ -446,7 +445,7 @@ def clamp_ends(curve: PlaneCurve) -> PlaneCurve:
 
 
 def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
-    """The smooth pieces of a curve, in order; the curve itself where it has no corner.
+    """Return the smooth pieces of a curve, in order, or the curve itself if it has no corner.
 
     Examples
     --------
@@ -473,7 +472,7 @@ def integrate_tangents(
     tolerance: float,
     breaks: Sequence[tuple[float, int]] = (),
 ) -> PlaneCurve:
-    """The spline of degree 5 from `start` (2,), mm, whose parameter is arc length, to the tolerance.
+    """Return the spline of degree 5 from `start` (2,), mm, with arc length as its parameter, to the tolerance.
 
     Parameters
     ----------

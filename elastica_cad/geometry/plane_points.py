@@ -10,18 +10,18 @@ from elastica_cad.errors import InputError
 
 
 def transform_points(matrix: ArrayLike, points: ArrayLike) -> FloatArray:
-    """Points (..., 2) moved by a 3x3 affine matrix."""
+    """Return points (..., 2) moved by a 3x3 affine matrix."""
     m = require_affine(matrix)
     moved = (np.asarray(points, dtype=float) @ m[:2, :2].T + m[:2, 2]) / m[2, 2]
     return np.asarray(moved, dtype=float)
 
 
 def require_affine(matrix: ArrayLike) -> FloatArray:
-    """The matrix, refused unless it is affine and invertible."""
+    """Return the matrix, and refuse it unless it is affine and invertible."""
     m = numbers(matrix, "the matrix that a path is moved by")
     if m.shape != (3, 3):
         raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
-    (a, b, x), (c, d, y), last = m.tolist()  # plain numbers: this is asked once for every segment
+    (a, b, x), (c, d, y), last = m.tolist()  # plain numbers, because this runs once for every segment
     if not all(map(isfinite, (a, b, x, c, d, y))) or last[:2] != [0.0, 0.0] or not 0 < abs(last[2]) < inf:
         raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
     if abs(a * d - b * c) <= 1e-14 * max(abs(a), abs(b), abs(c), abs(d)) ** 2:
@@ -30,7 +30,7 @@ def require_affine(matrix: ArrayLike) -> FloatArray:
 
 
 def is_similarity(matrix: ArrayLike) -> bool:
-    """True where a 3x3 affine matrix keeps circles circles."""
+    """Return True if a 3x3 affine matrix maps circles to circles."""
     (a, b, _), (c, d, _), _ = require_affine(matrix).tolist()
     slack = 1e-12 * max(abs(a), abs(b), abs(c), abs(d))
     turned = bool(abs(b + c) <= slack and abs(d - a) <= slack)
@@ -38,7 +38,7 @@ def is_similarity(matrix: ArrayLike) -> bool:
 
 
 def similarity_of(matrix: FloatArray) -> tuple[float, float, float]:
-    """Scale, angle (rad) and hand of a similarity, a 3x3 matrix that keeps circles circles.
+    """Return the scale, angle (rad) and orientation of a similarity, a 3x3 matrix that maps circles to circles.
 
     The hand is 1.0, or -1.0 where the map mirrors in the x axis before it turns. That the matrix is a similarity is
     not checked: `is_similarity` does that.
@@ -54,7 +54,7 @@ def similarity_of(matrix: FloatArray) -> tuple[float, float, float]:
 
 
 def box_about(points: FloatArray) -> FloatArray:
-    """Least and largest coordinates (2, d) of points (n, d).
+    """Return least and largest coordinates (2, d) of points (n, d).
 
     Examples
     --------
@@ -65,7 +65,7 @@ def box_about(points: FloatArray) -> FloatArray:
 
 
 def boxes_about(points: FloatArray) -> FloatArray:
-    """Least and largest coordinates (k, 2, d) of each of many sets of points (k, n, d).
+    """Return least and largest coordinates (k, 2, d) of each of many sets of points (k, n, d).
 
     Examples
     --------
@@ -76,7 +76,7 @@ def boxes_about(points: FloatArray) -> FloatArray:
 
 
 def box_around(boxes: FloatArray) -> FloatArray:
-    """The box (2, d) about boxes (n, 2, d).
+    """Return the box (2, d) about boxes (n, 2, d).
 
     Examples
     --------
@@ -87,7 +87,7 @@ def box_around(boxes: FloatArray) -> FloatArray:
 
 
 def boxes_meet(a: FloatArray, b: FloatArray) -> BoolArray:
-    """Do boxes (..., 2, d) overlap or touch?
+    """Return True where boxes (..., 2, d) overlap or touch.
 
     Examples
     --------
@@ -98,7 +98,7 @@ def boxes_meet(a: FloatArray, b: FloatArray) -> BoolArray:
 
 
 def lengths_along(points: FloatArray) -> FloatArray:
-    """Lengths (n,) of the polyline through points (n, d) up to each of them.
+    """Return the length (n,) of the polyline through points (n, d) up to each point.
 
     Examples
     --------
@@ -109,7 +109,7 @@ def lengths_along(points: FloatArray) -> FloatArray:
 
 
 def turns_along(angles: FloatArray) -> FloatArray:
-    """How far (n,) angles (n,) have turned, to either side, up to each of them.
+    """Return the cumulative absolute change (n,) of angles (n,).
 
     Examples
     --------
@@ -120,7 +120,7 @@ def turns_along(angles: FloatArray) -> FloatArray:
 
 
 def numbers_in_groups(counts: IntArray) -> IntArray:
-    """0, 1, ... within each of the groups of `counts` (k,), one group after the other.
+    """Return 0, 1, ... for each group of `counts` (k,), all groups concatenated.
 
     Examples
     --------
@@ -135,10 +135,10 @@ _ROW, _FINEST_CELL = 2**31, 2.0**-30
 
 
 def near_pairs(points: FloatArray, others: FloatArray, reach: float) -> tuple[IntArray, IntArray]:
-    """Numbers (k,) of points (n, d) and of other points (m, d) at most `reach` apart, in order of the points.
+    """Return the index pairs (k,) of points (n, d) and other points (m, d) at most `reach` apart.
 
-    The plane of the first two coordinates is divided into cells at least as wide as `reach`, and each point is
-    compared with the points of nine cells.
+    Pairs are in the order of the points. The plane of the first two coordinates is divided into cells at least
+    as wide as `reach`. Each point is compared with the points of nine cells.
 
     Examples
     --------
@@ -162,7 +162,7 @@ def near_pairs(points: FloatArray, others: FloatArray, reach: float) -> tuple[In
 
 
 def distinct(values: FloatArray) -> FloatArray:
-    """The values (n,) in order, each once. (numpy's `unique` loads its masked arrays first.)
+    """Return the sorted distinct values (n,). (numpy's `unique` imports masked arrays.)
 
     Examples
     --------

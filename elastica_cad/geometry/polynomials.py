@@ -11,17 +11,17 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 
 @lru_cache(maxsize=64)
 def binomials(degree: int) -> FloatArray:
-    """Numbers (degree + 1,) by which the Bernstein polynomials are larger than `_scaled_bernstein`."""
+    """Return binomial coefficients (degree + 1,), the factors from `_scaled_bernstein` to Bernstein polynomials."""
     return np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
 
 
 _SPLIT = 0.46875
-"""Place at which an interval is divided: not its middle, where symmetric curves have zeros, and exact in
-binary."""
+"""Fraction at which an interval is divided. It is exact in binary, and not 0.5 because symmetric curves have
+zeros there."""
 
 
 def _scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
-    """Values (n, degree + 1) of u^i (1 - u)^(degree - i): Bernstein polynomials without their binomials."""
+    """Return values (n, degree + 1) of u^i (1 - u)^(degree - i), Bernstein polynomials without binomials."""
     powers = np.empty((degree + 1, 2, u.size))
     powers[0] = 1.0
     if degree:
@@ -33,7 +33,7 @@ def _scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
 
 
 def bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray:
-    """Derivatives (n, degree + 1) of the Bernstein polynomials at local coordinates (n,)."""
+    """Return derivatives (n, degree + 1) of the Bernstein polynomials at local coordinates (n,)."""
     if derivative > degree:
         return np.zeros((u.size, degree + 1))
     values = np.ones((1, u.size))
@@ -48,13 +48,13 @@ def bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray:
 
 
 def sums_in_pieces(series: FloatArray, piece: IntArray, u: FloatArray) -> FloatArray:
-    """Values (n, c) of polynomials by `_scaled_bernstein` (p, degree + 1, c) at u (n,) of pieces (n,)."""
+    """Return values (n, c) of polynomials by `_scaled_bernstein` (p, degree + 1, c) at u (n,) of pieces (n,)."""
     basis = _scaled_bernstein(series.shape[1] - 1, u)
     return np.asarray(np.einsum("nj,njc->nc", basis, series.take(piece, axis=0)))
 
 
 def product(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Coefficients (..., m+n+1) of the product of polynomials with coefficients (..., m+1) and (..., n+1)."""
+    """Return the coefficients (..., m+n+1) of the product of polynomials (..., m+1) and (..., n+1)."""
     m, n = a.shape[-1] - 1, b.shape[-1] - 1
     terms = (a * binomials(m))[..., :, None] * (b * binomials(n))[..., None, :]
     return np.asarray(terms.reshape(*terms.shape[:-2], -1) @ _gathered(m, n) / binomials(m + n))
@@ -62,8 +62,7 @@ def product(a: FloatArray, b: FloatArray) -> FloatArray:
 
 @lru_cache(maxsize=256)
 def _gathered(m: int, n: int) -> FloatArray:
-    """Matrix that sums the terms i, j ((m + 1) (n + 1),) of a product of two polynomials over i + j = k, (m + n
-    + 1,)."""
+    """Return the matrix that sums the terms i, j ((m + 1) (n + 1),) of a product over i + j = k, (m + n + 1,)."""
     i, j = np.indices((m + 1, n + 1)).reshape(2, -1)
     matrix = np.zeros((i.size, m + n + 1))
     matrix[np.arange(i.size), i + j] = 1.0
@@ -79,7 +78,7 @@ def raise_degree(c: FloatArray) -> FloatArray:
 
 
 def subdivide(c: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
-    """Coefficients (..., n+1) of the parts on [0, u] and [u, 1]."""
+    """Return coefficients (..., n+1) of the parts on [0, u] and [u, 1]."""
     left, right = np.empty(c.shape), np.empty(c.shape)
     for k in range(c.shape[-1]):  # de Casteljau
         left[..., k], right[..., -1 - k] = c[..., 0], c[..., -1]
@@ -88,7 +87,7 @@ def subdivide(c: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
 
 
 def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Values and derivatives (k,) of polynomials (k, n+1) at one place u (k,) each."""
+    """Return values and derivatives (k,) of polynomials (k, n+1) at u (k,)."""
     degree = c.shape[-1] - 1
     if degree == 0:
         return c[:, 0].copy(), np.zeros(c.shape[0])
@@ -100,9 +99,9 @@ def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArra
 
 
 def without_end_roots(c: FloatArray, noise: FloatArray, which: BoolArray) -> tuple[FloatArray, BoolArray]:
-    """Polynomials (k, n+1) without the zeros at their ends, below `noise` (k,), and whether they had any (k, 2).
+    """Divide polynomials (k, n+1) by their zeros at the ends; return which ends had zeros (k, 2).
 
-    Only those of `which` (k,) are looked at.
+    Values below `noise` (k,) count as zero. Only the polynomials where `which` (k,) is True are changed.
     """
     c, zero = c.copy(), np.zeros((len(c), 2), dtype=bool)
     ends = np.abs(c[:, [0, -1]]) <= noise[:, None]
@@ -117,14 +116,13 @@ def without_end_roots(c: FloatArray, noise: FloatArray, which: BoolArray) -> tup
 
 
 def divide_out_end_root(c: FloatArray, *, at_end: bool) -> FloatArray:
-    """Polynomials (..., n+1) divided by 1 - u (or by u), at the same degree: same signs inside (0, 1)."""
+    """Divide polynomials (..., n+1) by 1 - u (or by u) at the same degree; signs inside (0, 1) stay."""
     return c @ _division(c.shape[-1] - 1, at_end) if c.shape[-1] > 1 else c
 
 
 @lru_cache(maxsize=64)
 def _division(n: int, at_end: bool) -> FloatArray:
-    """Matrix (n+1, n+1) by which coefficients (n+1,) are multiplied to divide by 1 - u (or by u) at the same
-    degree."""
+    """Return the matrix (n+1, n+1) that divides coefficients (n+1,) by 1 - u (or by u) at the same degree."""
     index = np.arange(n)
     unit = np.eye(n + 1)
     return raise_degree(unit[:, :-1] * n / (n - index) if at_end else unit[:, 1:] * n / (index + 1))
@@ -132,14 +130,14 @@ def _division(n: int, at_end: bool) -> FloatArray:
 
 @dataclass(frozen=True)
 class Root:
-    """A zero strictly inside one polynomial's interval (0, 1).
+    """A zero of a polynomial strictly inside the interval (0, 1).
 
     Attributes
     ----------
     piece : int
-        Which polynomial.
+        Index of the polynomial.
     u : float
-        Where, in (0, 1).
+        Position in (0, 1).
     crossing : bool
         True when the sign changes there, False when the polynomial only touches zero.
     """
@@ -150,28 +148,30 @@ class Root:
 
 
 _MOST_HALVINGS = 48
-"""A piece that was halved this often is as short as rounding errors; what remains in it is one multiple zero."""
+"""Largest number of halvings; a piece halved this often is as short as rounding errors and holds one multiple
+zero."""
 
 _GENTLE, _BLUR = 10.0, 4.0
-"""With e, the third root of the noise: a sign change whose slope is below 10 e^2 times the largest coefficient
-is a multiple zero. It lies within 4 e of where rounding puts it, and is found as the zero of a derivative."""
+"""Factors of e, the third root of the noise. A sign change whose slope is below 10 e^2 times the largest
+coefficient is a multiple zero. Rounding moves it by less than 4 e, and it is found as the zero of a
+derivative."""
 
 _EPS = float(np.finfo(float).eps)
 
 
 def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
-    """All zeros in the open interval (0, 1) of polynomials (k, n+1), in order.
+    """Return all zeros in the open interval (0, 1) of polynomials (k, n+1), in order.
 
-    Sign variations of Bernstein coefficients bound the number of zeros (Descartes); pieces are halved until
-    each holds none, one, or nothing above `noise` (k,), the rounding level of the coefficients. Zeros that
-    rounding cannot separate count as one: a crossing when the sign differs on its two sides, else a touch.
-    The coefficients at both ends must exceed the noise (see `divide_out_end_root`).
+    Sign variations of Bernstein coefficients bound the number of zeros (Descartes). Pieces are halved until
+    each has at most one zero, or no coefficient above `noise` (k,), the rounding level of the coefficients.
+    Zeros that rounding cannot separate count as one: a crossing if the sign differs on its two sides, else a
+    touch. The coefficients at both ends must exceed the noise (see `divide_out_end_root`).
     """
     return _classified(c, _merged(sorted(_events(c, noise))))
 
 
 def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, bool]]:
-    """Sign changes, and stretches on which nothing is above the noise: piece, start, end, is it a sign change?"""
+    """Return sign changes and stretches of noise: polynomial, start, end, True for an exact sign change."""
     piece = np.arange(c.shape[0])
     part, low, width = c, np.zeros(c.shape[0]), np.ones(c.shape[0])
     events: list[tuple[int, float, float, bool]] = []
@@ -196,7 +196,7 @@ def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, b
 
 
 def interior_roots(c: FloatArray) -> list[Root]:
-    """Zeros in (0, 1) of polynomials (k, n+1), not those at the ends, none of vanishing polynomials."""
+    """Return zeros in (0, 1) of polynomials (k, n+1), without zeros at the ends and zero polynomials."""
     noise = 32 * _EPS * np.abs(c).max(axis=1)
     noise = np.maximum(noise, 1e-15 * np.abs(c).max(initial=0.0))
     c, _ = without_end_roots(c, noise, np.ones(len(c), dtype=bool))
@@ -206,7 +206,7 @@ def interior_roots(c: FloatArray) -> list[Root]:
 
 
 def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
-    """Sign changes (k,) of rows with zeros skipped, and whether a row holds zeros."""
+    """Return the number of sign changes (k,) of rows without zeros, and True (k,) for rows with zeros."""
     blurred = (sign == 0).any(axis=1)
     if blurred.any():
         sign = sign.copy()
@@ -228,8 +228,7 @@ def _halved(
 
 
 def _enclosed(c: FloatArray, noise: FloatArray) -> tuple[list[float], list[float]]:
-    """Interval that contains the single sign change of each polynomial (k, n+1): a point, or for a multiple
-    zero an interval about it."""
+    """Return the interval around the only sign change of each polynomial (k, n+1), wider for multiple zeros."""
     largest = np.abs(c).max(axis=1, initial=0.0)
     u, slope = _crossings(c, largest)
     blur = np.cbrt(noise / largest)
@@ -238,8 +237,7 @@ def _enclosed(c: FloatArray, noise: FloatArray) -> tuple[list[float], list[float
 
 
 def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The single sign change (k,) of each polynomial whose end values differ in sign, exact to rounding, and
-    the slope there."""
+    """Return the only sign change (k,) of each polynomial, exact to rounding, and the slope there."""
     low, high = np.zeros(len(c)), np.ones(len(c))
     u, slope = c[:, 0] / (c[:, 0] - c[:, -1]), np.zeros(len(c))
     for _ in range(80):
@@ -257,7 +255,7 @@ def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArr
 
 
 def _merged(events: list[tuple[int, float, float, bool]]) -> list[tuple[int, float, float, bool]]:
-    """Adjoining clusters, and roots inside or beside them, as one event."""
+    """Join neighbouring noisy stretches, and the roots in or next to them, to one event."""
     merged: list[tuple[int, float, float, bool]] = []
     for piece, a, b, sharp in events:
         if merged and merged[-1][0] == piece and not (sharp and merged[-1][3]):
@@ -285,7 +283,7 @@ def _classified(c: FloatArray, events: list[tuple[int, float, float, bool]]) -> 
 
 
 def _multiple_root(c: FloatArray, a: float, b: float, *, crossing: bool) -> float:
-    """Place of a multiple zero in [a, b]: where the derivative of next lower order (1 or 2) vanishes."""
+    """Return a multiple zero in [a, b], where the first (for crossings, the second) derivative vanishes."""
     derivative = np.diff(c)
     if crossing and derivative.size > 1:
         derivative = np.diff(derivative)
@@ -308,7 +306,7 @@ EXTREME_STEPS = 2
 """Steps of Halley's method from the nearest of those places to an extreme; two raise the error to the ninth
 power."""
 
-_REACH = 0.15  # from a place to the extreme that it lies next to
+_REACH = 0.15  # from a sample to the extreme next to it
 _NEAR_SHARE = (
     0.05  # of all that a function spans: extremes this near to its largest or least value are looked for
 )
@@ -320,7 +318,7 @@ TO_COEFFICIENTS = (VANDER * WEIGHTS[:, None]).T * (_DEGREES + 0.5)[:, None]
 
 
 def _antiderivatives() -> tuple[FloatArray, FloatArray]:
-    """Matrices (p, p) that integrate nodal values from -1 to each node, and from each node to 1."""
+    """Return matrices (p, p) that integrate nodal values from -1 to each node, and from each node to 1."""
     longer = np.polynomial.legendre.legvander(NODES, ORDER)
     primitive = np.empty((ORDER, ORDER))
     primitive[:, 0] = NODES + 1
@@ -333,11 +331,11 @@ def _antiderivatives() -> tuple[FloatArray, FloatArray]:
 LEFT, RIGHT = _antiderivatives()
 SLOPES: FloatArray = np.zeros((ORDER, ORDER))
 SLOPES[:-1] = np.polynomial.legendre.legder(np.eye(ORDER))
-"""Legendre coefficients of the derivative from those of a function."""
+"""Matrix from the Legendre coefficients of a function to those of its derivative."""
 
 
 def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, FloatArray]:
-    """Between which edges (N + 1,) places (n,) lie, and where there, from -1 to 1."""
+    """Return the panel (n,) between edges (N + 1,) of each position (n,), and the position in it, from -1 to 1."""
     panel = np.searchsorted(edges[1:-1], places, side="right")
     start, end = edges[panel], edges[panel + 1]
     return panel, np.minimum(np.maximum((2 * places - start - end) / (end - start), -1.0), 1.0)
@@ -351,25 +349,25 @@ class PanelFunction:
 
     @classmethod
     def through(cls, values: FloatArray) -> "PanelFunction":
-        """The interpolant of nodal values (N, p, ...)."""
+        """Return the interpolant of nodal values (N, p, ...)."""
         return cls(in_panels(TO_COEFFICIENTS, values))
 
     def at(self, panel: IntArray, x: FloatArray) -> FloatArray:
-        """Values (n, ...) at places x (n,) of panels (n,)."""
+        """Return values (n, ...) at places x (n,) of panels (n,)."""
         own = self.coefficients[panel].swapaxes(0, 1)
         places = x.reshape(x.size, *[1] * (own.ndim - 2))
         return np.asarray(np.polynomial.legendre.legval(places, own, tensor=False))
 
     def in_every_panel(self, basis: FloatArray) -> FloatArray:
-        """Values (N, k, ...) at the same places of every panel, from their `legendre_basis` (k, p)."""
+        """Return values (N, k, ...) at the same places of every panel, from their `legendre_basis` (k, p)."""
         return in_panels(basis, self.coefficients)
 
     def slope_at(self, panel: IntArray, x: FloatArray) -> FloatArray:
-        """Derivatives by x (n, ...)."""
+        """Return derivatives by x (n, ...)."""
         return PanelFunction(in_panels(SLOPES, self.coefficients)).at(panel, x)
 
     def unresolved(self, tolerance: float) -> BoolArray:
-        """Panels (N,) whose last coefficients exceed `tolerance` times the largest one."""
+        """Return True (N,) for panels whose last coefficients exceed `tolerance` times the largest."""
         size = np.abs(self.coefficients)
         return np.asarray(size[:, -2:].max(axis=1) > tolerance * size.max(axis=1))
 
@@ -392,20 +390,18 @@ class PanelFunction:
 
     @property
     def extremes(self) -> FloatArray:
-        """Values at the local extremes near the largest and least one, and at the samples beside them."""
+        """Values at the local extremes near the global extremes, and at the samples next to them."""
         return self.at(*self.extreme_places)
 
     @property
     def extreme_places(self) -> tuple[IntArray, FloatArray]:
-        """Panels and places x of those samples and extremes."""
+        """Panels and positions x of the samples and extremes of `extremes`."""
         panel, sample, x = self.found_extremes
         return np.concatenate([panel, panel]), np.concatenate([_DENSE[sample], x])
 
     @property
     def found_extremes(self) -> tuple[IntArray, IntArray, FloatArray]:
-        """Panels (n,) of the local extremes near the largest and least value, the samples of `dense_places` in
-        them (n,) that each was found from, and the places x (n,), by Halley's method.
-        """
+        """Local extremes near the global extremes: panels (n,), starting samples (n,) and positions x (n,)."""
         table = self.in_every_panel(_DENSE_BASIS)
         extreme = np.zeros_like(table, dtype=bool)
         middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]
@@ -430,17 +426,17 @@ class PanelFunction:
         return panel, sample, x
 
     def combined(self, numbers: FloatArray) -> "PanelFunction":
-        """The last axis contracted with `numbers`."""
+        """Contract the last axis with `numbers`."""
         return PanelFunction(self.coefficients @ numbers)
 
 
 def legendre_basis(x: FloatArray) -> FloatArray:
-    """Values (n, p) of the Legendre polynomials at x (n,)."""
+    """Return values (n, p) of the Legendre polynomials at x (n,)."""
     return np.asarray(np.polynomial.legendre.legvander(x, ORDER - 1), dtype=float)
 
 
 def in_panels(matrix: FloatArray, values: FloatArray) -> FloatArray:
-    """A matrix (k, p) applied to the p nodal values or coefficients (N, p, ...) of every panel: (N, k, ...)."""
+    """Apply a matrix (k, p) to the p nodal values or coefficients (N, p, ...) of every panel: (N, k, ...)."""
     if values.ndim == 2:
         return np.asarray(values @ matrix.T)
     flat = matrix @ values.reshape(*values.shape[:2], -1)
@@ -448,7 +444,7 @@ def in_panels(matrix: FloatArray, values: FloatArray) -> FloatArray:
 
 
 def lobatto_places(parts: int) -> FloatArray:
-    """Places (parts + 1,) from -1 to 1, closer towards the ends."""
+    """Return positions (parts + 1,) from -1 to 1, closer towards the ends."""
     inner = np.cos(np.pi * (np.arange(1, parts)[::-1] / parts))
     return np.concatenate([[-1.0], inner, [1.0]])
 
@@ -463,7 +459,7 @@ _DENSE_SLOPES = (_DENSE_BASIS @ _ALL_SLOPES).reshape(-1, 3, ORDER)
 
 @lru_cache(maxsize=64)
 def gauss_rule(count: int) -> tuple[FloatArray, FloatArray]:
-    """Places and weights (count,) of the Gauss rule over [-1, 1], read-only."""
+    """Return nodes and weights (count,) of the Gauss rule over [-1, 1], read-only."""
     places, weights = np.polynomial.legendre.leggauss(count)
     places.setflags(write=False)
     weights.setflags(write=False)

@@ -20,8 +20,7 @@ from elastica_cad.geometry.splines import (
 )
 
 STEP_SHARE = 2e-5
-"""Share of the length within which a change is a step. It is drawn as a ramp, so that an outline stays one
-edge."""
+"""Width of a step, as a fraction of the length. A step is drawn as a ramp, so that an outline stays one edge."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +34,7 @@ class Profile:
     coefficients : (m,) array_like
         B-spline coefficients, in the unit of the value.
     degree : int
-        Polynomial degree, 3 unless told.
+        Polynomial degree, 3 by default.
 
     Examples
     --------
@@ -88,17 +87,17 @@ class Profile:
         Parameters
         ----------
         function : callable
-            Maps arc lengths (k,) to values (k,); never asked at a break or an end.
+            Maps arc lengths (k,) to values (k,); never evaluated at a break or an end.
         breaks : sequence of (s, continuity)
-            Places where the function is only `continuity` times differentiable; -1 is a jump.
+            Arc lengths where the function is only `continuity` times differentiable; -1 is a jump.
             They become knots of the matching multiplicity, so that a kink stays a kink.
         knots : (k,) array_like
-            Where to begin with knots; more are put where the tolerance asks for them.
+            Initial knots; more are inserted where the tolerance needs them.
 
         Raises
         ------
         NotConvergedError
-            When the function has a break that was not declared, or noise above the tolerance.
+            The function has an undeclared break, or noise above the tolerance.
         """
         if not (is_number(length) and length > 0):
             raise InputError(f"a profile needs a positive length, not {length!r} mm")
@@ -115,7 +114,7 @@ class Profile:
 
     @classmethod
     def interpolate(cls, s: ArrayLike, values: ArrayLike) -> "Profile":
-        """The cubic spline through `values` (n,) at increasing arc lengths `s` (n,)."""
+        """Return the cubic spline through `values` (n,) at increasing arc lengths `s` (n,)."""
         s, values = finite("arc lengths", s), finite("values", values)
         if s.ndim != 1 or s.shape != values.shape or s.size < 2 or np.any(np.diff(s) <= 0):
             raise InputError(
@@ -129,7 +128,7 @@ class Profile:
         return cls(knots, coefficients)
 
     def __call__(self, s: ArrayLike, derivative: int = 0) -> FloatArray:
-        """Values (or derivatives per mm) at arc lengths `s`, same shape; continued beyond the ends."""
+        """Return values (or derivatives per mm) at arc lengths `s`, extrapolated beyond the ends."""
         if not (is_whole(derivative) and derivative >= 0):
             raise InputError(f"a profile has derivatives of order 0, 1, 2 ..., not {derivative!r}")
         return self._function(numbers(s, "arc lengths of a profile"), derivative)
@@ -147,7 +146,7 @@ class Profile:
 
     @property
     def is_positive(self) -> bool:
-        """Whether the value is above 0 everywhere."""
+        """True if the value is positive everywhere."""
         return bool(self.coefficients.min() > 0) or self.extremes[0] > 0
 
     @property
@@ -192,12 +191,12 @@ class Profile:
         return greville(self.knots, self.degree)
 
     def scaled(self, factor: float) -> "Profile":
-        """The profile times `factor`."""
+        """Return the profile times `factor`."""
         require_number(factor, "the factor of a profile")
         return Profile(self.knots, self.coefficients * factor, self.degree)
 
     def stretched(self, low: float, high: float) -> "Profile":
-        """The profile, not an even one, with its values stretched so that its extremes are these two.
+        """Return the profile with its values scaled to the extremes `low` and `high`; it must not be constant.
 
         Examples
         --------

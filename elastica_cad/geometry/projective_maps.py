@@ -19,26 +19,26 @@ points."""
 
 
 def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
-    """The projective map that takes four handles to four other places; `PlaneCurve.transformed` applies it.
+    """Return the projective map that takes four handles to four other points, for `PlaneCurve.transformed`.
 
-    Lines stay lines, so inflections that lie on one line still do: a curve that can be bent from a strip can
-    be bent after any such edit too (paper, section 4.3).
+    Lines stay lines, so collinear inflections stay collinear. A curve that can be bent from a strip can be bent
+    after such an edit too (paper, section 4.3).
 
     Parameters
     ----------
     before, after : (4, 2) array_like
-        Handles and where they go, mm; no three of either in a line.
+        Handles before and after the edit, mm; no three handles are collinear.
 
     Returns
     -------
     (3, 3) array
-        matrix @ (x, y, 1) divided by its third number is the image; that number is 1 at the first handle.
+        matrix @ (x, y, 1) divided by its third component is the image; this component is 1 at the first handle.
 
     Raises
     ------
     InputError
-        Not four points each, two handles in one place, or three in a line. Handles that swap sides can send
-        a curve through infinity: `transformed` refuses that, with the place.
+        There are not four points each, two handles coincide, or three are collinear. Handles that swap sides can
+        send a curve through infinity; `transformed` refuses such a map.
 
     Examples
     --------
@@ -59,7 +59,7 @@ def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
 
 
 def _basis(name: str, points: ArrayLike) -> FloatArray:
-    """The matrix that takes the unit vectors and their sum to the four points, homogeneous."""
+    """Return the matrix that maps the unit vectors and their sum to the four homogeneous points."""
     handles = finite(name, points)
     if handles.shape != (4, 2):
         raise InputError(f"{name} must be four handles (x, y), shape (4, 2), not {handles.shape}")
@@ -99,7 +99,7 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
 
 
 def _vanishing(piece: FloatArray) -> FloatArray:
-    """The homogeneous point of a Bezier piece at which the weight, positive at the start, reaches 0."""
+    """Return the homogeneous point of a Bezier piece where the weight, positive at the start, reaches 0."""
     for _ in range(_MOST_HALVINGS):
         left, right = (np.ascontiguousarray(h.T) for h in subdivide(piece.T))
         piece = left if left[-1, 2] <= 0 else right
@@ -120,11 +120,11 @@ def map_spline(
     degree: int,
     pieces: Callable[[], tuple[FloatArray, FloatArray]],
 ) -> tuple[FloatArray, FloatArray, FloatArray | None]:
-    """Knots, control points and weights of the image of a spline under a 3 x 3 matrix.
+    """Return knots, control points and weights of the image of a spline under a 3 x 3 matrix.
 
-    The map acts linearly on homogeneous control points. Where a control point (not the curve) would get a
-    weight that is not positive, the image is written as Bezier pieces, halved until all weights are positive;
-    `pieces` gives those of the spline, homogeneous, and their ends.
+    The map acts linearly on homogeneous control points. If the weight of a control point (not of the curve)
+    would not stay positive, the image consists of Bezier pieces, halved until all weights are positive.
+    `pieces` returns the homogeneous Bezier pieces of the spline and their edges.
     """
     m = finite("matrix", matrix)
     if m.shape != (3, 3):

@@ -1,4 +1,4 @@
-"""The three kinds of segment of a path, one at a time and thousands at once: line, arc, spline."""
+"""Segments of a path: lines, arcs and splines, evaluated singly or in large numbers."""
 
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
@@ -76,7 +76,7 @@ class Line:
         return np.array([np.minimum(self.start, self.end), np.maximum(self.start, self.end)])
 
     def at(self, u: ArrayLike) -> FloatArray:
-        """Points (..., 2) at u in [0, 1]."""
+        """Return points (..., 2) at u in [0, 1]."""
         u = numbers(u, "u")[..., None]
         return np.asarray(self.start * (1 - u) + self.end * u, dtype=float)
 
@@ -89,16 +89,16 @@ class Line:
         return np.asarray(self.velocity_at(u) / self.length, dtype=float)
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
-        """Signed area swept by the ray from `origin`, mm2: 1/2 of the integral of x dy - y dx."""
+        """Return the signed area swept by the ray from `origin`, mm2: 1/2 of the integral of x dy - y dx."""
         origin = point(origin, "origin")
         return 0.5 * _cross(self.start - origin, self.end - origin)
 
     def reversed(self) -> "Line":
-        """The line run the other way."""
+        """Return the reversed line."""
         return Line(self.end, self.start)
 
     def transformed(self, matrix: ArrayLike) -> "Line":
-        """The line moved by a 3x3 affine matrix."""
+        """Return the line moved by a 3x3 affine matrix."""
         return Line(transform_points(matrix, self.start), transform_points(matrix, self.end))
 
 
@@ -144,7 +144,7 @@ class Arc:
 
     @classmethod
     def from_bulge(cls, start: ArrayLike, end: ArrayLike, bulge: float) -> "Arc":
-        """The arc between two points with `bulge` = tan(turn / 4), positive anticlockwise, as in DXF."""
+        """Return the arc between two points with `bulge` = tan(turn / 4), positive anticlockwise, as in DXF."""
         start, end = point(start, "arc start"), point(end, "arc end")
         require_number(bulge, "the bulge of an arc")
         (x0, y0), (x1, y1) = start.tolist(), end.tolist()
@@ -181,7 +181,7 @@ class Arc:
 
     @cached_property
     def end(self) -> FloatArray:
-        """Last point (2,), mm; exactly the first one of a circle."""
+        """Last point (2,), mm; exactly equal to `start` for a circle."""
         return self.start if self.is_circle else self._on(self.end_angle)
 
     @property
@@ -200,7 +200,7 @@ class Arc:
         return np.array([[min(across), min(up)], [max(across), max(up)]])
 
     def at(self, u: ArrayLike) -> FloatArray:
-        """Points (..., 2) at u in [0, 1], uniform in arc length."""
+        """Return points (..., 2) at u in [0, 1], uniform in arc length."""
         return self._on(self.start_angle + self.sweep * numbers(u, "u"))
 
     def velocity_at(self, u: ArrayLike) -> FloatArray:
@@ -214,16 +214,16 @@ class Arc:
         return forward if self.sweep > 0 else -forward
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
-        """Signed area swept by the ray from `origin`, mm2."""
+        """Return the signed area swept by the ray from `origin`, mm2."""
         origin = point(origin, "origin")
         return float(_swept_by(self.start - origin, self.end - origin, self.radius, self.sweep))
 
     def reversed(self) -> "Arc":
-        """The arc in the opposite direction."""
+        """Return the reversed arc."""
         return Arc(self.center, self.radius, self.end_angle, self.start_angle)
 
     def transformed(self, matrix: ArrayLike) -> "Arc":
-        """The arc moved, turned, mirrored or scaled by a 3x3 similarity.
+        """Return the arc moved, rotated, mirrored or scaled by a 3x3 similarity.
 
         Raises
         ------
@@ -278,13 +278,13 @@ class Spline:
         return np.asarray(self.curve.bounds).reshape(2, 2)
 
     def parameter(self, u: ArrayLike) -> FloatArray:
-        """The curve's parameters at u in [0, 1]."""
+        """Return the curve's parameters at u in [0, 1]."""
         t0, t1 = self.curve.domain
         u = numbers(u, "u")
         return np.asarray(t0 * (1 - u) + t1 * u, dtype=float)
 
     def at(self, u: ArrayLike) -> FloatArray:
-        """Points (..., 2) at u in [0, 1], uniform in the curve's parameter."""
+        """Return points (..., 2) at u in [0, 1], uniform in the curve's parameter."""
         return np.asarray(self.curve.evaluate(self.parameter(u)), dtype=float)
 
     def velocity_at(self, u: ArrayLike) -> FloatArray:
@@ -293,14 +293,14 @@ class Spline:
         return np.asarray(self.curve.evaluate(self.parameter(u), 1) * (t1 - t0), dtype=float)
 
     def tangent_at(self, u: ArrayLike, *, left: bool = False) -> FloatArray:
-        """Unit tangents (..., 2) at u in [0, 1]; at a corner the one after it, with `left` the one before."""
+        """Return unit tangents (..., 2) at u in [0, 1]; at corners those after it, with `left` those before it."""
         d = np.asarray(
             self.curve.evaluate(self.parameter(u), 1, left=require_flag(left, "left")), dtype=float
         )
         return np.asarray(d / np.hypot(d[..., 0], d[..., 1])[..., None], dtype=float)
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
-        """Signed area swept by the ray from `origin`, mm2, by Gauss's rule on each Bezier piece.
+        """Return the signed area swept by the ray from `origin`, mm2, by Gauss's rule on each Bezier piece.
 
         Exact without weights, where x y' - y x' is of degree 2 p - 1 at most.
         """
@@ -313,11 +313,11 @@ class Spline:
         return float(0.5 * np.sum((half * w).ravel() * cross(p - origin, d)))
 
     def reversed(self) -> "Spline":
-        """The spline run the other way."""
+        """Return the reversed spline."""
         return Spline(self.curve.reversed())
 
     def transformed(self, matrix: ArrayLike) -> "Spline":
-        """The spline moved by a 3x3 projective matrix."""
+        """Return the spline moved by a 3x3 projective matrix."""
         return Spline(self.curve.transformed(matrix))
 
 
@@ -325,7 +325,7 @@ Segment: TypeAlias = Line | Arc | Spline
 
 
 def segment_from_bulge(start: ArrayLike, end: ArrayLike, bulge: float) -> Line | Arc:
-    """The arc from start to end with `bulge` = tan(turn / 4), or a line where it is too flat for a centre."""
+    """Return the arc from start to end with `bulge` = tan(turn / 4), or a line if the arc is too flat."""
     chord = float(np.hypot(*(np.asarray(end, dtype=float) - np.asarray(start, dtype=float))))
     rise = abs(bulge) * chord / 2
     if rise < _FLATTEST_MM or chord**2 > 8 * rise * _FARTHEST_MM:
@@ -334,7 +334,7 @@ def segment_from_bulge(start: ArrayLike, end: ArrayLike, bulge: float) -> Line |
 
 
 def left_of(v: FloatArray) -> FloatArray:
-    """The vector (2,) turned by a quarter to the left."""
+    """Return the vector (2,) rotated by 90 degrees to the left."""
     return np.array([-v[1], v[0]])
 
 
@@ -343,7 +343,7 @@ def _cross(a: FloatArray, b: FloatArray) -> float:
 
 
 def place(p: ArrayLike) -> str:
-    """A point as messages write it."""
+    """Return a point formatted for messages."""
     x, y = np.asarray(p, dtype=float)
     return f"({x:.6g}, {y:.6g}) mm"
 
@@ -360,7 +360,7 @@ def point(value: ArrayLike, name: str) -> FloatArray:
 def _points_on_circles(
     centers: FloatArray, radii: FloatArray | float, angles: FloatArray | float
 ) -> FloatArray:
-    """Points (..., 2) at angles (...), rad, from the x axis.
+    """Return points (..., 2) at angles (...), rad, from the x axis.
 
     Examples
     --------
@@ -372,7 +372,7 @@ def _points_on_circles(
 
 
 def _swept_by(start: FloatArray, end: FloatArray, radius: ArrayLike, sweep: ArrayLike) -> FloatArray:
-    """Areas (...,), mm2, that rays sweep along arcs, or lines (radius and sweep 0), from start to end (..., 2)."""
+    """Return areas (...,), mm2, swept by rays along arcs, or lines (radius and sweep 0)."""
     triangle = start[..., 0] * end[..., 1] - start[..., 1] * end[..., 0]
     segment = np.square(radius) * _beyond_sine(np.asarray(sweep, dtype=float))
     return np.asarray(0.5 * (triangle + segment), dtype=float)
@@ -386,7 +386,7 @@ def _beyond_sine(x: FloatArray) -> FloatArray:
 
 
 def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
-    """The part of a segment between 0 <= u0 < u1 <= 1, exact."""
+    """Return the part of a segment between 0 <= u0 < u1 <= 1, exact."""
     if not 0 <= u0 < u1 <= 1:
         raise InputError(f"a segment is trimmed between 0 <= u0 < u1 <= 1, got {u0:g} and {u1:g}")
     if (u0, u1) == (0, 1):
@@ -400,7 +400,7 @@ def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
 
 
 _PROBES = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
-"""Places of a span at which its distance from the chord is measured, in shares of the span."""
+"""Fractions of a span at which its distance from the chord is measured."""
 
 _ENDS, _HALVES = np.array([0.0, 1.0]), np.array([0.0, 0.5, 1.0])
 
@@ -409,14 +409,14 @@ MOST_ROUNDS = 40
 
 
 def require_tolerance_mm(tolerance: float) -> float:
-    """The tolerance, mm, refused unless it is positive and finite."""
+    """Return the tolerance, mm, and refuse it unless it is positive and finite."""
     if not (is_number(tolerance) and tolerance > 0):
         raise InputError(f"the tolerance is {tolerance}: it must be positive, in mm")
     return float(tolerance)
 
 
 def chords(segment: Segment, tolerance: float) -> tuple[FloatArray, FloatArray]:
-    """Parameters u (n,) from 0 to 1 whose chords stay within `tolerance` mm of a segment, and its points there."""
+    """Return parameters u (n,) whose chords stay within `tolerance` mm of a segment, and the points there."""
     u = _first_places(segment, tolerance)
     if not isinstance(segment, Spline):
         return u, segment.at(u)
@@ -425,12 +425,12 @@ def chords(segment: Segment, tolerance: float) -> tuple[FloatArray, FloatArray]:
 
 
 def chord_points(segment: Segment, tolerance: float) -> FloatArray:
-    """The points of `chords` alone, (n, 2), mm."""
+    """Return the points (n, 2) of `chords`, mm."""
     return chords(segment, tolerance)[1]
 
 
 def _first_places(segment: Segment, tolerance: float) -> FloatArray:
-    """Places u (n,) from 0 to 1: all that chords of lines and arcs need, of splines what they are halved from."""
+    """Return initial u (n,) from 0 to 1: final for lines and arcs, and to be refined for splines."""
     tolerance = require_tolerance_mm(tolerance)
     if isinstance(segment, Line):
         return _ENDS
@@ -447,16 +447,16 @@ def _halve_chords(
     at: Callable[[IntArray, FloatArray], FloatArray], which: IntArray, u: FloatArray, bent: BoolArray,
     tolerance: float,
 ) -> tuple[IntArray, FloatArray, FloatArray]:  # fmt: skip
-    """Places with others between them until chords are near enough, and the points (n, 2) there.
+    """Insert values of u until chords are close enough; return segment numbers, u and the points (n, 2) there.
 
     Parameters
     ----------
     at : callable
-        Points (n, 2) of segments (n,) at places u (n,).
+        Returns points (n, 2) of segments (n,) at u (n,).
     which, u : (k,) arrays
-        Numbers of segments, increasing, and places on them from 0 to 1.
+        Numbers of segments, increasing, and positions u on them from 0 to 1.
     bent : (k,) boolean array
-        Places behind which chords are measured.
+        True at positions whose following chord is measured.
     tolerance : float
         mm.
     """
@@ -479,17 +479,18 @@ def _halve_chords(
 
 
 def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
-    """Largest distance (n,) of the probes (n, k, 2) of each span from the chord between its ends (n, 2)."""
+    """Return largest distance (n,) of the probes (n, k, 2) of each span from the chord between its ends (n, 2)."""
     chord, off = ends - begins, probes - begins[:, None, :]
     size = (chord**2).sum(axis=1)[:, None]
-    # beyond an end of the chord that end is nearest: hairpins reach out there
+    # beyond the chord, its end is the nearest point, as in hairpins
     along = np.divide((off * chord[:, None]).sum(axis=2), size, out=np.zeros(off.shape[:2]), where=size > 0)
     away = off - np.clip(along, 0.0, 1.0)[..., None] * chord[:, None]
     return np.asarray(np.hypot(away[..., 0], away[..., 1]).max(axis=1), dtype=float)
 
 
 _Motion: TypeAlias = Callable[[IntArray, FloatArray, int], FloatArray]
-"""Points (n, 2), or derivatives of that order by u, at places u (n,) of segments (n,) of one kind."""
+"""Type of functions of segments (n,), u (n,) and order: points (n, 2) or derivatives by u, for one kind of
+segment."""
 
 
 class SegmentTable:
@@ -513,7 +514,7 @@ class SegmentTable:
             self._motions.append(_motion([segments[i] for i in members]))
 
     def at(self, which: IntArray, u: FloatArray, derivative: int = 0) -> FloatArray:
-        """Points (n, 2), or first derivatives by u, mm, at places u (n,) in [0, 1] of segments (n,)."""
+        """Return points (n, 2), or first derivatives by u, mm, at places u (n,) in [0, 1] of segments (n,)."""
         found, kind = np.empty((which.size, 2)), self._kind[which]
         for k, motion in enumerate(self._motions):
             here = kind == k
@@ -523,7 +524,7 @@ class SegmentTable:
 
 
 def chords_of_all(segments: Sequence[Segment], tolerance: float) -> tuple[IntArray, FloatArray]:
-    """The points of `chords` of every segment (n, 2), and the numbers (n,) of their segments."""
+    """Return the points (n, 2) of `chords` of all segments, and the segment number (n,) of each point."""
     places = [_first_places(segment, tolerance) for segment in segments]
     which, u = np.repeat(np.arange(len(places)), [one.size for one in places]), np.concatenate(places)
     bent = np.array([isinstance(segment, Spline) for segment in segments])
@@ -531,7 +532,7 @@ def chords_of_all(segments: Sequence[Segment], tolerance: float) -> tuple[IntArr
 
 
 def _kind(segment: Segment) -> Hashable:
-    """What segments have in common that are evaluated together: clamped splines without weights their degree."""
+    """Return a key that is equal for segments that can be evaluated together."""
     if isinstance(segment, Spline):
         curve = segment.curve
         clamped = (curve.knots[0], curve.knots[-1]) == curve.domain
@@ -572,7 +573,7 @@ def _on_circles(arcs: Sequence[Arc]) -> _Motion:
 
 
 def _on_splines(knots: Sequence[FloatArray], points: Sequence[FloatArray], degree: int) -> _Motion:
-    """As one B-spline: the i-th, over clamped knots from 0 to 1, from 2 i to 2 i + 1, and nothing between."""
+    """Evaluate splines as one B-spline, whose part from 2 i to 2 i + 1 is spline i."""
     nothing = np.zeros((degree + 1, 2))
     chain = [part for one in points for part in (one, nothing)][:-1]
     joined = SplineFunction(

@@ -1,4 +1,4 @@
-"""Where a curve meets itself, and under which angles it is seen from one of its own points."""
+"""Self-intersections of a curve, and the angles under which a point of the curve sees the curve."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ from elastica_cad.geometry.polynomials import (
 )
 
 _MOST_HALVINGS = 40
-"""A piece that was halved this often is as short as rounding errors."""
+"""Largest number of halvings, which makes a piece as short as rounding errors."""
 
 _NEWTON_SHARE = 1e-4  # of the extent: from here Newton steps find the common point
 _MOST_PAIRS = 1000  # more are overlapping stretches: a tenth of their points is enough
@@ -32,10 +32,10 @@ _MOST_PAIRS = 1000  # more are overlapping stretches: a tenth of their points is
 def find_self_intersections(
     bezier: FloatArray, edges: FloatArray, motion: Callable[[FloatArray], Sequence[FloatArray]]
 ) -> FloatArray:
-    """Pairs of parameters (k, 2), first < second, at which homogeneous Bezier pieces (p, degree + 1, 3) meet.
+    """Return parameter pairs (k, 2), first < second, where homogeneous Bezier pieces (p, degree + 1, 3) meet.
 
-    Pieces are halved while their boxes overlap. Two neighbours, or one piece, whose velocities lie in a
-    common half plane run on in one direction and cannot meet again, so that joints are no false alarms.
+    Pieces are halved while their boxes overlap. Neighbouring pieces, or a single piece, with all velocities in
+    a common half plane cannot meet again. They are excluded, so that joints are not reported.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def _boxes(part: FloatArray) -> FloatArray:
 def _meeting(
     part: FloatArray, limits: tuple[FloatArray, FloatArray], first: IntArray, second: IntArray
 ) -> tuple[IntArray, IntArray]:
-    """Pairs of pieces whose boxes overlap and that do not continue each other in one direction."""
+    """Return pairs of pieces that overlap by their boxes and are not a continuation in one direction."""
     (low, high), box = limits, _boxes(part)
     overlap = (box[first, 0] <= box[second, 1]).all(axis=1) & (box[second, 0] <= box[first, 1]).all(axis=1)
     first, second = first[overlap], second[overlap]
@@ -94,7 +94,7 @@ def _one_way(velocity: FloatArray, first: IntArray, second: IntArray) -> BoolArr
 def _halved(
     part: FloatArray, low: FloatArray, high: FloatArray, first: IntArray, second: IntArray
 ) -> tuple[FloatArray, FloatArray, FloatArray, IntArray, IntArray]:
-    """Halves of the pieces still in question, and all pairs of halves."""
+    """Return the halves of the remaining pieces, and all pairs of halves."""
     used, index = np.unique(np.concatenate([first, second]), return_inverse=True)
     first, second = index[: first.size], index[first.size :]
     left, right = subdivide(np.swapaxes(part[used], 1, 2))
@@ -113,7 +113,7 @@ def _polished(
     edges: FloatArray,
     small: float,
 ) -> FloatArray:
-    """Common points by Newton steps on gamma(t1) = gamma(t2); pairs that only come near are dropped."""
+    """Solve gamma(t1) = gamma(t2) by Newton's method; drop pairs that do not converge to a common point."""
     start = pairs
     for _ in range(12):
         if not pairs.size:
@@ -137,7 +137,7 @@ def _polished(
 
 
 def _distinct(pairs: FloatArray, edges: FloatArray) -> FloatArray:
-    """Each place once, in order; the two ends of a closed curve are no place where it meets itself."""
+    """Return each self-intersection once, in order, without the two ends of a closed curve."""
     close = 1e-7 * (edges[-1] - edges[0])
     kept: list[FloatArray] = []
     for pair in pairs[np.lexsort(pairs.T[::-1])]:
@@ -157,11 +157,11 @@ class ViewAngles:
     Attributes
     ----------
     point : (float, float)
-        Where it is seen from, mm.
+        Viewpoint, mm.
     low, high : float
         rad; high - low may exceed a full turn.
     low_t, high_t : float
-        The parameters where the curve is seen under these angles.
+        Parameters of the points seen under these angles.
     """
 
     point: tuple[float, float]
@@ -172,10 +172,10 @@ class ViewAngles:
 
 
 def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
-    """The directions gamma - p in which the point p at t sees the curve, those to what lies before p reversed.
+    """Return the angles of the directions from the point p at t to the curve, or None if the curve passes p again.
 
-    The direction at p itself is the tangent, so that the angle is continuous along the curve. None when the
-    curve passes p again.
+    Directions to points before p are reversed. The direction at p is the tangent, so that the angle is
+    continuous along the curve.
     """
     views, edges, point = _views(curve, t)
     cones = cut_into_tangent_cones(views, edges)
@@ -195,7 +195,7 @@ def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
 
 
 def _views(curve: NurbsCurve, t: float) -> tuple[FloatArray, FloatArray, tuple[float, float]]:
-    """Pieces (k, n, 2) along gamma - p (reversed before p), no longer zero at p, their edges (k + 1,), and p."""
+    """Return pieces (k, n, 2) along gamma - p (reversed before p) without the zero at p, edges (k + 1,), and p."""
     edges, bezier = curve.bezier_table
     at = int(np.searchsorted(edges[1:-1], t, side="right"))
     u = (t - edges[at]) / (edges[at + 1] - edges[at])

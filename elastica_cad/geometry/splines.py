@@ -16,11 +16,11 @@ from elastica_cad.geometry.polynomials import bernstein_values, gauss_rule
 from elastica_cad.refusals import Length, Point, note
 
 SHORTEST_DOMAIN, FARTHEST_KNOT = 1e-9, 1e12
-"""Shortest domain and largest knot with which splines are computed."""
+"""Shortest domain and largest knot of a spline."""
 
 
 def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
-    """The distinct knots (k,) of a vector that never falls, and how often each stands there (k,).
+    """Return the distinct knots (k,) of a nondecreasing vector, and their multiplicities (k,).
 
     Examples
     --------
@@ -30,13 +30,13 @@ def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
     """
     rises = np.ones(knots.size + 1, dtype=bool)
     np.not_equal(knots[1:], knots[:-1], out=rises[1:-1])
-    first = rises.nonzero()[0]  # of every run, and the end of the last one
+    first = rises.nonzero()[0]  # start of every run, and the end of the last run
     counts = first[1:] - first[:-1]
     return knots[first[:-1]], counts
 
 
 def clamped_knots(edges: FloatArray, continuity: Mapping[float, int], degree: int) -> FloatArray:
-    """Knots (m,) of a spline over the spans between edges (k,), as smooth at some of these as `continuity` says.
+    """Return clamped knots (m,) of a spline over the spans between edges (k,), with `continuity` at some edges.
 
     Examples
     --------
@@ -51,7 +51,7 @@ def clamped_knots(edges: FloatArray, continuity: Mapping[float, int], degree: in
 
 
 def greville(knots: FloatArray, degree: int) -> FloatArray:
-    """Greville abscissae (..., m) of knot vectors (..., m + degree + 1): with these as x a spline draws itself.
+    """Return Greville abscissae (..., m) of knot vectors (..., m + degree + 1), as coefficients of x.
 
     Examples
     --------
@@ -64,7 +64,7 @@ def greville(knots: FloatArray, degree: int) -> FloatArray:
 
 
 def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray:
-    """A read-only float array of `values`; refuses what is no number, NaN and infinity."""
+    """Return a read-only float array of `values`; refuse NaN, infinity and other types."""
     given = as_floats(values)
     if given is None:
         raise InputError(f"{name} must be numbers")
@@ -77,7 +77,7 @@ def finite(name: str, values: ArrayLike | Sequence[float] | float) -> FloatArray
 
 
 def whole_degree(degree: int) -> int:
-    """The degree as a plain int; refuses what is no whole number of 2 or more."""
+    """Return the degree as an int; refuse anything except an integer of at least 2."""
     if isinstance(degree, bool) or not isinstance(degree, int | float | np.integer | np.floating):
         raise InputError(f"a curve needs degree 2 or more, not {degree!r}")
     if not (degree == np.floor(degree) and 2 <= degree < 100):
@@ -92,7 +92,7 @@ def check_knots(knots: FloatArray, count: int, degree: int) -> None:
 
 @lru_cache(maxsize=64)
 def _check_knots(written: bytes, count: int, degree: int) -> None:
-    """The same of knots as bytes: curves side by side have the same."""
+    """Check knots given as bytes, with a cache for curves with equal knots."""
     knots = np.frombuffer(written)
     if count < degree + 1:
         raise InputError(f"{count} control points are too few for degree {degree}: give {degree + 1} or more")
@@ -156,19 +156,19 @@ class Spans:
         return np.asarray(self.edges[1:] - self.edges[:-1])
 
     def bezier(self, control_points: FloatArray) -> FloatArray:
-        """Bezier control points (p, degree + 1, ...) of the spline with `control_points` (m, ...)."""
+        """Return Bezier control points (p, degree + 1, ...) of the spline with `control_points` (m, ...)."""
         local = control_points[self.first[:, None] + np.arange(self.degree + 1)]
         pieces = self.matrix @ local.reshape(*local.shape[:2], -1)
         return np.asarray(pieces.reshape(local.shape), dtype=float)
 
     def locate(self, t: FloatArray, *, left: bool = False) -> tuple[IntArray, FloatArray]:
-        """Span index and local coordinate u in [0, 1] of parameters (n,); at an edge the right span."""
+        """Return the span index and local coordinate u in [0, 1] of parameters (n,); at an edge the right span."""
         index = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
         u = (t - self.edges[index]) / self.widths[index]
         return index, np.minimum(np.maximum(u, 0.0), 1.0)
 
     def basis(self, t: FloatArray, derivative: int = 0) -> FloatArray:
-        """Values (n, m) of the d-th derivative of all m basis functions at parameters (n,)."""
+        """Return values (n, m) of the d-th derivative of all m basis functions at parameters (n,)."""
         local, index = self.local_basis(t, derivative)
         out = np.zeros((t.size, self.count))
         columns = self.first[index][:, None] + np.arange(self.degree + 1)
@@ -176,7 +176,7 @@ class Spans:
         return out
 
     def local_basis(self, t: FloatArray, derivative: int = 0) -> tuple[FloatArray, IntArray]:
-        """The degree + 1 basis functions that do not vanish (n, degree + 1), and the span index (n,)."""
+        """Return the degree + 1 nonzero basis functions (n, degree + 1), and the span index (n,)."""
         index, u = self.locate(t)
         width = self.widths[index]
         bernstein = bernstein_values(self.degree, u, derivative) / width[:, None] ** derivative
@@ -184,7 +184,7 @@ class Spans:
 
 
 def bezier_spans(knots: FloatArray, degree: int) -> Spans:
-    """Bezier extraction of a B-spline basis with a full knot vector (m + degree + 1,), clamped or not.
+    """Return the Bezier extraction of a B-spline basis with a full knot vector (m + degree + 1,), clamped or not.
 
     Bezier point j of the span [a, b] is the blossom at a (degree - j times) and b (j times).
     """
@@ -193,7 +193,7 @@ def bezier_spans(knots: FloatArray, degree: int) -> Spans:
 
 @lru_cache(maxsize=64)
 def _spans(written: bytes, degree: int) -> Spans:
-    """The spans of knots as bytes: curves side by side and their moved copies have the same."""
+    """Return the spans of knots given as bytes, with a cache for curves with equal knots."""
     knots = np.frombuffer(written)
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
     near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
@@ -202,7 +202,7 @@ def _spans(written: bytes, degree: int) -> Spans:
     points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))
     for level in range(1, size):
         low, high = near[level - 1 : degree], near[degree : degree + size - level]
-        # argument `level` of the blossom is a of the first Bezier points, b of the others
+        # argument `level` of the blossom is a for the first Bezier points, b for the remaining points
         shares = ((ends[:, None] - low) / (high - low))[(np.arange(size) >= level).astype(int)]
         shares = shares.swapaxes(0, 1)[:, :, None]
         points = points[:-1] * (1 - shares) + points[1:] * shares
@@ -232,7 +232,7 @@ class SplineFunction:
     degree: int
 
     def __call__(self, x: FloatArray, derivative: int = 0) -> FloatArray:
-        """Values or derivatives at places of any shape; the end pieces continue beyond the ends."""
+        """Return values or derivatives at x of any shape; the end pieces are extrapolated beyond the ends."""
         if derivative > self.degree:
             return np.zeros((*x.shape, *self.coefficients.shape[1:]))
         spans = self._spans
@@ -248,7 +248,7 @@ class SplineFunction:
         return np.asarray(rows[0])
 
     def integral(self) -> "SplineFunction":
-        """The spline function of this derivative that is 0 at the start."""
+        """Return the antiderivative of the spline function that is 0 at the start."""
         size = self.degree + 1
         steps = (self.knots[size:] - self.knots[:-size]) / size
         sums = np.cumsum((steps * self.coefficients.T).T, axis=0)
@@ -271,10 +271,10 @@ class SplineFunction:
 
 
 def spline_through(x: FloatArray, values: FloatArray, degree: int) -> SplineFunction:
-    """The spline function of odd degree through values (n, ...) at increasing x (n,).
+    """Return the spline function through values (n, ...) at increasing x (n,).
 
-    A cubic one has no knots at the places next to its ends, so that it is one polynomial there, a quintic one none
-    at the two next to them. Of even degree it is the one polynomial through degree + 1 places.
+    A cubic spline has no knots at the second and the second last x, and a quintic spline has none at the two
+    next to each end. A spline of even degree is the single polynomial through degree + 1 values.
 
     Examples
     --------
@@ -289,20 +289,20 @@ def spline_through(x: FloatArray, values: FloatArray, degree: int) -> SplineFunc
 
 
 def interpolation_sites(knots: FloatArray, degree: int) -> FloatArray:
-    """Places (m,) for interpolation with clamped knots: the Greville abscissae, with both ends exact."""
+    """Return sites (m,) for interpolation with clamped knots: the Greville abscissae, with both ends exact."""
     sites = greville(knots, degree)
     sites[[0, -1]] = knots[[0, -1]]
     return sites
 
 
 def interpolated(sites: FloatArray, values: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
-    """Coefficients (m, ...) of the spline over given knots that has `values` (m, ...) at `sites` (m,)."""
+    """Return coefficients (m, ...) of the spline over given knots that has `values` (m, ...) at `sites` (m,)."""
     spans = bezier_spans(knots, degree)
     return solved(spans, *spans.local_basis(sites), values)
 
 
 def solved(spans: Spans, basis: FloatArray, index: IntArray, values: FloatArray) -> FloatArray:
-    """Coefficients (m, ...) of the spline with values[i] for row i of `basis` (m, degree + 1) in span index[i].
+    """Return the coefficients (m, ...) for values[i] at row i of `basis` (m, degree + 1) in span index[i].
 
     Raises
     ------
@@ -320,7 +320,7 @@ def solved(spans: Spans, basis: FloatArray, index: IntArray, values: FloatArray)
 
 
 def unit_circle_arc(start: float, end: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Knots, control points (m, 2) and weights (m,) of degree 2 for the unit circle from angle start to end.
+    """Return knots, control points (m, 2) and weights (m,) of degree 2 for the unit circle from angle start to end.
 
     Segments of at most a quarter turn, joined by double knots at the angles where they meet; the middle
     control point of a segment of angle 2 h has weight cos h (Piegl and Tiller, The NURBS Book, section 7.3).
@@ -339,11 +339,10 @@ def unit_circle_arc(start: float, end: float) -> tuple[FloatArray, FloatArray, F
 def elevate_degree(
     knots: FloatArray, control_points: FloatArray, degree: int, weights: FloatArray | None = None
 ) -> tuple[FloatArray, FloatArray, FloatArray | None]:
-    """Knots, control points and weights of the same clamped spline with one degree more.
+    """Return knots, control points and weights of the same clamped spline with its degree raised by 1.
 
-    Every piece is raised as a Bezier piece, and control points are joined where pieces meet: knots that had
-    multiplicity degree have degree + 1; knots of lower multiplicity become full ones, which leaves the curve as it
-    is.
+    Every piece is raised as a Bezier piece, and control points are joined where pieces meet. All inner knots
+    become knots of multiplicity degree + 1, which does not change the curve.
 
     Examples
     --------
@@ -365,7 +364,7 @@ def elevate_degree(
 
 
 _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
-"""Places of a span at which the error is measured, in shares of the span: none is a site of the fit."""
+"""Fractions of a span at which the error is measured; none is a site of the fit."""
 
 _MOST_DEGREE = 12
 """Largest degree of the splines that approximate functions."""
@@ -376,23 +375,27 @@ _MOST_SPANS = 3000
 _NARROWEST_SHARE = 1e-9
 """Narrowest span, as a share of the domain."""
 
-_SAME_BREAK_SHARE = 1e-10  # of the domain: breaks no farther apart are one
-_ALIKE = 1e-7  # the same where the slope goes on in one of them: no span between them can be solved for
-_WIDER_TIMES = 8.0  # than its neighbour: cut with it
+_SAME_BREAK_SHARE = 1e-10  # of the domain: closer breaks count as one
+_ALIKE = (
+    1e-7  # the same if the slope is continuous at one of the breaks: a span between them cannot be solved for
+)
+_WIDER_TIMES = 8.0  # width relative to a bad neighbour from which a span is cut too
 
 _REFINED_SHARE = 0.05
-"""Spans whose error is above this share of the largest are refined in one round."""
+"""Error, as a fraction of the largest error, above which a span is refined."""
 
 _CORRECTIONS = 2
 """Number of times that the parameters are moved to the nearest points of the curve, for each knot vector."""
 
-_POINTS_EACH = 4  # points a control point must have before a fit goes below its tolerance
-_ENOUGH_FOR_NOISE = 100  # points of which noise can be told from shape; fewer are met one by one if need be
+_POINTS_EACH = 4  # points for each control point that a fit must have before it goes below its tolerance
+_ENOUGH_FOR_NOISE = 100  # fewest points that separate noise from shape; fewer points may be interpolated
 _MOST_INTERPOLATED = 1000
-"""The interpolation solves a dense system of this size."""
+"""Largest number of points that are interpolated, which is the size of a dense system."""
 
-_STRIDE_SHARE = 0.4  # of the way to its neighbour that a point may go where points would overtake each other
-_LEAST_PENALTY = 1e-11  # penalty beside the data that only decides what the data leave open
+_STRIDE_SHARE = (
+    0.4  # of the distance to its neighbour by which a point may move if points would change their order
+)
+_LEAST_PENALTY = 1e-11  # penalty that only determines what the data leave undetermined
 _ALLOWED_INCREASE = 1.1  # of the root mean square distance, in exchange for a smoother curve
 
 
@@ -406,29 +409,29 @@ def adaptive_spline(
     knots: FloatArray | Sequence[float] = (),
     rounding: float = 1e-13,
 ) -> tuple[FloatArray, FloatArray]:
-    """Knots and coefficients (m, ...) of a clamped spline within `tolerance` of a function on `domain`.
+    """Return knots and coefficients (m, ...) of a clamped spline within `tolerance` of a function on `domain`.
 
     Parameters
     ----------
     function : callable
-        Maps places (k,) to values (k,) or (k, q); it is asked strictly inside the spans only, so that the
+        Maps x (k,) to values (k,) or (k, q); it is evaluated strictly inside the spans only, so that the
         value at a break does not matter.
     tolerance : float
         Largest error of a value, checked between the sites of the fit.
     breaks : sequence of (place, continuity)
-        Places where the function is only `continuity` times differentiable, -1 where it jumps: they become
+        Values of x where the function is only `continuity` times differentiable, -1 where it jumps. They become
         knots of the matching multiplicity.
     knots : (k,) array_like
-        Where to begin with knots besides the breaks; more come where they are needed.
+        Initial knots besides the breaks; more are inserted where they are needed.
     rounding : float
-        Relative error of the function's values; nothing closer is asked for.
+        Relative error of the function's values, which limits the tolerance.
 
     Raises
     ------
     InputError
-        When the function is not finite.
+        The function is not finite.
     NotConvergedError
-        When it cannot be followed: an undeclared jump or kink, or noise above the tolerance.
+        The function has an undeclared jump or kink, or noise above the tolerance.
     """
     require_positive(tolerance, "the tolerance of a fit", "the unit of the values")
     if not callable(function):
@@ -463,7 +466,7 @@ def adaptive_spline(
 
 
 def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, int]]:
-    """Breaks as pairs of a place and a whole number."""
+    """Return the breaks as pairs of x and an integer."""
     rows = numbers(breaks, "breaks")
     if rows.size and rows.shape[1:] != (2,):
         raise InputError("breaks are pairs of a place and how often the function can be differentiated there")
@@ -473,9 +476,9 @@ def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, in
 def _first_edges(
     domain: tuple[float, float], breaks: Sequence[tuple[float, int]], knots: FloatArray
 ) -> tuple[FloatArray, dict[float, int]]:
-    """The ends of the domain, breaks and given knots between them, and the continuity at each break.
+    """Return the ends of the domain with breaks and given knots between them, and the continuity at each break.
 
-    Breaks too close to be told apart count as one; knots next to a break are left out.
+    Breaks that are too close to be separated count as one. Knots next to a break are left out.
     """
     first, last = domain
     length, order, latest = last - first, dict[float, int](), first
@@ -498,7 +501,7 @@ def _first_edges(
 
 
 def _sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> FloatArray:
-    """Values (p, k, ...) at places (p, k)."""
+    """Return values (p, k, ...) at places (p, k)."""
     values = numbers(function(x.ravel()), "values of a function")
     if values.shape[:1] != (x.size,):
         raise InputError(f"a function along the curve must give a value for each of {x.size} places")
@@ -509,7 +512,7 @@ def _sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> Flo
 
 
 def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArray) -> FloatArray:
-    """Coefficients (m, ...) of the spline nearest in mean square to values (p, k, ...) at places (p, k).
+    """Return coefficients (m, ...) of the spline nearest in mean square to values (p, k, ...) at places (p, k).
 
     Importing scipy.interpolate for `make_lsq_spline` takes longer than all fits of a command.
     """
@@ -531,7 +534,7 @@ def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArra
 
 
 def _evaluated(spans: Spans, coefficients: FloatArray, x: FloatArray) -> FloatArray:
-    """Values (p, k, ...) of a spline at places (p, k)."""
+    """Return values (p, k, ...) of a spline at places (p, k)."""
     basis, index = spans.local_basis(x.ravel())
     local = coefficients[spans.first[index][:, None] + np.arange(spans.degree + 1)]
     values = np.einsum("nj,nj...->n...", basis, local)
@@ -539,7 +542,7 @@ def _evaluated(spans: Spans, coefficients: FloatArray, x: FloatArray) -> FloatAr
 
 
 def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolerance: float) -> None:
-    """A domain of too many spans, or of one too narrow for its length, cannot be followed."""
+    """Raise NotConvergedError if too many spans are needed, or a span is too narrow."""
     widths = np.diff(edges)
     narrow = bad & (widths < _NARROWEST_SHARE * (edges[-1] - edges[0]))
     if narrow.any() or edges.size + np.count_nonzero(bad) > _MOST_SPANS:
@@ -551,7 +554,7 @@ def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolera
 
 
 def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
-    """Bad spans and those beside them that are far wider: a narrow one can't mend what a wide one imposes."""
+    """Return bad spans and much wider spans next to them, which a narrow span cannot compensate."""
     cut = bad.copy()
     cut[1:] |= bad[:-1] & (widths[1:] > _WIDER_TIMES * widths[:-1])
     cut[:-1] |= bad[1:] & (widths[:-1] > _WIDER_TIMES * widths[1:])
@@ -559,20 +562,20 @@ def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
 
 
 def _parts(excess: FloatArray, degree: int) -> IntArray:
-    """Number of parts, 2 to 8, that a span needs when the error falls with the power degree + 1 of its width."""
+    """Return the number of parts, 2 to 8, of a span whose error is of the order width^(degree + 1)."""
     return np.asarray(np.clip(np.floor(excess ** (1 / (degree + 1))), 2, 8), dtype=int)
 
 
 def fit_spline(
     points: ArrayLike, degree: int, tolerance: float, smoothing: float | None = None
 ) -> tuple[FloatArray, FloatArray]:
-    """Knots and control points of a clamped spline within `tolerance` of `points` (n, 2).
+    """Return knots and control points of a clamped spline within `tolerance` of `points` (n, 2).
 
-    Knots are added where points lie too far off; between rounds every point's parameter moves to the foot
-    of its perpendicular. What is left then tells noise from shape by its correlation from point to point:
-    shape is followed to a third of the tolerance, for the sake of the curvature; noise is taken out by the
-    largest penalty on the third derivative that hardly increases the mean distance (parabolas, which have no
-    inflection, cost nothing). Points that no such curve follows are interpolated.
+    Knots are added where points are too far from the spline. Between rounds, the parameter of every point moves
+    to the foot of its perpendicular. The correlation of the remaining gaps from point to point separates noise
+    from shape. Shape is followed to a third of the tolerance, to keep the curvature accurate. Noise is removed
+    by the largest penalty on the third derivative that hardly increases the mean distance (the penalty of a
+    parabola is 0). If such a spline cannot follow the points, they are interpolated.
     """
     data = distinct_points(points)
     _check_options(degree, tolerance, smoothing)
@@ -618,12 +621,12 @@ def fit_spline(
 
 
 def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[FloatArray, FloatArray]:
-    """Knots and control points of the clamped spline within `tolerance` of `points` (n, 2) that bends most evenly.
+    """Return knots and control points of the smoothest clamped spline within `tolerance` of `points` (n, 2).
 
-    It has a knot at every point, and the largest penalty on its third derivative with which no point is farther
-    off: whatever the tolerance, it lies between the spline through all points and a parabola, and never swings
-    between the points, as least squares do with nearly as many control points as points. Of a hundred points and
-    more `fit_spline` tells noise from shape with few control points.
+    The spline has about one knot for each point, and the largest penalty on its third derivative that keeps all
+    points within the tolerance. It is between the interpolating spline and a parabola for every tolerance. It
+    does not oscillate between the points, unlike least squares with nearly as many control points as points.
+    For 100 points or more, `fit_spline` is used, which separates noise from shape with few control points.
     """
     data = distinct_points(points)
     if not degree < data.shape[0] < _ENOUGH_FOR_NOISE:
@@ -635,7 +638,7 @@ def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[
 
 
 class _Problem:
-    """Least squares over the control points for one knot vector."""
+    """Least squares problem for the control points on a given knot vector."""
 
     def __init__(self, knots: FloatArray, degree: int, data: FloatArray) -> None:
         self.knots = knots
@@ -647,11 +650,11 @@ class _Problem:
         self._latest: tuple[FloatArray, FloatArray] = (np.empty(0), np.empty((0, 0)))
 
     def weight(self, smoothing: float | None) -> float:
-        """The user's smoothing as a factor of the penalty, which is scaled to the data."""
+        """Return the penalty factor for the user's smoothing, scaled to the data."""
         return max(_LEAST_PENALTY, (smoothing or 0.0) * self.scale)
 
     def solved(self, t: FloatArray, weight: float, corrections: int) -> tuple[FloatArray, FloatArray]:
-        """Control points, after moving the parameters `corrections` times; the parameters they belong to."""
+        """Return the control points and parameters after moving the parameters `corrections` times."""
         control = self.at(t, weight)
         for _ in range(corrections):
             t = self.feet(control, t)
@@ -659,7 +662,7 @@ class _Problem:
         return control, t
 
     def at(self, t: FloatArray, weight: float) -> FloatArray:
-        """Control points (m, 2) of the best spline when the data belong to parameters t (n,)."""
+        """Return the control points (m, 2) of the best spline for data at parameters t (n,)."""
         basis = self._basis(t)
         weighted = basis.T * self._end_emphasis(t)
         normal = weighted @ basis + weight * self.penalty
@@ -669,7 +672,7 @@ class _Problem:
         return np.asarray(np.concatenate([ends[:1], inner, ends[1:]]))
 
     def _basis(self, t: FloatArray) -> FloatArray:
-        """Basis functions at t; those of the latest parameters are kept, as each are used several times."""
+        """Return the basis functions at t, cached for the latest t."""
         if self._latest[0] is not t:
             self._latest = t, self.spans.basis(t)
         return self._latest[1]
@@ -678,13 +681,13 @@ class _Problem:
         return np.asarray(self.data - self._basis(t) @ control)
 
     def _end_emphasis(self, t: FloatArray) -> FloatArray:
-        """Chebyshev-like weights in the first and last span, where least squares would err most."""
+        """Return Chebyshev-like weights for the first and last span, where least squares has the largest errors."""
         edges = self.spans.edges
         from_ends = np.minimum(t / (edges[1] - edges[0]), (1 - t) / (edges[-1] - edges[-2]))
         return np.asarray(1 / np.sqrt(np.clip(from_ends, 1e-3, 1.0)))
 
     def feet(self, control: FloatArray, t: FloatArray) -> FloatArray:
-        """Parameters of the points of the curve nearest to the data, one Gauss-Newton step from t."""
+        """Return the parameters of the curve points nearest to the data, by one Gauss-Newton step from t."""
         gap = self._gap(control, t)
         velocity = self.spans.basis(t, 1) @ control
         gap[[0, -1]] = 0.0
@@ -697,12 +700,12 @@ class _Problem:
         return np.asarray(t + np.clip(step, -reach[:-1], reach[1:]))
 
     def distance(self, control: FloatArray, t: FloatArray) -> FloatArray:
-        """Distances (n,) of the points from the curve, mm, at parameters that are feet."""
+        """Return distances (n,) of the points from the curve, mm, at parameters that are feet."""
         gap = self._gap(control, t)
         return np.asarray(np.hypot(gap[:, 0], gap[:, 1]))
 
     def likeness(self, control: FloatArray, t: FloatArray) -> float:
-        """Correlation of the gaps of neighbouring points: near 1 for shape, near 0 for noise."""
+        """Return the correlation of the gaps of neighbouring points: near 1 for shape, near 0 for noise."""
         gap = self._gap(control, t)
         total = float((gap**2).sum())
         return float((gap[1:] * gap[:-1]).sum()) / total if total > 0 else 0.0
@@ -711,9 +714,7 @@ class _Problem:
 def _smoothed(
     problem: _Problem, control: FloatArray, t: FloatArray, tolerance: float, mean: float
 ) -> FloatArray:
-    """The control points under the largest penalty with which no point is farther off than `tolerance`, mm, and the
-    root mean square is at most `mean`, mm.
-    """
+    """Return the control points for the largest penalty with errors within `tolerance` and RMS within `mean`."""
     low, high = np.log10(_LEAST_PENALTY), 6.0
     for _ in range(12):
         middle = (low + high) / 2
@@ -740,7 +741,7 @@ def _check_options(degree: int, tolerance: float, smoothing: float | None) -> No
 
 
 def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
-    """Knots and control points of the spline through all points with the least third derivative."""
+    """Return knots and control points of the spline through all points with the least third derivative."""
     t = _chord_parameters(data)
     knots = _knots_for(t, degree)
     spans = bezier_spans(knots, degree)
@@ -759,9 +760,9 @@ def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
 
 
 def _knots_for(t: FloatArray, degree: int) -> FloatArray:
-    """Knots with which a spline meets a point at each parameter t (n,).
+    """Return knots of a spline that interpolates a point at each parameter t (n,).
 
-    Those of an even degree are between the points, because with knots at the points the spline oscillates.
+    For even degrees, the knots are between the points, because with knots at the points the spline oscillates.
     """
     inner = t[1:-1] if degree % 2 else (t[:-1] + t[1:]) / 2
     return np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])
@@ -778,7 +779,7 @@ def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:
 
 
 def distinct_points(points: ArrayLike) -> FloatArray:
-    """Points (n, 2) to fit, each once in a row.
+    """Return points (n, 2) to fit, without equal neighbours.
 
     Raises
     ------
@@ -803,7 +804,7 @@ def _chord_parameters(data: FloatArray) -> FloatArray:
 
 
 def _derivative_gram(spans: Spans) -> FloatArray:
-    """Integrals (m, m) of products of the basis functions' third derivatives."""
+    """Return integrals (m, m) of products of the basis functions' third derivatives."""
     x, w = np.polynomial.legendre.leggauss(spans.degree - 2)
     width = np.diff(spans.edges)
     t = (spans.edges[:-1, None] + width[:, None] * (1 + x) / 2).ravel()
@@ -812,7 +813,7 @@ def _derivative_gram(spans: Spans) -> FloatArray:
 
 
 def _new_knots(edges: FloatArray, t: FloatArray, error: FloatArray, tolerance: float) -> FloatArray:
-    """A knot for every span that misses the tolerance, worst first: in its middle, or amid its few points."""
+    """Return a knot for every span that exceeds the tolerance, worst first."""
     span = np.clip(np.searchsorted(edges, t, side="right") - 1, 0, edges.size - 2)
     worst = np.zeros(edges.size - 1)
     np.maximum.at(worst, span, error)

@@ -1,8 +1,8 @@
-"""Corners that the rounding of coordinates made, taken out by turning the handles beside them.
+"""Removal of corners caused by rounding of coordinates, by turning the handles next to them.
 
-A file that writes its coordinates to the nearest multiple of 2 h moves each by h at most, a point by h sqrt(2), and
-a handle of length l turns by asin(2 sqrt(2) h / l) at most. A node whose turn both its handles explain that way was
-smooth when it was drawn.
+A file that writes coordinates to the nearest multiple of 2 h moves each coordinate by at most h, and a point by
+at most h sqrt(2). A handle of length l then turns by at most asin(2 sqrt(2) h / l). If the rounding of both
+handles explains the turn at a node, the node was smooth when it was drawn.
 """
 
 from dataclasses import dataclass
@@ -13,14 +13,14 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.splines import elevate_degree
 
 ANYWAY = 1e-9
-"""Corners below this angle, rad, are left as they are."""
+"""Smallest angle of a corner that is removed, rad."""
 
 SURE = np.radians(5.0)
-"""A corner above this angle, rad, is not removed unless requested, even where rounding explains it."""
+"""Largest angle of a corner that is removed by default, rad, even if rounding explains larger ones."""
 
-_STRAIGHT = 1e-12  # of the squared chord: control points no farther off a line lie on it
-_CLOSED = 1e-9  # of the size: ends nearer than this are one place
-_SHORT = 1e-12  # of the longest handle: control points nearer than this lie in one place
+_STRAIGHT = 1e-12  # of the squared chord: control points closer to a line count as on it
+_CLOSED = 1e-9  # of the size: ends closer than this are equal
+_SHORT = 1e-12  # of the longest handle: control points closer than this coincide
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Turn:
     angle : float
         Exterior angle, rad, not negative.
     bound : float
-        The largest angle that rounding explains there, rad.
+        Largest angle that rounding explains, rad.
     handle : float
         Length of the shorter handle, mm.
     """
@@ -49,7 +49,7 @@ class Turn:
 
     @property
     def is_explained(self) -> bool:
-        """Can rounding alone have made this turn?"""
+        """True if rounding alone can explain the turn."""
         return self.angle <= self.bound
 
 
@@ -60,13 +60,13 @@ class Healing:
     Attributes
     ----------
     knots, control_points, degree, weights
-        As in `PlaneCurve`; those given where nothing was moved.
+        As in `PlaneCurve`; the same objects as before if nothing was moved.
     moved : float
-        A bound of the distance between both curves, mm.
+        Upper bound on the distance between both curves, mm.
     healed : tuple of Turn
-        Nodes made smooth.
+        Nodes that were smoothed.
     undecided : tuple of Turn
-        Nodes that rounding explains, but that turn by more than `SURE`: they may be corners.
+        Nodes whose turn rounding explains but exceeds `SURE`; they may be corners.
     """
 
     knots: FloatArray
@@ -86,12 +86,12 @@ def heal_tangents(
     *,
     rounding: float,
 ) -> Healing:
-    """The spline with the corners taken out that `rounding` (mm, per coordinate) explains.
+    """Return the spline without the corners that `rounding` (mm, per coordinate) explains.
 
-    At each knot of full multiplicity, and where a clamped spline closes, the control points before and after it are
-    turned about the node, the one with the longer handle less, so that both move equally far. A straight piece is
-    kept where its neighbour can turn alone. Splines of degree 2, whose control points belong to two nodes, are
-    raised to degree 3 first.
+    This concerns knots of full multiplicity, and the seam of a closed clamped spline. The control points before
+    and after the node are turned about the node so that both move equally far: the longer handle turns by the
+    smaller angle. A straight piece is kept if its neighbour can turn alone. Splines of degree 2 are first
+    raised to degree 3, because their control points belong to two nodes.
 
     Parameters
     ----------
@@ -132,14 +132,14 @@ def heal_tangents(
 
 
 def _nodes(knots: FloatArray, degree: int) -> IntArray:
-    """Indices of the control points that lie on the curve at inner knots of full multiplicity."""
+    """Return the indices of control points that are on the curve, at inner knots of full multiplicity."""
     values, first, counts = np.unique(knots, return_index=True, return_counts=True)
     inner = (counts >= degree) & (values > knots[degree]) & (values < knots[-degree - 1])
     return np.asarray(first[inner] - 1, dtype=int)
 
 
 def _handles(points: FloatArray, node: int, degree: int) -> tuple[FloatArray, FloatArray, int, int]:
-    """Incoming and outgoing handle at a node, and which control points they end in."""
+    """Return the incoming and outgoing handle at a node, and the indices of their end points."""
     size = float(np.hypot(*np.ptp(points[max(0, node - degree) : node + degree + 1], axis=0)))
     before, after = node - 1, node + 1
     while before > node - degree and np.hypot(*(points[node] - points[before])) <= _SHORT * size:
@@ -161,7 +161,7 @@ def _turn(knots: FloatArray, points: FloatArray, degree: int, node: int, roundin
 
 
 def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatArray | None) -> bool:
-    """Whether a clamped spline of more than one piece ends at its start, so that it may be rotated there."""
+    """Return True if a clamped spline of more than one piece ends at its start, so that its seam can be smooth."""
     clamped = knots[0] == knots[degree] and knots[-1] == knots[-degree - 1]
     even = weights is None or weights[0] == weights[-1]
     size = float(np.hypot(*np.ptp(points, axis=0)))
@@ -174,7 +174,7 @@ def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatAr
 
 
 def _around_seam(points: FloatArray, degree: int) -> FloatArray:
-    """The control points of the last piece and of the first, whose middle one is where the spline closes."""
+    """Return the control points of the last and the first piece; the middle one is the seam."""
     return np.concatenate([points[-degree - 1 :], points[1 : degree + 1]])
 
 
@@ -184,7 +184,7 @@ def _turn_of_seam(knots: FloatArray, points: FloatArray, degree: int, rounding: 
 
 
 def _smooth_seam(points: FloatArray, degree: int) -> None:
-    """Turn the handles beside the place where a spline closes onto one line, in place."""
+    """Align the handles at the seam, in place."""
     around = _around_seam(points, degree)
     _smooth_node(around, degree, degree)
     points[-degree:-1] = around[1:degree]
@@ -192,7 +192,7 @@ def _smooth_seam(points: FloatArray, degree: int) -> None:
 
 
 def _smooth_node(points: FloatArray, node: int, degree: int) -> None:
-    """Turn the handles beside a node onto one line, in place."""
+    """Align the handles at a node, in place."""
     into, out, before, after = _handles(points, node, degree)
     inward, onward = float(np.hypot(*into)), float(np.hypot(*out))
     angles = np.arctan2(into[1], into[0]), np.arctan2(out[1], out[0])
