@@ -29,7 +29,7 @@ Keep = Literal["keep"]
 ROUNDED_SHARE = 1e-12  # of a force: what the cosine of a right angle leaves of it
 STILL_SHARE = 1e-9  # of the length: less travel of the ends is rounding
 TURNED_RAD = 1e-9  # less turn of an end is rounding
-COARSE_DEG = 60.0  # between neighbouring edges, above which a shape is rough to the eye
+COARSE_DEG = 60.0  # angle between neighbouring edges; a shape with larger angles looks rough
 
 
 def bend(
@@ -48,30 +48,29 @@ def bend(
     samples: int | None = None,
     settle: bool = False,
 ) -> Rod:
-    """The rest shape of a rod whose ends are moved, turned, loaded or supported anew.
+    """Return the rest shape of a rod after its ends, loads or supports have changed.
 
     Newton's method with line search on the discrete rod of paper section 7.1 (with weight), O(n) a step.
-    When the shape asked for is far from the rod's present one, ends, angles and loads are changed in
-    adaptive steps, starting from the present shape (or `guess`), so the answer lies on the same branch of
-    equilibria, stable or not; ask `stability`. Where that branch ends the rod snaps: the answer is then a
-    stable shape found by descending the energy, and `warnings` of the answer says so.
+    If the requested shape is far from the present shape, ends, angles and loads are changed in adaptive steps,
+    starting from the present shape (or `guess`). The result is therefore on the same branch of equilibria, stable
+    or not; see `stability`. Where that branch ends the rod snaps. The result is then a stable shape found by
+    descending the energy, and its `warnings` contain a message.
 
-    A strip that bends as a plate (`section`) is as stiff at every step as its bend makes it: the answer has the
-    `law` that says so, and K stays that of the design, which settles the units of force and moment.
+    The stiffness of a strip that bends as a plate (`section`) is updated at every step. The result has the
+    corresponding `law`. K stays that of the design, which sets the units of force and moment.
 
     Parameters
     ----------
     rod : Rod
         From `optimal_rod`, `Rod.straight` or `bend`.
     start, end : (2,) array_like, optional
-        Positions of the ends, mm; the rod's own unless given. A coordinate that its end leaves free is not
-        used.
+        Positions of the ends, mm; by default those of the rod. A coordinate that is free at its end is not used.
     angles : pair of float, optional
         Angles of the tangent at the start and the end, rad, counted continuously along the rod (a full
-        loop differs by 2 pi); None, or None in the pair, keeps the rod's own.
+        turn adds 2 pi); None, or None in the pair, keeps the angles of the rod.
     gravity : Gravity, None or "keep"
     supports : Supports, optional
-        New supports; the rod's own unless given.
+        New supports; by default those of the rod.
     force : (2,) array_like, optional
         Dead force over the least bending stiffness, 1/mm2 (F / B with F in N, B in N mm2), in the
         direction of x and y; each component acts at the end that leaves this coordinate free. None keeps
@@ -88,9 +87,9 @@ def bend(
     mode : int
         Buckling mode to leave the straight state in; modes above 1 are unstable as a rule.
     samples : int, optional
-        Number of nodes; the rod's own unless given.
+        Number of nodes; by default that of the rod.
     settle : bool
-        Let an unstable shape go: it snaps to the stable one that descending the energy leads to.
+        If True, an unstable shape snaps to the stable shape that is found by descending the energy.
 
     Returns
     -------
@@ -103,7 +102,7 @@ def bend(
     InputError
         Ends farther apart than the length, loads where nothing can move, wrong shapes.
     NotConvergedError
-        No equilibrium found; says how far the way led.
+        No equilibrium found; the message states how far the continuation came.
 
     Examples
     --------
@@ -177,13 +176,13 @@ def _too_coarse(state: RodState) -> tuple[str, ...]:
 def bend_path(
     rod: Rod, path: "ArrayLike | Sequence[Mapping[str, Any]]", *, side: int | None = None, mode: int = 1
 ) -> tuple[Rod, ...]:
-    """The family of shapes of a rod whose ends are led along a path (kinetic use, paper section 9.5).
+    """Return the shapes of a rod whose ends follow a path (kinetic use, paper section 9.5).
 
     Parameters
     ----------
     rod : Rod
     path : (k, 2) array_like or sequence of mappings
-        Positions of the end one after the other, mm, or for each step the keywords of `bend` (start, end,
+        Successive positions of the end, mm, or for each step the keywords of `bend` (start, end,
         angles, gravity, force, moment, supports).
     side, mode
         As in `bend`, for the first step.
@@ -191,12 +190,12 @@ def bend_path(
     Returns
     -------
     tuple of Rod
-        One a step; reactions are `force` and `moment` at the first and the last node.
+        One rod for each step; reactions are `force` and `moment` at the first and the last node.
 
     Raises
     ------
     InputError, NotConvergedError
-        As `bend`, naming the step.
+        As in `bend`; the message names the step.
 
     Examples
     --------
@@ -219,7 +218,7 @@ def bend_path(
 
 
 def _snapped_at(rod: Rod, start: float, end: float) -> Rod:
-    """The rod of a step of a movement; if it snapped, its warning says after which share of the whole movement."""
+    """Return the rod of one step; if it snapped, its warning states the fraction of the whole movement."""
     if not has_snapped(rod):
         return rod
     warning = next(one for one in rod.warnings if isinstance(one, Refusal) and "percent" in one.values)
@@ -235,9 +234,9 @@ class Movement:
     Attributes
     ----------
     travel : (k,) array
-        Path of the end seen from the start up to each rod, mm; 0 at the first.
+        Distance that the end has moved relative to the start, up to each rod, mm; 0 for the first rod.
     turn : (k,) array
-        Angle by which the held end that turns most has turned up to each rod, rad.
+        Rotation up to each rod of the held end that turns most, rad.
     """
 
     travel: FloatArray
@@ -331,7 +330,7 @@ def state_of(rod: Rod, system: RodSystem) -> RodState:
 
 
 def reach(state: RodState, side: int | None, mode: int) -> Reached:
-    """Follow from `state` to an equilibrium of its system; leave a straight state where it must or is told to."""
+    """Continue from `state` to an equilibrium; leave a straight state if it must bend or `side` is given."""
     system = state.system
     if system.held and float(np.linalg.norm(system.chord)) > system.length * (1 - 1e-12):
         taut = stretch(state)

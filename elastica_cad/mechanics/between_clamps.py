@@ -1,4 +1,4 @@
-"""The elastica between two clamps, or from one to where weight and a force lead its free end."""
+"""The elastica between two clamps, or with one clamp and a loaded free end."""
 
 from collections.abc import Sequence
 from contextlib import suppress
@@ -18,7 +18,7 @@ from elastica_cad.mechanics.loads import End, Gravity, Supports
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length, note
 
-OFF_PLANE = 1e-6  # mm: how far points may lie off the plane of the curve
+OFF_PLANE = 1e-6  # mm: largest distance of points from the plane of the curve
 FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
     0.25,
     8.0,
@@ -29,17 +29,17 @@ SAMPLES = 901  # nodes: their places are wrong by the square of their distance, 
 
 @dataclass(frozen=True, eq=False)
 class ElasticaBetween:
-    """A bent strip between two clamps, or with a free end, and which of the many it is.
+    """Bent strip between two clamps or with a free end, and its side and buckling mode.
 
     Attributes
     ----------
     rod : Rod
-        In balance; `force` and `moment` at its ends are what the clamps bear.
+        Rod in balance; `force` and `moment` at its ends act on the clamps.
     side : int
-        +1 where its first bulge lies left of the way from start to end, -1 where right, 0 where it is straight; of
-        a free end where it lies, seen along the clamp.
+        +1 if the first bulge is left of the line from start to end, -1 if right, 0 for a straight strip. With a
+        free end: the side of the free end, seen along the clamp.
     mode : int
-        The buckling mode in which a straight strip was left; 1 is the stable one.
+        Buckling mode; mode 1 is stable.
     """
 
     rod: Rod
@@ -89,39 +89,38 @@ def elastica_between(
     mode: int = 1,
     samples: int = SAMPLES,
 ) -> ElasticaBetween:
-    """The shape of a strip of given length between two points, or from a clamp to its free end.
+    """Return the shape of a strip of given length between two points, or with a free end.
 
-    The strip starts straight from the start towards the end; its end is then moved to its place and both ends are
-    turned to their angles. The result is the equilibrium that one would reach by hand in this way. A strip with a
-    free end starts straight along its clamp and is then loaded in steps.
+    The strip is first straight. Its end is then moved into place, and both ends are turned to their angles, as one
+    would do by hand. A strip with a free end starts straight along its clamp and is then loaded in steps.
 
     Parameters
     ----------
     start, end : (2,) array_like
-        mm; None for an end that is free, where the start is clamped.
+        mm; `end` is None if it is free and the start is clamped.
     length : float
-        Of the strip, mm: more than the distance of its ends.
+        Length of the strip, mm; more than the distance between its ends.
     angles : pair of float or None
-        Of the tangent at both ends, rad, whole turns not counted; None leaves the strip free to turn there.
+        Angles of the tangent at both ends, rad, modulo 2 pi; None leaves the strip free to turn.
     stiffness : float, (n,) array_like or Profile
-        Of a tapered strip: stiffness at even stations, or over [0, length].
+        For a tapered strip: stiffness at uniform stations, or a profile over [0, length].
     gravity : Gravity, optional
-        The strip's own weight.
+        Weight of the strip.
     force : (2,) array_like, optional
-        At a free end, over the strip's least bending stiffness, 1/mm2 (F / B with F in N, B in N mm2).
+        Force at a free end over the least bending stiffness, 1/mm2 (F / B with F in N, B in N mm2).
     side : {+1, -1}
-        To which side of the way from start to end the strip bulges first, left or right; where a free end goes
-        that is pushed straight at its clamp.
+        Side of the first bulge, left (+1) or right (-1) of the line from start to end. With a free end that is
+        pushed straight towards its clamp: the side to which it moves.
     mode : int
-        Buckling mode; above 1 the shape is unstable as a rule.
+        Buckling mode; shapes above mode 1 are usually unstable.
     samples : int
-        Nodes.
+        Number of nodes.
 
     Raises
     ------
     InputError
-        A length that does not reach, ends at one place without angles, a force at an end that is held, a free
-        end without a clamp at the start.
+        The length is too short, the ends coincide without angles, a force acts on a held end, or the end is free
+        and the start is not clamped.
     NotConvergedError
         As `bend`.
 
@@ -198,7 +197,7 @@ def _led_by_loads(
         step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)
         found = step()
         if _side(found) * _side(bent) < 0:
-            # where a straight strip would buckle the shape jumps: the one it grows into lies as far on this side
+            # the shape jumps at the buckling load of a straight strip; mirror it to continue on this side
             found = step(guess=2 * found.angle[0] - found.angle)
         bent = found
     if np.ptp(bent.angle) > 0:
@@ -239,12 +238,12 @@ def _pair(point: object) -> FloatArray | None:
 
 
 def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
-    """Angles in degrees at start and end, None where the strip turns freely, as `elastica_between` takes them.
+    """Return the angles (degrees, or None for a free angle) as `elastica_between` needs them.
 
     Raises
     ------
     InputError
-        Not two angles, or one of more than a whole turn.
+        There are not two angles, or an angle exceeds a whole turn.
     """
     near, far = _pair_of_angles(angles)
     if any(angle is not None and abs(angle) > 360 for angle in (near, far)):
@@ -263,17 +262,17 @@ def _pair_of_angles(angles: object) -> tuple[float | None, float | None]:
 
 
 def _nearest_turn(angle: float, near: float) -> float:
-    """The angle, or one that differs by whole turns, within half a turn of another."""
+    """Return `angle` plus whole turns, within half a turn of `near`."""
     return near + float(np.remainder(angle - near + np.pi, 2 * np.pi) - np.pi)
 
 
 def _is_free(rod: Rod) -> bool:
-    """May its end go anywhere?"""
+    """Return True if the end is free to move in x and y."""
     return not (rod.supports.ends[1].x or rod.supports.ends[1].y)
 
 
 def _side(rod: Rod) -> int:
-    """Which side of its chord the rod leaves first; where a free end lies beside its clamp's direction."""
+    """Return the side of the first bulge, or of the free end relative to the direction of the clamp."""
     off = rod.position - rod.position[0]
     if _is_free(rod):
         along, off = np.array([np.cos(rod.angle[0]), np.sin(rod.angle[0])]), off[-1:]

@@ -21,24 +21,24 @@ _STEEPEST_DROOP = (
     0.95  # droop/overhang beyond which the strip hangs like a rope and its stiffness can't be read
 )
 _FLATTEST_DROOP = 1e-4
-"""Droop divided by overhang below which it cannot be measured."""
+"""Least measurable ratio of droop to overhang."""
 
 
 @dataclass(frozen=True)
 class Calibration:
-    """What a hanging strip tells about its sheet.
+    """Properties of a sheet, measured with a hanging strip.
 
     Attributes
     ----------
     elasto_gravity_length : float
         l_eg = (E h^2 / (12 rho g))^(1/3), mm.
     uncertainty : float
-        One standard deviation of it, mm: from the reading errors, or from the scatter of the readings if that
-        is more.
+        Standard deviation of l_eg, mm: from the reading errors, or from the scatter of the readings if that is
+        larger.
     readings : tuple of float
         l_eg of each reading, mm.
     reading_uncertainties : tuple of float
-        Of each, mm, from the reading errors alone.
+        Standard deviation of each reading, mm, from the reading errors alone.
     thickness, density : float or None
         As given, mm and kg/m3.
     youngs_modulus, youngs_modulus_uncertainty : float or None
@@ -71,14 +71,14 @@ class Calibration:
         grain: Grain = "none",
         kind: str = "",
     ) -> Sheet:
-        """The calibrated sheet, E with a range of two standard deviations; its `toml` is the entry to keep.
+        """Return the calibrated sheet, with a range of two standard deviations for E.
 
         Parameters
         ----------
         name : str
-            What to call it.
+            Name of the sheet.
         max_strain, least_radius : float
-            The largest strain it bears, or the least radius (mm) that left no lasting bend; one of them.
+            Largest strain for permanent use, or the least radius (mm) that left no lasting bend. Give exactly one.
         kerf, poisson_ratio, shear_modulus, grain, kind
             As in `Sheet`.
 
@@ -127,7 +127,7 @@ class Calibration:
 
 
 def cantilever_droop(overhang: float, elasto_gravity_length: float) -> float:
-    """Drop of the free end of a uniform strip clamped level at one end, mm.
+    """Return the drop of the free end of a uniform strip that is clamped horizontally, mm.
 
     Parameters
     ----------
@@ -274,7 +274,7 @@ def _length_for(part: float) -> float:
     def excess(log_load: float) -> float:
         return cantilever_droop(1.0, float(np.exp(-log_load / 3))) - part
 
-    # small droop is w L^4 / 8 EI, larger ones need more load for the same droop
+    # a small droop is w L^4 / 8 EI; a larger droop needs more load than this formula predicts
     low = float(np.log(8 * part)) - 0.05
     high = low + 1.0
     while excess(high) < 0:
@@ -283,7 +283,7 @@ def _length_for(part: float) -> float:
 
 
 def _weighted_mean(values: FloatArray, errors: FloatArray) -> tuple[float, float]:
-    """Mean with weights 1/error^2; its deviation, widened when values scatter more than their errors say."""
+    """Return the mean with weights 1/error^2 and its deviation, by the errors or (if larger) the scatter."""
     weights = np.ones(values.shape) if np.any(errors == 0) else errors**-2
     mean = float(np.average(values, weights=weights))
     inner = 0.0 if np.any(errors == 0) else float(weights.sum() ** -0.5)

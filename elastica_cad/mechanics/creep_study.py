@@ -1,4 +1,4 @@
-"""What a strip does in the long run: it sags, its clamps feel less, and let go it keeps a bend."""
+"""Creep of a bent strip: sag, relaxed clamp forces and the bend that remains after release."""
 
 from dataclasses import dataclass, replace
 
@@ -18,16 +18,17 @@ from elastica_cad.refusals import Length, note, sentences
 
 @dataclass(frozen=True, eq=False)
 class Creep:
-    """What `creep` found.
+    """Result of `creep`.
 
     Attributes
     ----------
     factor : float
-        phi: the strain that creep adds, over the elastic one.
+        phi: creep strain over elastic strain.
     rod, later : Rod
-        At once, and in the long run, held alike.
+        Rod at once and in the long run, with the same supports.
     exact : bool
-        Is this exact for a homogeneous, linear, standard solid? Otherwise it is that of the effective modulus.
+        True if the result is exact for a homogeneous standard linear solid. Otherwise it is the approximation by an
+        effective modulus.
     """
 
     factor: float
@@ -42,7 +43,7 @@ class Creep:
 
     @property
     def kept_share(self) -> float:
-        """Share of its bend that the strip has just after it is let go, phi / (1 + phi); it goes on opening."""
+        """Fraction of the bend just after release, phi / (1 + phi); the strip then continues to open."""
         return self.factor / (1 + self.factor)
 
     @property
@@ -57,7 +58,7 @@ class Creep:
 
     @property
     def stays(self) -> bool:
-        """Whether it creeps to a stable shape without snapping."""
+        """True if the strip creeps to a stable shape without snapping."""
         return not has_snapped(self.later) and self.stability.stable
 
     @property
@@ -103,12 +104,13 @@ class Creep:
 
 
 def creep(rod: Rod, factor: float) -> Creep:
-    """A rod at once and after creep has run out, held the same all the time.
+    """Return a rod at once and after creep has ended, with unchanged supports.
 
-    The elastic modulus becomes E / (1 + phi) while weights, and the forces and moments on free ends, stay (the
-    effective modulus of a permanent load). That is the limit at long times of a standard linear solid, whatever
-    happened before; so the shape in the long run is exact for one. Without loads nothing moves at any time, and
-    forces fall with the relaxation modulus. How long it takes is not told: that needs a creep law of the sheet.
+    The elastic modulus becomes E / (1 + phi), the effective modulus under a permanent load. Weights, and the forces
+    and moments on free ends, stay the same. This is the limit of a standard linear solid at long times, whatever
+    happened before, so the long-term shape of such a solid is exact. Without loads nothing moves at any time, and
+    forces fall with the relaxation modulus. The duration is not computed, because it needs a creep law of the
+    sheet.
 
     Parameters
     ----------
@@ -121,9 +123,9 @@ def creep(rod: Rod, factor: float) -> Creep:
     Raises
     ------
     InputError
-        A factor that is negative or not finite.
+        The factor is negative or not finite.
     NotConvergedError
-        No shape is left near the first: the strip collapses as it creeps.
+        The strip collapses as it creeps: there is no equilibrium near the first shape.
 
     Examples
     --------
@@ -139,7 +141,7 @@ def creep(rod: Rod, factor: float) -> Creep:
     phi = require_creep(factor)
     first = later = rod
     if phi > 0 and feels_modulus(rod):
-        first = bend(rod, guess=rod.angle)  # on the nodes of the other one, so that their difference is creep
+        first = bend(rod, guess=rod.angle)  # on the nodes of `later`, so that the difference is creep alone
         force, moment = dead_loads(rod, 1 + phi)
         try:
             later = bend(_softened(first, 1 + phi), force=force, moment=moment, guess=rod.angle)
@@ -169,8 +171,7 @@ def require_creep(factor: object) -> float:
 
 
 def _is_linear(law: MaterialLaw | None) -> bool:
-    """Whether the material follows Hooke's law. Wide sections that curl count as linear: the effect is one of
-    shape, not of the modulus."""
+    """Return True if the material follows Hooke's law; a section that curls counts as linear."""
     return law is None or (isinstance(law, CurlingLaw) and law.below is None)
 
 

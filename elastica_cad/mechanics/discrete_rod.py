@@ -14,13 +14,13 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.mechanics.loads import Supports
 
 RANK_TOLERANCE = 1e-9
-"""Relative tolerance below which two rows count as dependent: a straight rod has rank 1."""
+"""Relative tolerance for dependent rows; a straight rod has rank 1."""
 
 _FEW = 40
-"""Number of edges below which a mode is found by dense algebra."""
+"""Least number of edges for an iterative search of a mode; shorter rods use dense algebra."""
 
 _SMOOTH = 10
-"""Number of polynomials in which compiled code looks for a lowest mode first."""
+"""Number of polynomials in the compiled code's first search for the lowest mode."""
 
 _EPS = float(np.finfo(float).eps)
 
@@ -121,7 +121,7 @@ def _inertia(diagonal: FloatArray, off: FloatArray, basis: FloatArray, shift: fl
     solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     reach = _reach(diagonal, off)
     if not np.abs(solved).max() * 16 * _EPS * reach < 1:
-        # an unbent rod between hinges turns freely but for its ends: count and solution must see one sign there
+        # an unbent rod between hinges is singular here; the shift gives count and solution the same sign
         shift -= 64 * _EPS * reach
         solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     negative = count_negative(diagonal, off, shift)
@@ -133,10 +133,10 @@ def _inertia(diagonal: FloatArray, off: FloatArray, basis: FloatArray, shift: fl
 def lowest_constrained(
     diagonal: FloatArray, off: FloatArray, rows: FloatArray, count: int = 1
 ) -> tuple[FloatArray, FloatArray]:
-    """Lowest eigenpairs of the symmetric tridiagonal matrix A on the null space of `rows` (k, n).
+    """Return the lowest eigenpairs of the symmetric tridiagonal matrix A on the null space of `rows` (k, n).
 
-    By Lanczos iteration on the inverse below the lowest eigenvalue: each step is one positive definite tridiagonal
-    solve.
+    Method: Lanczos iteration on the inverse, shifted below the lowest eigenvalue. Each step is one positive
+    definite tridiagonal solve.
 
     Returns
     -------
@@ -169,9 +169,9 @@ def lowest_constrained(
 
 
 def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[FloatArray, FloatArray, float]:
-    """D and L of L D L^T, of the matrix less a shift below its lowest eigenvalues, and the shift.
+    """Return D and L of L D L^T for the matrix minus a shift, and the shift.
 
-    The first `last` eigenvalues tell how far below.
+    The shift is below the lowest eigenvalue; its distance follows from the spread of the first `last` eigenvalues.
     """
     reach = _reach(diagonal, off)
     tolerance = 0.01 * reach / diagonal.size**2
@@ -189,7 +189,7 @@ def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[F
 
 
 class ConstrainedMode(NamedTuple):
-    """The lowest eigenvalue of A v = mu W v on C v = 0, its v (n,), and nu (k,) of A v - mu W v = C^t nu."""
+    """Lowest eigenvalue mu of A v = mu W v on C v = 0, with v (n,), and nu (k,) of A v - mu W v = C^t nu."""
 
     value: float
     mode: FloatArray
@@ -199,7 +199,7 @@ class ConstrainedMode(NamedTuple):
 def lowest_weighted(
     diagonal: FloatArray, off: FloatArray, lengths: FloatArray, rows: FloatArray
 ) -> ConstrainedMode:
-    """The lowest mode of a tridiagonal matrix A against the weights `lengths` (n,) where `rows` (k, n) vanish.
+    """Return the lowest mode of a tridiagonal matrix A with weights `lengths` (n,) where `rows` (k, n) vanish.
 
     v^t W v = 1, its largest entry positive.
     """
@@ -256,7 +256,7 @@ def shoot(
     angle: float,
     natural_curvature: float | FloatArray = 0.0,
 ) -> tuple[FloatArray, FloatArray]:
-    """Angles and moments of the discrete rod in balance that starts with `moment` and `angle`.
+    """Return angles and moments of the discrete rod in balance that starts with `moment` and `angle`.
 
     alpha_{i+1} = alpha_i + w_i (M_i / K_i + kappa_0),  M_{i+1} = M_i + l <b_{i+1}, T(alpha_{i+1})>: the
     stationarity of the discrete energy (paper, section 7.1) read from left to right, so the moment imbalance
@@ -271,15 +271,15 @@ def shoot(
     edge_length : float
         mm.
     moment, angle : float
-        M_0, 1/mm, and the angle alpha_0 that the start holds, rad.
+        M_0, 1/mm, and the held angle alpha_0 at the start, rad.
     natural_curvature : float or (n+1,) array
         kappa_0, 1/mm.
 
     Returns
     -------
     angles : (n+2,) array
-        alpha_0, the n edge angles, and the angle at the end; not a number from where the rod winds up beyond
-        all measure.
+        alpha_0, the n edge angles, and the angle at the end; NaN from the place where the rod winds up without
+        bound.
     moments : (n+1,) array
 
     Examples
@@ -346,9 +346,9 @@ def edge_positions(start: FloatArray, tangents: FloatArray, edge_length: float |
 
 
 def edge_forces(first: FloatArray, load: FloatArray) -> FloatArray:
-    """lambda of every edge (n, 2), 1/mm2, from that of the first and the nodal loads (n+1, 2).
+    """Return lambda of all edges (n, 2), 1/mm2, from lambda of the first edge and the nodal loads (n+1, 2).
 
-    lambda_{i+1} = lambda_i + q_i: with weight q_i = -w_i K_i e this is b_{i+1} = b_i - w_i K_i R^t e.
+    lambda_{i+1} = lambda_i + q_i; with weight q_i = -w_i K_i e, b_{i+1} = b_i - w_i K_i R^t e.
     """
     force = np.empty((load.shape[0] - 1, 2))
     force[0] = first
@@ -366,14 +366,14 @@ def bending_moments(
     natural_curvature: float | FloatArray = 0.0,
     end_moments: tuple[float, float] = (0.0, 0.0),
 ) -> FloatArray:
-    """Moments M_i = K_i ((alpha_{i+1} - alpha_i) / w_i - kappa_0) of all nodes (n+1,), 1/mm.
+    """Return the moments M_i = K_i ((alpha_{i+1} - alpha_i) / w_i - kappa_0) of all nodes (n+1,), 1/mm.
 
     Parameters
     ----------
     ends : pair of float or None
-        Angles alpha_0 and alpha_{n+1} held by the supports; None where the angle is free.
+        Angles alpha_0 and alpha_{n+1} held by the supports, or None for a free angle.
     end_moments : pair of float
-        Moments M_0 and M_n where the angle is free.
+        Moments M_0 and M_n at ends with a free angle.
     """
     M = np.empty(stiffness.size)
     np.subtract(angles[1:], angles[:-1], out=M[1:-1])
@@ -432,7 +432,7 @@ class MarginDerivatives:
 
 @dataclass(frozen=True, eq=False)
 class DiscreteRod:
-    """One shape of a discrete rod with its forces; what follows from it is computed once, when first asked for.
+    """Shape of a discrete rod with its forces; derived quantities are computed on first use.
 
     Attributes
     ----------
@@ -445,7 +445,7 @@ class DiscreteRod:
     edge_length : float or (n,) array
         mm.
     supports : Supports
-        Clamped at both ends unless given.
+        By default both ends are clamped.
     start : (2,) array
         Position of the first node, mm.
 
@@ -502,7 +502,7 @@ class DiscreteRod:
 
     @property
     def held_angles(self) -> tuple[bool, bool]:
-        """Whether the start and the end hold the tangent."""
+        """Flags for the start and the end: True if the support holds the tangent."""
         start, end = self.supports.ends
         return start.angle, end.angle
 
@@ -511,7 +511,7 @@ class DiscreteRod:
         """Tridiagonal Hessian H of the energy in the edge angles: diagonal (n,), off-diagonal (n-1,), 1/mm.
 
         h^t H h = sum_i K_i (h_{i+1} - h_i)^2 / w_i - sum_i l_i <lambda_i, T_i> h_i^2, with h_0 = h_{n+1} = 0
-        where the angle is held; the end node's term drops where it is free.
+        if the angle is held; the term of the end node is left out if the angle is free.
         """
         spring = self.stiffness / self.node_lengths
         self._drop_free(spring)
@@ -521,8 +521,7 @@ class DiscreteRod:
     def constraint_rows(self) -> FloatArray:
         """Rows C (p, n), mm, of d(gamma_l - gamma_0) = C d(alpha), for the coordinates held at both ends.
 
-        C = l_i (-sin alpha_i, cos alpha_i). Along a straight rod nothing changes to first order: what rounding
-        of the angles leaves there is no row.
+        C = l_i (-sin alpha_i, cos alpha_i). Rows along a straight rod vanish to first order and are left out.
         """
         sides = (-1, self.tangents[:, 1]), (1, self.tangents[:, 0])
         rows = np.zeros((len(self.held), self.angles.size))
@@ -549,7 +548,7 @@ class DiscreteRod:
 
     @cached_property
     def margin_derivatives(self) -> MarginDerivatives:
-        """d(mu) = v^t dH v - mu v^t dW v - 2 nu^t dC v, with v^t W v = 1 and C v = 0."""
+        """Derivatives d(mu) = v^t dH v - mu v^t dW v - 2 nu^t dC v, with v^t W v = 1 and C v = 0."""
         v, nu, lengths = self.margin.mode, self.margin.multipliers, self.edge_lengths
         total = float(lengths.sum())
         square = total**2 * lengths * v**2

@@ -54,7 +54,7 @@ MOST_POINTS = 400
 def _compare_fits(
     check: EquilibriumCheck, drawn: PlaneCurve, judge: Callable[[PlaneCurve], EquilibriumCheck]
 ) -> Undecided | None:
-    """Return both verdicts if another curve through the points has another one; None of a curve without points.
+    """Return both verdicts if another curve through the measured points has a different verdict, or None.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def _compare_fits(
     points = None if drawn.provenance is None else drawn.provenance.measured
     if (
         points is None or check.any_stiffness or (points.wavers and points.stray)
-    ):  # which is to be mended first
+    ):  # the outlier must be corrected first
         return None
     distance = _distance(points, drawn)
     for curve in _other_curves(points, distance):
@@ -81,9 +81,9 @@ def _compare_fits(
 
 
 def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurve]:
-    """Yield fits within the resolution of the points, a fit to every other point, and a smoother one.
+    """Yield fits within the resolution of the points, a fit to every other point, and a smoother fit.
 
-    The smoother one may leave the points by half as much as the fit to every other point does.
+    The deviation of the smoother fit is at most half of that of the fit to every other point.
     """
     step = -(-len(points.points) // MOST_POINTS)
     some, half = _thinned(points.points, step), _thinned(points.points, 2 * step)
@@ -117,29 +117,29 @@ def check_equilibrium(
     *,
     tolerance: float = 1e-4,
 ) -> EquilibriumCheck:
-    """Decide whether a flat strip of some admissible width can rest in this curve, without weight.
+    """Check whether a weightless flat strip of some admissible width can rest in a curve.
 
-    Condition (1): a line meets the curve in the zeros of its curvature, in nothing else, and is tangent in
-    none. Condition (2): the curvature changes sign in each of them with a finite slope. A pinned end must
-    have no curvature, which puts it on the line too; an end free to slide along x (y) makes the line vertical
-    (horizontal); ends that carry no force at all allow no line. A natural curvature is taken off the
-    curvature. A closed curve is held by its own other end; where it was drawn to begin in an inflection, it is
-    begun elsewhere (`curve`), and a warning says so.
+    Condition (1): a line meets the curve at the zeros of its curvature and nowhere else, and is never tangent.
+    Condition (2): the curvature changes sign at each zero with a finite slope. A pinned end must have no curvature,
+    so the line passes through it too. If an end is free to slide along x (y), the line is vertical (horizontal). If
+    the ends carry no force, no line exists. A natural curvature is subtracted from the curvature. A closed curve is
+    held by its own other end. If it begins at an inflection, its start is moved (`curve`) and a warning is added.
 
     Parameters
     ----------
     supports : Supports
         Clamped at both ends unless given.
     natural_curvature : float or RestCurvature
-        kappa_0, 1/mm, or that of a blank bent beforehand.
+        kappa_0, 1/mm, or the curvature of a pre-bent strip.
     tolerance : float
-        Inflections that lie this near to one line, in lengths of the curve, are moved onto it (`moved`,
-        `curve`); and so is the curve where an end that is free to turn is bent by next to nothing.
+        Largest distance of inflections from a line, relative to the length; nearer inflections are moved onto it
+        (`moved`, `curve`). An end that is free to turn and almost unbent is made straight within the same
+        tolerance.
 
     Raises
     ------
     InputError
-        A curve with corners, also where it closes.
+        The curve has corners, possibly where it closes.
 
     References
     ----------
@@ -167,10 +167,10 @@ def examine(
     *,
     heavy: bool = False,
 ) -> EquilibriumCheck:
-    """The conditions of Theorem 1 one after the other: curvature, ends that are not bent, line.
+    """Check the conditions of Theorem 1 in turn: curvature, unbent ends, line.
 
-    With weight (`heavy`) there is no line (paper, section 5), but the other conditions stay. The verdict on a curve
-    that was fitted to points is compared with those on other fits (`undecided`).
+    With weight (`heavy`) the line is not needed (paper, section 5), but the other conditions remain. The verdict on
+    a curve that was fitted to points is compared with the verdicts on other fits (`undecided`).
     """
     judge = partial(
         _examine_curve,
@@ -192,7 +192,7 @@ def _examine_curve(
     *,
     heavy: bool,
 ) -> EquilibriumCheck:
-    """The conditions of Theorem 1 on one curve."""
+    """Check the conditions of Theorem 1 on a curve."""
     check = examine_curvature(curve, supports, natural_curvature)
     check = _with_unbent_ends(check, supports, natural_curvature, tolerance)
     if heavy or check.any_stiffness or not check.zeros:
@@ -210,11 +210,10 @@ from it, also beyond it: a drawing is not more exact."""
 def _with_unbent_ends(
     check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature, tolerance: float
 ) -> EquilibriumCheck:
-    """The check of the curve with control points moved so that its unbent ends are not bent at all.
+    """Check the curve again after moving control points so that its almost unbent ends are exactly unbent.
 
-    These are ends in which the curvature vanishes to rounding, and those that are free to turn and all but
-    unbent. Places and tangents of both ends stay. A curve that would move farther than `tolerance`, in its
-    lengths, stays as it is.
+    These are ends whose curvature vanishes to rounding, and almost unbent ends that are free to turn. Positions and
+    tangents of both ends stay. The curve is not changed if it would move farther than `tolerance` times its length.
     """
     if check.curve.is_closed or check.any_stiffness:
         return check
@@ -234,7 +233,7 @@ def _with_unbent_ends(
 
 
 def _ends_keep_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> bool:
-    """Whether an inflection that belongs to an end is away from it by more than rounding."""
+    """Return True if an inflection that belongs to an end is away from it by more than rounding."""
     return bool(list(_traces(ExcessCurvature(check.curve, natural_curvature), check)))
 
 
@@ -245,7 +244,7 @@ def _largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
 
 
 def _traces(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:
-    """Parameters of the ends that count as zeros, and are none to rounding."""
+    """Yield the parameters of ends that count as zeros but are bent by more than rounding."""
     ends = np.array([z.t for z in check.zeros if z.kind == "end"])
     if ends.size:
         size = float(np.abs(excess.survey).max())
@@ -253,7 +252,7 @@ def _traces(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]
 
 
 def _meant(excess: ExcessCurvature, check: EquilibriumCheck, supports: Supports) -> Iterable[float]:
-    """Parameters of the ends that are free to turn and all but unbent."""
+    """Yield the parameters of almost unbent ends that are free to turn."""
     unbent = {z.t for z in check.zeros if z.kind == "end"}
     for t, support in zip(check.curve.domain, supports.ends, strict=True):
         if support.angle or t in unbent:
@@ -264,7 +263,7 @@ def _meant(excess: ExcessCurvature, check: EquilibriumCheck, supports: Supports)
 
 
 def _ends_near_zeros(check: EquilibriumCheck) -> set[float]:
-    """Parameters of the ends beside which the curvature vanishes inside the curve."""
+    """Return the parameters of ends that are near an inner zero of the curvature."""
     (start, end), near = check.curve.domain, MEANT_SHARE * check.length
     inner = [z.s for z in check.zeros if z.kind != "end"]
     return {start for s in inner if s < near} | {end for s in inner if s > check.length - near}
@@ -282,11 +281,10 @@ _SAME_PLACE_SHARE = 1e-6
 """Places nearer to each other than this share of the length are the same inflection."""
 
 _WIDEST_RATIO = 1e4
-"""Stiffness ratio above which a curve counts as on the border of what can be bent: no strip of that ratio can
-be made, and rounding decides the verdict."""
+"""Largest stiffness ratio of a realizable curve; above it, rounding would decide the verdict."""
 
 _TANGENT_RAD = 1e-6
-"""Sine of the angle between line and curve below which they count as tangent."""
+"""Sine of the angle between line and curve; smaller values count as tangent."""
 
 _AT_ZERO_SHARE = 1e-4  # nearer to a zero of the curvature, in lengths, K is a quotient of two small numbers
 _LINES = {
@@ -307,17 +305,17 @@ class LineMeeting:
 
 @dataclass(frozen=True)
 class SeparatingLine:
-    """The lines through one inflection that meet the curve nowhere else.
+    """Lines through a single inflection that meet the curve nowhere else.
 
     Attributes
     ----------
     line : InflectionLine or None
-        The middle one; None when there is none.
+        Middle line, or None if no line exists.
     spread : float
-        Angle, rad, under which the curve is seen from its inflection once the part that bends the other way
-        is mirrored there; below pi there are such lines.
+        Angle, rad, that the curve subtends at its inflection after the part of opposite curvature has been mirrored
+        there; lines exist if it is less than pi.
     places : (float, float)
-        Arc lengths of the two places that bound the lines, mm.
+        Arc lengths of the two points that bound the lines, mm.
     """
 
     line: InflectionLine | None
@@ -366,7 +364,7 @@ def _with_line(
     natural_curvature: NaturalCurvature,
     tolerance: float,
 ) -> EquilibriumCheck:
-    """Two or more zeros, or a line of given direction: there is one line to look at."""
+    """Check the only possible line, through two or more zeros or of given direction."""
     line = fit_inflection_line(_positions(check), normal)
     distance = line.distance(_positions(check))
     off_line = tuple((z.s, float(d)) for z, d in zip(check.zeros, distance, strict=True))
@@ -403,12 +401,12 @@ def _with_line(
 def _moved_onto(
     line: InflectionLine, check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature
 ) -> EquilibriumCheck | None:
-    """Check the curve again with its inflections moved onto the line; None where they cannot be moved."""
-    if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:  # which moving would open
+    """Check the curve again with its inflections moved onto the line; return None if they cannot be moved."""
+    if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:  # moving would open it
         return None
 
     found = check
-    for _ in range(2):  # once more where an inflection came to lie at an end
+    for _ in range(2):  # a second time if an inflection was moved to an end
         try:
             moved = project_inflections(found.curve, found.zeros, line, natural_curvature)
         except NotConvergedError:
@@ -423,7 +421,7 @@ def _moved_onto(
 def _off_the_border(
     check: EquilibriumCheck, natural_curvature: NaturalCurvature, spare: float = 0.0
 ) -> EquilibriumCheck:
-    """The verdict, refused where the curve asks for a ratio of stiffness that no strip can have."""
+    """Return the check, refused if the curve needs a stiffness ratio that no strip can have."""
     if check.line is None or not check.realizable:
         return check
     at = _widest_place(ExcessCurvature(check.curve, natural_curvature), check.line, check.zeros, spare)
@@ -471,11 +469,11 @@ def fit_inflection_line(points: FloatArray, normal: FloatArray | None = None) ->
 def _line_meetings(
     curve: PlaneCurve, line: InflectionLine, zeros: Sequence[CurvatureZero]
 ) -> tuple[LineMeeting, ...]:
-    """Places where the line violates condition (1) of Theorem 1.
+    """Return the places where the line violates condition (1) of Theorem 1.
 
-    These are meetings elsewhere than in a zero of the curvature, tangency in a zero, and zeros in which the
-    curve goes to the wrong side: the moment a + <b, gamma> must have one and the same sign relation to the
-    curvature everywhere.
+    These are crossings away from zeros of the curvature, tangency at a zero, and zeros at which the curve crosses
+    in the wrong direction. The sign of the moment a + <b, gamma> relative to the curvature must be the same
+    everywhere.
     """
     near = _SAME_PLACE_SHARE * curve.length
     bad: list[LineMeeting] = []
@@ -501,10 +499,11 @@ def _line_meetings(
 def _widest_place(
     excess: ExcessCurvature, line: InflectionLine, zeros: Sequence[CurvatureZero], spare: float
 ) -> float | None:
-    """Where (mm) the stiffness would exceed the least by `_WIDEST_RATIO`; None where it need not.
+    """Return the place (mm) where the stiffness ratio would exceed `_WIDEST_RATIO`, or None.
 
-    K = distance from the line / (kappa - kappa_0); in a zero its limit, the sine of the angle between curve and
-    line over the slope of the curvature. With one zero the line may turn by `spare` rad either way about it.
+    K = distance from the line / (kappa - kappa_0). At a zero K is the limit, the sine of the angle between curve
+    and line over the slope of the curvature. With a single zero the line may turn about it by `spare` rad either
+    way.
     """
     curve, kappa = excess.curve, excess.survey
     nodes = curve.survey
@@ -529,24 +528,23 @@ def _widest_place(
 
 
 def _at_zeros(excess: ExcessCurvature, t: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Unit tangents (k, 2) and slopes (k,) of kappa - kappa_0 at its zeros, from inside where one is the end."""
+    """Return unit tangents (k, 2) and slopes (k,) of kappa - kappa_0 at its zeros (at an end, from inside)."""
     _, d1, d2, d3 = excess.curve.derivatives(t, 3)
     slope = curvature_slope(d1, d2, d3) - excess.rest_at(t, 1, left=bool(t[-1] >= excess.curve.domain[1]))
     return d1 / np.hypot(d1[:, :1], d1[:, 1:]), slope
 
 
 def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign: int) -> SeparatingLine:
-    """Lines through the only zero of kappa - kappa_0 that have each side of the curve where its bending asks.
+    """Return the lines through the only zero of kappa - kappa_0 that give the moment the sign of the bending.
 
     With p the inflection, M = <b, gamma - p> must have the sign of kappa - kappa_0, so all directions
-    sign(kappa - kappa_0) (gamma - p) must lie in the open half plane <b, .> > 0. They form one continuous
-    angle along the curve (its limit at p is the tangent), and there is such a b if and only if it spreads
-    less than pi.
+    sign(kappa - kappa_0) (gamma - p) must lie in the open half plane <b, .> > 0. Their angle is continuous along
+    the curve (its limit at p is the tangent). Such a b exists if and only if the angle spans less than pi.
 
     Parameters
     ----------
     curvature_sign : int
-        Sign of kappa - kappa_0 after the zero; at the end of the curve minus the sign before it.
+        Sign of kappa - kappa_0 after the zero; at the end of the curve, minus the sign before the zero.
     """
     views = find_view_angles(curve, zero.t)
     if views is None:
@@ -577,7 +575,7 @@ MOST_STEPS = 12
 """Largest number of Newton steps for such a move."""
 
 ON_LINE_SHARE = 1e-12
-"""Distance from the line, in sizes of the curve, below which an inflection lies on it."""
+"""Largest distance between the line and an inflection that counts as on it, relative to the size of the curve."""
 
 LARGEST_MOVE_SHARE = 0.05
 """Largest move of a control point, in lengths of the curve."""
@@ -589,10 +587,10 @@ def project_inflections(
     line: InflectionLine,
     natural_curvature: float = 0.0,
 ) -> PlaneCurve:
-    """The curve with control points moved so that all `zeros` of kappa - kappa_0 lie on a line.
+    """Return the curve with control points moved so that all `zeros` of kappa - kappa_0 are on a line.
 
-    End points and end tangents are held as long as the curve has the freedom for it; a zero at an end stays
-    there, and where pieces of a pen's path meet the tangent stays continuous.
+    End points and end tangents are kept if the curve has enough control points. A zero at an end stays there, and
+    tangents stay continuous where pieces of a pen path meet.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Two glued layers as one section (paper, section 8.1), and how wide ones bend between beam and plate."""
+"""Section of two glued layers (paper, section 8.1), also if it is wide enough to bend as a plate."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -26,9 +26,9 @@ _TOUCH_SHARE = 1e-5
 class LaminatedSection:
     """Two rectangles glued back to back, exact about their own neutral axis.
 
-    The base (width w1, thickness h1) makes the outline; the backing (w2 <= w1, h2) adds stiffness. Each layer
-    has its own modulus along the strip, so plywood may lie either way. The paper's formula of section 8.1
-    keeps the neutral axis where it is and is 12 to 37 % too soft at h1/h2 = 1/2. With A_i = E_i w_i h_i and d
+    The base (width w1, thickness h1) is the outline; the backing (w2 <= w1, h2) adds stiffness. Each layer has its
+    own modulus along the strip, so the grain of plywood may run either way. The paper's formula of section 8.1 does
+    not move the neutral axis, and is 12 to 37 % too soft at h1/h2 = 1/2. With A_i = E_i w_i h_i and d
     = (h1 + h2)/2:
 
         E I = (A1 h1^2 + A2 h2^2) / 12 + d^2 A1 A2 / (A1 + A2)
@@ -65,12 +65,12 @@ class LaminatedSection:
         return self._stiffness(*self._widths(base_width, backing_width))
 
     def backing_width(self, base_width: ArrayLike, bending_stiffness: ArrayLike) -> FloatArray:
-        """Backing width w2 (n,), mm, for the E I (n,), N mm2: the root of a quadratic, station by station.
+        """Return the backing widths w2 (n,), mm, for E I (n,), N mm2, as roots of quadratics.
 
         Raises
         ------
         InputError
-            E I below that of the base alone or above that of two full layers; says at which station.
+            E I is below that of the base alone or above that of two full layers; the message names the station.
         """
         w1 = positive(base_width, "base width")
         EI = positive(bending_stiffness, "bending stiffness")
@@ -99,7 +99,7 @@ class LaminatedSection:
         return np.minimum(x / (self.backing.youngs_modulus * h2), w1)
 
     def stiffening(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """d(E I) / d(w2) (n,), N mm: what one more mm of backing adds; always positive."""
+        """Return d(E I) / d(w2) (n,), N mm; always positive."""
         w1, w2 = self._widths(base_width, backing_width)
         A1, A2 = self._axial(w1, w2)
         _, h2, d = self._heights
@@ -315,7 +315,7 @@ class BackingLaw:
 
 @dataclass(frozen=True, eq=False)
 class BoundedBacking(BackingLaw, FixedLaw):
-    """A backing within limits on a base of one width: what `nearest_rod` takes as `section`.
+    """Backing of limited width on a base of given width, as `section` of `nearest_rod`.
 
     Attributes
     ----------
@@ -337,7 +337,7 @@ class BoundedBacking(BackingLaw, FixedLaw):
 
 
 def stack_stiffness(layers: Sequence[tuple[Sheet, ArrayLike]]) -> FloatArray:
-    """E I (n,), N mm2, of sheets of given widths (n,), mm, glued one on another, about their common neutral axis.
+    """Return E I (n,), N mm2, of glued sheets of given widths (n,), mm, about their common neutral axis.
 
     Examples
     --------
@@ -369,14 +369,13 @@ LEAST_SHARE = 2e-3
 """Narrowest border and backing, as a share of the width."""
 
 TERMS, STATIONS = 24, 60
-"""Number of terms of the polynomials in curvature, and of stations at which they are computed."""
+"""Number of terms of the polynomials in curvature, and number of stations at which they are computed."""
 
 LARGEST_STRAIN = 0.05
-"""Largest strain of the surface that is considered; it is more than any sheet bears."""
+"""Largest strain of the surface that is considered; no sheet withstands it."""
 
 FINE_SEARLE = 3.0
-"""Width^2 kappa / thickness up to which samples of the bend are spaced evenly; beyond it they are spaced evenly
-in its logarithm."""
+"""Limit of width^2 kappa / thickness: samples are uniform below it and uniform in its logarithm above it."""
 
 
 def laminate_factor(
@@ -386,18 +385,19 @@ def laminate_factor(
     section: LaminatedSection,
     natural_curvature: ArrayLike = 0.0,
 ) -> FloatArray:
-    """M / (E I (kappa - kappa_0)) of a strip of two layers, the narrower in the middle, bent to an even curvature.
+    """Return M / (E I (kappa - kappa_0)) of a two-layer strip, the narrower layer in the middle.
 
-    The borders of the base lie off the neutral axis and carry stress along the bend, which presses them towards
-    that axis: they give way, and the strip is softer than its section. Poisson's ratio lets the whole curl too.
+    The curvature is uniform. The borders of the base are away from the neutral axis and carry stress along the
+    bend, which presses them towards that axis. They deflect, so the strip is softer than its section. The whole
+    section also curls because of Poisson's ratio.
 
     Parameters
     ----------
     base_width, backing_width, curvature : array_like
-        (n,) or numbers, mm and 1/mm; the curvature is positive where the backing is stretched.
+        (n,) or numbers, mm and 1/mm; a positive curvature stretches the backing.
     section : LaminatedSection
     natural_curvature : array_like
-        kappa_0, before it is bent, 1/mm.
+        kappa_0, the curvature before bending, 1/mm.
 
     Returns
     -------
@@ -407,8 +407,8 @@ def laminate_factor(
     -----
     Least energy, per length, of the deflection w(y) across the strip, outward positive: a plate in plane stress,
     free to contract, with the strain eps_0 + (kappa - kappa_0) z + kappa w along the strip and -z w'' across;
-    Hermite cubics on half of the section. For one sheet it is `anticlastic_factor`. Curvature that varies within a
-    few widths, and clamps that keep the ends flat, are outside of it.
+    Hermite cubics on half of the section. For a single sheet the result equals `anticlastic_factor`. Curvature that
+    varies within a few widths, and clamps that keep the ends flat, are not modelled.
 
     Examples
     --------
@@ -489,16 +489,16 @@ def _hermite(length: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 @dataclass(frozen=True, eq=False)
 class LaminateCurl:
-    """`laminate_factor` at the nodes of a strip, as polynomials that cost a hundredth of the time.
+    """Polynomials for `laminate_factor` at the nodes of a strip; about a hundred times faster.
 
     Attributes
     ----------
     reach : float
-        Largest |curvature|, 1/mm, that is told apart; beyond it the factor stays.
+        Largest |curvature|, 1/mm, of the polynomials; above it the factor is constant.
     fine : (n,) array
-        Curvature, 1/mm, beyond which curvatures are told apart by their logarithm (by arsinh).
+        Curvature, 1/mm, above which the scale of curvatures is logarithmic (arsinh).
     coefficients : (m, n) array
-        Of Chebyshev polynomials over them.
+        Coefficients of Chebyshev polynomials on this scale.
 
     Examples
     --------

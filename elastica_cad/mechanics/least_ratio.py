@@ -57,7 +57,7 @@ SAME_PLACE_SHARE = 1e-9
 """A knot nearer to a zero of the curvature than this share of the length is moved there."""
 
 CELLS = 8
-"""Parts of a panel in which the density of knots is taken as constant."""
+"""Number of parts of a panel with a constant density of knots in each."""
 
 _CELL_ENDS = legendre_basis(np.linspace(-1, 1, CELLS + 1))
 
@@ -73,10 +73,10 @@ SPARE = 0.07
 
 
 def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:
-    """K times `scale` as a cubic spline of arc length.
+    """Return K times `scale` as a cubic spline of arc length.
 
-    K has two derivatives less than the curve, and one less again in an inflection at a knot; a kink stays a
-    kink. A step is spread over a ramp.
+    K has two continuous derivatives less than the curve, and three less at an inflection at a knot. A kink stays a
+    kink. A step becomes a ramp.
     """
     curve = check.curve
     length = curve.length
@@ -135,13 +135,13 @@ class _AlongArc:
 
     @property
     def largest(self) -> float:
-        """The largest of K, nearly."""
+        """Approximate maximum of K."""
         return float(self.series.in_every_panel(_CELL_ENDS).max())
 
     def noise(self, steps: Sequence[float]) -> float:
-        """Largest jump of K between panels, but for its steps: rounding that grows along under much weight."""
+        """Return the largest jump of K between panels, except at steps; it is rounding amplified by weight."""
         before, after = self.series.where_panels_meet
-        # over as much of the length as a step is spread over: of steps nearer to each other one is kept
+        # leave out jumps within the length of a ramp that replaces a step
         jumps = np.abs(after - before)
         if len(steps):
             apart = np.abs(self.edges[1:-1, None] - np.array(steps)) > STEP_LENGTH * self.edges[-1]
@@ -149,13 +149,13 @@ class _AlongArc:
         return float(jumps.max(initial=0.0))
 
     def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
-        """Knots between the breaks with which a cubic spline errs by `tolerance` everywhere.
+        """Return knots between the breaks for which the error of a cubic spline is `tolerance` everywhere.
 
-        Their distance h is that where `BEST_CUBIC` h^4 K'''' is the tolerance.
+        Their spacing h solves `BEST_CUBIC` h^4 K'''' = tolerance.
         """
         width = self.edges[1:] - self.edges[:-1]
         fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
-        # both by the panel's own x, from -1 to 1
+        # both as functions of the panel's x, from -1 to 1
         count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
         reached, s = np.zeros(count.size + 1), np.empty(count.size + 1)
         np.cumsum(count, out=reached[1:])
@@ -163,13 +163,13 @@ class _AlongArc:
         s[-1] = self.edges[-1]
         stops = sorted({float(self.edges[0]), *breaks, float(self.edges[-1])})
         at = np.interp(stops, s, reached).tolist()
-        parts = [max(1, ceil(b - a)) for a, b in pairwise(at)]  # even stiffness asks for none
+        parts = [max(1, ceil(b - a)) for a, b in pairwise(at)]  # uniform stiffness needs no knot
         wanted = [a + (b - a) / n * np.arange(1, n) for (a, b), n in zip(pairwise(at), parts, strict=True)]
         return np.asarray(np.interp(np.concatenate(wanted), reached, s))
 
 
 def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
-    """The profile stretched a little so that its extremes are `exact`, the stiffness where it has them.
+    """Return the profile stretched slightly to the exact extremes of the stiffness.
 
     The stiffness is stationary there, so the places need not be exact.
     """
@@ -180,7 +180,7 @@ def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Pro
 
 
 def _joined(profile: Profile, place: float, *, keep_left: bool) -> Profile:
-    """The profile with the gap at `place` closed: both sides get the value of the one kept."""
+    """Return the profile without the jump at `place`: both sides get the left (`keep_left`) or right value."""
     first = int(np.searchsorted(profile.knots, place - 1e-9 * profile.length))
     coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
     return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
@@ -189,7 +189,7 @@ def _joined(profile: Profile, place: float, *, keep_left: bool) -> Profile:
 TOLD_MOVE_MM = 1e-3
 """Smallest move of the curve, mm, that is reported."""
 
-_LAW_SAMPLES = 2001  # along the curve, where a law is asked for its moments
+_LAW_SAMPLES = 2001  # number of samples along the curve for the moments of a law
 
 
 def optimal_rod(
@@ -208,31 +208,31 @@ def optimal_rod(
     tolerance: float = 1e-4,
     check: EquilibriumCheck | None = None,
 ) -> Rod:
-    """The rod whose rest shape is the curve, with the least possible ratio of largest to least stiffness.
+    """Return the rod with the curve as rest shape and the least ratio of largest to least stiffness.
 
     Parameters
     ----------
     curve : PlaneCurve
         mm.
     gravity : Gravity, optional
-        Weight proportional to the stiffness, as of a plain strip; its direction serves for `weight` too.
+        Weight proportional to the stiffness, as of a plain strip; its direction also applies to `weight`.
     supports : Supports
-        Clamped at both ends unless given.
+        By default both ends are clamped.
     natural_curvature : float or RestCurvature
-        kappa_0, 1/mm, or that of a blank bent beforehand; the rod then has kappa_0 at its nodes.
+        kappa_0, 1/mm, or the curvature of a pre-bent strip; the rod then has kappa_0 at its nodes.
     samples : int, optional
-        Nodes of the rod, and without `largest_stiffness` the only places where its ratio is judged. Unless
-        given, the ratio is that of the continuous curve and the rod has 601 nodes.
+        Number of nodes of the rod. Without `largest_stiffness` its ratio is evaluated only there. By default the
+        ratio is that of the continuous curve and the rod has 601 nodes.
     weight : Weight, optional
         Weight in newtons instead of a proportional one; with `own=True` the strip's own weight, which is
         B / gravity.length^3 per length and stiffness, is added to it.
     bending_stiffness : float, optional
-        Lower bound B of the bending stiffness E I, N mm2, that the weight in newtons is set against. Unless
-        given it is solved for: that of least ratio, or where the ratio only falls with growing B, the least B
-        whose ratio is within 1 % of the weightless one.
+        Lower bound B of the bending stiffness E I, N mm2, under a weight in newtons. By default it is computed: the
+        B of least ratio or, if the ratio falls monotonically with B, the least B whose ratio is within 1 % of the
+        ratio without weight.
     largest_stiffness : float, optional
-        Largest E I of the rod, N mm2, under a weight in newtons, such as that of the widest strip that there is
-        room for. The ratio is the least one of such rods. Where a rod so stiff cannot rest in the curve under
+        Largest E I of the rod, N mm2, under a weight in newtons, for example of the widest strip that fits. The
+        result has the least ratio of all such rods. Where a rod so stiff cannot rest in the curve under
         this weight, the largest E I stays below.
     least_stiffness : float, optional
         Lower bound of E I anywhere, N mm2, beside `largest_stiffness`.
@@ -259,9 +259,9 @@ def optimal_rod(
     Raises
     ------
     NotRealizable
-        No admissible stiffness exists; `check` of the error says why and where.
+        No admissible stiffness exists; `check` of the error states why and where.
     InputError
-        Options that do not fit together, a kinked curve, a weight that no rod within its stiffness carries.
+        The options conflict, the curve has a kink, or no rod within the stiffness limits carries the weight.
 
     References
     ----------
@@ -364,11 +364,11 @@ def _check_stiffness(name: str, value: float | None, weight: Weight | None) -> N
 
 
 def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weight: Weight | None) -> None:
-    """Refuse an end that neither a support nor a mass holds: its shape follows from the weight and cannot be drawn.
+    """Refuse an end without a support or a mass, because its shape follows from the weight alone.
 
-    With u the distance from it and W the weight beyond, K kappa = integral of W cos(alpha) du. Both vanish at
-    u = 0, and where the weight is the strip's own, K stays finite and positive only for kappa = cos(alpha)
-    u^2 / (2 l_eg^3) + ...
+    With u the distance from the end and W the weight beyond, K kappa = integral of W cos(alpha) du. Both vanish at
+    u = 0. Under the strip's own weight, K stays finite and positive only for kappa = cos(alpha) u^2 / (2 l_eg^3) +
+    ... ...
     """
     masses = () if weight is None else weight.masses
     for name, support, s in zip(("start", "end"), supports.ends, (0.0, check.length), strict=True):
@@ -389,7 +389,7 @@ def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weigh
 def _rod_of(
     asked: RodRequest, check: EquilibriumCheck, moment: FloatArray, force: FloatArray, **fields: Any
 ) -> Rod:
-    """The rod that lies in the curve; moments (n,) and forces (n, 2) are those of its nodes."""
+    """Return the rod in the shape of the curve, with moments (n,) and forces (n, 2) at its nodes."""
     nodes = asked.nodes
     return Rod(
         s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, moment=moment,
@@ -400,7 +400,7 @@ def _rod_of(
 
 
 def _unbent_rod(asked: RodRequest) -> Rod:
-    """A curve of the natural curvature throughout: no moment; under weight it must hang or stand upright."""
+    """Return the rod of a curve with the natural curvature: no moment, and straight up or down under weight."""
     check, nodes = asked.check, asked.nodes
     n = nodes.s.size
     B, weight = asked.bending_stiffness or asked.largest_stiffness, asked.weight
@@ -480,7 +480,7 @@ def _bent_rod(asked: RodRequest, balance: BalancedStiffness) -> Rod:
 
 
 def _moment_line(moment: float, b: FloatArray, position: FloatArray) -> InflectionLine:
-    """The line on which M = moment + <b, x - position> vanishes."""
+    """Return the line on which M = moment + <b, x - position> vanishes."""
     size = np.hypot(*b)
     foot = position - b * moment / size**2
     return InflectionLine((float(foot[0]), float(foot[1])), (float(b[1] / size), float(-b[0] / size)))
@@ -492,8 +492,8 @@ _SETTLED_SHARE = 1e-5
 _MOST_ROUNDS = 30
 """Largest number of optimal rods in the search for a laminate."""
 
-_STATIONS = 81  # of the weight law, a cubic spline in between
-_DENSE = 2001  # at which the backing must fit
+_STATIONS = 81  # number of knots of the weight law, a cubic spline
+_DENSE = 2001  # number of places at which the fit of the backing is checked
 
 
 @dataclass(frozen=True, eq=False)
@@ -532,11 +532,11 @@ def optimal_laminate(
     least_backing: float = 0.0,
     masses: tuple[PointMass, ...] = (),
 ) -> Laminate:
-    """The rod of least ratio on a curve, and the backing that gives a base of given width its stiffness.
+    """Return the rod of least ratio on a curve, and the backing on a base of given width.
 
-    The weight is that of both layers, linear in w2 and so not in K (paper, section 8.1, footnote 4): the
-    weight law is set tangent to the true one at the last K and scale, until both stay. Where they go to and fro
-    instead, `optimal_rod` goes on in short steps.
+    The weight of both layers is linear in w2, and therefore not in K (paper, section 8.1, footnote 4). The weight
+    law is linearised at the last K and scale until both converge. If they oscillate, `optimal_rod` continues in
+    short steps.
 
     Parameters
     ----------
@@ -545,13 +545,13 @@ def optimal_laminate(
     base_width : float or Profile
         w1 along the curve, mm.
     direction : (2,) array_like, optional
-        Where things fall in the plane of the curve; without it the strip is weightless.
+        Direction of gravity in the plane of the curve; by default the strip is weightless.
     supports, samples
         As in `optimal_rod`.
     least_backing : float
-        Narrowest backing that can be cut and glued, mm.
+        Least width of backing that can be cut and glued, mm.
     masses : tuple of PointMass
-        Hung on the strip.
+        Masses that hang on the strip.
 
     Returns
     -------
@@ -562,9 +562,9 @@ def optimal_laminate(
     NotRealizable
         As `optimal_rod`.
     InputError
-        The stiffness does not fit into the width; says which thickness ratio would do.
+        The stiffness does not fit into the width; the message states a sufficient thickness ratio.
     NotConvergedError
-        Weight and stiffness do not settle.
+        Weight and stiffness do not converge.
 
     Examples
     --------
@@ -659,19 +659,17 @@ class _Base:
 def _by_tangent_laws(
     solve: Callable[..., Rod], base: _Base, rod: Rod, masses: tuple[PointMass, ...]
 ) -> tuple[Laminate | None, float]:
-    """Each rod under a weight law tangent to the true one at the rod before; None and the last change of K where
-    they do not settle.
-    """
+    """Return the laminate by weight laws linearised at the previous rod, or None, and the last change of K."""
     section = base.section
     stations = np.linspace(0.0, rod.length, _STATIONS)
     w1 = _along(base.width, stations)
     bounds = section.bending_stiffness(w1, 0.0 * w1), section.bending_stiffness(w1, w1)
     scale = base.scale(rod)
     history: list[float] = []
-    change, least = np.inf, 1.0  # a smoothed stiffness may have a least value above the 1 that was asked for
+    change, least = np.inf, 1.0  # the least value of a smoothed stiffness may be above the requested 1
     for rounds in range(2, _MOST_ROUNDS):
         asked = scale / least
-        # an extrapolated scale may ask for more than two full layers somewhere, or for less than the base
+        # an extrapolated scale may require more than two full layers somewhere, or less than the base
         EI = np.clip(scale * _stiffness(rod, stations), *bounds)
         weight = section.weight(stations, w1, EI / asked, asked)
         found = solve(weight=Weight(weight.alpha, weight.beta, masses), bending_stiffness=asked)
@@ -691,7 +689,7 @@ def _by_tangent_laws(
 def _by_short_steps(
     solve: Callable[..., Rod], section: LaminatedSection, base_width: float, masses: tuple[PointMass, ...]
 ) -> Rod:
-    """The rod that `optimal_rod` finds for a base of one width."""
+    """Return the result of `optimal_rod` for a base of uniform width."""
     law = BoundedBacking(section, np.asarray(base_width), (0.0, base_width))
     try:
         rod = solve(section=law, weight=Weight(masses=masses, own=True))

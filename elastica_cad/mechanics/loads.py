@@ -34,12 +34,12 @@ class Gravity:
     length : float
         Elasto-gravity length (E h^2 / (12 rho g))^(1/3), mm (paper, section 5.1: (beta l^3)^(1/3)).
     direction : (2,) array_like
-        The direction in which things fall; any length, in the plane of the curve.
+        Direction of gravity in the plane of the curve; its length has no effect.
 
     Raises
     ------
     InputError
-        Length not positive and finite, or direction zero.
+        The length is not positive and finite, or the direction is zero.
 
     Examples
     --------
@@ -190,14 +190,14 @@ EndName: TypeAlias = Literal["clamped", "pinned", "slide-x", "slide-y", "guided"
 
 @dataclass(frozen=True)
 class End:
-    """The quantities that one end of the rod fixes.
+    """Coordinates that the support at an end of the rod holds.
 
     Attributes
     ----------
     x, y : bool
-        Is this coordinate of the end held? An end free in x slides horizontally.
+        True if the coordinate is held. An end free in x slides horizontally.
     angle : bool
-        Is the tangent held? If not, the moment and with it kappa - kappa_0 vanish at the end.
+        True if the tangent is held. Otherwise the moment, and therefore kappa - kappa_0, vanishes at the end.
     """
 
     x: bool = True
@@ -325,7 +325,7 @@ def require_tolerance(tolerance: object) -> None:
 
 
 def require_ratio(ratio: object, name: str) -> None:
-    """Refuse a bound of max K / min K below 1, or one that is no number."""
+    """Refuse a bound of max K / min K that is below 1 or not a number."""
     if not (is_number(ratio) and ratio >= 1):
         raise InputError(
             "{name} is {ratio}: the largest stiffness over the least cannot be below 1; plain strips allow 2 to 4",
@@ -407,7 +407,7 @@ class RestCurvature(EqualByValue):
 
     @classmethod
     def of(cls, blank: PlaneCurve) -> "RestCurvature":
-        """The curvature of a blank as it lies unbent, drawn on the side from which the bent strip is drawn."""
+        """Return the curvature of a pre-bent strip, drawn from the same side as the bent strip."""
         if not isinstance(blank, PlaneCurve):
             raise InputError(
                 f"the blank is {blank!r}: give the PlaneCurve in which it lies before it is bent"
@@ -434,7 +434,7 @@ class RestCurvature(EqualByValue):
         return self.profile.length
 
     def at(self, s: FloatArray, derivative: int = 0, *, left: bool = False) -> FloatArray:
-        """kappa_0, 1/mm, or its derivatives at places of the blank, mm; at a break from the right, or `left`."""
+        """Return kappa_0, 1/mm, or its derivatives at arc lengths, mm; at a break from the right, or `left`."""
         s = np.clip(s, 0.0, self.length)
         for place, _ in self.profile.breaks:
             beside = np.nextafter(place, -1.0) if left else place
@@ -442,12 +442,12 @@ class RestCurvature(EqualByValue):
         return self.profile(s, derivative)
 
     def stretch_to(self, length: float) -> float:
-        """What lengths along a curve of `length` mm are multiplied by to be lengths along the blank.
+        """Return the factor from arc lengths of a curve of `length` mm to arc lengths of the pre-bent strip.
 
         Raises
         ------
         InputError
-            They differ by more than `LENGTHS_APART`.
+            The lengths differ by more than `LENGTHS_APART`.
         """
         length = require_number(length, "the length of the curve", "mm")
         if abs(length / self.length - 1) > LENGTHS_APART:
@@ -462,7 +462,7 @@ class RestCurvature(EqualByValue):
 
 @dataclass(frozen=True, eq=False)
 class CurveOfRest(RestCurvature):
-    """The curvature of a drawn blank, evaluated on its curve without a fit; `profile` tells where it is not smooth.
+    """Curvature of a drawn pre-bent strip, evaluated without a fit; `profile` has its breaks.
 
     Attributes
     ----------
@@ -486,16 +486,16 @@ class CurveOfRest(RestCurvature):
 
 
 NaturalCurvature: TypeAlias = float | RestCurvature
-"""Natural curvature: one value for the whole strip, 1/mm, or one that varies along it."""
+"""Natural curvature: a value for the whole strip, 1/mm, or a curvature that varies along it."""
 
 
 def nodal_curvature(rest: NaturalCurvature, s: FloatArray) -> float | FloatArray:
-    """kappa_0, 1/mm: the number, or that of a blank (n,) at nodes (n,) from 0 to the length, mm.
+    """Return kappa_0, 1/mm: the number, or the values (n,) at nodes (n,) from 0 to the length, mm.
 
     Raises
     ------
     InputError
-        The rod is not as long as the blank.
+        The lengths of the rod and of the pre-bent strip differ.
     """
     return rest.at(s * rest.stretch_to(float(s[-1]))) if isinstance(rest, RestCurvature) else rest
 
@@ -524,7 +524,7 @@ class ExcessCurvature:
 
     @property
     def is_bent_beforehand(self) -> bool:
-        """Whether the strip has a natural curvature."""
+        """Return True if the strip has a natural curvature."""
         return isinstance(self.rest, RestCurvature) or self.rest != 0
 
     def at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:

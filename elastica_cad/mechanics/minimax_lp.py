@@ -11,22 +11,23 @@ from elastica_cad.errors import NotConvergedError
 
 
 class Exchange(NamedTuple):
-    """Settings of the exchange of vertices, and of rows that are added to a program until it holds.
+    """Settings of the exchange method, and of the addition of rows to a program.
 
     Attributes
     ----------
     start_rows, most_rounds : int
-        Samples along a curve to begin with where rows are added, and rounds of adding.
+        Number of samples to begin with if rows are added, and largest number of rounds of additions.
     first_rows : int
-        Samples of a long curve, evenly spread, that a program begins with.
+        Number of uniform samples of a long curve at the beginning of a program.
     box : float
-        Size that unknowns of order 1 are held below at first, so that there is a vertex to start from.
+        Initial bound on unknowns of order 1, so that the method has a first vertex.
     feasible : float
-        Lack of a condition that is rounding: of 1, or of R where the condition holds R.
+        Largest violation of a condition that counts as rounding, relative to 1, or to R if the condition contains
+        R.
     pivot : float
-        Share of the largest component below which a condition cannot leave a vertex.
+        Least component, as a fraction of the largest, of a condition that may leave a vertex.
     most : int
-        Exchanges: several times what a program in four numbers takes.
+        Largest number of exchanges: several times the usual number for four unknowns.
     """
 
     start_rows: int = 9
@@ -43,16 +44,16 @@ METHOD = Exchange()
 
 @dataclass(frozen=True, eq=False)
 class MinimaxSolution:
-    """Answer of `minimax_ratio`.
+    """Result of `minimax_ratio`.
 
     Attributes
     ----------
     x : (m,) array
-        The unknown numbers.
+        Unknowns.
     ratio : float
-        R, the largest value; the least one is at least 1.
+        R, the largest value; the least value is at least 1.
     values : (n,) array
-        rows @ x + offset: the stiffness at all samples.
+        rows @ x + offset, the stiffness at all samples.
     """
 
     x: FloatArray
@@ -117,7 +118,7 @@ def minimax_ratio(
 
 
 def start_rows(count: int) -> list[int]:
-    """Which of so many samples to start with."""
+    """Return the indices of the first samples, of `count` samples."""
     return (np.arange(METHOD.start_rows) * (count - 1) // (METHOD.start_rows - 1)).tolist()
 
 
@@ -131,12 +132,11 @@ def unsettled(ratio: float) -> NotConvergedError:
 
 
 class MinimaxProgram:
-    """Minimise R subject to demands on stiffnesses rows @ x + offset, which are added between solutions.
+    """Linear program: minimise R subject to bounds on rows @ x + offset, which are added between solutions.
 
-    Stiefel's exchange method, the dual simplex of a program with few unknowns and many rows: a vertex of which R is
-    the least under its own conditions takes in the condition that it violates most, and gives up the one whose
-    multiplier would turn negative first. Where that comes to no vertex HiGHS is asked, which also says whether
-    there is an answer at all.
+    Stiefel's exchange method, the dual simplex method for few unknowns and many rows. The current vertex has the
+    least R under its active conditions. In each step the most violated condition enters, and the condition whose
+    multiplier would become negative first leaves. If this fails, HiGHS solves the program or finds it infeasible.
 
     Sources: Stiefel, "Uber diskrete und lineare Tschebyscheff-Approximationen", Numer. Math. 1 (1959); Lemke, "The
     dual method of solving the linear programming problem", Naval Res. Logist. Q. 1 (1954).
@@ -144,7 +144,7 @@ class MinimaxProgram:
     Parameters
     ----------
     samples : (n, m) array
-        Rows of the kind that will be demanded: they tell the sizes of the unknowns.
+        Typical rows of the bounds; they determine the scaling of the unknowns.
     side_rows, side_offset : (k, m), (k,) arrays, optional
         Further conditions side_rows @ x + side_offset >= 0.
     """
@@ -158,7 +158,8 @@ class MinimaxProgram:
     ) -> None:
         self.basis = _conditioned(samples)
         unknowns = self.basis.shape[1]
-        # conditions rows @ (x, R) >= limits: R >= 0 and -box <= x make the first vertex, x <= box the other side
+        # conditions rows @ (x, R) >= limits: R >= 0 and -box <= x define the first vertex; x <= box is the other
+        # bound
         box = np.eye(unknowns + 1)
         self.rows = np.concatenate([box, -box[:-1]])
         self.limits = np.full(2 * unknowns + 1, -METHOD.box)
@@ -179,13 +180,13 @@ class MinimaxProgram:
         self._add(rows, offset, np.zeros(len(rows)))
 
     def _add(self, rows: FloatArray, offset: FloatArray, share: FloatArray) -> None:
-        """Demand rows @ x + offset + share * R >= 0."""
+        """Add the conditions rows @ x + offset + share * R >= 0."""
         more = np.concatenate([rows @ self.basis, share[:, None]], axis=1)
         self.rows = np.concatenate([self.rows, more])
         self.limits = np.concatenate([self.limits, -offset])
 
     def solve(self) -> tuple[FloatArray, float] | None:
-        """x and R, or None when no x meets the demands."""
+        """Return x and R, or None if no x meets the conditions."""
         answer = self._exchanged()
         if answer is None:
             boxes = 2 * self.basis.shape[1] + 1
@@ -193,7 +194,7 @@ class MinimaxProgram:
         return None if answer is None else (self.basis @ answer[:-1], float(answer[-1]))
 
     def _exchanged(self) -> FloatArray | None:
-        """The vertex (x, R); None for an unbounded program, one without answer, or one all but degenerate."""
+        """Return the vertex (x, R), or None if the program is unbounded, infeasible or almost degenerate."""
         active, unknowns = self.active, self.basis.shape[1]
         rows, limits = self.rows[active], self.limits[active]
         for _ in range(METHOD.most):
@@ -210,7 +211,7 @@ class MinimaxProgram:
             if excess[worst] >= -METHOD.feasible:
                 boxed = (active < 2 * unknowns + 1) & (active != unknowns)
                 return vertex if not boxed.any() and np.isfinite(vertex).all() else None
-            # the entering row is so much of each active one; R is the sum of the active ones by `share`
+            # coefficients of the entering row, and of R (`share`), in terms of the active rows
             parts, share = self.rows[worst].dot(inverse), inverse[-1]
             leaving = (parts > METHOD.pivot * np.abs(parts).max()).nonzero()[0]
             if leaving.size == 0:
@@ -239,7 +240,7 @@ def _conditioned(rows: FloatArray) -> FloatArray:
 
 
 def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
-    """(x, R) of least R with rows @ (x, R) >= limits by HiGHS, which inside FreeCAD is scipy's; None for none."""
+    """Return (x, R) of least R with rows @ (x, R) >= limits by HiGHS (in FreeCAD that of SciPy), or None."""
     tolerances = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
     count, columns = rows.shape
     try:
@@ -280,9 +281,9 @@ def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
 def least_variation(
     rows: FloatArray, offset: FloatArray, bends: FloatArray, bend_offset: FloatArray, largest: float
 ) -> FloatArray:
-    """The numbers x that minimise sum |bends @ x + bend_offset| subject to 1 <= rows @ x + offset <= largest.
+    """Return the x that minimises sum |bends @ x + bend_offset| subject to 1 <= rows @ x + offset <= largest.
 
-    With bends = K'' times the length it stands for this is V(K'), the total variation of K' (paper, section
+    With bends = K'' times the length of each sample, the sum is V(K'), the total variation of K' (paper, section
     5.3).
 
     Parameters
@@ -290,7 +291,7 @@ def least_variation(
     rows, offset : (n, m) and (n,) arrays
         Stiffness.
     bends, bend_offset : (k, m) and (k,) arrays
-        The terms of the variation.
+        Terms of the variation.
     """
     from scipy.optimize import linprog
 

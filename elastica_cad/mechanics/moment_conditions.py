@@ -1,12 +1,12 @@
-"""Balance of a drawn curve as a linear map, the conditions on it, and the best stiffness that they leave.
+"""Balance of a drawn curve as a linear map, its conditions, and the best stiffness that satisfies them.
 
 On a drawn curve the rod's equations (paper, Eqs. 3 and 5)
 
     M' = <b, gamma'>,   b' = -(q K + p tau) R^t e,   K (kappa - kappa_0) = M
 
-are linear in the state (M, b) at the end of the curve, so each of the three numbers needs one march only. q
-is the weight per stiffness (1/l_eg^3), p a dead weight (N/mm), tau one over the least bending stiffness, e
-points up. Weightless rods have constant b, and M = a + <b, gamma>.
+are linear in the state (M, b) at the end of the curve, so a single march for each of the three numbers is enough.
+Here q is the weight per stiffness (1/l_eg^3), p a dead weight (N/mm), and tau the inverse of the least bending
+stiffness; e points up. Rods without weight have constant b, and M = a + <b, gamma>.
 """
 
 from collections.abc import Callable, Sequence
@@ -72,13 +72,13 @@ class LineLoad:
 
     @property
     def is_proportional(self) -> bool:
-        """Whether all the weight is proportional to the stiffness."""
+        """Return True if the whole weight is proportional to the stiffness."""
         return not (self.dead.any() or self.points.any())
 
 
 @dataclass(frozen=True, eq=False)
 class MomentRows:
-    """What the numbers (M, b_x, b_y, and tau with dead weight) at the curve's end make of the rod; m of them.
+    """Rod as a linear map of the m numbers (M, b_x, b_y, and tau with dead weight) at the end of the curve.
 
     Attributes
     ----------
@@ -89,7 +89,7 @@ class MomentRows:
     edge_moment : (N + 1, m) array
         M at the panel ends.
     start_force, end_force : (2, m) arrays
-        b that the supports give at the two ends.
+        b of the supports at the two ends.
     """
 
     stiffness: FloatArray
@@ -100,23 +100,24 @@ class MomentRows:
 
 
 def moment_rows(panels: Panels, load: LineLoad | None = None) -> MomentRows:
-    """Stiffness, force and moment along a curve, as linear maps of the state at its end (paper, Eqs. 3 and 5).
+    """Return stiffness, force and moment along a curve as linear maps of its end state (paper, Eqs. 3 and 5).
 
     The equations of the rod are integrated from the end of the curve to its start, panel by panel. At a zero of
-    kappa - kappa_0 the moment is set to zero, so that K is its limit there and not a quotient of rounding errors.
-    The caller must require that of the state: the rows of `edge_moment` at the zeros must give 0.
+    kappa - kappa_0 the moment is set to zero, so K is the limit there and not a quotient of rounding errors. The
+    caller must constrain the state accordingly: the rows of `edge_moment` at the zeros must give 0.
 
     Parameters
     ----------
     panels : Panels
         The curve, cut at its zeros.
     load : LineLoad, optional
-        Weight along it; a rod without weight unless given.
+        Weight along the curve; by default there is no weight.
 
     Returns
     -------
     MomentRows
-        Rows of m = 3 numbers (M, b_x, b_y); of 4, with tau, where the load does not all follow the stiffness.
+        Rows of m = 3 numbers (M, b_x, b_y), or m = 4 with tau if part of the load is not proportional to the
+        stiffness.
     """
     if load is None:
         return _weightless(panels)
@@ -216,7 +217,7 @@ def _weighted(panels: Panels, load: LineLoad) -> MomentRows:
 
 
 def _past_point(state: FloatArray, newtons: float, G: FloatArray) -> FloatArray:
-    """The state before a point weight from that after it: b grows by the weight times R^t e."""
+    """Return the state before a point weight from the state after it: b grows by the weight times R^t e."""
     if newtons == 0:
         return state
     state = state.copy()
@@ -226,10 +227,10 @@ def _past_point(state: FloatArray, newtons: float, G: FloatArray) -> FloatArray:
 
 _SLOPES_AT_NODES = VANDER @ SLOPES
 
-_SETTLED = 1e-9  # of the least ratio, by which it may still move
+_SETTLED = 1e-9  # relative change of the least ratio that ends the iteration
 
 _SAME = 4 * float(np.finfo(float).eps)
-"""Relative difference between two solutions of one program whose vertex was reached by different paths."""
+"""Relative difference between two solutions of a program whose vertex was reached by different paths."""
 
 _ROUNDING = 16 * float(np.finfo(float).eps)  # of the terms of a sum: three factors and a series
 
@@ -304,7 +305,7 @@ def least_ratio(
     if places is not None:
         solution = _sampled(family, *family.at(*places))
     elif family.freedom == 0 or (family.freedom == 1 and family.offset is None and not family.sides):
-        # no number, or one that only scales K: the extremes stay where they are
+        # no free number, or a number that only scales K: the places of the extremes are fixed
         rows, offset = family.dense
         more, more_offset = family.extremes(np.ones(family.freedom))
         solution = _sampled(family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]))
@@ -401,9 +402,9 @@ def largest_within(family: StiffnessFamily, number: FloatArray, ratio: float) ->
 def _bounded(
     family: StiffnessFamily, ratio: float, best: Callable[[FloatArray, FloatArray], FloatArray]
 ) -> FloatArray:
-    """The best numbers y with K between 1 and `ratio` on the continuous curve.
+    """Return the best numbers y with K between 1 and `ratio` on the continuous curve.
 
-    `best` gives those of rows and offsets at places; the extremes of its K are added until it keeps within.
+    `best` returns y for given rows and offsets. The extremes of the resulting K are added until K is within bounds.
     """
     rows, offset = family.dense
     first = start_rows(len(rows))
@@ -419,10 +420,10 @@ def _bounded(
 
 
 def find_violations(family: StiffnessFamily) -> FloatArray:
-    """Arc lengths (k,), mm, that no choice of the numbers can make positive together.
+    """Return the arc lengths (k,), mm, where no choice of the numbers makes K positive everywhere.
 
-    Where one number is free these are the stretches of the lesser sign; otherwise the samples that hold the
-    largest possible least value of K down.
+    With a single free number these are the stretches of the rarer sign. Otherwise they are the samples that limit
+    the largest possible least value of K.
     """
     from scipy.optimize import linprog
 
@@ -449,30 +450,30 @@ SMOOTHING_SHARE = 0.01
 """Share of the ratio that section 5.3 trades for smoothness."""
 
 NO_GAIN_SHARE = 1e-6
-"""Relative gain in ratio that counts as none."""
+"""Relative gain in ratio that is neglected."""
 
 WIDEST_RATIO = 1e10
-"""Largest stiffness ratio that is computed with; no strip can have it."""
+"""Largest stiffness ratio in computations; no strip can have it."""
 
 LARGEST_LOAD = 1e3
-"""Size of a fixed weight, in multiples of the largest stiffness, above which a program is scaled by the weight."""
+"""Largest fixed weight, in multiples of the largest stiffness, of a program that is not scaled by the weight."""
 
 RANK_SHARE = 1e-7
-"""Relative accuracy to which conditions count as linearly dependent."""
+"""Relative tolerance for linearly dependent conditions."""
 
 
 @dataclass(frozen=True, eq=False)
 class BalancedStiffness:
-    """A stiffness in balance on a curve, least value about 1, as functions over panels.
+    """Stiffness in balance on a curve, least value about 1, as functions over panels.
 
     Attributes
     ----------
     stiffness, moment, force : PanelFunction
         K, M (1/mm) and b (1/mm2).
     bending_stiffness, weight
-        B in N mm2 and the weight it goes with, where the weight is in newtons.
+        B in N mm2 and the corresponding weight, if the weight is in newtons.
     kinks : sequence of (s, continuity)
-        Places where the load or the material law makes K less smooth than the curve does.
+        Places where the load or the material law makes K less smooth than the curve.
     """
 
     panels: Panels
@@ -486,7 +487,7 @@ class BalancedStiffness:
 
 @dataclass(frozen=True, eq=False)
 class StateFamily:
-    """A family of stiffnesses: state (M, b_x, b_y, tau) at the curve's end = fixed + basis @ free numbers."""
+    """Family of stiffnesses: state (M, b_x, b_y, tau) at the curve's end = fixed + basis @ free numbers."""
 
     family: StiffnessFamily
     basis: FloatArray
@@ -495,7 +496,7 @@ class StateFamily:
 
 @dataclass(frozen=True, eq=False)
 class RodRequest:
-    """What an optimal rod is found from: a curve that was examined, and the arguments of `optimal_rod`."""
+    """Input of the search for an optimal rod: a checked curve and the arguments of `optimal_rod`."""
 
     check: EquilibriumCheck
     supports: Supports = field(default_factory=Supports)
@@ -511,18 +512,18 @@ class RodRequest:
 
     @cached_property
     def nodes(self) -> CurveSamples:
-        """The curve at the rod's nodes; where `samples` is given the ratio is judged there alone."""
+        """Curve at the nodes of the rod; if `samples` is given, the ratio is evaluated only there."""
         curve = self.check.curve
         return curve.survey if self.samples is None else curve.sample(self.samples)
 
     @property
     def masses(self) -> tuple[PointMass, ...]:
-        """What hangs on the rod."""
+        """Point masses on the rod."""
         return () if self.weight is None else self.weight.masses
 
     @property
     def cut(self) -> CutCurve:
-        """The curve cut where the blank, the material law or the load is not smooth."""
+        """Curve cut where the natural curvature, the material law or the load is not smooth."""
         return CutCurve.where_kinked(self.check, self.natural_curvature, self.law, self.weight)
 
 
@@ -603,14 +604,15 @@ class ConditionedRows:
 
     @property
     def places(self) -> tuple[IntArray, FloatArray] | None:
-        """Panels and places x of the nodes at which alone the ratio is judged, where that is asked for."""
+        """Panels and places x of the nodes if the ratio is evaluated only at nodes, otherwise None."""
         everywhere = self.asked.samples is None or self.asked.largest_stiffness is not None
         return None if everywhere else self.panels.locate(self.asked.nodes.t)
 
     def steadied(self, state: FloatArray) -> FloatArray:
-        """Return, of many optima, the one that does not change when the drawing is turned.
+        """Return the optimum that does not change when the drawing is rotated.
 
-        On arcs a constant moment; the _smoothest stiffness where a step of the curvature alone decides the ratio.
+        For arcs it has a constant moment. If a step of the curvature alone decides the ratio, it is the _smoothest
+        stiffness.
         """
         if self.check.zeros:
             return state
@@ -629,7 +631,7 @@ class ConditionedRows:
         return state
 
     def least(self, numbers: StateFamily, *, smooth: bool = True) -> FloatArray:
-        """The state (m,) at the curve's end of the least ratio, smoothed where inflections leave a choice."""
+        """Return the end state (m,) of least ratio, smoothed if inflections leave a choice."""
         found = self.ratio(numbers)
         if found is None:
             self.refuse(numbers.family)
@@ -649,13 +651,13 @@ class ConditionedRows:
         return float(np.abs(self._offset(1.0)).max())
 
     def stiffest(self, most: float, least: float) -> tuple[FloatArray, float] | None:
-        """The state (m,) and tau of the largest least bending stiffness whose largest one is `most`, N mm2.
+        """Return the state (m,) and tau that maximise the least E I for the largest E I `most`, N mm2.
 
-        Smoothed where inflections leave a choice, at the largest stiffness and at `least` or more. None where no
-        stiffness within these limits balances the curve.
+        The result is smoothed if inflections leave a choice, with stiffnesses from `least` to `most`. The result is
+        None if no stiffness within these limits balances the curve.
         """
         family = self.at_compliance(1 / most).family
-        # of the rows K <= 1: 1 + 1 / size - K / size has its least largest value where K has its largest least one
+        # for rows K <= 1: the largest 1 + 1 / size - K / size is minimal where the least K is maximal
         size = max(1.0, self.load_stiffness / (LARGEST_LOAD * most))
         turned = StiffnessFamily(
             self.panels,
@@ -726,7 +728,7 @@ def _rank(sigma: FloatArray) -> int:
 
 
 def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-    """Null space (m, d) of matrix (k, m), and a solution of matrix @ x = right where there is one."""
+    """Return the null space (m, d) of matrix (k, m), and a solution of matrix @ x = right or None."""
     count = matrix.shape[1]
     size = np.abs(matrix).max(axis=1, initial=0.0)
     size = np.where(size > 0, size, np.abs(right))
@@ -743,7 +745,7 @@ def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, Float
 
 
 def stretches(s: FloatArray, length: float) -> Listed:
-    """Places, those closer than a twentieth of the length put together."""
+    """List places; places closer than a twentieth of the length are merged."""
     s = np.sort(np.round(s, 6)) + 0.0  # no -0
     groups = np.split(s, np.flatnonzero(np.diff(s) > length / 20) + 1) if s.size else ()
     return Listed(

@@ -17,17 +17,17 @@ _ROUNDING_SHARE = 1e-12  # of the moment
 
 
 class MaterialLaw(ABC):
-    """A moment-curvature law of the unit width, divided by its stiffness at rest.
+    """Moment-curvature law of the unit width, divided by its stiffness at rest.
 
-    The effective curvature m(kappa) = P(kappa) kappa, P even and P(0) = 1, takes the place of kappa - kappa_0
-    wherever Hooke's law has M = K (kappa - kappa_0): M = K m(kappa - kappa_0). Theorem 1 and the linear
+    The effective curvature m(kappa) = P(kappa) kappa, P even and P(0) = 1, replaces kappa - kappa_0. Instead of
+    Hooke's law M = K (kappa - kappa_0), M = K m(kappa - kappa_0). Theorem 1 and the linear
     program hold unchanged as long as m is injective in the range of curvatures that occurs.
     """
 
     @property
     @abstractmethod
     def injective_limit(self) -> float:
-        """Curvature up to which each moment belongs to one curvature, 1/mm; inf where that is all of them."""
+        """Largest curvature, 1/mm, up to which m is injective; inf if it is injective everywhere."""
 
     @property
     def kinks(self) -> tuple[tuple[float, int], ...]:
@@ -36,31 +36,31 @@ class MaterialLaw(ABC):
 
     @abstractmethod
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """The odd function m (n,), 1/mm, of the change of curvature (n,), 1/mm."""
+        """Return the odd function m (n,), 1/mm, of the change of curvature (n,), 1/mm."""
 
     @abstractmethod
     def slope(self, curvature: ArrayLike) -> FloatArray:
         """dm/dkappa (n,); 1 at rest."""
 
     def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """m and dm/dkappa (n,) together, which some laws find in one."""
+        """Return m and dm/dkappa (n,) together."""
         return self.effective_curvature(curvature), self.slope(curvature)
 
     @abstractmethod
     def energy(self, curvature: ArrayLike) -> FloatArray:
-        """Integral of m from rest (n,), 1/mm2: the elastic energy per length over K."""
+        """Return the integral of m from rest (n,), 1/mm2: elastic energy per length over K."""
 
     def resampled(self, _s: FloatArray, _at: FloatArray, /) -> "MaterialLaw":
-        """The law of a rod that has it at arc lengths (n,), at others (m,), mm: itself where places are alike."""
+        """Return the law, defined at arc lengths (n,), for other arc lengths (m,), mm; itself if it is uniform."""
         return self
 
     def require_injective(self, largest_curvature: float) -> None:
-        """Make sure that each moment up to `largest_curvature` (1/mm) belongs to one curvature.
+        """Refuse a law that is not injective up to `largest_curvature` (1/mm).
 
         Raises
         ------
         InputError
-            When it does not; the message says from which curvature on.
+            The law is not injective; the message states the limit of curvature.
         """
         limit = self.injective_limit
         if largest_curvature > limit * (1 + _ROUNDING_SHARE):
@@ -159,7 +159,7 @@ class PolynomialLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw`; exact: the roots of the slope are those of a quadratic."""
+        """See `MaterialLaw`; exact, because the slope has the roots of a quadratic."""
         roots = np.roots([5 * self.quartic, 3 * self.quadratic, 1.0])
         real = [float(z.real) for z in roots if z.real > 0 and abs(z.imag) <= _ROUNDING_SHARE * abs(z)]
         return self.curvature_scale * float(np.sqrt(min(real))) if real else float("inf")
@@ -167,7 +167,7 @@ class PolynomialLaw(MaterialLaw):
 
 @dataclass(frozen=True)
 class _YieldingLaw(MaterialLaw):
-    """Base of plastic laws: the curvature at which they begin to yield, and the curvature that remains."""
+    """Base of plastic laws, with the yield curvature and the permanent curvature."""
 
     curvature_limit: float
 
@@ -176,21 +176,20 @@ class _YieldingLaw(MaterialLaw):
 
     @classmethod
     def of(cls, sheet: Sheet) -> Self:
-        """The law whose skin yields at the sheet's largest strain, so at its least cold-bend radius."""
+        """Return the law whose skin yields at the largest strain of the sheet, so at its least cold-bend radius."""
         return cls(1 / sheet.least_radius)
 
     def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """Curvature (n,), 1/mm, that remains when the moment is removed: unloading follows Hooke's law."""
+        """Return the curvature (n,), 1/mm, that remains after elastic unloading (Hooke's law)."""
         return np.asarray(numbers(curvature, "curvature") - self.effective_curvature(curvature))
 
 
 @dataclass(frozen=True)
 class PlasticLaw(_YieldingLaw):
-    """The paper's ideal plasticity: effective curvature min(|kappa|, kappa_lim) with the sign of kappa.
+    """Ideal plasticity of the paper: effective curvature min(|kappa|, kappa_lim) with the sign of kappa.
 
-    It is not injective beyond the limit, where the moment says nothing about the curvature any more: the
-    width comes out as for any law, but how far the strip bends there is up to the history of bending (paper,
-    Appendix D).
+    The law is not injective beyond the limit. The width follows as for any law, but the curvature there depends on
+    the history of bending (paper, Appendix D).
 
     Parameters
     ----------
@@ -234,11 +233,11 @@ class PlasticLaw(_YieldingLaw):
 
 @dataclass(frozen=True)
 class ElasticPlasticLaw(_YieldingLaw):
-    """A rectangular section whose fibres yield one after the other from the skin inwards.
+    """Rectangular section whose fibres yield from the skin inwards.
 
-    m = kappa up to kappa_lim, then kappa_lim (3 - (kappa_lim/kappa)^2) / 2, towards 1.5 kappa_lim: injective,
-    unlike the paper's `PlasticLaw`, as every section keeps an elastic core (Prager and Hodge 1951, section
-    9).
+    m = kappa up to kappa_lim, then kappa_lim (3 - (kappa_lim/kappa)^2) / 2, towards 1.5 kappa_lim. Unlike the
+    paper's `PlasticLaw` it is injective, because every section keeps an elastic core (Prager and Hodge 1951,
+    section 9).
 
     Parameters
     ----------
@@ -330,7 +329,7 @@ class TabulatedLaw(MaterialLaw):
             )
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`; beyond the table its last slope goes on."""
+        """See `MaterialLaw`; beyond the table the last slope continues."""
         kappa = numbers(curvature, "curvature")
         inside, over = self._split(kappa)
         return np.asarray(np.sign(kappa) * (self._curve(inside) + self._end_slope * over))

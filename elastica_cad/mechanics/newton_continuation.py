@@ -11,22 +11,20 @@ from elastica_cad.mechanics.discrete_rod import lowest_constrained, solve_border
 from elastica_cad.mechanics.rod_system import Residual, RodState, RodSystem, Step
 from elastica_cad.refusals import Length
 
-TOLERANCE = 1e-10  # of the moments' size, and of the length: what `bend` promises
-LARGEST_TURN_RAD = 0.5  # of an edge in one step: cos and sin are then off their tangents by an eighth
-SMALL_TURN_RAD = 0.02  # steps that turn no edge further may pass a crossing of branches
-SADDLE_PUSH_RAD = (
-    0.05  # along an unstable mode in each step of descent: well beyond rounding, well below a turn
-)
-ASTRAY_RAD = float(np.pi)  # of an edge: no way down is as long as that in one step
-NEAR_REST_RAD = 1e-2  # a descent that turns no edge further has come to where Newton's method converges
-CONVERGED_RAD = 1e-9  # a Newton step whose square, the next one, is below rounding
+TOLERANCE = 1e-10  # relative to the moments and to the length: accuracy of `bend`
+LARGEST_TURN_RAD = 0.5  # of an edge in a step: linearised cos and sin then have an error of an eighth
+SMALL_TURN_RAD = 0.02  # largest turn of an edge in steps that may pass a crossing of branches
+SADDLE_PUSH_RAD = 0.05  # along an unstable mode in each step of descent: far above rounding, far below a turn
+ASTRAY_RAD = float(np.pi)  # of an edge: longer than any single step of a descent
+NEAR_REST_RAD = 1e-2  # largest turn of an edge in a descent step from which Newton's method converges
+CONVERGED_RAD = 1e-9  # a Newton step whose square, the size of the next step, is below rounding
 MOST_DESCENTS = 300  # steps down the energy
-LEAST_STEP = 1e-7  # of the way: a fold is then met to a share no drawing shows
+LEAST_STEP = 1e-7  # fraction of the path: folds are then located more precisely than any drawing shows
 
 
 @dataclass(frozen=True, eq=False)
 class Reached:
-    """The last state that a continuation reached; `fraction` is 1 where it reached its end."""
+    """Last state of a continuation; `fraction` is 1 if it reached its end."""
 
     state: RodState
     fraction: float
@@ -59,20 +57,20 @@ def correct(
     damping: float = 0.5,
     most: int = 12,
 ) -> tuple[RodState, int] | None:
-    """Newton's method with line search; None when it does not converge nearby.
+    """Solve by Newton's method with line search; return None if it does not converge nearby.
 
-    A step is taken when the Newton step that would follow it is smaller (natural monotonicity: independent of
-    units and of the number of edges), else halved.
+    A step is taken if the next Newton step is smaller, and halved otherwise. This test (natural monotonicity) is
+    independent of units and of the number of edges.
 
     Parameters
     ----------
     kept : Residual, optional
-        Imbalance and miss of the ends that are to remain (artificial loads of a continuation).
+        Imbalance and end errors that remain (artificial loads of a continuation).
     turn : float
-        Largest turn of an edge on the way, rad.
+        Largest turn of an edge in a step, rad.
     damping : float
-        Smallest part of a step that is tried. A state that needs a smaller one is a long way off, and what is
-        found then may lie on another branch of equilibria.
+        Smallest fraction of a step. A start that needs a smaller fraction is far from the solution, and the result
+        may be on another branch of equilibria.
 
     Returns
     -------
@@ -263,20 +261,20 @@ def _size(state: RodState, residual: Residual) -> float:
     return max(imbalance / unit, float(np.abs(residual.miss).max(initial=0.0)) / length)
 
 
-STRAIGHT_RAD = 1e-7  # between the edges: what a drawing to a micrometre shows of a strip of ten metres
-DECIDING_TURN_RAD = 0.5  # between the held end angles, above which they decide the side
+STRAIGHT_RAD = 1e-7  # between the edges: visible in a strip of ten metres drawn to a micrometre
+DECIDING_TURN_RAD = 0.5  # between the held end angles: a larger turn decides the side
 FIRST_CHORD = 0.9  # of the length: the first shortening away from the straight state
-LOAD_RESOLUTION = 1e-7  # of the full load, to which the buckling load is bisected
-AMPLITUDES_RAD = (0.2, 0.05, 0.01, 0.002)  # of the buckled shape, tried in turn: the largest that converges
+LOAD_RESOLUTION = 1e-7  # fraction of the full load: accuracy of the bisected buckling load
+AMPLITUDES_RAD = (0.2, 0.05, 0.01, 0.002)  # of the buckled shape; the largest that converges is used
 
 
 def is_straight(state: RodState) -> bool:
-    """Whether all edges have the same direction."""
+    """Return True if all edges have the same direction."""
     return float(np.ptp(state.angles)) < STRAIGHT_RAD
 
 
 def stretch(state: RodState) -> RodState:
-    """The straight, unloaded state along the line between the ends, or along the one coordinate they hold."""
+    """Return the straight, unloaded state along the line between the ends, or along the only held coordinate."""
     system, chord = state.system, np.zeros(2)
     chord[list(system.held)] = system.chord
     angle = _on_turn_of(_direction(state), chord)
@@ -284,7 +282,7 @@ def stretch(state: RodState) -> RodState:
 
 
 def leave_straight(state: RodState, side: int | None, mode: int) -> Reached:
-    """The way from a straight state to an equilibrium, to the chosen side where it bends."""
+    """Continue from a straight state to an equilibrium, bent to the chosen side."""
     system = state.system
     straight = system.state(np.full(system.edges, _direction(state)), state.reactions)
     if _must_shorten(straight):
@@ -306,7 +304,7 @@ def leave_straight(state: RodState, side: int | None, mode: int) -> Reached:
 
 
 def _direction(state: RodState) -> float:
-    """Angle of the straight rod that the ends ask for: mean of the held angles, or the line between them."""
+    """Return the angle of the straight rod: the mean of the held angles, or the line between the ends."""
     system = state.system
     held = [angle for angle in system.held_angles if angle is not None]
     if held:
@@ -315,17 +313,17 @@ def _direction(state: RodState) -> float:
     if len(system.held) < 2 or float(np.hypot(*chord)) < 1e-9 * system.length:
         return own
     angle = _on_turn_of(own, chord)
-    return angle if abs(angle - own) < np.pi / 2 else own  # an end that goes past the start is pushed there
+    return angle if abs(angle - own) < np.pi / 2 else own  # an end beyond the start is pushed past it
 
 
 def _on_turn_of(own: float, chord: FloatArray) -> float:
-    """The angle of `chord` that lies within half a turn of `own`."""
+    """Return the angle of `chord` that is within half a turn of `own`."""
     angle = float(np.arctan2(chord[1], chord[0]))
     return angle + 2 * np.pi * float(np.round((own - angle) / (2 * np.pi)))
 
 
 def _must_shorten(state: RodState) -> bool:
-    """True when a straight state has to bend before its ends can come to their places."""
+    """Return True if a straight state must bend before its ends can reach their positions."""
     system, miss = state.system, state.residual.miss
     if np.abs(miss).max(initial=0.0) <= 1e-9 * system.length:
         return False
@@ -339,11 +337,11 @@ def _must_shorten(state: RodState) -> bool:
 
 
 def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
-    """The unloaded straight rod, its ends pushed a little towards each other, in buckling mode `mode`."""
+    """Return the unloaded rod, buckled in mode `mode` by pushing its ends slightly towards each other."""
     system, angle = state.system, float(state.angles[0])
     length, edge = system.length, system.edge_length
     tangent = np.array([np.cos(angle), np.sin(angle)])
-    # the distance asked for along the held coordinates decides how far the first push goes
+    # the requested distance along the held coordinates sets the size of the first push
     wanted = float(np.linalg.norm(system.chord))
     chord = length * min(max(wanted / length, FIRST_CHORD), 1 - 1e-12)
     first = replace(
@@ -427,9 +425,9 @@ def _reach_amplitude(
 
 
 def _mode(state: RodState, side: int, mode: int) -> tuple[float, FloatArray]:
-    """The `mode`-th eigenvalue (1/mm2) of the second variation per length, and its mode.
+    """Return the `mode`-th eigenvalue (1/mm2) of the second variation per length, and its mode.
 
-    Its first lobe lies to the left (side +1) or right (-1) of the direction of travel.
+    The first lobe is to the left (side +1) or right (-1) of the direction from start to end.
     """
     (diagonal, off), edge = state.discrete.hessian, state.system.edge_length
     values, vectors = lowest_constrained(diagonal / edge, off / edge, state.discrete.constraint_rows, mode)

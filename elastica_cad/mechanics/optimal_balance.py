@@ -31,18 +31,19 @@ from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.refusals import FieldName, Length, note
 
 LEAST_SHARE = 1e-6
-"""Least stiffness over the largest one, where only the largest is limited: an even thinner place cannot be made."""
+"""Least ratio of least to largest stiffness if only the largest is limited; thinner places cannot be made."""
 
 
 class OverloadError(InputError):
-    """No stiffness within its limits carries the weight.
+    """Error: no stiffness within its limits carries the weight.
 
     Attributes
     ----------
     needed : float
         Least possible largest bending stiffness, N mm2.
     thickening : float or None
-        Factor on the thickness of a sheet whose limits of width stay; None if no thickness carries the weight.
+        Factor on the thickness of the sheet for the same limits of width, or None if no thickness carries the
+        weight.
     """
 
     def __init__(self, needed: float, most: float, thickening: float | None) -> None:
@@ -140,7 +141,7 @@ class WeightedPanels:
         return ConditionedRows(self.asked, panels, rows)
 
     def refuse(self) -> NoReturn:
-        """Raise `NotRealizable`: the moment grows along the curve beyond what numbers can tell."""
+        """Raise `NotRealizable`, because the moment grows too much along the curve for floating-point numbers."""
         check = self.asked.check
         reason = far_too_heavy(self.gravity, check.length)
         raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
@@ -229,10 +230,10 @@ def _ratio_at(load: WeightedPanels, tau: float) -> float:
 
 
 def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
-    """The balance whose largest bending stiffness is `most`, N mm2, and its compliance tau.
+    """Return the balance whose largest bending stiffness is `most`, N mm2, and its compliance tau.
 
-    Of these balances it has the largest least stiffness. A weight that goes with K needs rounds, because its
-    share follows from tau.
+    It has the largest least stiffness of these balances. A weight proportional to K needs iterations, because its
+    fraction follows from tau.
     """
     least = max(load.asked.least_stiffness or 0.0, LEAST_SHARE * most) * (1 + BOUNDED)
     most /= 1 + BOUNDED
@@ -264,9 +265,9 @@ def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most
 
 
 def _thickening(load: WeightedPanels, least: float, most: float) -> float | None:
-    """The least factor on the thickness with which a sheet carries the weight within its limits of width.
+    """Return the least factor on the thickness of a sheet that carries the weight within its limits of width.
 
-    Stiffness grows with its cube, the weight of the sheet over the stiffness falls with its square.
+    Stiffness grows with the cube of the thickness. Weight over stiffness falls with its square.
     """
     factor = 1.0
     for _ in range(MOST_ROUNDS):
@@ -295,44 +296,44 @@ SETTLED_SHARE = 1e-7
 """Relative change of E I that ends the search. Weights are linearised, so their error is its square."""
 
 TANGENT_STEP = 1e-4
-"""Relative step of E I for the slope of the weight, whose error only slows the rounds down."""
+"""Relative step of E I for the slope of the weight; an error of the slope only slows the iteration."""
 
 FIT_SHARE = 1e-5
-"""Relative amount by which E I may exceed its limits."""
+"""Largest relative excess of E I over its limits."""
 
 HOPELESS_SHARE = 1e-4
-"""Share of the E I of the least section below which a search that asks for less and less is given up."""
+"""Fraction of the E I of the least section at which a search for ever smaller sections is stopped."""
 
 WIDEST_REACH = 0.1
-"""Largest mean change of E I in one step of a descent, as a share of its limits."""
+"""Largest mean change of E I in a step of a descent, as a fraction of its limits."""
 
 MOST_STEPS = 150
 """Largest number of steps of a descent."""
 
 SHORTER, LONGER = 0.5, 1.2
-"""Factors on the largest step of a descent after a step that turned back and after one that went on."""
+"""Factors on the largest step of a descent after a reversal of direction and after a step in the same direction."""
 
 LONGEST_JUMP = float(np.log(4.0))
 """Largest extrapolation to the limit of a sequence, in the logarithm of the scale."""
 
 SLOWEST_RATE = 0.99
-"""Largest ratio of successive steps of a sequence with which its limit is extrapolated."""
+"""Largest ratio of successive steps of a sequence for which the limit is extrapolated."""
 
 
 def _with_section(asked: RodRequest, section: BoundedLaw) -> BalancedStiffness:
-    """The least ratio of a section at the largest scale that its limits take, under its own weight and masses.
+    """Return the balance of least ratio at the largest scale within the limits, with own weight and masses.
 
-    The scale B and the weight follow from the stiffness that is sought. Each round sets the weight tangent to the
-    law at the last E I, which leaves a linear program in K (Eq. 6), and takes the scale from its answer. At the
-    fixed point the rod is in balance under the law's own weight, and no other K has a lesser ratio with the weight
-    that is tangent there: a local optimum, as the program is not linear.
+    The scale B and the weight depend on the unknown stiffness. Each iteration linearises the weight at the last E
+    I, solves the resulting linear program in K (Eq. 6), and updates the scale. At the fixed point the rod is in
+    balance under the exact weight, and no other K has a smaller ratio under the linearised weight. This is a local
+    optimum, because the full problem is not linear.
 
     Raises
     ------
     InputError
         The stiffness does not fit within the section's limits.
     NotConvergedError
-        Weight and stiffness do not settle.
+        Weight and stiffness do not converge.
     """
     excess, gravity = ExcessCurvature(asked.check.curve, asked.natural_curvature), asked.gravity
     if gravity is None:
@@ -362,7 +363,7 @@ def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> Bound
 
 @dataclass(frozen=True, eq=False)
 class TangentWeight:
-    """Weight per length w0 + slope E I, N/mm, equal to a law's at one E I (n,) and tangent to it."""
+    """Weight per length w0 + slope E I, N/mm: the linearisation of a law at an E I (n,)."""
 
     fixed: FloatArray
     slope: FloatArray
@@ -412,10 +413,10 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
 
 
 def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: FloatArray) -> BalancedStiffness:
-    """The largest E I at the softest place within the limits, by short steps, where the programs go to and fro.
+    """Maximise E I at the softest place within the limits, in short steps, if the linear programs oscillate.
 
-    Such an optimum is no vertex of the program that is tangent there: each answer lies far from the last. So the
-    moments may change by little from one program to the next, and by less where they turn back.
+    Such an optimum is not a vertex of the linearised program, so successive solutions are far apart. The change of
+    the moments is therefore limited, and the limit is reduced after each reversal.
 
     `state` is moment and force (3,) at the curve's end, N mm and N.
     """
@@ -439,7 +440,10 @@ def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: Flo
         if found is None:
             break
         moved = scale * problem.rows.stiffness @ (numbers.fixed + numbers.basis @ found)
-        step, EI = moved / EI - 1, np.maximum(moved, HOPELESS_SHARE * limit)  # on its way it may ask for less
+        step, EI = (
+            moved / EI - 1,
+            np.maximum(moved, HOPELESS_SHARE * limit),
+        )  # intermediate steps may need less
         state = (scale * (numbers.fixed + numbers.basis @ found))[:3]
         if float(np.abs(step).max()) < SETTLED_SHARE:
             balance = problem.balance(numbers.fixed + numbers.basis @ found)
@@ -453,7 +457,7 @@ def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: Flo
 def _beside(
     family: StiffnessFamily, here: FloatArray, reach: float, places: tuple[IntArray, FloatArray] | None
 ) -> FloatArray | None:
-    """Free numbers of the least largest value that lie near given ones, or as near as there are any."""
+    """Return the free numbers of the smallest maximum near `here`, or as near as possible."""
     rows, _ = family.dense
     _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
     moves = sizes[:, None] * ways / np.sqrt(len(rows))  # of values, in the mean
@@ -466,7 +470,7 @@ def _beside(
 
 
 def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
-    """The free numbers (d,) of a state, or of the one nearest to it."""
+    """Return the free numbers (d,) of a state, or of the nearest state of the family."""
     size = np.abs(numbers.basis).max(axis=1, initial=0.0) + np.abs(numbers.fixed)
     return np.asarray(
         np.linalg.lstsq(numbers.basis / size[:, None], (state - numbers.fixed) / size, rcond=None)[0]
@@ -484,9 +488,9 @@ def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
 
 
 def extrapolated(first: float, second: float, third: float) -> float:
-    """Aitken's limit of a sequence of logarithms that closes in by the same factor each time; else the last one.
+    """Return Aitken's limit of a geometrically converging sequence of logarithms, or else the last value.
 
-    A far limit is gone towards only.
+    The extrapolation is limited to a largest step.
 
     Examples
     --------
@@ -501,20 +505,20 @@ def extrapolated(first: float, second: float, third: float) -> float:
 
 
 def _deciding(law: BoundedLaw) -> float:
-    """The limit that decides the scale: the largest size, or where there is none the least."""
+    """Return the limit that decides the scale: the largest size, or the least if there is no largest."""
     least, largest = law.limits
     return largest if np.isfinite(largest) else least
 
 
 def _scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
-    """The B, N mm2, with which B K comes up to the largest section, or down to the least."""
+    """Return the B, N mm2, for which B K reaches the largest section, or else the least."""
     share = PanelFunction.through(stiffness.nodal / law.bending_stiffness(_deciding(law)))
     extremes = share.extremes
     return 1 / float(extremes.max() if np.isfinite(law.limits[1]) else extremes.min())
 
 
 def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weight:
-    """The tangent law along the rod, exact at its usual nodes; `beta` is for the stiffness with scale `scale`."""
+    """Return the linearised weight along the rod, exact at its default nodes; `beta` refers to `scale`."""
     s = np.linspace(0.0, load.asked.check.length, DEFAULT_SAMPLES)
     place = load.panels.locate(load.asked.check.curve.parameter(s))
     fixed, slope = (PanelFunction.through(values).at(*place) for values in (tangent.fixed, tangent.slope))
@@ -522,7 +526,7 @@ def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weigh
 
 
 def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiffness:
-    """The balance itself; refused where it asks for less than the least section."""
+    """Return the balance, or refuse it if it needs less than the least section."""
     EI = (balance.bending_stiffness or 1.0) * balance.stiffness.nodal
     least, largest = law.limits
     if _spare(law, EI) < 1 - FIT_SHARE:
@@ -543,6 +547,6 @@ def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiff
 
 
 def _spare(law: BoundedLaw, bending_stiffness: FloatArray) -> float:
-    """The least E I (N, p), N mm2, over that of the least section there."""
+    """Return the least quotient of E I (N, p), N mm2, and the E I of the least section."""
     least, _ = law.limits
     return float((bending_stiffness / law.bending_stiffness(least)).min()) if least > 0 else np.inf

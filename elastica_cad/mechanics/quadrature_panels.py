@@ -31,22 +31,24 @@ from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.refusals import Length
 
-MAX_PANELS = 4000  # of one curve: more mean a function that cannot be resolved
-RESOLVED = 1e-11  # of the function: last coefficients below it are rounding
-NOISE = 1e-6  # of the function: last coefficients below it that a split hardly lowers are rounding too
+MAX_PANELS = 4000  # largest number for a curve; a function that needs more cannot be resolved
+RESOLVED = 1e-11  # relative to the function: smaller last coefficients are rounding
+NOISE = (
+    1e-6  # relative to the function: smaller last coefficients are rounding too if a split hardly lowers them
+)
 
-APART_SHARE = 0.25  # of a panel: cuts that lie nearer to each other are one
+APART_SHARE = 0.25  # fraction of a panel: nearer cuts are merged
 
-NARROWEST_SHARE = 1e-7  # of the domain: no panel is cut further
+NARROWEST_SHARE = 1e-7  # fraction of the domain: narrower panels are not cut
 
 ROUGH_AT_ZERO = 2
-"""Continuity up to which a knot divides panels, however near it is to a zero of the curvature."""
+"""Largest continuity of a knot that divides panels even if it is near a zero of the curvature."""
 
 STEP_LENGTH = 1e-5
-"""A step of the stiffness is spread over this part of the length, so that the outline stays one edge."""
+"""Fraction of the length over which a step of the stiffness is spread, so that the outline stays a single edge."""
 
 NEAR_ZERO_SHARE = 0.05
-"""Distance from a mass to a zero of the curvature, in lengths of the curve, below which panels grow from it."""
+"""Largest distance between a mass and a zero of the curvature, relative to the length, for graded panels."""
 
 FROM_LEFT = 1 + NODES
 _FROM_ENDS = np.concatenate([LEFT, -RIGHT])
@@ -55,7 +57,7 @@ _LAST = np.ascontiguousarray(TO_COEFFICIENTS[-2:])
 
 @dataclass(frozen=True, eq=False)
 class Panels:
-    """N panels with p Gauss nodes each; no node lies on a knot or a zero of the curvature.
+    """N panels with p Gauss nodes each; no node is on a knot or a zero of the curvature.
 
     Attributes
     ----------
@@ -64,14 +66,14 @@ class Panels:
     edge_position : (N + 1, 2) array
         mm.
     zero_left, zero_right : (N,) bool arrays
-        Does the curvature vanish at this end of the panel? Never at both.
+        True if the curvature vanishes at this end of the panel; never at both ends.
     t, s, curvature : (N, p) arrays
-        Parameters, arc lengths and kappa - kappa_0 at the nodes; beside a zero integrated from it, so that
-        the relative accuracy is kept.
+        Parameters, arc lengths and kappa - kappa_0 at the nodes. Next to a zero, kappa - kappa_0 is integrated from
+        the zero to keep the relative accuracy.
     stretch : (N, p) array
         ds/dx, where x in [-1, 1] runs over the panel.
     from_left, from_right : (N, p, 2) arrays
-        Position less that of the panel's left, right end, mm.
+        Position relative to the left, right end of the panel, mm.
     """
 
     edges: FloatArray
@@ -114,22 +116,21 @@ def cut_into_panels(
     law: MaterialLaw | None = None,
     orders: Sequence[int] | None = None,
 ) -> Panels:
-    """Panels that resolve the curve, and any moment over its curvature.
+    """Return panels that resolve the curve, and any moment divided by its curvature.
 
-    A panel is cut into 2, 4 or 8 until the Legendre coefficients of the speed and of (t - zero)/(kappa -
-    kappa_0) have died away, with the zero that is nearest: there the moment vanishes too, so panels beside those
-    that end in it need not grow narrow towards it.
+    A panel is cut into 2, 4 or 8 until the Legendre coefficients of the speed and of (t - zero)/(kappa - kappa_0)
+    are negligible, with the nearest zero. The moment vanishes there too, so panels near a zero need no grading.
 
     Parameters
     ----------
     zeros : sequence of float
-        Parameters where kappa - kappa_0 vanishes: they become panel ends.
+        Parameters where kappa - kappa_0 vanishes, which become panel ends.
     cuts : sequence of float
         Further parameters that must be panel ends, such as places of point masses.
     law : MaterialLaw, optional
-        Its effective curvature stands for kappa - kappa_0; where it is not smooth there should be cuts.
+        Its effective curvature replaces kappa - kappa_0; add cuts where it is not smooth.
     orders : sequence of int, optional
-        Of the zeros: 2 where kappa - kappa_0 only touches zero; 1 unless given.
+        Orders of the zeros: 2 where kappa - kappa_0 only touches zero; by default 1.
     """
     excess = ExcessCurvature(curve, natural_curvature)
     low, high = curve.domain
@@ -178,7 +179,7 @@ def _distances(t: FloatArray, places: list[float]) -> FloatArray:
 
 
 def _distinct(places: list[float], close: float) -> list[float]:
-    """Rising places, those left out that are as close to the one before."""
+    """Return the sorted places without those within `close` of the previous place."""
     kept = places[:1]
     for place in places[1:]:
         if place - kept[-1] > close:
@@ -273,7 +274,7 @@ def _evaluated(
         ends = np.where(cut.zero_left[beside], cut.left[beside], cut.right[beside])
         own = np.abs(zeros[:, None] - ends).argmin(axis=0)
         double = orders[own] == 2
-        if double.any():  # what rounding leaves of the slope would be large beside that of the nodes
+        if double.any():  # rounding of this slope would be large relative to the slopes at the nodes
             slope[double] -= excess.slope_at(zeros[own[double]])[:, None]
         growth = slope * stretch[beside]
         kappa[beside] = np.where(cut.zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
@@ -297,7 +298,7 @@ def _evaluated(
 
 
 def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
-    """One chain of panels from loose ones."""
+    """Return the panels in order along the curve."""
     nodes = _Nodes.joined(parts)
     edges = np.concatenate([nodes.left, curve.domain[1:]])
     edge_s = np.zeros(edges.size)
@@ -314,29 +315,29 @@ def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
 REFINEMENTS = 6
 """Largest number of times that a program is solved again on finer panels."""
 
-_ROUGH = 1e-9  # last Legendre coefficients of K in a panel, relative to K, that call for smaller panels
-_SMOOTH = 4  # continuous derivatives of K from which on a knot of the load needs no edge of a panel
-_MOST_PARTS = 50  # of one panel under a heavy K
+_ROUGH = 1e-9  # last Legendre coefficients of K in a panel, relative to K, that require smaller panels
+_SMOOTH = 4  # least number of continuous derivatives of K at a knot of the load that is not a panel end
+_MOST_PARTS = 50  # largest number of parts of a panel with a large weight
 
 
 @dataclass(frozen=True, eq=False)
 class CutCurve:
-    """A curve with the places at which it is cut into panels, on each of which the stiffness is smooth.
+    """Curve and the places where it is cut into panels with a smooth stiffness.
 
-    Panels end at the zeros of kappa - kappa_0, which `check` holds, and at the `cuts`.
+    Panels end at the zeros of kappa - kappa_0 in `check` and at the `cuts`.
 
     Attributes
     ----------
     check : EquilibriumCheck
-        The curve and its zeros.
+        Curve and its zeros.
     natural_curvature : float or RestCurvature
         kappa_0, 1/mm.
     law : MaterialLaw or None
-        The moment over curvature of a nonlinear material; None for a linear one.
+        Moment-curvature law of a nonlinear material, or None for a linear material.
     cuts : tuple of float
         Parameters of the curve.
     kinks : tuple of (float, int)
-        Arc lengths, mm, at which the stiffness is not smooth, each with the number of its continuous derivatives.
+        Arc lengths, mm, at which the stiffness is not smooth, each with the number of continuous derivatives.
     """
 
     check: EquilibriumCheck
@@ -381,8 +382,7 @@ class CutCurve:
         return self._also_at(np.concatenate(inner))
 
     def for_stiffness(self, stiffness: PanelFunction) -> "CutCurve | None":
-        """Return the curve with panels halved where a stiffness is not resolved; None where it is resolved
-        everywhere."""
+        """Return the curve with panels halved where a stiffness is not resolved, or None if it is resolved."""
         rough = stiffness.unresolved(_ROUGH)
         edges = self.panels.edges
         return self._also_at(((edges[1:] + edges[:-1]) / 2)[rough]) if rough.any() else None
@@ -411,9 +411,9 @@ def _at_zero(s: float, zeros: FloatArray, length: float) -> float:
 
 
 def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
-    """Places, mm, beyond a mass at s that is next to a zero, each twice as far from the zero as the one before.
+    """Return places, mm, beyond a mass near a zero; each is twice as far from the zero as the previous place.
 
-    There the stiffness has a part that falls with the inverse of the distance from the zero.
+    The stiffness there has a term that is inverse to the distance from the zero.
     """
     if not zeros.size:
         return []

@@ -36,17 +36,17 @@ if TYPE_CHECKING:
     from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 
 
-# A rod that is shown, cut and tested: a strip of 300 mm has a node every half millimetre, and the discrete shape is
-# off the continuous one by less than a laser's kerf (paper, section 7.1, has some hundreds).
+# Number of nodes of a final rod. A strip of 300 mm has a node every half millimetre, and the error of the discrete
+# shape is smaller than the kerf of a laser (paper, section 7.1: some hundreds).
 DEFAULT_SAMPLES = SURVEY_POINTS
 
-# A rod that is searched for: hundreds are solved on the way, whose error, nine times as large, is still far below
-# what limits allow; `editable_curve` extrapolates it away.
+# Number of nodes of the hundreds of rods in a search. Their error is nine times as large, which is still far below
+# the tolerance of limits; `editable_curve` removes it by extrapolation.
 SEARCH_SAMPLES = 201
 
 
 DUST_SHARE = 1e-12
-"""Values below this share of the largest one of the same unit are rounding errors."""
+"""Largest rounding error, as a fraction of the largest value of the same unit."""
 
 
 def csv_text(table: Mapping[str, Any]) -> str:
@@ -127,7 +127,7 @@ def scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArra
 def _stiffness_profile_of(
     stiffness: "ArrayLike | Profile", length: float, samples: int | None
 ) -> tuple[Profile, int]:
-    """A profile over [0, length] and the number of nodes it asks for.
+    """Return a profile over [0, length] and the number of nodes.
 
     Parameters
     ----------
@@ -136,12 +136,12 @@ def _stiffness_profile_of(
     length : float
         mm.
     samples : int or None
-        Number of nodes; None for one a value, or the usual number.
+        Number of nodes, or None for the number of values or the default number.
 
     Raises
     ------
     InputError
-        A profile of another length, or values that are not positive and finite.
+        The length of the profile differs, or the values are not positive and finite.
     """
     if isinstance(stiffness, Profile):
         if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
@@ -160,29 +160,29 @@ def _stiffness_profile_of(
 
 
 DIFFERENCE_SHARE = 1e-7
-"""Step of the differences by which the slope of the stiffness is found, as a share of the largest bend."""
+"""Step of the finite differences for the slope of the stiffness, as a fraction of the largest bend."""
 
 CURL_POINTS = 24
-"""Points between rest and bend at which the energy is summed; exact to 1e-9 for flat strips, 1e-3 for others."""
+"""Number of quadrature points of the energy; its error is 1e-9 for flat strips and 1e-3 for others."""
 
 CURL_STEPS = 8
-"""Iterations from a moment to its curvature; they converge fast, as the stiffness changes slowly."""
+"""Number of iterations from a moment to its curvature; they converge fast, because the stiffness varies slowly."""
 
 
 @dataclass(frozen=True, eq=False)
 class CurlingLaw(MaterialLaw):
-    """M = K m(kappa - kappa_0) at the nodes of one rod, whose K is right where each node is bent as designed.
+    """M = K m(kappa - kappa_0) at the nodes of a rod; K holds for the bend of the design.
 
     Parameters
     ----------
     factor : BendFactor
-        On the stiffness of the nodes, by their curvatures.
+        Factor on the stiffness of the nodes as a function of their curvatures.
     designed : (n,) array
-        The factor that K has already.
+        Factor that K includes already.
     natural_curvature : float or (n,) array
         kappa_0 of the rod, 1/mm.
     below : MaterialLaw, optional
-        That of the material, which the factor comes on top of.
+        Law of the material, which the factor multiplies.
 
     Examples
     --------
@@ -199,7 +199,7 @@ class CurlingLaw(MaterialLaw):
     below: MaterialLaw | None = None
 
     def share(self, curvature: ArrayLike) -> FloatArray:
-        """Stiffness divided by that of the design (..., n), for changes of curvature (..., n), 1/mm."""
+        """Return stiffness over stiffness of the design (..., n), for changes of curvature (..., n), 1/mm."""
         kappa = np.asarray(curvature, dtype=float) + self.natural_curvature
         return np.asarray(self.factor(kappa) / self.designed)
 
@@ -255,23 +255,23 @@ class CurlingLaw(MaterialLaw):
 
 EVEN_EDGES = 1e-7  # of an edge: nodes that are samples of a curve are closer than that by (kappa h)^2 / 24
 TURN_POWER = 8  # of the turns beside the ends, which then reach over an eighth of the length
-NEWTON_STEPS = 5  # to rounding: the angles are nearly right
-TANGENT_RAD = 1e-8  # how closely the spline follows the tangent: over the length, far below a micrometre
+NEWTON_STEPS = 5  # enough for rounding accuracy, because the angles are nearly exact
+TANGENT_RAD = 1e-8  # error of the tangent of the spline; over the length this is far below a micrometre
 
 
 def has_even_edges(s: FloatArray, position: FloatArray) -> bool:
-    """Whether all edges of the polygon of nodes are as long as the arc length between the nodes."""
+    """Return True if all edges of the polygon are as long as the arc length between their nodes."""
     h = np.diff(s)
     return bool(np.all(np.abs(np.hypot(*np.diff(position, axis=0).T) - h) <= EVEN_EDGES * h))
 
 
 def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> PlaneCurve:
-    """The spline of unit speed that follows the edges of a discrete rod.
+    """Return the spline of unit speed that follows the edges of a discrete rod.
 
-    The edges of a discrete rod (paper, section 7.1) are tangents of a smooth curve in their middles. A curve of
-    the polygon's own length passes the nodes at h^2 |kappa| / 24 on their inner side: this one integrates a quintic
-    spline through the edge angles. That is h^2 |kappa'| / 8 off the held angles: the least smooth turns are added
-    that meet them and the end position.
+    The edges of a discrete rod (paper, section 7.1) are tangents of a smooth curve at their middles. A curve of the
+    same length as the polygon passes the nodes at h^2 |kappa| / 24 on their inner side. The result integrates a
+    quintic spline through the edge angles. This spline misses the held angles by h^2 |kappa'| / 8. The smallest
+    smooth turns are added that correct the held angles and the end position.
 
     Parameters
     ----------
@@ -327,7 +327,7 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
 
 
 def _turns(x: FloatArray) -> FloatArray:
-    """Smooth changes (n, 18) of an angle at x (n,) in 0..1: beside start and end, of mean 0, and waves between."""
+    """Return smooth changes (n, 18) of an angle at x (n,) in 0..1: near the ends with mean 0, and waves."""
     y, m = 1 - x, TURN_POWER
     beside = np.column_stack([y**m * (1 - (m + 2) * x), x**m * (1 - (m + 2) * y)])
     k = np.arange(1, 17)
@@ -346,7 +346,7 @@ BAND_SHARE = 0.02  # of the length: half the band that shows the stiffness in a 
 
 @dataclass(frozen=True, eq=False)
 class Rod:
-    """A rod in the plane; all arrays are nodal, with the same n.
+    """Rod in the plane; all arrays are nodal, with the same n.
 
     Attributes
     ----------
@@ -355,8 +355,8 @@ class Rod:
     position : (n, 2) array
         mm.
     angle : (n,) array
-        Turning angle, rad, continuous. Where a rod was computed on edges (paper, section 7.1), the end values
-        are the angles that the supports hold, the others the mean of the two edges that meet at the node.
+        Turning angle, rad, continuous. For a discrete rod (paper, section 7.1) the end values are the angles of the
+        supports, and the other values are means of the two edges at the node.
     curvature : (n,) array
         Signed, 1/mm; a discrete rod has moment / stiffness + kappa_0 here.
     stiffness : (n,) array
@@ -364,31 +364,31 @@ class Rod:
     moment : (n,) array
         M = K (kappa - kappa_0), 1/mm; times the least bending stiffness (N mm2) it is N mm.
     force : (n, 2) array
-        lambda = R b, 1/mm2; times the least bending stiffness newtons, minus the usual internal force. Edge
-        values of a discrete rod are averaged to the nodes in between; the end nodes take half a cell of weight
-        off the end edge.
+        lambda = R b, 1/mm2; times the least bending stiffness in N mm2 it is in N (minus the usual internal force).
+        Edge values of a discrete rod are averaged to the nodes. The end nodes have the value of the end edge minus
+        half a cell of weight.
     profile : Profile
         K as a spline of arc length, from which strips take their width.
     natural_curvature : float or (n,) array
-        kappa_0, 1/mm: one for the whole rod, or one a node (a strip that was bent beyond its limit).
+        kappa_0, 1/mm: a value for the whole rod, or values at the nodes (a strip that was bent beyond its limit).
     gravity, weight, bending_stiffness
-        What the rod carries: see `Gravity` and `Weight`; `bending_stiffness` is B, the least E I in N mm2, or
+        Loads, see `Gravity` and `Weight`; `bending_stiffness` is B, the least E I in N mm2, or
         None.
     law : MaterialLaw or None
         Where the material does not follow Hooke's law: M = K m(kappa - kappa_0) (paper, Appendix D). `bend` adds
         how a section follows the bend, and K stays what it is in the design: see `bending_law`.
     section : BoundedLaw or None
-        What its stiffness is made of, where that is not the width of a strip that bends with E.
+        Section of the strip, if it is not a plain strip that bends with E.
     residual : float
         Largest relative moment imbalance.
     shape : PlaneCurve or None
-        The curve that the rod was made for; None where `curve` is drawn through the nodes.
+        Drawn curve of the rod, or None if `curve` is drawn through the nodes.
     check : EquilibriumCheck or None
-        What Theorem 1 said about that curve.
+        Verdict of Theorem 1 on the drawn curve.
     moved : float
-        How far the drawn curve was moved to bring its inflections onto one line, mm.
+        Distance by which the drawn curve was moved to bring its inflections onto a line, mm.
     warnings : tuple of str
-        What a user should know about the answer.
+        Warnings about the result.
     """
 
     s: FloatArray
@@ -451,17 +451,17 @@ class Rod:
         law: MaterialLaw | None = None,
         section: BoundedLaw | None = None,
     ) -> "Rod":
-        """A straight rod without a curve, to be bent by `bend`.
+        """Return a straight rod, as input of `bend`.
 
         Parameters
         ----------
         length : float
             mm.
         stiffness : float, (n,) array_like or Profile
-            One value, nodal values at n uniform stations, or a profile over [0, length]; scaled to a least
-            value 1.
+            Stiffness: one value, nodal values at n uniform stations, or a profile over [0, length]; scaled to a
+            least value 1.
         samples : int, optional
-            Number of nodes (601 unless nodal values say otherwise).
+            Number of nodes; by default 601, or the number of nodal values.
         start, angle
             Position of the first end, mm, and direction, rad.
         gravity, supports, natural_curvature, weight, bending_stiffness, law, section
@@ -470,12 +470,12 @@ class Rod:
         Returns
         -------
         Rod
-            Unloaded: moment and force are zero; with gravity `residual` tells how far from balance it is.
+            Rod without load: moment and force are zero. With gravity, `residual` is its imbalance.
 
         Raises
         ------
         InputError
-            Length or stiffness not positive.
+            The length or the stiffness is not positive.
 
         Examples
         --------
@@ -545,21 +545,21 @@ class Rod:
 
     @property
     def effective_curvature(self) -> FloatArray:
-        """Curvature (n,), 1/mm, that gives the moment when multiplied by K: kappa - kappa_0, or the law's value
-        of it."""
+        """Moment over K (n,), 1/mm: kappa - kappa_0, or the value of the law."""
         change = self.curvature - self.natural_curvature
         return np.asarray(change if self.law is None else self.law.effective_curvature(change))
 
     @property
     def follows_bend(self) -> bool:
-        """Whether the stiffness of its section depends on how sharply it is bent."""
+        """True if the stiffness of the section depends on the curvature."""
         return self.section is not None and self.section.follows_bend
 
     @cached_property
     def bending_law(self) -> MaterialLaw | None:
-        """The law of M = K m(kappa - kappa_0) however the rod is bent: what every solver asks.
+        """Law of M = K m(kappa - kappa_0) for any bend of the rod, as all solvers use it.
 
-        Where the section follows the bend, it is that of its sizes, which are as stiff as K in the rod's own shape.
+        If the stiffness of the section depends on the curvature, the law is that of the sizes that have stiffness K
+        in the present shape.
         """
         law, section, rest = self.law, self.section, self.natural_curvature
         if section is None or not section.follows_bend or isinstance(law, CurlingLaw):
@@ -577,7 +577,7 @@ class Rod:
 
     @property
     def tangent_stiffness(self) -> FloatArray:
-        """dM/dkappa (n,): what small disturbances feel; K unless `bending_law` says otherwise."""
+        """dM/dkappa (n,), the stiffness against small disturbances; K if there is no `bending_law`."""
         law = self.bending_law
         if law is None:
             return self.stiffness
@@ -585,7 +585,7 @@ class Rod:
 
     @property
     def flat_stiffness(self) -> FloatArray:
-        """K (n,) that the sections would have if bending did not stiffen them: E I of their widths."""
+        """K (n,) of the sections without the stiffening by bending: E I of their widths."""
         law = self.bending_law
         return self.stiffness / law.designed if isinstance(law, CurlingLaw) else self.stiffness
 
@@ -660,11 +660,11 @@ class Rod:
 
     @cached_property
     def curve(self) -> PlaneCurve:
-        """The shape as a spline: the drawn curve where there is one, else of degree 5.
+        """Shape as a spline: the drawn curve if it exists, otherwise a spline of degree 5.
 
-        Of a discrete rod it has the rod's length, end positions and end angles, and passes the nodes at about
-        h^2 kappa / 24, the edge length being h (see `integrate_edges`); through nodes that are samples of a curve
-        it is a fit.
+        For a discrete rod the spline has the length, end positions and end angles of the rod. It passes the nodes
+        at about h^2 kappa / 24, with the edge length h (see `integrate_edges`). If the nodes are samples of a
+        curve, the spline is a fit.
         """
         if self.shape is not None:
             return self.shape

@@ -34,7 +34,7 @@ class Residual(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class RodSystem:
-    """A discrete rod with all that is given; the residual of a `RodState` is zero in equilibrium.
+    """Discrete rod with its loads and supports; the residual of a `RodState` is zero in equilibrium.
 
     Attributes
     ----------
@@ -48,13 +48,13 @@ class RodSystem:
         1/mm.
     supports : Supports
     start, end : (2,) arrays
-        Positions of the ends, mm; a coordinate that the end leaves free is not used.
+        Positions of the ends, mm; free coordinates are not used.
     end_angles : (2,) array
-        alpha_0 and alpha_l, rad; one that is free is not used.
+        alpha_0 and alpha_l, rad; free angles are not used.
     force : (2,) array
-        Dead force, along each coordinate at the end that leaves it free, 1/mm2.
+        Dead force, 1/mm2; each component acts at the end where its coordinate is free.
     moments : (2,) array
-        Counterclockwise moments applied at the start and at the end where the angle is free, 1/mm.
+        Counterclockwise moments applied at the start and at the end if the angle is free, 1/mm.
     law : MaterialLaw, optional
         M = K m(kappa - kappa_0) instead of K (kappa - kappa_0).
     """
@@ -93,7 +93,7 @@ class RodSystem:
 
     @cached_property
     def held_angles(self) -> tuple[float | None, float | None]:
-        """Angles that the supports hold at the start and at the end; None where free."""
+        """Held angles at the start and at the end, or None for a free angle."""
         a, b = (
             float(v) if end.angle else None
             for end, v in zip(self.supports.ends, self.end_angles, strict=True)
@@ -199,7 +199,7 @@ class RodState:
 
     @cached_property
     def residual(self) -> Residual:
-        """Moments and end positions by which the state misses equilibrium."""
+        """Imbalance of moments and errors of the end positions."""
         system, rod = self.system, self.discrete
         reach = system.edge_length * rod.tangents.sum(axis=0)
         miss = np.array([reach[i] for i in system.held]) - system.chord
@@ -243,7 +243,7 @@ class RodState:
 
     @property
     def gap(self) -> float:
-        """Distance by which the ends miss their places, over the length."""
+        """Error of the end positions over the length."""
         return float(np.abs(self.residual.miss).max(initial=0.0)) / self.system.length
 
     def rod(self, like: Rod) -> Rod:
@@ -261,7 +261,7 @@ class RodState:
         change = self._hooke_moments / system.stiffness
         if system.law is not None:
             for node, held in zip((0, -1), system.held_angles, strict=True):
-                if held is None:  # at an end free to turn, what its moment asks for
+                if held is None:  # curvature from the applied moment at an end that is free to turn
                     asked = np.zeros_like(change)
                     asked[node] = change[node]
                     change[node] = system.law.curvature(asked)[node]

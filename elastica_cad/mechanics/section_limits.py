@@ -1,4 +1,4 @@
-"""What sections may bear: strain of their layers, and what happens to a material above its limits."""
+"""Limits of sections: strain of their layers, and failure of a material above its limits."""
 
 from dataclasses import dataclass
 from enum import IntEnum
@@ -16,11 +16,10 @@ STRAIN_SLACK = 1e-6
 spline."""
 
 BRITTLE_FACTOR = 1.5
-"""Strain at which wood and brittle plastics are taken to break, as a multiple of what they bear for long, if no
-figure is known."""
+"""Estimated breaking strain of wood and brittle plastics, as a multiple of the largest long-term strain."""
 
 BRITTLE = ("plywood", "wood", "veneer", "board", "composite", "brittle plastic")
-"""Kinds of sheets to which `BRITTLE_FACTOR` applies."""
+"""Kinds of sheets with the factor `BRITTLE_FACTOR`."""
 
 CRACKS = "it may crack there"
 KEEPS_BEND = "it keeps a bend from there"
@@ -31,7 +30,7 @@ OUTCOMES = {
     **dict.fromkeys(("card", "paper", "metal"), KEEPS_BEND),
     "plastic": CREEPS,
 }
-"""What happens beyond the limit, by kind of sheet."""
+"""Behaviour beyond the limit, by kind of sheet."""
 
 
 class StrainState(IntEnum):
@@ -44,18 +43,18 @@ class StrainState(IntEnum):
 
 @dataclass(frozen=True)
 class StrainVerdict:
-    """What the rule says of a strain in a sheet.
+    """Verdict of the strain rule on a strain in a sheet.
 
     Attributes
     ----------
     state : StrainState
-        Allowed up to the limit, warned beyond it, refused where the sheet breaks, unless limits are ignored.
+        Allowed up to the limit, warned above it, refused if the sheet breaks, unless limits are ignored.
     used : float
         Strain over the limit.
     at : float or None
         Place along the strip, mm.
     outcome : str
-        What happens to this material there; empty within the limit.
+        Behaviour of the material there; empty within the limit.
     """
 
     state: StrainState
@@ -65,12 +64,12 @@ class StrainVerdict:
 
     @property
     def allowed(self) -> bool:
-        """Whether the strain is within what the sheet bears for long."""
+        """True if the strain is within the long-term limit of the sheet."""
         return self.state is StrainState.ALLOWED
 
     @property
     def refused(self) -> bool:
-        """Whether the strip would break."""
+        """True if the strip would break."""
         return self.state is StrainState.REFUSED
 
     @property
@@ -82,7 +81,7 @@ class StrainVerdict:
 
 
 def judge_strain(sheet: Sheet, strain: float, at: float | None = None) -> StrainVerdict:
-    """What happens to a sheet whose outermost fibre is strained so far.
+    """Return the verdict on the strain of the outermost fibre of a sheet.
 
     Parameters
     ----------
@@ -90,7 +89,7 @@ def judge_strain(sheet: Sheet, strain: float, at: float | None = None) -> Strain
     strain : float
         Dimensionless.
     at : float, optional
-        Its place along the strip, mm.
+        Place of the strain along the strip, mm.
 
     Examples
     --------
@@ -110,7 +109,7 @@ def judge_strain(sheet: Sheet, strain: float, at: float | None = None) -> Strain
 
 
 def breaking_strain(sheet: Sheet) -> float | None:
-    """The strain at which a sheet breaks: its own figure, else that of brittle kinds; None where none is known."""
+    """Return the breaking strain of a sheet, estimated for brittle kinds, or None if it is unknown."""
     known = sheet.break_strain
     if known is not None and known > sheet.max_strain:
         return known
@@ -118,7 +117,7 @@ def breaking_strain(sheet: Sheet) -> float | None:
 
 
 def thinner_for(sheet: Sheet, strain: float) -> float | None:
-    """The largest thickness below its own, mm, that the sheet is sold in and that bears the same curve.
+    """Return the largest smaller thickness on sale, mm, that withstands the same curve, or None.
 
     Examples
     --------
@@ -142,13 +141,13 @@ LIMIT_SLACK = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class LayerStrain:
-    """Strain of the outermost fibre of one layer.
+    """Strain of the outermost fibre of a layer.
 
     Attributes
     ----------
     sheet : Sheet
     strain : (n,) array
-        Distance from the neutral axis times |kappa - kappa_0|; 0 where the layer is missing.
+        Distance from the neutral axis times |kappa - kappa_0|; 0 at stations without the layer.
     """
 
     sheet: Sheet
@@ -211,17 +210,17 @@ class ScaleRange:
 
     @property
     def feasible(self) -> bool:
-        """Can the stiffness be built at all?"""
+        """True if the stiffness can be built."""
         return self.lowest <= self.highest * (1 + LIMIT_SLACK)
 
     @property
     def scale(self) -> float:
-        """The paper's choice c = min c_max: as much added material as the outer width takes.
+        """Choice of the paper, c = min c_max: as much added material as the outer width allows.
 
         Raises
         ------
         InputError
-            When nothing fits; the message says which stations disagree.
+            No scale fits; the message names the conflicting stations.
         """
         if not self.feasible:
             raise InputError(
@@ -234,7 +233,7 @@ class ScaleRange:
 
 
 def matched(*rows: FloatArray) -> tuple[FloatArray, ...]:
-    """Rows of one value for each station, or one for all, as rows of the same length."""
+    """Return rows of equal length; a row of one value is repeated for all stations."""
     try:
         return tuple(np.broadcast_arrays(*rows))
     except ValueError:
@@ -245,7 +244,7 @@ def matched(*rows: FloatArray) -> tuple[FloatArray, ...]:
 
 
 def positive(values: ArrayLike, name: str) -> FloatArray:
-    """The values (n,) as an array; refused with their station where one is not positive and finite."""
+    """Return the values (n,) as an array; refuse values that are not positive and finite."""
     array = numbers(values, name)
     good = np.isfinite(array) & (array > 0)
     if not good.all():

@@ -18,7 +18,7 @@ SECANTS = 12
 """Largest number of steps of the search for the width of a given bending stiffness."""
 
 SETTLED = 1e-12
-"""Relative error from which one more step reaches rounding."""
+"""Relative error at which a further step reaches rounding accuracy."""
 
 SLOPES = (0.4, 3.0)
 """Bounds on the slope of log(stiffness) over log(width). It is up to 1.25 for nu = 0.5 and 2.5 for 0.9, and
@@ -33,33 +33,33 @@ def anticlastic_factor(
     poisson_ratio: float,
     natural_curvature: ArrayLike = 0.0,
 ) -> FloatArray:
-    """M / (E I (kappa - kappa_0)) of a rectangular strip bent to a constant curvature: from 1 to 1/(1 - nu^2).
+    """Return M / (E I (kappa - kappa_0)) of a rectangular strip of constant curvature: 1 to 1/(1 - nu^2).
 
-    A narrow strip curls across by -nu (kappa - kappa_0) and bends with E; in a wide one the curl is flattened but
-    for its edges and it bends as a plate, with E/(1 - nu^2). What counts is Searle's number w^2 kappa / h, of the
-    curvature that the strip has in the end: one that is bent straight curls freely.
+    A narrow strip curls across by -nu (kappa - kappa_0) and bends with E. In a wide strip the curl is flattened
+    except at its edges, and the strip bends as a plate with E/(1 - nu^2). The factor depends on Searle's number w^2
+    kappa / h of the final curvature; a strip that is bent straight curls freely.
 
     Parameters
     ----------
     width, curvature : array_like
-        mm and 1/mm (the sign does not matter where the strip is flat before), broadcast.
+        mm and 1/mm, broadcast. The sign has no effect if the strip is flat before bending.
     thickness : float
         mm.
     poisson_ratio : float
         nu, across the strip, from 0 to below 1.
     natural_curvature : array_like
-        kappa_0, before it is bent, 1/mm. A strip that is bent back towards straight and beyond leaves that range;
-        its factor is eased off, to stay between 1 - nu^2 and (1 + nu^2)/(1 - nu^2).
+        kappa_0, the curvature before bending, 1/mm. If a strip is bent back towards straight and beyond, the factor
+        leaves the above range. It is then limited smoothly to between 1 - nu^2 and (1 + nu^2)/(1 - nu^2).
 
     Returns
     -------
     array
-        The factor on E I, of the broadcast shape.
+        Factor on E I, of the broadcast shape.
 
     Raises
     ------
     InputError
-        Width or thickness not positive, nu outside [0, 1), values that are not finite.
+        Width or thickness is not positive, nu is outside [0, 1), or values are not finite.
 
     Notes
     -----
@@ -155,20 +155,20 @@ def plate_width(
 
 @dataclass(frozen=True, eq=False)
 class SheetCurl:
-    """How much stiffer than E I a strip is at its stations, as a function of the curvature that they have.
+    """Factor on E I of a strip at its stations, as a function of their curvature.
 
-    Call it with curvatures (..., n), 1/mm: it gives the `anticlastic_factor` of each station.
+    A call with curvatures (..., n), 1/mm, returns the `anticlastic_factor` of each station.
 
     Attributes
     ----------
     width : (n,) array
-        Of the strip at its stations, mm.
+        Width of the strip at its stations, mm.
     thickness : float
-        Of the sheet, mm.
+        Thickness of the sheet, mm.
     poisson_ratio : float
         nu of the sheet, dimensionless.
     natural_curvature : float or (n,) array
-        kappa_0 of the blank, 1/mm.
+        kappa_0, 1/mm.
 
     Examples
     --------
@@ -231,28 +231,28 @@ def _curl(x: FloatArray) -> tuple[FloatArray, FloatArray]:
 def crack_energy(poisson_ratio: float, grain: float = 1.0) -> float:
     """Return k for the length l = k depth^2 / width of a bent strip that stores the energy released by a cut.
 
-    An even sheet: k = pi (1 + nu) / (3 + nu). A through crack of length 2 a in a thin plate with the skin stress
-    sigma releases the energy pi (1 + nu) / (3 (3 + nu)) sigma^2 a^2 h / E (Sih, Paris and Erdogan, J. Appl. Mech.
-    29, 1962; Hui and Zehnder, Int. J. Fracture 61, 1993). A cut from the edge releases half of it, if the other
-    edge is far. A strip of width w stores sigma^2 w h / (6 E) in each unit of its length.
+    A sheet without grain: k = pi (1 + nu) / (3 + nu). A through crack of length 2 a in a thin plate with the skin
+    stress sigma releases the energy pi (1 + nu) / (3 (3 + nu)) sigma^2 a^2 h / E (Sih, Paris and Erdogan, J. Appl.
+    Mech. 29, 1962; Hui and Zehnder, Int. J. Fracture 61, 1993). A cut from the edge releases half of it, if the
+    other edge is far. A strip of width w stores sigma^2 w h / (6 E) in each unit of its length.
 
     A sheet with grain: on the line of a crack across the strip the shear force is 0 by symmetry. Moment and slope
     of a Kirchhoff half-plane there are M = Z |k| theta for waves exp(i k y), and the energy follows 1 / Z. With
     E2 / E = r^2, g = G / E and nu the geometric mean of both ratios,
-    k = pi / 2 sqrt(2 (1 + nu) r + 4 (1 - nu^2) g) / (r + 4 g). E2 across the strip is seldom published, and is
-    taken to be smaller than E in the same ratio as G is smaller than that of an even sheet.
+    k = pi / 2 sqrt(2 (1 + nu) r + 4 (1 - nu^2) g) / (r + 4 g). E2 across the strip is seldom published. It is
+    assumed to be smaller than E in the same ratio as G is smaller than the G of a sheet without grain.
 
     Parameters
     ----------
     poisson_ratio : float
         Dimensionless.
     grain : float
-        sqrt(E / G) of the sheet over that of an even sheet.
+        sqrt(E / G) of the sheet over sqrt(E / G) of a sheet without grain.
 
     Raises
     ------
     InputError
-        A ratio outside 0 to 0.5.
+        The ratio is outside 0 to 0.5.
 
     Examples
     --------
@@ -269,7 +269,7 @@ def crack_energy(poisson_ratio: float, grain: float = 1.0) -> float:
 
 @dataclass(frozen=True)
 class PlainSection:
-    """A solid rectangle of one sheet: E I = w E h^3 / 12 (paper, section 8.1).
+    """Solid rectangle of a sheet: E I = w E h^3 / 12 (paper, section 8.1).
 
     Examples
     --------
@@ -318,7 +318,7 @@ class PlainSection:
         *,
         natural_curvature: float = 0.0,
     ) -> tuple[LayerStrain, ...]:
-        """Skin strain h/2 |kappa - kappa_0| of curvatures (n,), 1/mm; one layer."""
+        """Return the skin strain h/2 |kappa - kappa_0| for curvatures (n,), 1/mm; there is a single layer."""
         kappa, rest = alike(curvature=curvature, natural_curvature=natural_curvature)
         bend = np.abs(kappa - rest)
         return (layer_strain(self.sheet, np.full(bend.shape, self.sheet.thickness / 2), bend),)
@@ -362,18 +362,19 @@ class WidthRange:
 
 @dataclass(frozen=True)
 class PerforatedSection(PlainSection):
-    """A sheet with holes: the ligaments that are left at a station act like one strip of their summed width.
+    """Sheet with holes: the ligaments at a station act like a strip of their total width.
 
-    `width` is then the ligament sum, and it weighs ~ K as a plain strip does, whatever the outer width.
+    `width` is the total width of the ligaments. The weight is proportional to K as for a plain strip, whatever the
+    outer width.
 
     Parameters
     ----------
     sheet : Sheet
-        What it is cut from.
+        Sheet of the strip.
     ligaments : int
-        How many run side by side.
+        Number of ligaments side by side.
     least_ligament : float
-        Width below which a ligament burns or tears away, mm.
+        Least width of a ligament that does not burn or tear away, mm.
     """
 
     ligaments: int = 2
@@ -395,15 +396,15 @@ class PerforatedSection(PlainSection):
 
 @dataclass(frozen=True, eq=False)
 class WidthLaw:
-    """A strip of one sheet, from narrow, which bends with E, to wide, which bends as a plate with E/(1 - nu^2).
+    """Strip of a sheet: narrow strips bend with E, wide strips as plates with E/(1 - nu^2).
 
-    Its weight is that of the sheet, so it is not proportional to the stiffness: see `anticlastic_factor`.
+    The weight is that of the sheet and not proportional to the stiffness; see `anticlastic_factor`.
 
     Parameters
     ----------
     sheet : Sheet
     least, largest : float
-        Limits of the width, mm; 0 for no least one, or infinity for no largest one.
+        Limits of the width, mm; 0 for no least width, infinity for no largest width.
     curvature, natural_curvature : float or (n,) array
         kappa and kappa_0 of the stations, 1/mm; set by `bent`.
 
@@ -441,33 +442,32 @@ class WidthLaw:
 
     @property
     def follows_bend(self) -> bool:
-        """Yes: the sharper the bend, the more of the width bends as a plate."""
+        """True, because a larger part of the width bends as a plate as the curvature grows."""
         return True
 
     @property
     def stack(self) -> None:
-        """Always None: the section is of one piece."""
+        """Always None: the section is a single piece."""
         return None
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> "WidthLaw":
-        """The law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0 (n,) or a number, 1/mm."""
+        """Return the law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0 (n,) or a number, 1/mm."""
         bend, before = alike(curvature=curvature, rest=rest)
         return replace(self, curvature=bend + before, natural_curvature=before)
 
     def curl(self, parameter: FloatArray) -> SheetCurl | None:
-        """Dependence of the stiffness of widths (n,), mm, on the bend; None for a sheet whose Poisson ratio is
-        not known."""
+        """Return the effect of bending on the stiffness of widths (n,), mm, or None without a Poisson ratio."""
         return SheetCurl(width=parameter, **self._plate) if self.sheet.poisson_ratio else None
 
     def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
-        """E I (n,), N mm2, of widths (n,), mm, as far as they bend as plates."""
+        """Return E I (n,), N mm2, of widths (n,), mm, including the plate effect."""
         w = positive(parameter, self.quantity)
         return np.asarray(
             self.sheet.bending_stiffness(1.0) * w * anticlastic_factor(w, self.curvature, **self._plate)
         )
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Widths (n,), mm, that give the E I (n,), N mm2."""
+        """Return the widths (n,), mm, for E I (n,), N mm2."""
         EI = positive(bending_stiffness, "bending stiffness")
         return plate_width(EI / self.sheet.bending_stiffness(1.0), self.curvature, **self._plate)
 
@@ -478,11 +478,11 @@ class WidthLaw:
     def strains(
         self,
         curvature: ArrayLike,
-        parameter: ArrayLike,  # noqa: ARG002 - laws are asked with it, and here the strain does not depend on it
+        parameter: ArrayLike,  # noqa: ARG002 - part of the interface; here the strain does not depend on it
         *,
         natural_curvature: float = 0.0,
     ) -> tuple[LayerStrain, ...]:
-        """Skin strain h/2 |kappa - kappa_0|, whatever the width."""
+        """Return the skin strain h/2 |kappa - kappa_0|, whatever the width."""
         return PlainSection(self.sheet).strains(curvature, natural_curvature=natural_curvature)
 
     @property
@@ -495,10 +495,10 @@ class WidthLaw:
 
 
 def areal_weight(sheet: Sheet) -> float:
-    """rho g h, N/mm2."""
+    """Return rho g h, N/mm2."""
     return sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2 * sheet.thickness
 
 
 def layer_strain(sheet: Sheet, distance: FloatArray, bend: FloatArray) -> LayerStrain:
-    """Strain of a fibre that lies `distance` (n,) mm from the neutral axis of what is bent by `bend` (n,), 1/mm."""
+    """Return the strain of a fibre `distance` (n,) mm from the neutral axis at the bend `bend` (n,), 1/mm."""
     return LayerStrain(sheet, np.atleast_1d(distance * bend))

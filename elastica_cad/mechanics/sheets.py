@@ -77,7 +77,7 @@ def plausible_number(value: object, key: str, where: str) -> float:
 
 
 def _advise_key(key: str, keys: Mapping[str, Field]) -> str:
-    """Suggest the known key that is nearest to an unknown one."""
+    """Suggest the known key that is nearest to an unknown key."""
     for known, entry in keys.items():
         stem = entry.name
         if key.lower() == known.lower() or (
@@ -173,7 +173,7 @@ def _checked_poisson_ratio(value: Any, where: str) -> float:
 LIBRARY_VARIABLE = "ELASTICA_SHEETS"
 """Environment variable that names other folders of sheets, or files, as PATH does."""
 
-_WORDS = ("kind", "grain")  # keys that are fields of `Sheet` as they stand
+_WORDS = ("kind", "grain")  # keys that are fields of `Sheet` without conversion
 _LIMITS = ("least_width_mm", "least_ligament_mm", "least_bridge_mm")
 
 # key in the file -> field of `Sheet`, what its source is called
@@ -195,7 +195,7 @@ LARGEST_FILE = 2**20
 
 @lru_cache(maxsize=1)
 def built_in_figures() -> Mapping[str, Mapping[str, Any]]:
-    """Fields of `Sheet` but for its name, by name, as they stand in the file.
+    """Return the fields of each built-in `Sheet` except its name, by name.
 
     Examples
     --------
@@ -207,7 +207,7 @@ def built_in_figures() -> Mapping[str, Mapping[str, Any]]:
 
 @lru_cache(maxsize=1)
 def built_in_titles() -> Mapping[str, str]:
-    """What people call the built-in sheets, by name.
+    """Return the titles of the built-in sheets, by name.
 
     Examples
     --------
@@ -219,7 +219,7 @@ def built_in_titles() -> Mapping[str, str]:
 
 @lru_cache(maxsize=1)
 def _built_in() -> tuple[tuple[str, dict[str, Any], str], ...]:
-    """Name, fields and title of each built-in sheet, as they stand in the file."""
+    """Return name, fields and title of each built-in sheet, in the order of the file."""
     import tomllib
 
     text = Path(__file__).with_name("sheets.toml").read_text(encoding="utf-8")
@@ -231,7 +231,7 @@ def _built_in() -> tuple[tuple[str, dict[str, Any], str], ...]:
 
 
 def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Name and fields of one sheet for each thickness."""
+    """Yield name and fields of a sheet for each thickness of an entry."""
     thicknesses = entry["thickness_mm"]["value"]
     for i, thickness in enumerate(thicknesses if isinstance(thicknesses, list) else [thicknesses]):
         fields: dict[str, Any] = {key: entry[key] for key in _WORDS if key in entry}
@@ -349,7 +349,7 @@ def _figures_from_table(table: object, where: str, keys: Mapping[str, Field]) ->
 
 
 def _fields(name: str, entry: object, file: str, keys: Mapping[str, Field]) -> dict[str, Any]:
-    """Fields of one sheet."""
+    """Return the fields of a sheet."""
     where = f"{file}: sheet {name!r}"
     if not isinstance(entry, Mapping):
         raise InputError(f"{where} must be a table [sheets.{name}], got {quoted(entry)}")
@@ -400,7 +400,7 @@ ROWS_INCH = {
 """Rows of the table by number of plies."""
 
 SOLD_AS = 0.02
-"""Share by which a sheet may be thinner than the first row of its number of plies: 4 mm is sold as 0.160 in."""
+"""Fraction by which a sheet may be thinner than the first row of its number of plies (0.160 in is sold as 4 mm)."""
 
 TOLD_TO = 0.01
 """Relative accuracy of a radius: the table has two digits, and the largest strain of a sheet is rounded."""
@@ -411,17 +411,17 @@ mm."""
 
 
 def least_plywood_radius(thickness: float, grain: Literal["along", "across"]) -> float | None:
-    """Least radius of a dry, cold bend of aircraft plywood, mm, or None for a thickness that was not published.
+    """Return the least radius of a dry, cold bend of aircraft plywood, mm, or None if it was not published.
 
-    Between rows the strain of the skin is interpolated; where plywood of 3 and of 5 plies is told of, the larger
-    radius counts.
+    Between rows the strain of the skin is interpolated. If the table has plywood of 3 and of 5 plies, the larger
+    radius is used.
 
     Parameters
     ----------
     thickness : float
         mm.
     grain : "along" or "across"
-        How the strip lies to the face grain.
+        Direction of the strip relative to the face grain.
 
     References
     ----------
@@ -453,12 +453,12 @@ Range: TypeAlias = tuple[float, float]
 
 @dataclass(frozen=True)
 class Sheet:
-    """A sheet material at one thickness; all numbers hold along the strip.
+    """Sheet material of a given thickness; all values hold along the strip.
 
     Parameters
     ----------
     name : str
-        What the sheet is called in reports and file names.
+        Name of the sheet in reports and file names.
     thickness : float
         h, mm.
     youngs_modulus : float
@@ -466,38 +466,38 @@ class Sheet:
     density : float
         rho, kg/m3.
     max_strain : float
-        Largest skin strain to be borne for long, dimensionless (0.01 = 1 %).
+        Largest skin strain for permanent use, dimensionless (0.01 = 1 %).
     kerf : float
-        Width of material that the laser takes away, mm; 0 when not known.
+        Width of material that the laser removes, mm; 0 if unknown.
     poisson_ratio : float
-        nu, dimensionless; 0 where the modulus is that of a plate, measured on a wide coupon. A number given here
-        is known, and widths make up for it (`poisson_known`); without one, or as a `NominalRatio`, it is only
-        estimated with.
+        nu, dimensionless; 0 if the modulus was measured on a wide coupon, as that of a plate. A number counts as
+        known, and widths compensate for it (`poisson_known`). The default value, or a `NominalRatio`, is only used
+        for estimates.
     shear_modulus : float, optional
-        G of shear in the sheet's plane, MPa, which twist works against; without it E / (2 (1 + nu)), as of sheets
-        without grain. That of plywood is far less.
+        Shear modulus G in the plane of the sheet, MPa, which resists twist. By default E / (2 (1 + nu)), as for
+        sheets without grain. G of plywood is much smaller.
     grain : "along", "across" or "none"
-        How the strip lies to the (face) grain for which the numbers hold; "none" for sheets without grain. 0 and
-        90, degrees, say the first two.
+        Direction of the strip relative to the (face) grain; "none" for sheets without grain. 0 and 90 (degrees) are
+        accepted for "along" and "across".
     kind : str
         Family of materials, for example "plywood".
     source : str
         Where the numbers come from.
     thickness_range, youngs_modulus_range, density_range, max_strain_range, kerf_range : (low, high), optional
-        What is found in practice, in the number's own unit; without it the number is taken as certain.
+        Range found in practice, in the unit of the quantity; by default the value counts as exact.
     least_width, least_ligament, least_bridge : float, optional
-        Narrowest strip or tongue, ligament of a perforated strip, and bridge between the cuts of a plate that can
-        be cut and lifted out, mm; without them rules of thumb speak (`FabricationLimits`).
+        Least width, mm, of a strip or tongue, of a ligament of a perforated strip, and of a bridge between cuts of
+        a plate, that can be cut and lifted out. By default rules of thumb apply (`FabricationLimits`).
     stock : (float, float), optional
         Sides of the largest sheet on sale, mm.
     break_strain : float, optional
-        Skin strain at which it breaks; without it wood and brittle plastics are taken to break at 1.5 times
-        `max_strain`, other sheets to bend (`mechanics.material.section_limits`).
+        Breaking strain of the skin. By default wood and brittle plastics break at 1.5 times `max_strain`, and other
+        sheets do not break (`mechanics.section_limits`).
 
     Raises
     ------
     InputError
-        A number that no sheet can have, or a range that does not hold its number.
+        A value is impossible, or a range does not contain its value.
 
     Examples
     --------
@@ -589,7 +589,7 @@ class Sheet:
             )
 
     def _checked(self, field_name: str, given: Any, unit: str) -> float:
-        """The number, unless it is no positive one; a kerf may be 0."""
+        """Return the number, or refuse it if it is not positive; a kerf may be 0."""
         value = _finite_number(given, f"sheet {self.name!r}: {field_name}")
         if value < 0 or (value == 0 and field_name != "kerf"):
             raise InputError(
@@ -603,7 +603,7 @@ class Sheet:
         return value
 
     def _grain_at(self, degrees: float) -> Grain:
-        """The word for a strip that lies at so many degrees to the grain."""
+        """Return the word for an angle to the grain, degrees."""
         turned: dict[float, Grain] = {0.0: "along", 90.0: "across"}
         if degrees % 180 not in turned:
             raise InputError(
@@ -629,12 +629,12 @@ class Sheet:
 
     @classmethod
     def of(cls, given: "Sheet | str") -> "Sheet":
-        """The sheet given, or the one of that name (see `named`).
+        """Return the sheet, or the sheet of a given name (see `named`).
 
         Raises
         ------
         InputError
-            What is neither.
+            The value is neither a sheet nor a name.
 
         Examples
         --------
@@ -652,19 +652,19 @@ class Sheet:
 
     @classmethod
     def named(cls, name: str, *, folder: Path | None = None) -> "Sheet":
-        """The sheet called `name`, built in or in the user's library, or the one in a file of sheets.
+        """Return the sheet `name`: built-in, from the user's library or from a file.
 
         Parameters
         ----------
         name : str
-            A name that `sheet_names` lists; a file, "my.toml"; or one sheet of a file, "my.toml:NAME".
+            A name of `sheet_names`; a file, "my.toml"; or a sheet of a file, "my.toml:NAME".
         folder : Path, optional
-            Where files are looked for; the working folder unless given.
+            Folder of files; by default the working folder.
 
         Raises
         ------
         InputError
-            Unknown name, of which the nearest ones are offered; or a file that is not as `load_sheets` reads it.
+            The name is unknown (the message lists the nearest names), or `load_sheets` cannot read the file.
         """
         if not isinstance(name, str | PathLike):
             raise InputError(
@@ -718,25 +718,25 @@ class Sheet:
 
     @property
     def published_radius(self) -> float | None:
-        """Least radius published for plywood of this thickness and grain, mm; None for other sheets."""
+        """Published least radius of plywood of this thickness and grain, mm, or None."""
         if self.kind != "plywood" or self.grain == "none":
             return None
         return least_plywood_radius(self.thickness, self.grain)
 
     @property
     def shear_ratio(self) -> float:
-        """G / E: as known, else that of a sheet without grain."""
+        """G / E, by default that of a sheet without grain."""
         G = self.shear_modulus
         return even_shear_ratio(self.poisson_ratio) if G is None else G / self.youngs_modulus
 
     @property
     def elasto_gravity_length(self) -> float:
-        """(E h^2 / (12 rho g))^(1/3), mm (section 5.1): a much shorter strip does not feel its weight."""
+        """(E h^2 / (12 rho g))^(1/3), mm (section 5.1); weight has little effect on a much shorter strip."""
         weight = self.density * 1e-9 * STANDARD_GRAVITY_M_S2  # N/mm3
         return float((self.youngs_modulus * self.thickness**2 / (12 * weight)) ** (1 / 3))
 
     def gravity(self, direction: tuple[float, float] = (0.0, -1.0)) -> Gravity:
-        """Weight of a plain strip of this sheet; `direction` (2,): where things fall in the curve's plane."""
+        """Return the weight of a plain strip of this sheet; `direction` (2,) of gravity in the curve's plane."""
         return Gravity(self.elasto_gravity_length, direction)
 
     @property
@@ -792,7 +792,7 @@ class Sheet:
 
 
 def sheet_names() -> list[str]:
-    """Names of the user's sheets and of the built-in ones; `Sheet.named(name).source` says where numbers come from.
+    """Return the names of the user's and the built-in sheets; see `Sheet.named(name).source` for their sources.
 
     Examples
     --------
@@ -806,11 +806,11 @@ KINDS = {
     "card": "Card and paper", "plywood": "Plywood", "wood": "Solid wood, veneer and bamboo", "plastic": "Plastics",
     "board": "Fibre boards", "metal": "Metals", "composite": "Composites",
 }  # fmt: skip
-"""What the kinds of sheets are called in a list."""
+"""Titles of the kinds of sheets."""
 
 
 def sheets_by_kind() -> dict[str, list[Sheet]]:
-    """All sheets of `sheet_names`, under what their kinds are called."""
+    """Return all sheets of `sheet_names`, by the title of their kind."""
     found: dict[str, list[Sheet]] = {}
     for one in map(Sheet.named, sheet_names()):
         found.setdefault(KINDS.get(one.kind, one.kind.capitalize() or "Other"), []).append(one)
@@ -818,10 +818,10 @@ def sheets_by_kind() -> dict[str, list[Sheet]]:
 
 
 def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
-    """The sheets of the user's library by name, and a sentence for each file or sheet there that cannot be used.
+    """Return the sheets of the user's library by name, and a message for each unusable file or sheet.
 
-    The library is `elastica/sheets` in the user's folder for settings, or what the environment variable
-    `ELASTICA_SHEETS` names: folders of TOML files as `load_sheets` reads them. Names of built-in sheets are theirs.
+    The library is `elastica/sheets` in the user's folder for settings, or the folders in the environment variable
+    `ELASTICA_SHEETS`. They contain TOML files for `load_sheets`. Names of built-in sheets are reserved.
     """
     own: dict[str, Sheet] = {}
     problems: list[str] = []
@@ -845,24 +845,24 @@ def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
 
 
 SUFFIXES = {"mm": "_mm", "MPa": "_MPa", "kg/m3": "_kg_m3"}
-"""Of keys in files, which say their unit."""
+"""Suffixes of keys in files, by unit."""
 
 
 @cache
 def sheet_keys() -> Mapping[str, Field]:
-    """What a table of a sheet may hold: the fields of `Sheet`, by keys that say their unit."""
+    """Return the possible keys of a sheet's table, which are fields of `Sheet` with their unit."""
     known = {one.name + SUFFIXES.get(one.asked.unit, ""): one for one in declared(Sheet)}
     return MappingProxyType(known | {NOMINAL_KEY: known["poisson_ratio"]})
 
 
 @lru_cache(maxsize=64)
 def _library_file(path: Path, *_state: int) -> Mapping[str, Sheet]:
-    """The file as it is in this state; it is asked for often."""
+    """Return the sheets of a file, cached by the state of the file."""
     return load_sheets(path)
 
 
 def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
-    """The only sheet of "my.toml", or the one called NAME of "my.toml:NAME"."""
+    """Return the only sheet of "my.toml", or the sheet NAME of "my.toml:NAME"."""
     stem, sign, wanted = name.partition(".toml:")
     path = (folder or Path()) / (f"{stem}.toml" if sign else name)
     found = load_sheets(path)
@@ -880,17 +880,18 @@ def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
 
 
 def load_sheets(path: str | Path) -> dict[str, Sheet]:
-    """A user's own sheets from a TOML file.
+    """Load sheets from a TOML file.
 
-    The file holds tables ``[sheets.NAME]`` with ``thickness_mm``, ``youngs_modulus_MPa``, ``density_kg_m3``
-    and ``max_strain``, and where known ``kerf_mm``, ``poisson_ratio`` (``nominal_poisson_ratio`` for one to be
-    estimated with only), ``grain``, ``kind``, ``source`` and ranges such as ``youngs_modulus_range_MPa = [8200,
-    10300]``; ``grain`` is a word or 0 or 90 degrees.
+    The file contains tables ``[sheets.NAME]`` with ``thickness_mm``, ``youngs_modulus_MPa``, ``density_kg_m3`` and
+    ``max_strain``. Optional keys are ``kerf_mm``, ``poisson_ratio`` (or ``nominal_poisson_ratio`` for estimates
+    only), ``grain``, ``kind``, ``source`` and ranges such as ``youngs_modulus_range_MPa = [8200, 10300]``.
+    ``grain`` is a word or 0 or 90 degrees.
 
     Raises
     ------
     InputError
-        No such file, not TOML, an unknown key, a missing or impossible value; file, sheet and key are named.
+        The file does not exist or is not TOML, a key is unknown, or a value is missing or impossible. The message
+        names file, sheet and key.
 
     Examples
     --------
@@ -926,14 +927,14 @@ def _sheets(figures: Mapping[str, Mapping[str, Any]], file: str) -> dict[str, Sh
 
 @dataclass(frozen=True)
 class SheetForCurve:
-    """A sheet, and the scale from which on a curve is gentle enough for it.
+    """Sheet, and the least scale of a curve that it withstands.
 
     Attributes
     ----------
     sheet : Sheet
     scale : float
-        Largest strain of a strip in the curve over what the sheet bears for long: at 1 or less it can do the curve
-        as drawn, else from so many times its size on.
+        Largest strain of a strip in the curve over the long-term limit of the sheet. At 1 or less the sheet
+        withstands the curve as drawn, otherwise the curve must be enlarged by this factor.
     """
 
     sheet: Sheet
@@ -941,24 +942,24 @@ class SheetForCurve:
 
     @property
     def fits(self) -> bool:
-        """Can it do the curve at this size?"""
+        """True if the sheet withstands the curve at its size."""
         return self.scale <= 1.0
 
 
 def sheets_for_curve(
     curve: PlaneCurve, natural_curvature: NaturalCurvature = 0.0, sheets: Iterable[Sheet] | None = None
 ) -> tuple[SheetForCurve, ...]:
-    """All known sheets by the scale at which they bear a curve, those with the most to spare first.
+    """Return all known sheets, sorted by the least scale at which they withstand a curve.
 
-    The skin of a sheet of thickness t is strained by |kappa - kappa_0| t / 2.
+    The strain of the skin of a sheet of thickness t is |kappa - kappa_0| t / 2.
 
     Parameters
     ----------
     curve : PlaneCurve
     natural_curvature : float or RestCurvature
-        Of the strip before it is bent, 1/mm.
+        Curvature of the strip before it is bent, 1/mm.
     sheets : iterable of Sheet, optional
-        Those to look at; all that have a name unless given.
+        Sheets to sort; by default all named sheets.
 
     Examples
     --------
@@ -974,7 +975,7 @@ def sheets_for_curve(
 
 
 Color: TypeAlias = tuple[float, float, float]
-"""Red, green and blue in 0..1, as on a screen."""
+"""Red, green and blue in 0..1."""
 
 _COLOR_BY_NAME = {
     "pom": (0.93, 0.93, 0.90),

@@ -26,14 +26,14 @@ LEAST_TORSION = 0.25
 
 @dataclass(frozen=True, eq=False)
 class SidewaysSection:
-    """Sections at equal distances along a strip; stiffnesses are over the rod's B, as its own K is.
+    """Sections at equal distances along a strip; like K, stiffnesses are relative to B of the rod.
 
     Attributes
     ----------
     width, thickness : (n,) array
-        mm; the thickness is that of a plate of as much bending and membrane stiffness.
+        mm; the thickness is that of a plate of equal bending and membrane stiffness.
     edgewise, torsion : (n,) array
-        Stiffness of bending in the sheet's own plane, and of twist.
+        Stiffness of bending in the plane of the sheet, and of twist.
     """
 
     width: FloatArray
@@ -61,26 +61,27 @@ class SidewaysSection:
         thickness: float,
         shear_ratio: float,
     ) -> tuple["SidewaysSection", "SidewaysSection"]:
-        """The least and the most that a strip with holes may have: bounds on its energy.
+        """Return lower and upper bounds of the stiffnesses of a strip with holes, by energy.
 
         Parameters
         ----------
         stiffness, width, material : (n,) array
-            Of bending in the plane; of the outline, and what holes leave of it at every station, mm.
+            Stiffness of bending in the plane of the curve; width of the outline, mm; width less holes, mm; at every
+            station.
         slope : (n,) array
-            Of ligaments against the strip: tan(theta).
+            Slope of ligaments relative to the strip, tan(theta).
         ligaments : int
-            How many equal ones run side by side.
+            Number of equal ligaments side by side.
         shear_ratio : float
             G / E.
 
         Notes
         -----
-        The least by stresses in balance: every ligament, b wide across the strip, carries its share by itself. A
-        torque T turned into a ligament's own directions is twist T cos(theta) and bending T sin(theta), so that G b
-        h^3/3 keeps cos^2 / (cos^2 + 4 G/E sin^2) of itself; edgewise it bends as b^3 h/12. The most by
-        displacements: the whole twists alike, G t h^3/3 with t in all, and bends edgewise as a plane section, at
-        most as if all material lay at the edges, (W^3 - (W - t)^3) h/12.
+        Lower bound, by stresses in balance: every ligament, b wide across the strip, carries its part alone. In the
+        axes of a ligament a torque T is twist T cos(theta) and bending T sin(theta). This reduces G b h^3/3 by the
+        factor cos^2 / (cos^2 + 4 G/E sin^2). Edgewise, each ligament bends as b^3 h/12. Upper bound, by
+        displacements: all ligaments twist alike, G t h^3/3 with the total width t. They bend edgewise as a plane
+        section, at most as if all material were at the edges, (W^3 - (W - t)^3) h/12.
         """
         h = np.full(width.size, thickness)
         cos2 = 1 / (1 + slope**2)
@@ -157,7 +158,7 @@ class SidewaysSection:
 
 
 def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> float:
-    """G / E as given, else that of an isotropic sheet; or an InputError."""
+    """Return G / E, by default that of an isotropic sheet, or refuse it."""
     nu = require_number(poisson_ratio, "poisson_ratio")
     if not -1 < nu < 1:
         raise InputError(
@@ -170,42 +171,44 @@ def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> flo
 
 
 def _held_back(thickness: FloatArray | float, width: FloatArray) -> FloatArray:
-    """Share (n,) of G w h^3/3 that a rectangle has."""
+    """Return the torsional stiffness of rectangles as a fraction (n,) of G w h^3/3."""
     return np.asarray(np.maximum(1 - EDGE_LOSS * thickness / np.maximum(width, 1e-12), LEAST_TORSION))
 
 
 EDGES = 200
-"""Edges of the rod that is examined. The error of the margin falls with their square; here it is below 1e-3."""
+"""Number of edges of the checked rod. The error of the margin falls with its square; here it is below 1e-3."""
 
 RIBBON_NUMBER = 16.0
-"""w^2 kappa / h from which on a section does not keep its shape: bending and twist are coupled, as in a ribbon.
-Then only an ample margin is conclusive; by finite elements ribbons are more stable than the rod."""
+"""Largest w^2 kappa / h of a section that keeps its shape. Above it bending and twist are coupled (a ribbon), and
+only an ample margin is conclusive. By finite elements, ribbons are more stable than the rod."""
 
 MOST_RIBBON_NUMBER = 80.0
 """Largest w^2 kappa / h that was compared with finite elements."""
 
 RIBBON_SLENDERNESS = 6.0
-"""Length over width below which a strip is a plate."""
+"""Least ratio of length to width of a strip; shorter strips are plates."""
 
 _POLE_SHARE = 64 * float(np.finfo(float).eps)  # of the stiffest entry: error of an eigenvalue
-_SIGN_SHARE = 1e-9  # of the way between the two lowest: a margin nearer to one of them is that one
+_SIGN_SHARE = (
+    1e-9  # fraction of the gap between the two lowest eigenvalues: within it the margin is the eigenvalue
+)
 
 
 @dataclass(frozen=True)
 class SidewaysStability:
-    """What `sideways_stability` found.
+    """Result of `sideways_stability`.
 
     Attributes
     ----------
     margin : float
-        Lowest eigenvalue of the second variation under turns out of the plane, over the integral of their square,
-        times length^2 (least bending stiffness 1): positive means stable; of the kind of `Stability.margin`.
+        Lowest eigenvalue of the second variation under rotations out of the plane, over the integral of their
+        square, times length^2 (least bending stiffness 1). Positive means stable, as in `Stability.margin`.
     ribbon_number : float
         Largest w^2 kappa / h along the strip: see `RIBBON_NUMBER`.
     slenderness : float
         Length over the largest width.
     most : float or None
-        The largest that the margin may be, where stiffnesses are known between bounds; `margin` is then the least.
+        Upper bound of the margin if only bounds of the stiffnesses are known; `margin` is then the lower bound.
     """
 
     margin: float
@@ -215,8 +218,7 @@ class SidewaysStability:
 
     @property
     def decided(self) -> bool:
-        """Whether the margin is conclusive: the strip is slender enough for a rod, and its margin is known well
-        enough."""
+        """True if the margin is conclusive: the strip is slender and its stiffness is known well enough."""
         return self._is_rod and not self._between
 
     @property
@@ -227,12 +229,12 @@ class SidewaysStability:
 
     @property
     def _between(self) -> bool:
-        """Whether the sign of the margin is unknown, because the stiffness is known only within bounds."""
+        """True if the sign of the margin is unknown, because only bounds of the stiffness are known."""
         return self.most is not None and self.margin <= 0 < self.most
 
     @property
     def word(self) -> Literal["unstable", "low", "ample", "undecided"]:
-        """The margin in a word."""
+        """Rating of the margin in a word."""
         if not self.decided:
             return "undecided"
         if self.margin <= 0:
@@ -241,11 +243,11 @@ class SidewaysStability:
 
     @property
     def needs_guiding(self) -> bool:
-        """Whether it tips sideways, or may do so when pushed."""
+        """True if the strip tips sideways, or may do so if pushed."""
         return self.word in ("unstable", "low")
 
     def __str__(self) -> str:
-        """One sentence; the margin where it warns."""
+        """Return a sentence, with the margin if it is a warning."""
         return note(
             "sideways margin {margin:.3g} ({word}): {meaning}" if self.needs_guiding else "sideways {word}: "
             "{meaning}",
@@ -254,7 +256,7 @@ class SidewaysStability:
 
     @property
     def meaning(self) -> str:
-        """What the margin means for a maker, in a sentence."""
+        """Practical meaning of the margin, in a sentence."""
         if self._is_rod and self._between:
             return "its holes leave open whether it tips over sideways: guide it at the sides, or try it out"
         return {
@@ -274,28 +276,28 @@ def sideways_stability(
     poisson_ratio: float = 0.3,
     shear_ratio: float | None = None,
 ) -> SidewaysStability:
-    """Is the rest shape of a rectangular strip stable against leaving its plane? O(n).
+    """Check the stability of a rectangular strip against tipping out of its plane; O(n).
 
-    Its ends are held in space where the plane's supports hold anything: clamps, hinges and sliders all keep the
-    tab from twisting and from moving sideways; an end without any support is free. Gravity acts in the plane.
+    Any support in the plane also holds the end in space: clamps, hinges and sliders prevent twist and sideways
+    displacement. An end without support is free. Gravity acts in the plane.
 
     Parameters
     ----------
     rod : Rod
-        In balance; its stiffness is that of bending in the plane, what a plate has more than a beam left out.
+        Rod in balance; its stiffness is that of bending in the plane, without the additional stiffness of a plate.
     width : Profile, number or (n,) array
-        Of the strip along the rod, mm; values at equal distances.
+        Width of the strip along the rod, mm; values at equal distances.
     thickness : Profile, number or (n,) array
-        The same of its thickness.
+        Thickness of the strip along the rod, mm; values at equal distances.
     poisson_ratio : float
-        nu; an isotropic sheet's G / E = 1 / (2 (1 + nu)).
+        nu; G / E = 1 / (2 (1 + nu)) for an isotropic sheet.
     shear_ratio : float, optional
-        G / E of a sheet with grain, as `Sheet.shear_ratio` has it.
+        G / E of a sheet with grain, as in `Sheet.shear_ratio`.
 
     Raises
     ------
     InputError
-        Widths or thickness that are not positive, or no rod.
+        A width or thickness is not positive, or the argument is not a rod.
 
     Notes
     -----
@@ -333,7 +335,7 @@ def sideways_stability_of(
 ) -> SidewaysStability:
     """Return the stability of a strip against tipping, for any section given at `stations_of_sideways`.
 
-    Where the section is only known to lie between two, `most` is the other one.
+    If only bounds of the section are known, `section` is the lower bound and `most` the upper bound.
 
     Examples
     --------
@@ -349,7 +351,7 @@ def sideways_stability_of(
     bend = np.abs(np.interp(s, rod.s, rod.curvature - rod.natural_curvature))
     return SidewaysStability(
         margin=sideways_margin(rod, section.edgewise, section.torsion),
-        # a section as thick as wide keeps its shape
+        # a section that is as thick as wide keeps its shape
         ribbon_number=float(np.where(w > section.thickness, w**2 * bend / section.thickness, 0.0).max()),
         slenderness=float(rod.length / w.max()),
         most=None if most is None else sideways_margin(rod, most.edgewise, most.torsion),
@@ -362,7 +364,7 @@ def stations_of_sideways(rod: Rod) -> FloatArray:
 
 
 def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> float:
-    """The margin for edgewise bending and torsional stiffnesses (n,), over the least bending one, equally spaced.
+    """Return the margin for uniformly spaced stiffnesses (n,), relative to the least bending stiffness.
 
     Examples
     --------
@@ -430,16 +432,16 @@ def _band(
     links = -spring[1:-1] - moment[1:-1, None, None] / 2 * turn
     lower = np.zeros((4, 2 * n))
     lower[0, 0::2], lower[0, 1::2], lower[1, 0::2] = blocks[:, 0, 0], blocks[:, 1, 1], blocks[:, 1, 0]
-    # links[i] is (row of edge i, column of edge i + 1): its transpose lies below the diagonal
+    # links[i] is (row of edge i, column of edge i + 1); its transpose is below the diagonal
     lower[2, 0 : 2 * n - 2 : 2], lower[3, 0 : 2 * n - 2 : 2] = links[:, 0, 0], links[:, 0, 1]
     lower[1, 1 : 2 * n - 2 : 2], lower[2, 1 : 2 * n - 2 : 2] = links[:, 1, 0], links[:, 1, 1]
     return lower
 
 
 def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
-    """The lowest eigenvalue of the band matrix A where <row, v> = 0.
+    """Return the lowest eigenvalue of the band matrix A subject to <row, v> = 0.
 
-    It lies between the two lowest ones of A, where <row, (A - mu)^-1 row> vanishes.
+    It is between the two lowest eigenvalues of A, where <row, (A - mu)^-1 row> vanishes.
     """
     if not np.all(np.isfinite(lower)):
         raise NotConvergedError("no lower bound of the rod's second variation: its entries are not finite")

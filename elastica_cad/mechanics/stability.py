@@ -29,10 +29,10 @@ class Determinant:
     s : (n+1,) array
         Midpoints of the edges and the end of the rod, mm from the start.
     value : (n+1,) array
-        Z(s); its sign changes are the conjugate points, but for the rounding noise near s = 0, where Z has
-        a zero of high order.
+        Z(s). Its sign changes are the conjugate points, except for rounding noise near s = 0, where Z has a zero of
+        high order.
     fields : (n+2, 1+p) array
-        zeta, eta_1, .. eta_p of the Jacobi equation on the edges and the two fictitious ones.
+        zeta, eta_1, .. eta_p of the Jacobi equation on the edges and the two fictitious edges.
     integrals : (n, p, 1+p) array
         M_i and N_ij up to the end of each edge.
     """
@@ -54,15 +54,15 @@ class Determinant:
 
 
 def stability_determinant(rod: DiscreteRod) -> Determinant:
-    """The curve Z(s) by the discrete Jacobi recursion of section 7.1, started from the start of the rod.
+    """Return the curve Z(s) by the discrete Jacobi recursion of section 7.1, from the start of the rod.
 
-    Where the start leaves the angle free, zeta starts with slope zero; a coordinate that is not held at both
-    ends drops its rows.
+    If the angle is free at the start, zeta starts with slope zero. Rows of a coordinate that is not held at both
+    ends are left out.
 
     Raises
     ------
     InputError
-        When the rod is pulled so hard that the recursion overflows.
+        The tension is so large that the recursion overflows.
 
     Examples
     --------
@@ -90,12 +90,12 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
 def determinant_gradient(
     rod: DiscreteRod, *, weights: FloatArray, moments: FloatArray, load_slope: FloatArray | None = None
 ) -> FloatArray:
-    """Derivative of sum_i weights_i Z(s_i) with respect to the nodal K, by the adjoint method (App. B).
+    """Return the derivative of sum_i weights_i Z(s_i) by the nodal K, by the adjoint method (App. B).
 
-    The rod stays in equilibrium while K changes: its ends are held, its angles and forces follow. With
-    weights that form a bump around a conjugate point sigma (or interpolate Z there) this is dZ/dK at sigma
-    up to a positive factor, and moving along it moves sigma towards the end of the rod. It is of rods that follow
-    Hooke's law: where stiffness follows the bend it leaves out that dM/dkappa changes as the shape does.
+    The rod stays in equilibrium while K changes: its ends are held, and its angles and forces change. If the
+    weights form a bump around a conjugate point sigma (or interpolate Z there), the result is dZ/dK at sigma up to
+    a positive factor. A step along it moves sigma towards the end of the rod. The result is exact for Hooke's law.
+    If the stiffness depends on the bend, the change of dM/dkappa with the shape is neglected.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def determinant_gradient(
     moments : (n+1,) array
         M at the nodes, 1/mm.
     load_slope : (n+1, 2) array, optional
-        Derivative of each node's weight with respect to its K, 1/mm2 (weight ~ K: load / K).
+        Derivative of the weight of each node by its K, 1/mm2 (load / K if the weight is proportional to K).
 
     Returns
     -------
@@ -153,16 +153,16 @@ def determinant_gradient(
 
 
 def conjugate_point(rod: DiscreteRod) -> float | None:
-    """First isoperimetric conjugate point from the start of the rod, mm; None when there is none in (0, l].
+    """Return the first isoperimetric conjugate point from the start of the rod, mm, or None.
 
-    The shortest piece [0, s] of the rod, clamped at s, on which the second variation is not positive:
-    found by bisection on the inertia of the leading pieces, so that the zero of high order that Z has at s
-    = 0 cannot be counted.
+    It is the shortest piece [0, s] of the rod, 0 < s <= l, clamped at s, on which the second variation is not
+    positive. It is found by bisection on the inertia of the leading pieces, which excludes the zero of high order
+    of Z at s = 0.
 
     Raises
     ------
     InputError
-        When the end of the rod leaves the angle free; start from the other end then.
+        The angle is free at the end of the rod; use the reversed rod.
     """
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     if not rod.held_angles[1]:
@@ -272,36 +272,36 @@ def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
     return per_load
 
 
-SAFE_MARGIN = 5.0  # bears the inaccuracies of cutting and mounting; 0 is the border of stability
-OUT_OF_BALANCE = 0.05  # share of the moments: what is further from balance is no rest shape, stable or not
+SAFE_MARGIN = 5.0  # large enough for inaccuracies of cutting and mounting; 0 is the limit of stability
+OUT_OF_BALANCE = 0.05  # largest imbalance of a rest shape as a fraction of the moments
 
 
 @dataclass(frozen=True, eq=False)
 class Stability:
-    """What `stability` found.
+    """Result of `stability`.
 
     Attributes
     ----------
     stable : bool
-        True when every small disturbance that the supports allow costs energy.
+        True if every small disturbance that the supports allow increases the energy.
     margin : float
         Lowest eigenvalue of h -> int K h'^2 - <lambda, gamma'> h^2 against int h^2 on the tangent space of
-        the end constraints, times length^2, K being dM/dkappa; positive means stable, and it is comparable between
-        rods.
+        the end constraints, times length^2, with dM/dkappa as K. Positive means stable; margins of different rods
+        are comparable.
     mode : (n,) array
-        The turning angles of that mode at the nodes, largest 1: the way in which the rod gives first.
+        Turning angles of the lowest mode at the nodes, largest 1: the displacement in which the rod buckles first.
     negative : int
         Number of unstable modes.
     conjugate_point : float or None
-        The first isoperimetric conjugate point, mm of arc length from the start of the rod; None when
-        there is none (the rod is stable) or when both ends leave the angle free, where it is not defined.
+        First isoperimetric conjugate point, mm of arc length from the start of the rod. None if the rod is stable,
+        or if the angle is free at both ends, where the point is not defined.
     started_from : {"start", "end"} or None
-        The end from which the conjugate point is counted. Counted from the other one it lies elsewhere.
+        End from which the conjugate point is determined; from the other end it is at a different place.
     determinant_s, determinant : (n,) arrays
-        The curve Z(s) of Fig. 9 in arc length from the start, mm; empty where it is not defined. Next to
-        `started_from` it has a zero of high order.
+        Curve Z(s) of Fig. 9 in arc length from the start, mm; empty if not defined. Z has a zero of high order at
+        `started_from`.
     borderline : bool
-        True when the margin is smaller than its own rounding error; then `stable` is False.
+        True if the margin is smaller than its rounding error; `stable` is then False.
     """
 
     stable: bool
@@ -330,7 +330,7 @@ class Stability:
 
     @property
     def meaning(self) -> str:
-        """What the margin means for a maker, in a sentence."""
+        """Practical meaning of the margin, in a sentence."""
         return {
             "unstable": "in balance but it will not stay: it snaps into another shape",
             "low": "it stays, but a push, a loose clamp or a cut that is off may make it snap",
@@ -339,13 +339,13 @@ class Stability:
 
 
 def stability(rod: Rod) -> Stability:
-    """Is the rest shape stable, with its weight and its supports? O(n).
+    """Check the stability of a rest shape with its weight and supports; O(n).
 
-    Two independent routes must agree: the inertia of the second variation bordered by the end constraints
-    (LDL^t), and the lowest eigenvalue on their tangent space (inverse iteration). The stability determinant of the
-    Jacobi equation (paper, section 6.2) comes with them; it holds with weight too, since weight enters only through
-    the force. All of them feel dM/dkappa (`Rod.tangent_stiffness`), which is up to a tenth more than M / kappa in a
-    wide strip (`section`) that stiffens as it is bent.
+    Two independent methods must agree: the inertia of the second variation bordered by the end constraints (LDL^t),
+    and the lowest eigenvalue on their tangent space (inverse iteration). The result also has the stability
+    determinant of the Jacobi equation (paper, section 6.2). The determinant holds with weight too, because weight
+    enters only through the force. All methods use dM/dkappa (`Rod.tangent_stiffness`). In a wide strip (`section`)
+    that stiffens as it is bent, it is up to a tenth more than M / kappa.
 
     Parameters
     ----------
@@ -359,9 +359,9 @@ def stability(rod: Rod) -> Stability:
     Raises
     ------
     InputError
-        When the rod is far from balance: bend it first.
+        The rod is far from balance; call `bend` first.
     NotConvergedError
-        When the routes disagree.
+        The two methods disagree.
 
     Examples
     --------

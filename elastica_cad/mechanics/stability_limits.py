@@ -1,4 +1,4 @@
-"""How far can a rest shape be pushed before it snaps or buckles?"""
+"""Limits of stability: the displacement or load at which a rest shape snaps or buckles."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -20,33 +20,32 @@ from elastica_cad.refusals import Point
 PathStep: TypeAlias = "float | ArrayLike | Mapping[str, Any]"
 Path: TypeAlias = "Callable[[float], PathStep] | ArrayLike | Sequence[Mapping[str, Any]]"
 
-LARGEST_TURN_RAD = 0.3  # of an edge in one step along the path
-FIRST_STEPS = 16  # steps a leg of the path is tried in at first
+LARGEST_TURN_RAD = 0.3  # largest turn of an edge in a step along the path
+FIRST_STEPS = 16  # initial number of steps for each leg of the path
 RESOLUTION_SHARE = 1e-9  # of the path
-PUSH_RAD = 0.02  # along the critical mode, to see where the rod comes to rest
+PUSH_RAD = 0.02  # push along the critical mode, after which the rod comes to rest
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class StabilityLimit:
-    """The place on a path of end positions or loads at which a stable rod becomes unstable.
+    """Place on a path of end positions or loads at which a stable rod becomes unstable.
 
     Attributes
     ----------
     parameter : float or None
-        Place on the path at which stability is lost: t of a function, otherwise the number of steps done
-        (2.25 is a quarter of the way from the second step to the third; 0 is the rod as given). None:
-        stable all along.
+        Place on the path at which stability is lost: t of a function, otherwise the number of completed steps (2.25
+        is a quarter of the third step; 0 is the initial rod). None if the rod is stable along the whole path.
     at : dict
-        What was asked there, as in the path: keywords of `bend`, {"end": ...} or {"load": factor}.
+        Entry of the path at this place: keywords of `bend`, {"end": ...} or {"load": factor}.
     kind : {"snap", "bifurcation"} or None
-        "snap": the branch of equilibria turns back, the rod jumps. "bifurcation": the shape goes on to exist,
-        but the rod gives way sideways from it.
+        "snap": the branch of equilibria turns back, and the rod jumps. "bifurcation": the shape remains an
+        equilibrium, but the rod buckles away from it.
     before : Rod
-        The last stable shape (at the end of the path when `parameter` is None).
+        Last stable shape (at the end of the path if `parameter` is None).
     after : Rod or None
-        The stable shape in which the rod comes to rest just beyond; None when none was found.
+        Stable shape in which the rod comes to rest just beyond the limit, or None if no such shape was found.
     parameters, margins : (k,) arrays
-        The stable states visited.
+        Path parameters and margins of the computed stable states.
     """
 
     parameter: float | None
@@ -72,23 +71,22 @@ class StabilityLimit:
 
 
 def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> StabilityLimit:
-    """The end displacement or load factor that makes a stable rod unstable.
+    """Return the end displacement or load factor at which a stable rod becomes unstable.
 
-    The branch of equilibria is followed from the rod's present shape in adaptive steps, and the place
-    where the lowest eigenvalue (the margin of `stability`) comes to zero is bisected. A wide strip (`section`) is
-    as stiff at every step as its bend makes it.
+    The branch of equilibria is followed from the present shape in adaptive steps. The place where the lowest
+    eigenvalue (the margin of `stability`) becomes zero is bisected. The stiffness of a wide strip (`section`) is
+    updated at every step.
 
     Parameters
     ----------
     rod : Rod
-        In equilibrium and stable; a straight rod may be pushed together.
+        Stable rod in equilibrium; a straight rod may be compressed.
     path : function or sequence
-        What happens to the rod: positions of its end (k, 2), mm; load factors (k,), which multiply the
-        weight, dead forces and moments that it carries; or mappings with keywords of `bend`. In a sequence
-        the rod is led from its present state from entry to entry in straight lines; a function of t in [0,
-        1] gives one such entry.
+        Positions of the end (k, 2), mm; load factors (k,), which multiply weight, dead forces and moments; or
+        mappings with keywords of `bend`. From the present state, a sequence is interpolated linearly from entry to
+        entry. A function of t in [0, 1] returns such an entry.
     side : {+1, -1}, optional
-        To which side a straight rod is pushed out of its line (see `bend`).
+        Side to which a straight rod is bent (see `bend`).
 
     Returns
     -------
@@ -97,7 +95,7 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     Raises
     ------
     InputError
-        The rod is unstable from the start, or the path is no path.
+        The rod is unstable at the start, or the path is invalid.
     NotConvergedError
         The start of the path is not reached.
 
@@ -236,9 +234,9 @@ Visit: TypeAlias = tuple[float, RodState, Margin]
 
 
 def _bisected(course: Course, low: Visit, high: float) -> tuple[Visit, bool]:
-    """The last stable state before a change of sign of the margin, and whether the margin goes to zero there.
+    """Return the last stable state before the margin changes sign, and True if the margin vanishes there.
 
-    Next to a fold a step may land on the unstable branch beside; then the margin jumps instead.
+    Near a fold a step may reach the adjacent unstable branch, where the margin jumps instead.
     """
     start = low[2].value
     while high - low[0] > RESOLUTION_SHARE * course.end:
@@ -252,7 +250,7 @@ def _bisected(course: Course, low: Visit, high: float) -> tuple[Visit, bool]:
 
 
 def _lost(course: Course, t: float, state: RodState, visited: list[tuple[float, float]]) -> StabilityLimit:
-    """Record of the loss of stability near path parameter t."""
+    """Return the record of the loss of stability near path parameter t."""
     kind = _kind(course, t, state)
     beyond = min(t + 1e-4 * course.end, course.end)
     mode = state.discrete.margin.mode
@@ -264,10 +262,10 @@ def _lost(course: Course, t: float, state: RodState, visited: list[tuple[float, 
 
 
 def _kind(course: Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:
-    """At a fold the load works on the critical mode; at a bifurcation it does not.
+    """Return the kind of instability: at a fold the load does work on the critical mode, else it does not.
 
-    The work is compared with the size of what the rod would do without its axial force: the turn of an end is a
-    large imbalance of one edge, which grows with the number of edges, but a smooth response.
+    The work is compared with the response of the rod without its axial force. The turn of an end is a large
+    imbalance of a single edge, which grows with the number of edges, but its response is smooth.
     """
     margin, rod, norm = state.discrete.margin, state.discrete, np.linalg.norm
     a, b = course.around(t)

@@ -1,4 +1,4 @@
-"""What stiffness is made of: laws of sections, tapered and of glued leaves."""
+"""Stiffness laws of sections: tapered strips and glued plies."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -24,12 +24,12 @@ class FixedLaw:
 
     @property
     def follows_bend(self) -> bool:
-        """No: bending does not change it."""
+        """False: bending does not change the section."""
         return False
 
     @property
     def stack(self) -> "LaidLeaves | None":
-        """Always None: the section is of one piece, or of leaves that are not laid yet."""
+        """Always None: the section is a single piece, or its plies have no places yet."""
         return None
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> Self:  # noqa: ARG002 - see `follows_bend`
@@ -42,7 +42,7 @@ class FixedLaw:
 
 @dataclass(frozen=True)
 class _PowerLaw(FixedLaw):
-    """E I = E `inertia` p^`power` and area = `area` p^(`power` - 2): sections of one parameter p, mm.
+    """Sections of a parameter p, mm: E I = E `inertia` p^`power` and area = `area` p^(`power` - 2).
 
     Attributes
     ----------
@@ -111,7 +111,7 @@ class _PowerLaw(FixedLaw):
 
 @dataclass(frozen=True)
 class ThicknessLaw(_PowerLaw):
-    """A strip of one width, tapered in thickness t: E I = E w t^3 / 12, weight ~ t.
+    """Strip of constant width, tapered in thickness t: E I = E w t^3 / 12, weight ~ t.
 
     Parameters
     ----------
@@ -187,20 +187,21 @@ class RoundLaw(_PowerLaw):
 
 @dataclass(frozen=True)
 class LeavesLaw(FixedLaw):
-    """`fewest` to `leaves` leaves of a sheet, glued to one section: E I = E w (k h)^3 / 12 for k of them.
+    """Stack of `fewest` to `leaves` glued plies of a sheet: E I = E w (k h)^3 / 12 for k plies.
 
-    Stiffness goes in steps, so a stack only comes near a curve: `nearest_rod` takes this law, `optimal_rod` none.
+    The stiffness has steps, so a stack only approximates a curve. Use the law with `nearest_rod`, not
+    `optimal_rod`.
 
     Parameters
     ----------
     sheet : Sheet
-        Of a leaf: its thickness h counts. The glue has none.
+        Sheet of a ply, with its thickness h; the thickness of the glue is neglected.
     leaves : int
-        Of the whole stack, at most.
+        Largest number of plies in the stack.
     width : float
         mm.
     fewest : int
-        Leaves that go all the way.
+        Number of plies over the full length.
 
     Examples
     --------
@@ -221,7 +222,7 @@ class LeavesLaw(FixedLaw):
             raise InputError(f"leaves is {self.leaves!r}: give a whole number from 2 to {MOST_LEAVES}")
         if not is_whole(self.fewest) or not 1 <= self.fewest <= self.leaves:
             raise InputError(f"fewest is {self.fewest!r}: give a whole number of leaves, 1 to {self.leaves}")
-        _ = self.relaxed  # which refuses a width that is none
+        _ = self.relaxed  # refuses an invalid width
 
     @property
     def quantity(self) -> str:
@@ -230,46 +231,46 @@ class LeavesLaw(FixedLaw):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Fewest and most leaves."""
+        """Least and largest number of plies."""
         return float(self.fewest), float(self.leaves)
 
     @cached_property
     def relaxed(self) -> ThicknessLaw:
-        """The law of the same stack with any thickness between that of the fewest leaves and that of all."""
+        """Law of the same stack with a continuous thickness, from `fewest` plies to all plies."""
         h = self.sheet.thickness
         return ThicknessLaw(self.sheet, self.fewest * h, self.leaves * h, width=self.width)
 
     def bending_stiffness(self, count: ArrayLike) -> FloatArray:
-        """E I (n,), N mm2, of `count` (n,) leaves."""
+        """Return E I (n,), N mm2, of `count` (n,) plies."""
         return self.relaxed.bending_stiffness(self.thickness(count))
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Number of leaves (n,), not rounded, that gives E I (n,), N mm2."""
+        """Return the number of plies (n,), not rounded, for E I (n,), N mm2."""
         return self.relaxed.parameter(bending_stiffness) / self.sheet.thickness
 
     def weight_per_length(self, count: ArrayLike) -> FloatArray:
-        """N/mm (n,) of `count` (n,) leaves."""
+        """Return the weights, N/mm (n,), of `count` (n,) plies."""
         return self.relaxed.weight_per_length(self.thickness(count))
 
     def strains(
         self, curvature: ArrayLike, count: ArrayLike, *, natural_curvature: float = 0.0
     ) -> tuple[LayerStrain, ...]:
-        """Strain of the outermost fibre: glued leaves bend as one section."""
+        """Return the strain of the outermost fibre; glued plies bend as a single section."""
         return self.relaxed.strains(curvature, self.thickness(count), natural_curvature=natural_curvature)
 
     def thickness(self, count: ArrayLike) -> FloatArray:
-        """Return the thickness (n,), mm, of `count` (n,) leaves."""
+        """Return the thickness (n,), mm, of `count` (n,) plies."""
         return np.asarray(self.sheet.thickness * numbers(count, "the count of leaves"))
 
     def laid(self, leaves: Sequence["Leaf"]) -> "LaidLeaves":
-        """The section of leaves that lie where they were laid."""
+        """Return the section of plies at fixed places."""
         thick = self.relaxed
         return LaidLeaves(self.sheet, thick.least, thick.largest, width=self.width, leaves=tuple(leaves))
 
 
 @dataclass(frozen=True)
 class Leaf:
-    """One leaf, or a piece of one: the `number`th from the through one (1), from `start` to `end`, mm."""
+    """Ply or piece of a ply, from `start` to `end`, mm; `number` counts from the full-length ply (1)."""
 
     number: int
     start: float
@@ -277,32 +278,32 @@ class Leaf:
 
     @property
     def length(self) -> float:
-        """Length of the leaf, mm."""
+        """Length of the ply, mm."""
         return self.end - self.start
 
 
 @dataclass(frozen=True)
 class LaidLeaves(ThicknessLaw):
-    """A stack of glued leaves that lie where they were laid: its thickness goes in steps.
+    """Stack of glued plies at fixed places; its thickness has steps.
 
     Parameters
     ----------
     sheet, least, largest, width
-        As of `ThicknessLaw`; the sheet is that of a leaf.
+        As in `ThicknessLaw`; the sheet is that of a ply.
     leaves : tuple of Leaf
-        Those that go all the way first, the others in the order of their numbers.
+        Plies over the full length first, then the other plies in the order of their numbers.
     """
 
     leaves: tuple[Leaf, ...] = ()
 
     @property
     def stack(self) -> "LaidLeaves":
-        """Itself."""
+        """The law itself."""
         return self
 
     @property
     def names(self) -> tuple[str, ...]:
-        """One a leaf: its number, and a letter where it is in pieces."""
+        """Names of the plies: number, and a letter if the ply is in pieces."""
         numbers = [leaf.number for leaf in self.leaves]
         seen: dict[int, int] = {}
         found = []
@@ -313,13 +314,13 @@ class LaidLeaves(ThicknessLaw):
 
     @property
     def steps(self) -> FloatArray:
-        """Arc lengths (m,), mm, at which leaves begin or end."""
+        """Arc lengths (m,), mm, at which plies begin or end."""
         length = max(leaf.end for leaf in self.leaves)
         places = {s for leaf in self.leaves for s in (leaf.start, leaf.end) if 0 < s < length}
         return np.array(sorted(places))
 
     def counts(self, s: ArrayLike) -> FloatArray:
-        """Number of leaves (n,) at arc lengths (n,), mm."""
+        """Return the number of plies (n,) at arc lengths (n,), mm."""
         length = max(leaf.end for leaf in self.leaves)
         inside = np.minimum(np.asarray(s, dtype=float), np.nextafter(length, 0.0))
         lie = [(leaf.start <= inside) & (inside < leaf.end) for leaf in self.leaves]
@@ -330,14 +331,14 @@ SAME_SCALE = 1e-4
 """Relative difference of bending stiffnesses that is within the accuracy of an optimal rod."""
 
 BETWEEN_NODES = 1e-3
-"""Largest relative amount by which the stiffness may exceed a limit between the nodes at which it was imposed."""
+"""Largest relative excess of the stiffness over a limit between the nodes at which the limit is imposed."""
 
 
 class StiffnessLaw(Protocol):
-    """A cross-section with one parameter, mm, that varies along the strip and decides its bending stiffness.
+    """Cross-section with a parameter, mm, that varies along the strip and determines its bending stiffness.
 
-    The parameter is a width at fixed thickness, a thickness at fixed width or a diameter. What else is given along
-    the strip, as the base of a laminate is, belongs to the law, station by station.
+    The parameter is a width at fixed thickness, a thickness at fixed width or a diameter. Other properties along
+    the strip, such as the base of a laminate, belong to the law, station by station.
     """
 
     def bending_stiffness(self, parameter: ArrayLike, /) -> FloatArray:
@@ -368,35 +369,34 @@ class BoundedLaw(StiffnessLaw, Protocol):
 
     @property
     def follows_bend(self) -> bool:
-        """Whether the stiffness depends on how sharply the section is bent. Its scale is then known only with
-        the bend."""
+        """True if the stiffness depends on the curvature; its scale is then known only with the bend."""
 
     @property
     def stack(self) -> LaidLeaves | None:
-        """The glued leaves that it is, as they lie; None for one piece."""
+        """Stack of glued plies with their places, or None for a single piece."""
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0, /) -> "BoundedLaw":
-        """The law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0, 1/mm.
+        """Return the law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0, 1/mm.
 
-        Itself where bending does not change it.
+        The result is the law itself if bending does not change it.
         """
 
     def curl(self, parameter: FloatArray, /) -> "BendFactor | None":
-        """Dependence of the stiffness of parameters (n,), mm, on the bend; None where there is none."""
+        """Return the effect of bending on the stiffness of parameters (n,), mm, or None without an effect."""
 
 
 class BendFactor(Protocol):
-    """Factors (n,) on the stiffness of the stations of a strip, by the curvature that each is bent to."""
+    """Factors (n,) on the stiffness of the stations of a strip as a function of their curvature."""
 
     def __call__(self, curvature: FloatArray, /) -> FloatArray:
-        """The factor of the stations (..., n) at their curvatures (..., n), 1/mm."""
+        """Return the factors of the stations (..., n) at their curvatures (..., n), 1/mm."""
 
     def resampled(self, s: FloatArray, at: FloatArray, /) -> Self:
         """Return the factors at stations (m,), mm, from those at `s` (n,)."""
 
 
 def at_stations(values: float | FloatArray, s: FloatArray, at: FloatArray) -> float | FloatArray:
-    """Values (..., n) at arc lengths `s` (n,), mm, at others (m,); one number is the same everywhere.
+    """Interpolate values (..., n) from arc lengths `s` (n,), mm, to `at` (m,); a number is constant.
 
     Examples
     --------
@@ -412,15 +412,15 @@ def at_stations(values: float | FloatArray, s: FloatArray, at: FloatArray) -> fl
 def scale_within(
     law: BoundedLaw, stiffness: FloatArray, *, solved: float | None = None, heavy: bool = False
 ) -> float:
-    """The B, N mm2, of a rod of nodal K (n,): that with which its largest, or else its least, section is the limit.
+    """Return the B, N mm2, for which the largest (or else the least) section of a rod of nodal K (n,) is the limit.
 
     Parameters
     ----------
     law : BoundedLaw
-        At the stations, bent as they are.
+        Law at the stations, in their bent state.
     solved : float, optional
-        What the rod's own balance says. A heavy rod is in balance under the weight of its sizes; a light one may
-        be as large as its limits let it, as the strain it was found within lets its thickness.
+        B of the balance of the rod. A rod with weight is in balance under the weight of its sizes, so its B is
+        kept. The sizes of a weightless rod may reach their limits, which include the limit of strain.
     """
     least, largest = law.limits
     limited = bool(np.isfinite(largest))
@@ -429,7 +429,7 @@ def scale_within(
     if solved is None:
         return B
     bounded = solved < B
-    # a search keeps its largest size at nodes; what lies between them may be a little larger
+    # a search limits the size at nodes; it may be slightly larger between nodes
     over = limited and B < solved < B * (1 + BETWEEN_NODES)
     kept = (heavy and not over) or bounded or abs(B / solved - 1) < SAME_SCALE
     return solved if kept else B

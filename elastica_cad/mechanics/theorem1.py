@@ -25,7 +25,7 @@ from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sent
 
 @dataclass(frozen=True)
 class InflectionLine:
-    """A line, zero of a + <b, x>, with |b| = 1.
+    """Line of zeros of a + <b, x>, with |b| = 1.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class InflectionLine:
 
 @dataclass(frozen=True)
 class FittedVerdict:
-    """Verdict on one curve that was fitted to points.
+    """Verdict on a curve that was fitted to points.
 
     Attributes
     ----------
@@ -85,14 +85,14 @@ class FittedVerdict:
 
 @dataclass(frozen=True)
 class Undecided:
-    """Two curves that follow the same points and have different verdicts; `str()` of it is a message.
+    """Two curves through the same points with different verdicts; `str()` returns a message.
 
     Attributes
     ----------
     resolution : float
-        Distance by which the number of decimals may move a point, mm.
+        Rounding error of a point by its number of decimals, mm.
     fit, other : FittedVerdict
-        The curve of the check, and another one.
+        Verdicts on the curve of the check and on another curve.
     """
 
     resolution: float
@@ -120,44 +120,45 @@ def _two_digits(mm: float) -> Length:
 
 @dataclass(frozen=True, eq=False)
 class EquilibriumCheck:
-    """Verdict of Theorem 1 on a curve; `str()` of it is advice to a designer.
+    """Verdict of Theorem 1 on a curve; `str()` returns advice to a designer.
 
     Attributes
     ----------
     realizable : bool
-        Can a flat strip take this curve?
+        True if a flat strip can take this curve.
     reasons : tuple of str
         Why not; empty when realizable.
     warnings : tuple of str
-        What the designer should know all the same.
+        Warnings to the designer.
     length : float
         mm.
     any_stiffness : bool
-        The curve is straight (or has the natural curvature throughout): every stiffness will do.
+        True if the curve is straight (or has the natural curvature throughout), so that any stiffness is
+        admissible.
     inflections : tuple of float
         Arc lengths, mm, where kappa - kappa_0 changes sign.
     line : InflectionLine or None
-        The inflection line; for a single inflection the middle one of those that will do; None where none is
-        needed.
+        Inflection line; for a single inflection, the middle of the admissible lines; None if no line is needed.
     off_line : tuple of (float, float)
-        Arc length of every point that the line must pass, and its distance from it, mm.
+        Arc length of every point that the line must pass, and its distance from the line, mm.
     crossings, touches : tuple of float
-        Arc lengths, mm, where the line crosses or touches the curve and must not.
+        Arc lengths, mm, of inadmissible crossings and contacts of line and curve.
     curvature_touches, jumps : tuple of float
-        Arc lengths, mm, where kappa - kappa_0 touches zero without changing sign or changes it too gently,
-        and where its sign changes by a jump.
+        Arc lengths, mm, where kappa - kappa_0 touches zero without changing sign or with too small a slope, and
+        where its sign changes by a jump.
     flats : tuple of (float, float)
-        Straight pieces from, to, mm.
+        Start and end of straight pieces, mm.
     moved : float
-        Largest move, mm, of the curve by which its inflections were brought onto one line.
+        Largest displacement, mm, of the curve when its inflections were moved onto a line.
     curve : PlaneCurve
-        The curve of this check: the drawn one, or the moved one.
+        Curve of this check: drawn or moved.
     zeros : tuple of CurvatureZero
         All zeros of kappa - kappa_0 of `curve` at which the moment must vanish.
     bent_beforehand : bool
-        Is the strip anything but flat before it is bent?
+        True if the strip is not flat before it is bent.
     undecided : Undecided or None
-        Another verdict on another curve that follows the points as well, of a curve that was fitted to points.
+        For a curve that was fitted to points: a different verdict on another curve that fits the points equally
+        well.
     """
 
     realizable: bool
@@ -190,12 +191,12 @@ class EquilibriumCheck:
 
     @property
     def cautions(self) -> tuple[str, ...]:
-        """The warnings for a strip that is made, after the message that points leave the verdict undecided."""
+        """Warnings for a finished strip, after the message that the points leave the verdict undecided."""
         return self.warnings if self.undecided is None else (str(self.undecided), *self.warnings)
 
     @property
     def told_of_points(self) -> tuple[str, ...]:
-        """Of a curve that was fitted to points that waver: the one that stands out, or how far they do."""
+        """Message about the outlier or the noise of the points to which the curve was fitted."""
         points = measured_points(self.curve)
         if points is None:
             return ()
@@ -203,7 +204,7 @@ class EquilibriumCheck:
 
     @property
     def verdict(self) -> str:
-        """Can a strip take it, in a sentence, without reasons."""
+        """Verdict in a sentence, without reasons."""
         if self.undecided is not None:
             return str(self.undecided)
         return self._tell_blank() if self.bent_beforehand else self._tell_flat()
@@ -290,30 +291,30 @@ class PairZero:
 
 @dataclass(frozen=True, eq=False)
 class PairCheck:
-    """Can one strip rest in two curves? `str()` of it is advice to a designer.
+    """Verdict on a strip that rests in two curves; `str()` returns advice to a designer.
 
     Attributes
     ----------
     realizable : bool
-        Is there a strip, with a shape of its own before it is bent, that rests in both?
+        True if a strip, with some natural curvature, can rest in both curves.
     reasons : tuple of str
         Why not; empty when realizable.
     length : float
-        Of both curves, mm.
+        Length of both curves, mm.
     first, second : PlaneCurve
-        The curves, brought to equal length to rounding.
+        Curves, scaled to equal length.
     bistable : bool
-        Do both states have the same clamps: ends that lie alike, and the same total turning?
+        True if both states have the same clamps: equal positions of the ends and equal total turning.
     any_stiffness : bool
-        The curves are congruent: every strip of their own shape will do, unbent.
+        True if the curves are congruent, so that any strip of this shape rests in them without being bent.
     zeros : tuple of PairZero
-        Where kappa_1 - kappa_2 vanishes or jumps to the other sign.
+        Places where kappa_1 - kappa_2 vanishes or changes sign by a jump.
     unmet : tuple of PairZero
-        Those of them at which no difference of moments vanishes as it must.
+        Zeros at which the difference of moments cannot vanish as required.
     flats : tuple of (float, float)
-        Stretches from, to, mm, on which both curves are bent alike.
+        Start and end, mm, of stretches on which both curves have equal curvature.
     against : tuple of float
-        Arc lengths, mm, where the moments would have to act against the curvatures.
+        Arc lengths, mm, where the moments would have to oppose the curvatures.
     """
 
     realizable: bool
@@ -364,7 +365,7 @@ class PairCheck:
 
 
 class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public name
-    """No admissible stiffness makes the curve, or two curves, rest shapes; `check` tells why and where."""
+    """Error: no admissible stiffness makes the curve, or two curves, rest shapes; see `check`."""
 
     KIND = "not realizable"
 
@@ -375,21 +376,21 @@ class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public n
 
 
 def measured_points(curve: PlaneCurve) -> MeasuredPoints | None:
-    """Return the noisy points to which a curve was fitted, or None of any other curve."""
+    """Return the noisy points to which a curve was fitted, or None."""
     points = None if curve.provenance is None else curve.provenance.measured
     return points if points is not None and points.wavers else None
 
 
 def stray_point(curve: PlaneCurve) -> tuple[Refusal, ...]:
-    """The sentence about the measured point that stands out; none where none does."""
+    """Return the message about an outlier of the measured points, if there is one."""
     points = measured_points(curve)
     return () if points is None else points.stray
 
 
 def changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
-    """With which a strip may come near a curve that none takes: points that waver are smoothed first.
+    """Return changes for the nearest strip to a curve that no strip takes; noisy points are smoothed first.
 
-    None where a point stands out: nobody wants a strip near a mistyped number.
+    There are none if a point is an outlier, because the outlier is probably a typing error.
     """
     points = measured_points(curve)
     if points is not None and points.stray:
@@ -399,23 +400,23 @@ def changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
 
 
 def lengths(s: Iterable[float]) -> Listed:
-    """Places along the curve, without traces of rounding: "12 and 34.5 mm"."""
+    """List places along the curve without rounding errors: "12 and 34.5 mm"."""
     return Listed(Length(round(x, 6)) for x in s)
 
 
 def _shown_on(curve: PlaneCurve, point: FloatArray) -> str:
-    """A point (2,) as the program shows it in which the curve was drawn."""
+    """Return a point (2,) in the notation of the program in which the curve was drawn."""
     drawn = curve.provenance
     return (drawn or Provenance()).shown(point)
 
 
 def require_bendable(curve: PlaneCurve) -> None:
-    """Refuse what no strip can follow, whatever holds it: a corner, also where a curve closes.
+    """Refuse a curve with a corner, also where it closes, because no strip can follow a corner.
 
     Raises
     ------
     InputError
-        The message says where, and what to do.
+        The curve has a corner; the message states its place and a remedy.
     """
     corners = curve.tangent_breaks
     if (corners or curve.has_corners) and (points := measured_points(curve)) is not None:
@@ -431,12 +432,12 @@ def require_bendable(curve: PlaneCurve) -> None:
 
 
 SAMPLED_SHARE, CORNER_DEG = 0.15, 50.0
-"""Turn beside a corner, as a share of the corner's, from which the points may be those of a bend, and the turn of a
-corner, which `curve_from_points` takes for one."""
+"""Least turn beside a corner, as a fraction of its turn, if the points may be those of a bend; and the turn
+(degrees) of a corner, as in `curve_from_points`."""
 
 
 def _tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
-    """Describe the corners, and say whether the digits of a file may explain them."""
+    """Describe the corners, and whether the digits of a file may explain them."""
     drawn = curve.provenance
     maybe = {} if drawn is None else {turn.t: turn for turn in drawn.undecided}
     if drawn is not None and all(corner.t in maybe for corner in corners):
@@ -490,7 +491,7 @@ def _tell_undecided(drawn: Provenance | None, turn: Turn, s: Iterable[float]) ->
 
 
 def _taken_out(curve: PlaneCurve) -> tuple[Change, ...]:
-    """The distance within which slight corners are taken out."""
+    """Return the change that smooths slight corners, with its distance, if there is one."""
     slight = smooth_for_corners(curve)
     return () if slight is None else (Change("smooth", slight),)
 
@@ -515,24 +516,24 @@ CLEAR_SHARE = 0.05
 near."""
 
 PLACE_DIGITS = 6
-"""Digits to which a place (mm) is rounded, so that the same curve from two programs begins at the same place."""
+"""Number of digits of a rounded place (mm), so that the same curve from two programs begins at the same place."""
 
 ALIKE = 1e-6
-"""Relative difference of curvatures below which two places count as equally flat."""
+"""Largest relative difference of curvatures of two places that count as equally flat."""
 
 
 NEAR_KNOT_SHARE = 1e-5
-"""Distance from a knot, as a share of the domain, up to which a closed curve begins at the knot: the curvature of a
-shorter span is rounding."""
+"""Largest distance, as a fraction of the domain, at which the start of a closed curve is moved to a knot. The
+curvature of a shorter span would be rounding."""
 
 
 def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
-    """The closed curve begun, and ended, at the arc length `s` (mm): exact.
+    """Return the closed curve with its start and end at the arc length `s` (mm); exact.
 
     Raises
     ------
     InputError
-        A curve that is open, or a place that lies beyond it.
+        The curve is open, or the place is beyond its length.
 
     Examples
     --------
@@ -561,14 +562,14 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     points = np.concatenate([first.control_points, second.control_points[1:]])
     weights = None
     if first.weights is not None and second.weights is not None:
-        # the weights of one part may be scaled as a whole: those of the second go on where the first's end
+        # all weights of a part may be scaled by a factor: scale the second part to continue the first
         onward = second.weights * (first.weights[-1] / second.weights[0])
         weights = np.concatenate([first.weights, onward[1:]])
     return PlaneCurve(knots, points, p, weights).drawn_as(drawn and drawn.of_part())
 
 
 def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
-    """The curve with its last point on its first: programs that drew the same one then begin alike."""
+    """Return the curve with its last point set to its first, so that all programs give the same curve."""
     clamped = clamp_ends(curve)
     points = clamped.control_points
     if np.array_equal(points[0], points[-1]):
@@ -577,8 +578,7 @@ def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
 
 
 def flattest_place(curve: PlaneCurve) -> float:
-    """Arc length (mm) at which a closed curve is bent least, away from its inflections; 0 where its start is as
-    flat."""
+    """Return the flattest place (mm) of a closed curve away from inflections; 0 if the start is as flat."""
     nodes = curve.sample(PLACES)
     bent = np.abs(nodes.curvature)
     largest = float(bent.max())
@@ -591,34 +591,34 @@ AT_END_SHARE = 1e-6
 """A zero of the curvature nearer to an end than this share of the length is at the end."""
 
 SEAM_SHARE = 0.01
-"""A closed curve whose curvature at its start is below this share of the largest begins elsewhere."""
+"""Least curvature at the start of a closed curve, relative to the largest; otherwise the start is moved."""
 
 PINNED_SHARE = 1e-6
-"""Curvature at a pinned end, relative to the largest, below which it counts as 0."""
+"""Largest curvature at a pinned end, relative to the largest, that counts as 0."""
 
 GENTLE_SHARE = 1e-5
-"""Slope of the curvature in an inflection, relative to the largest curvature over the length, below which it
-counts as 0: the stiffness there would be some ten thousand times that of other places."""
+"""Largest slope of the curvature in an inflection, relative to the largest curvature over the length, that counts
+as 0. The stiffness there would be some ten thousand times that of other places."""
 
 FAINT_SHARE = 1e-7
-"""Curvature in a dip, relative to the largest, below which it counts as 0; it corresponds to the square of the
+"""Largest curvature in a dip, relative to the largest, that counts as 0; it corresponds to the square of the
 slope."""
 
 ALL_BUT_UNBENT_SHARE = 1e-3
-"""A zero of the extended curve beyond an end counts for that end only if the curvature at the end is below this
-share of the largest."""
+"""Largest curvature at an end, relative to the largest, for which a zero of the extended curve counts as at the
+end."""
 
 STEP_SHARE = 1e-3
-"""Jump of the curvature, relative to the larger side, up to which nothing is reported: it changes the width of
-a strip of 40 mm by 0.04 mm, and arcs that were drawn to micrometres have smaller ones."""
+"""Largest jump of the curvature, relative to the larger side, that is not reported. It changes the width of a strip
+of 40 mm by 0.04 mm; arcs that were drawn to micrometres have smaller jumps."""
 
 KINK_SHARE = 0.01
-"""Jump of the slope of the curvature, over the length, up to which nothing is reported: the edge of a strip a
-fifth as wide as long turns by at most 0.1 degree."""
+"""Largest jump of the slope of the curvature, over the length, that is not reported. The edge of a strip a fifth as
+wide as long turns by at most 0.1 degree."""
 
 SHARP_SHARE = 5.0
-"""The same from which on the edge has a sharp point that everybody sees: of a strip a fifteenth as wide as long it
-turns by 10 degrees."""
+"""Least jump of the slope of the curvature at which the edge has a visible corner: the edge of a strip a fifteenth
+as wide as long turns by 10 degrees."""
 
 TINY = float(np.finfo(float).tiny)
 
@@ -676,7 +676,7 @@ def examine_curvature(
 
 
 def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
-    """Let a closed curve that begins where its bending is 0 begin elsewhere, and say so in a sentence."""
+    """Move the start of a closed curve away from a place without bending, and return a message about it."""
     curve = excess.curve
     if not curve.is_closed or isinstance(excess.rest, RestCurvature):  # which counts from the start
         return excess, ()
@@ -711,7 +711,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
     at_ends = zip((low, high), excess.at(t_ends).tolist(), excess.slope_at(t_ends).tolist(), strict=True)
     for is_end, (support, (t, kappa, slope)) in enumerate(zip(supports.ends, at_ends, strict=True)):
         pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
-        # a zero that lies as near beyond the end
+        # a zero at the same small distance beyond the end
         beyond = 0 < abs(kappa) <= min(near * abs(slope), ALL_BUT_UNBENT_SHARE * largest)
         if bool(is_end) in ends or ((pinned or beyond) and not any(z.t <= t <= z.t_end for z in found)):
             way = int(np.sign(slope))
@@ -751,7 +751,7 @@ def faint_places(
 
 
 def _slopes(excess: ExcessCurvature, zeros: Sequence[CurvatureZero]) -> list[float]:
-    """Least one-sided |d kappa / ds| at each zero."""
+    """Return the smaller of both one-sided |d kappa / ds| at each zero."""
     if not zeros:
         return []
     t = np.array([zero.t for zero in zeros])
@@ -811,8 +811,7 @@ def _tell_straight_parts(
 
 
 def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool) -> bool:
-    """Whether kappa - kappa_0 leaves zero at t without a slope, so that no strip can take even the bent piece
-    alone."""
+    """Return True if kappa - kappa_0 and its slope vanish at t; no strip takes even the bent piece alone."""
     at = np.array(t)
     kappa = abs(float(excess.at(at, left=left)))
     slope = abs(float(excess.slope_at(at, left=left)))
@@ -820,7 +819,7 @@ def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool)
 
 
 def _tell_jumps(jumps: Sequence[float]) -> Iterable[str]:
-    """Jumps of the curvature through zero."""
+    """Describe jumps of the curvature through zero."""
     if jumps:
         yield note(
             "The bending is reversed by a jump of the curvature at {places}, where the stiffness "
@@ -833,7 +832,7 @@ def _tell_jumps(jumps: Sequence[float]) -> Iterable[str]:
 
 
 def _tell_touches(touches: Sequence[float]) -> Iterable[str]:
-    """Places where the curvature touches zero."""
+    """Describe places where the curvature touches zero."""
     if touches:
         yield note(
             "The curvature runs out to zero at {places} without a clear change of sign, where the stiffness "
@@ -846,12 +845,10 @@ def _tell_touches(touches: Sequence[float]) -> Iterable[str]:
 def _warn_of_widths(
     curve: PlaneCurve, jumps: Sequence[float], flats: Sequence[CurvatureZero]
 ) -> Iterable[str]:
-    """Warn of places where the width will jump or have a kink with the curvature, but not where a straight piece
-    begins or ends, since smoothing would not help there.
-    """
+    """Warn of jumps and kinks of the width, but not at the ends of straight pieces, where smoothing does not help."""
     breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
     straight = [end for flat in flats for end in (flat.s, flat.s_end)]
-    if curve.seam is not None:  # start and end are one place
+    if curve.seam is not None:  # start and end are the same place
         straight += [end - curve.length for end in straight]
     near = AT_END_SHARE * curve.length
     steps = [
@@ -885,14 +882,16 @@ def _warn_of_widths(
 
 
 def _is_seen(curve: PlaneCurve, place: Break, share: float = KINK_SHARE) -> bool:
-    """Whether the curvature, or its slope by this share, jumps by so much that it can be seen in the width."""
+    """Return True if a jump of the curvature, or of its slope (by `share`), is visible in the width."""
     jump, kink = curvature_jump(curve, place)
     return jump > STEP_SHARE or kink > share
 
 
 def curvature_jump(curve: PlaneCurve, place: Break) -> tuple[float, float]:
     """Return the jumps of the curvature and of its slope times the length, as fractions of the curvature."""
-    before = np.array(curve.domain[1] if place.t == curve.domain[0] else place.t)  # of a closed one's start
+    before = np.array(
+        curve.domain[1] if place.t == curve.domain[0] else place.t
+    )  # at the start of a closed curve
     after = np.array(place.t)
     kappa = float(curve.curvature_at(before, left=True)), float(curve.curvature_at(after))
     slope = float(curve.curvature_slope_at(before, left=True)), float(curve.curvature_slope_at(after))

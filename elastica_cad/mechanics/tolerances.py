@@ -1,4 +1,4 @@
-"""How far strips stray that are made within tolerances, and by which imperfections."""
+"""Deviation of real strips from their design, by imperfections within tolerances."""
 
 from collections.abc import Sequence
 from concurrent.futures import Executor
@@ -21,30 +21,31 @@ from elastica_cad.mechanics.sheets import Range, Sheet
 from elastica_cad.refusals import Length
 
 ROUNDED_SHARE = 1e-9
-"""Forces and moments below this share of the largest count as 0 at a free end."""
+"""Largest force or moment at a free end, as a fraction of the largest, that counts as 0."""
 
 
 @dataclass(frozen=True)
 class Imperfection:
-    """One way in which a real strip differs from its design; the default is no difference.
+    """Difference of a real strip from its design; by default there is no difference.
 
     Attributes
     ----------
     stiffness_range : float
-        m in K -> 1 + (K - 1) m: the ratio of stiffness is smaller or larger than intended.
+        m in K -> 1 + (K - 1) m, which reduces or increases the ratio of stiffness.
     youngs_modulus, density, thickness : float
-        Factors on those of the sheet; with weight they act through E h^2 / rho, with a force or moment on a free
-        end through E h^3. In a strip that bends as a plate the thickness tells how far it does, too.
+        Factors on the properties of the sheet. With weight they act through E h^2 / rho, with a force or moment on
+        a free end through E h^3. In a wide strip the thickness also changes how far it bends as a plate.
     start_angle, end_angle : float
-        Added to the angles that the supports hold, rad.
+        Changes of the held angles, rad.
     yield_curvature : float
-        1/mm; what the design's curvature exceeds it by stays in the strip (ideal plasticity, paper Appendix
-        D).
+        Largest elastic curvature, 1/mm; the excess of the design's curvature is permanent (ideal plasticity, paper
+        Appendix D).
     width_loss : float
-        Width lost all along, mm, beyond what the kerf was corrected for; negative for a strip left too wide.
+        Loss of width along the whole strip, mm, in addition to the corrected kerf; negative for a strip that is too
+        wide.
     thickness_wave, wave_phase : float
-        Amplitude of a wave of thickness, one over the length of the strip, as a share of the thickness; and its
-        phase at the start, rad.
+        Amplitude of a wave of thickness, as a fraction of the thickness, with a single period over the length; and
+        its phase at the start, rad.
     """
 
     stiffness_range: float = 1.0
@@ -101,7 +102,7 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
 
 
 def feels_modulus(rod: Rod) -> bool:
-    """Whether the shape depends on the modulus of the sheet, which it does only under loads."""
+    """Return True if the shape depends on the modulus of the sheet, as it does only under loads."""
     loads = system_of(rod, rod)
     pulls = np.abs(loads.force).max() > ROUNDED_SHARE * np.abs(rod.force).max()
     turns = np.abs(loads.moments).max() > ROUNDED_SHARE * np.abs(rod.moment).max()
@@ -109,7 +110,7 @@ def feels_modulus(rod: Rod) -> bool:
 
 
 def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
-    """Width of the narrowest place, mm; refused where `loss` would leave nothing of it."""
+    """Return the least width, mm; refuse a `loss` that is as large."""
     if max_width is None:
         raise InputError("a loss of width needs max_width, the width of the widest place, mm")
     require_positive(max_width, "max_width")
@@ -126,7 +127,7 @@ def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
 
 
 def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
-    """The law of a strip whose widths follow the bend, and how they curl; None of others."""
+    """Return the law and the curl of a strip that bends as a plate, or None."""
     law = rod.law
     if rod.follows_bend and isinstance(law, CurlingLaw) and isinstance(law.factor, SheetCurl):
         return law, law.factor
@@ -134,7 +135,7 @@ def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
 
 
 def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, float]:
-    """The rod as it is cut, with its weight, and what is left of its least stiffness by its widths."""
+    """Return the rod as cut, with its weight, and the remaining fraction of its least stiffness."""
     K, B = 1 + (np.asarray(rod.stiffness) - 1) * v.stiffness_range, 1.0
     least = np.inf if v.width_loss == 0 else least_width(rod, max_width, v.width_loss)
     plate = _plate_of(rod)
@@ -187,10 +188,10 @@ def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
     return replace(rod, weight=weight, bending_stiffness=B)
 
 
-_CHUNK = 16  # bends that one task of an executor does
+_CHUNK = 16  # number of bends in a task of an executor
 
 MOST_SAMPLES = 100_000
-"""Largest number of rods that are bent in one study."""
+"""Largest number of rods that are bent in a study."""
 
 
 SIGNED = ("angle", "width_loss", "thickness_wave", "wave_phase")
@@ -249,14 +250,14 @@ class ToleranceRanges:
     def of(
         cls, sheet: Sheet, *, stiffness_range: Range = (0.9, 1.1), angle: Range = (-0.035, 0.035)
     ) -> "ToleranceRanges":
-        """The ranges that the sheet's source gives; what is taken as certain there does not vary.
+        """Return the ranges of a sheet; quantities without a range do not vary.
 
         Parameters
         ----------
         sheet : Sheet
-            Its kerf is taken as corrected for: only the deviation from it counts.
+            Sheet; only the deviation from its kerf counts, because the kerf is corrected.
         stiffness_range, angle : (low, high)
-            What a sheet says nothing about.
+            Ranges that a sheet does not define.
         """
 
         sheet = Sheet.of(sheet)
@@ -281,18 +282,18 @@ class ToleranceRanges:
 
 @dataclass(frozen=True)
 class ToleranceEffect:
-    """What one cause, or all together, do to the shape.
+    """Effect on the shape of a single cause, or of all causes together.
 
     Attributes
     ----------
     name : str
     worst : float
-        Largest deviation found, mm: of the samples, and for a single cause of its extreme values too.
+        Largest deviation, mm, of the samples, and for a single cause also of its extreme values.
     percentile_95 : float
-        95 % of the samples stay below it, mm.
+        95th percentile of the deviations of the samples, mm.
     samples, failed, snapped : int
-        Bends made; how many of them found no rest shape, which are in neither number above; and how many
-        snapped to another shape far from the design, which are in both.
+        Number of bends; number of bends without a rest shape, which do not count above; and number of bends that
+        snapped to another shape far from the design, which do count.
     """
 
     name: str
@@ -358,28 +359,28 @@ def tolerance_study(
     seed: int = 0,
     executor: Executor | None = None,
 ) -> ToleranceStudy:
-    """How far the bent strip strays from `rod` when things vary within their ranges (paper, 8.2, Fig. 15).
+    """Return the deviations of the bent strip from `rod` under varied properties (paper, 8.2, Fig. 15).
 
-    Monte Carlo with uniform distributions: each cause alone, then all together. A deviation is the largest
-    distance between a node of the varied rod and the same node of the design. A wide strip (`section`) bends as a
-    plate of the width and thickness that come out, so it feels its thickness without any load too.
+    Monte Carlo with uniform distributions, for each cause alone and then for all together. A deviation is the
+    largest distance between a node of the varied rod and the same node of the design. A wide strip (`section`)
+    bends as a plate of the resulting width and thickness, so its thickness has an effect even without load.
 
     Parameters
     ----------
     rod : Rod
         The design, in balance.
     sheet : Sheet, optional
-        Ranges are taken from it.
+        Sheet with the default ranges.
     ranges : ToleranceRanges, optional
-        Ranges given by hand; they come before those of `sheet`.
+        Ranges that replace those of `sheet`.
     max_width : float, optional
-        Width of the widest place, mm; without it the kerf is left out.
+        Largest width of the strip, mm; by default the kerf is not varied.
     samples : int
-        Bends for each cause.
+        Number of bends for each cause.
     seed : int
-        Same seed, same numbers, with whatever executor.
+        Seed of the random numbers; results do not depend on the executor.
     executor : concurrent.futures.Executor, optional
-        Threads or processes that share the bends.
+        Executor (threads or processes) of the bends.
 
     Returns
     -------
@@ -388,7 +389,7 @@ def tolerance_study(
     Raises
     ------
     InputError
-        No samples, a loss of width that leaves nothing.
+        There are no samples, or the loss of width exceeds the least width.
 
     Examples
     --------
@@ -460,7 +461,7 @@ def _between(limits: Range, share: FloatArray) -> FloatArray:
 
 
 def _extremes(ranges: ToleranceRanges, cause: str) -> list[Imperfection]:
-    """Every corner of the ranges of one cause."""
+    """Return all corners of the ranges of a cause."""
     fields = _CAUSES[cause]
     corners = product(*(getattr(ranges, source) for source in fields.values()))
     return [Imperfection(**dict(zip(fields, corner, strict=True))) for corner in dict.fromkeys(corners)]
@@ -476,7 +477,7 @@ def _merged(parts: Sequence[Imperfection]) -> Imperfection:
 def _run(
     rod: Rod, todo: list[Imperfection], max_width: float | None, executor: Executor | None
 ) -> list[_Outcome]:
-    """Results for each imperfection; equal ones are bent once."""
+    """Return the results for all imperfections; equal imperfections are bent once."""
     different = list(dict.fromkeys(_reduced(rod, v) for v in todo))
     bent = partial(_outcome, rod, max_width)
     answers = map(bent, different) if executor is None else executor.map(bent, different, chunksize=_CHUNK)
@@ -485,7 +486,7 @@ def _run(
 
 
 def _reduced(rod: Rod, v: Imperfection) -> Imperfection:
-    """The imperfection without what this rod cannot feel."""
+    """Return the imperfection without parts that have no effect on this rod."""
     loaded = feels_modulus(rod)
     if not loaded:
         v = replace(v, youngs_modulus=1.0, density=1.0)

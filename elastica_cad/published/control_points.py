@@ -23,11 +23,11 @@ from elastica_cad.geometry.polynomials import LEFT, NODES, WEIGHTS, PanelFunctio
 from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
 
-_ALONG = 0.1  # a move along the curve counts this much of one across it
+_ALONG = 0.1  # weight of a move along the curve relative to a move across it
 _BEND = 0.005  # a move that changes the curvature by 1 / length counts as this share of the length
-_STRETCH = 0.05  # one that changes the velocity d/dt by all of itself counts as this share of the length
+_STRETCH = 0.05  # a move that changes the velocity d/dt by 100 % counts as this share of the length
 _LINE_STEP = 0.02  # moves of the line that count as much as moving the curve by this share of its length
-_RANK = 1e-11  # of the largest singular value: changes below it are none
+_RANK = 1e-11  # of the largest singular value: smaller changes are neglected
 
 
 @dataclass(frozen=True, eq=False)
@@ -203,7 +203,7 @@ _ROW_PRICE = 10.0  # of a row of the step that cannot be met: above every bound'
 _ACCURACY = 1e-12  # of a step, against the price: half a mean square distance of 1e-8 still counts
 _MARGIN_UNIT = 50.0  # a margin missed by so much is badly missed
 _COARSE = 3.0  # a step that takes the ratio this many times above where it is and may be is refused
-_RATIO_PART, _MARGIN_PART = 0.9, 6.0  # aimed at in one step: of the present ratio, above the present margin
+_RATIO_PART, _MARGIN_PART = 0.9, 6.0  # target of a step: fraction of the ratio, increase of the margin
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7  # of the trust region, in lengths of the curve
 _SETTLED = 1e-3  # a step that promises less than this share of the distance ends the search
 _RESOLUTION = 1e-12  # of half a mean square distance in lengths: smaller gains are rounding
@@ -214,41 +214,41 @@ _ROUNDS = 12  # of adding the places where a step would break the bounds
 
 @dataclass(frozen=True)
 class Bounds:
-    """Largest ratio and least margin (None: not asked for)."""
+    """Largest ratio and least margin (None for no bound)."""
 
     ratio: float
     margin: float | None = None
 
     def broken(self, state: EquilibriumCurve) -> float:
-        """What breaks the bounds, 0 when nothing does: 1/R - 1/R_now, and the margin in parts of a typical one."""
+        """Return the violation of the bounds: 1/R - 1/R_now plus the missing margin over a typical margin."""
         excess = max(0.0, 1 / self.ratio - 1 / state.ratio)
         if self.margin is None:
             return excess
         return excess + max(0.0, (self.margin - state.margin) / _MARGIN_UNIT)
 
     def from_here(self, state: EquilibriumCurve) -> "Bounds":
-        """What to aim at next: small parts of the way find the nearer ones of many minima."""
+        """Return the next target; small steps lead to the nearer of many minima."""
         ratio = max(self.ratio, _RATIO_PART * state.ratio)
         if self.margin is None:
             return Bounds(ratio)
         return Bounds(ratio, min(self.margin, state.margin + _MARGIN_PART))
 
     def inside(self) -> "Bounds":
-        """A little stricter ones."""
+        """Return slightly stricter bounds."""
         ratio = 1 + (self.ratio - 1) * (1 - _INSIDE)
         return Bounds(ratio, None if self.margin is None else self.margin + _INSIDE * _MARGIN_UNIT)
 
 
 @dataclass(frozen=True)
 class RouteStep:
-    """One accepted curve on the way.
+    """Accepted curve of a search.
 
     Attributes
     ----------
     ratio : float
         R = max K / min K.
     margin : float or None
-        Stability margin, where it was asked for.
+        Stability margin, if it has a bound.
     distance : float
         Root mean square distance from the drawn curve, mm.
     """
@@ -260,19 +260,19 @@ class RouteStep:
 
 @dataclass(frozen=True, eq=False)
 class Route:
-    """The end of a search: the nearest curve within the bounds, or the one that breaks them least.
+    """Result of a search: the nearest curve within the bounds, or the curve of least violation.
 
     Attributes
     ----------
     state : EquilibriumCurve
     within : bool
-        Are the bounds met?
+        True if the bounds are met.
     settled : bool
-        False when it ran out of steps.
+        False if the search ran out of steps.
     history : tuple of RouteStep
-        The start and every accepted curve.
+        Start and all accepted curves.
     iterations : int
-        Steps tried.
+        Number of attempted steps.
     """
 
     state: EquilibriumCurve
@@ -285,12 +285,12 @@ class Route:
 def move_within(
     curve: PlaneCurve, bounds: Bounds, constraints: Sequence[Constraint], *, max_steps: int
 ) -> Route:
-    """The curve near `curve` whose ratio and margin are within bounds.
+    """Return the curve near `curve` whose ratio and margin are within bounds.
 
     Raises
     ------
     NotRealizable
-        No strip can take the curve that this starts from, even once its inflections are on one line.
+        No strip can take the initial curve, even after its inflections were moved onto a line.
     """
     if not (is_whole(max_steps) and max_steps >= 1):
         raise InputError(f"max_steps is {max_steps!r}: allow at least one step")
@@ -428,14 +428,14 @@ def _peaks(values: FloatArray, above: float = -np.inf) -> IntArray:
 
 @dataclass(frozen=True, eq=False)
 class EnforcedCurve:
-    """What `enforce_constraints` found.
+    """Result of `enforce_constraints`.
 
     Attributes
     ----------
     curve : PlaneCurve
-        The curve that meets the constraints.
+        Curve that meets the constraints.
     residuals : tuple of float
-        Norm of what is left of them at the start and after every step, mm.
+        Norm of the residuals at the start and after every step, mm.
     moved : float
         Largest move of a point of the curve, mm, at the same parameter.
     """
@@ -456,26 +456,25 @@ def enforce_constraints(
     tolerance: float = 1e-10,
     max_steps: int = 30,
 ) -> EnforcedCurve:
-    """Move the control points a little until the inflections are collinear and the rest is as it should be.
+    """Move the control points slightly until the inflections are collinear and the other constraints hold.
 
     Parameters
     ----------
     line : InflectionLine, optional
-        The line to put them on; whichever is nearest unless given (then two inflections or fewer ask for
-        nothing).
+        Line of the inflections; by default the nearest line (without effect for two inflections or fewer).
     ends, tangents : bool or (bool, bool)
         Keep end points, end tangents of `like`: of both ends, or of (start, end).
     length : bool
         Keep the arc length of `like`.
     like : PlaneCurve, optional
-        The curve whose ends, tangents and length are restored; `curve` itself unless given.
+        Curve whose ends, tangents and length are restored; by default `curve` itself.
     tolerance : float
         Norm of all residuals at which to stop, relative to the size of the curve.
 
     Raises
     ------
     NotConvergedError
-        The constraints contradict each other, an inflection gets lost on the way, or another one comes.
+        The constraints contradict each other, or the number of inflections changes.
 
     References
     ----------

@@ -13,7 +13,7 @@ from elastica_cad.published.control_points import Bounds, Route, RouteStep, move
 
 
 class RatioStatus(Enum):
-    """How `optimize_ratio` ended."""
+    """Outcome of `optimize_ratio`."""
 
     REACHED = "The stiffness ratio is within the target."
     UNREACHABLE = (
@@ -25,7 +25,7 @@ class RatioStatus(Enum):
 
 @dataclass(frozen=True, eq=False)
 class OptimizedRatio:
-    """What `optimize_ratio` found.
+    """Result of `optimize_ratio`.
 
     Attributes
     ----------
@@ -59,7 +59,7 @@ def optimize_ratio(
     length: bool = False,
     max_steps: int = 100,
 ) -> OptimizedRatio:
-    """Move the control points until the stiffness ratio is at most `target`, and the curve little else.
+    """Move the control points as little as possible until the stiffness ratio is at most `target`.
 
     Local step: the least total move from the drawn curve that brings R = max K / min K within the target to
     first order, in a trust region. Global step: the inflection line of least ratio (Eq. 4). The maximum and
@@ -81,7 +81,7 @@ def optimize_ratio(
     NotRealizable
         The drawn curve is far from all curves that a strip can take: use `nearest_rod` or `split`.
     InputError
-        A target below 1, a straight, closed or kinked curve.
+        The target is below 1, or the curve is straight, closed or kinked.
 
     References
     ----------
@@ -109,7 +109,7 @@ def optimize_ratio(
 
 
 class RecoveryStatus(Enum):
-    """How `recover_stability` ended."""
+    """Outcome of `recover_stability`."""
 
     STABLE = "The curve is stable with the margin asked for, within the stiffness ratio."
     BARELY_STABLE = (
@@ -129,14 +129,14 @@ class RecoveryStatus(Enum):
 
 @dataclass(frozen=True, eq=False)
 class RecoveredStability:
-    """What `recover_stability` found.
+    """Result of `recover_stability`.
 
     Attributes
     ----------
     curve : PlaneCurve
         Same knots, control points moved; a strip can take it.
     margin : float
-        Stability margin, as `stability` has it: positive means stable.
+        Stability margin as in `stability`; positive means stable.
     ratio : float
         R = max K / min K of the continuous curve.
     deviation : float
@@ -167,21 +167,21 @@ def recover_stability(
     length: bool = True,
     max_steps: int = 100,
 ) -> RecoveredStability:
-    """Move the control points until the rest shape is stable, and the curve little else.
+    """Move the control points as little as possible until the rest shape is stable.
 
-    The data flow of Algorithm 2, from control points to the stiffness and the force, to stability, without
-    any forward simulation; every curve on the way is an equilibrium. The paper pushes the conjugate point
-    past the end; here the lowest eigenvalue of the second variation rises to `margin`, which is smooth
-    through the threshold, and the ratio is held by its true maximum and minimum.
+    The data flow is that of Algorithm 2, from control points to stiffness and force, and to stability, without any
+    forward simulation. Every intermediate curve is an equilibrium. The paper moves the conjugate point past the
+    end. Here the lowest eigenvalue of the second variation rises to `margin`, which is smooth through the
+    threshold. The ratio is bounded by its true maximum and minimum.
 
     Parameters
     ----------
     curve : PlaneCurve
         One that a strip can take, or nearly so: inflections off the line are brought onto one first.
     R_max : float
-        Largest stiffness ratio, at least 1; it keeps the inflections from becoming flat points.
+        Largest stiffness ratio, at least 1; the bound prevents flat points at inflections.
     margin : float
-        Least stability margin; 0 is the border of stability, 5 is safely stable.
+        Least stability margin; 0 is the limit of stability, 5 is safely stable.
     ends, tangents : bool or (bool, bool)
         Do end points and end tangents stay as they are drawn? Both, or (start, end).
     length : bool
@@ -192,7 +192,7 @@ def recover_stability(
     NotRealizable
         The drawn curve is far from all curves that a strip can take: use `nearest_rod` or `split`.
     InputError
-        A ratio below 1, a margin that is no number, a straight, closed or kinked curve.
+        The ratio is below 1, the margin is not a number, or the curve is straight, closed or kinked.
 
     References
     ----------

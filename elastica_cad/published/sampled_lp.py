@@ -22,8 +22,7 @@ class SampledStiffness:
         R.
     a : float
     b : (2,) array
-        The numbers of Eqs. 3 and 5: moment and force at the last sample, seen from the origin, 1/mm and
-        1/mm2.
+        Numbers of Eqs. 3 and 5: moment about the origin and force at the last sample, 1/mm and 1/mm2.
     """
 
     stiffness: FloatArray
@@ -39,10 +38,9 @@ def sampled_stiffness(
     *,
     gravity: Gravity | None = None,
 ) -> SampledStiffness | None:
-    """The linear program of Eq. 4, or with gravity of Eq. 6, at exactly these samples.
+    """Solve the linear program of Eq. 4, or with gravity of Eq. 6, at the given samples.
 
-    `optimal_rod` solves the same problem on the continuous curve; this is the discrete one, sample for
-    sample.
+    `optimal_rod` solves the same problem on the continuous curve.
 
     Parameters
     ----------
@@ -56,12 +54,12 @@ def sampled_stiffness(
     Returns
     -------
     SampledStiffness or None
-        None when no admissible stiffness exists.
+        None if no admissible stiffness exists.
 
     Raises
     ------
     InputError
-        Shapes that do not fit, a sample on an inflection, gravity without weights.
+        Array shapes differ, a sample is on an inflection, or gravity has no weights.
 
     References
     ----------
@@ -115,11 +113,11 @@ def sampled_rows(
     weights: FloatArray | None = None,
     e: FloatArray | None = None,
 ) -> FloatArray:
-    """Rows (n, 3) with K = rows @ (a, b_x, b_y), at given samples.
+    """Return rows (n, 3) with K = rows @ (a, b_x, b_y) at given samples.
 
-    In Eq. 6 the own terms of F_i and G_i cancel: K_i kappa_i = a + <b, gamma_i> + <R^t e, gamma_i> F_{i+1} -
-    G_{i+1}, with F_i = F_{i+1} + w_i K_i and G_i = G_{i+1} + w_i <R^t e, gamma_i> K_i. Run backwards this is
-    one banded triangular system with three right-hand sides.
+    In Eq. 6 the terms of sample i in F_i and G_i cancel: K_i kappa_i = a + <b, gamma_i> + <R^t e, gamma_i> F_{i+1}
+    - G_{i+1}, with F_i = F_{i+1} + w_i K_i and G_i = G_{i+1} + w_i <R^t e, gamma_i> K_i. In reverse order this is a
+    banded triangular system with three right-hand sides.
     """
     affine = np.column_stack([np.ones(len(position)), position])
     if weights is None or e is None:
