@@ -67,7 +67,7 @@ def correct(
     kept : Residual, optional
         Imbalance and end errors that remain (artificial loads of a continuation).
     turn : float
-        Largest turn of an edge in a step, rad.
+        Largest turn of an edge, in a step and in total, rad.
     damping : float
         Smallest fraction of a step. A start that needs a smaller fraction is far from the solution, and the result
         may be on another branch of equilibria.

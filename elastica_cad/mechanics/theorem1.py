@@ -845,7 +845,7 @@ def _tell_touches(touches: Sequence[float]) -> Iterable[str]:
 def _warn_of_widths(
     curve: PlaneCurve, jumps: Sequence[float], flats: Sequence[CurvatureZero]
 ) -> Iterable[str]:
-    """Warn of jumps and kinks of the width, but not at the ends of straight pieces, where smoothing does not help."""
+    """Warn of jumps and kinks of the width, except at ends of straight pieces, where smoothing does not help."""
     breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
     straight = [end for flat in flats for end in (flat.s, flat.s_end)]
     if curve.seam is not None:  # start and end are the same place
