@@ -1,1 +1,1 @@
-"""A strip or a whole model as one folder of files, or none."""
+"""Kits: folders with all files of a strip or of a whole model."""

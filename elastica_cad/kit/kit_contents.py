@@ -32,29 +32,29 @@ from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults
 
 @dataclass(frozen=True, eq=False)
 class KitContents:
-    """A model with everything that goes with its strips into a kit."""
+    """A model with all parts of its kit."""
 
     model: Model
     spec: KitSpec
     pieces: tuple[Piece, ...]
     nests: tuple[NestedSheet, ...]
     holders: tuple[Holder, ...]
-    """Base, rails and ribs, fixtures."""
+    """Bases, rails and ribs, and fixtures."""
     entries: tuple[StripEntry, ...] = ()
-    """What the strips were made after, where a design says it."""
+    """Entries of the design from which the strips were made; empty without a design."""
     held: dict[str, HeldShape] = field(default_factory=dict)
-    """The shape of each strip as made and held, by its name, where it was asked for."""
+    """Shape of each strip as made and held, by name; empty unless requested."""
     notes: tuple[str, ...] = ()
-    """What was chosen to hold it, what rocks there or finds no rest, what was made although it cannot be cut."""
+    """Notes on chosen holders, strips that rock or have no rest shape, and parts that cannot be cut."""
 
     @cached_property
     def cut_list(self) -> CutList:
-        """All parts to be cut; which are of one shape takes longest to find."""
+        """All parts to be cut; finding those of equal shape takes longest."""
         return cut_list(self.pieces)
 
     @cached_property
     def report(self) -> dict[str, Any]:
-        """The report as plain data for JSON, without the list of files."""
+        """Report as plain data for JSON, without the list of files."""
         told = report_model(
             self.model,
             cut_list=self.cut_list,
@@ -75,11 +75,11 @@ def kit_contents(
     ----------
     model : Model
     spec : KitSpec, optional
-        What goes with the strips; the sheets alone unless given.
+        Additional parts of the kit; by default the nested sheets alone.
     entries : sequence of StripEntry
-        What the strips were made after; the report says how far they are from it.
+        Entries from which the strips were made; the report lists the deviation from them.
     effects : bool
-        Bend every strip again as it is made and held, to tell how far it strays.
+        Bend every strip again as it is made and held, to compute its deviation.
 
     Raises
     ------
@@ -98,7 +98,7 @@ def kit_contents(
     for asked in spec.holders:
         made, sentence = asked.made(model, spec.shop, ignore_limits=spec.ignore_limits)
         plates = [one for one in made if not isinstance(one, EndFixture)]
-        often = Counter(plate.name for plate in plates)  # feet of equal strips share a name
+        often = Counter(plate.name for plate in plates)  # gussets of equal strips share a name
         once = {plate.name: plate.piece for plate in reversed(plates)}
         cut = tuple(
             replace(once[name], name=f"{model.name}-{name}", count=count) for name, count in often.items()
@@ -122,7 +122,7 @@ def kit_contents(
 
 
 def _joined(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> Model:
-    """The model whose strips have the plates that join them, clear of the slots that neighbours cut."""
+    """Return the model with plates over the joints of its strips, clear of the slots for neighbours."""
     known = {id(strip): joined_within(strip, _shop_of(strip, spec, entries)) for strip in model.strips}
     if all(known[id(strip)] is strip for strip in model.strips):
         return model
@@ -130,7 +130,7 @@ def _joined(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> Model
 
 
 def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict[str, Splice]:
-    """Strips that are longer than the stock, by name, where the shop joins pieces."""
+    """Return the spliced strips, by name: those longer than the stock, if the workshop joins pieces."""
     found = {
         part.name: spliced(part.strip.labelled(part.name), _shop_of(part.strip, spec, entries))
         for part in model.parts
@@ -140,12 +140,12 @@ def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict
 
 
 def _numbers_ends(model: Model, spec: KitSpec) -> bool:
-    """Are ends engraved, as the slots or the printed templates that hold them are?"""
+    """Return True if the ends are engraved with the numbers of their slots or printed templates."""
     return bool(spec.holders or model.plates or spec.pages)
 
 
 def _shop_of(strip: Strip, spec: KitSpec, entries: Sequence[StripEntry]) -> FabricationLimits:
-    """The shop asked for, whose stock is what the margins of a nested sheet leave where that is less."""
+    """Return the requested workshop, with its stock limited to a nested sheet without its borders."""
     shop = next((entry.spec.shop for entry in entries if entry.label == strip.label), spec.shop)
     if shop.lap is None:
         return shop
@@ -156,7 +156,7 @@ def _shop_of(strip: Strip, spec: KitSpec, entries: Sequence[StripEntry]) -> Fabr
 
 
 def _cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
-    """What must be cut for strips, those that are joined of pieces in these."""
+    """Return the pieces to cut for strips; a spliced strip is replaced by its own pieces."""
     parts = {called: layer for splice in joined.values() for called, layer in splice.layer_pieces.items()}
     pieces: list[Piece] = []
     for piece in strips:
@@ -165,7 +165,7 @@ def _cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, 
 
 
 def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> tuple[str, ...]:
-    """What keeps strips, with the slots that neighbours cut into them, from being cut; told where made anyway."""
+    """Return faults that are ignored on request: strips that cannot be cut with the slots for their neighbours."""
     asked = {entry.label: entry.spec for entry in entries}
     told: list[str] = []
     clear: set[tuple[int, FabricationLimits]] = set()  # strips that are cut alike share their layers
@@ -184,7 +184,7 @@ def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) ->
 
 
 def _unstable(model: Model) -> list[str]:
-    """Which strips will not stay in the shape that they are made for."""
+    """Return a note for each strip whose designed shape is unstable."""
     verdicts = ((part, stability(part.strip.rod)) for part in model.parts)
     return [
         note("{name}: {verdict}", name=part.name, verdict=str(verdict), severity="warning")
@@ -194,7 +194,7 @@ def _unstable(model: Model) -> list[str]:
 
 
 def _bent_blanks(model: Model) -> list[str]:
-    """How strips are bent before they are put in, which no cut pattern shows; what many have in common once."""
+    """Return notes on how strips are pre-bent, which no cut pattern shows; equal notes are merged."""
     alike = dict[str, list[str]]()
     for part in model.parts:
         alike.setdefault(tell_blank(part.strip), []).append(part.name)
@@ -206,7 +206,7 @@ def _bent_blanks(model: Model) -> list[str]:
 
 
 def count_strips(model: Model) -> str:
-    """How many strips there are, and how many of several differ in shape."""
+    """Return the number of strips in words, and how many different shapes they have."""
     count = len(model.placed)
     return counted(count, "strip") + (f" ({model.shape_count} different)" if count > 1 else "")
 
@@ -218,14 +218,14 @@ def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -
 
 
 def _tell_no_bar(spec: KitSpec) -> list[str]:
-    """That a cutting service gets no reference bar."""
+    """Return a note if no reference bar is cut because the files are for a cutting service."""
     if spec.reference_bar is None or not spec.cutting.service:
         return []
     return [note("no reference bar is cut: it checks your own machine, and the files are for a service")]
 
 
 def _tell_unheld(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -> list[str]:
-    """Which strips have an end that no plate, ring or block holds; how to hold it the assembly sheet says."""
+    """Return a note on the strips with an end that no plate, ring or block holds."""
     if not unheld:
         return []
     names = distinct_names(model.placed)
@@ -242,7 +242,7 @@ def _tell_unheld(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -> li
 def _held(
     model: Model, holders: Sequence[Holder], unheld: Mapping[int, object]
 ) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
-    """Of every held strip its shape as made; of those that find none, why, and which tabs rock."""
+    """Return the shape as made of every held strip, and notes on tabs that rock and shapes that were not found."""
     found = dict[str, HeldShape]()
     notes = [*holder_plays(model.placed, holders), *rocking_tabs(model.placed, holders)]
     shapes = zip(distinct_names(model.placed), hold_each(model.placed, holders), strict=True)
@@ -257,7 +257,7 @@ def _held(
 
 
 def _strays(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
-    """Which strips that lock into others rest farther from their design than their slots have room."""
+    """Return a note on interlocked strips whose deviation exceeds the clearance of their slots."""
     names = distinct_names(model.placed)
     locked = {names[k] for joint in model.joints for k in joint.members}
     far = [

@@ -27,15 +27,15 @@ from elastica_cad.strip.pieces import Piece, distinct, file_word
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
 PARTS, SHEETS, MODEL = "parts", "sheets", "model"
-"""Folders of a kit; the start page, lists and the report lie beside them."""
+"""Folders of a kit, beside its start page, lists and report."""
 
 START_PAGE = "index.html"
 
 FRAME_MM = 4.0
-"""Between a printed template and the frame that it is cut out by."""
+"""Distance, mm, between a printed template and the frame along which it is cut out."""
 
 LONGEST_TITLE = 90
-"""Letters over a page that names all its parts; longer ones name the first."""
+"""Largest number of letters of a page title that lists all parts; longer titles name only the first part."""
 
 CUT_FROM = (".dxf", ".svg", ".stl")
 """Kinds of files that workshops make parts of."""
@@ -43,7 +43,7 @@ CUT_FROM = (".dxf", ".svg", ".stl")
 
 @dataclass(frozen=True)
 class SavedKit:
-    """The folder that `save_model` wrote; as text, where it is and what was left out.
+    """Result of `save_model`; its text is the path and the omitted files.
 
     Attributes
     ----------
@@ -51,9 +51,9 @@ class SavedKit:
     files : tuple of str
         Names in the folder.
     left_out : tuple of str
-        What was asked for and cannot be made here, and why.
+        Requested files that could not be written, each with the reason.
     summary : str
-        Strips and sheets in one line.
+        Numbers of strips and sheets in one line.
     """
 
     folder: Path
@@ -95,9 +95,9 @@ def model_kit(
     step, pictures : bool
         List the assembly, and the pictures.
     parts : bool
-        Draw every part in files of its own too. A cutting service gets the parts alone.
+        Draw every part in separate files too. A cutting service gets only the parts.
     archives : bool
-        List two ZIP files too: one of the drawings and blocks that are made, each part in one drawing, and one of
+        List two ZIP files too. The first has the files to cut or print, each part in one drawing; the second has
         all other files.
 
     Raises
@@ -173,30 +173,31 @@ def save_model(
     shop: FabricationLimits = DEFAULT_LIMITS,
     ignore_limits: bool = False,
 ) -> SavedKit:
-    """Write a model's nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures into a
-    folder.
+    """Write the kit of a model into a folder.
+
+    It has nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures.
 
     Parameters
     ----------
     model : Model
     folder : path-like
-        Made if need be.
+        Created if necessary.
     sheet_size : (float, float)
-        Of the sheets that are cut, mm.
+        Size of the sheets, mm.
     margin : float
         Least distance between parts, mm.
     cutting : Cutting
         Kerf, curves, bridges, guide lines and recipient of the cutting files, from `elastica_cad.design`.
     step, pictures, parts : bool
-        Write the assembly (with a CAD kernel), the pictures (with matplotlib), every part in files of its own.
+        Write the assembly (with a CAD kernel), the pictures (with matplotlib), and every part in separate files.
     force : bool
         Overwrite files that exist.
     done : callable, optional
-        Called with the name of each file that has been written, and how many there are in all.
+        Called for each written file with its name and the total number of files.
     shop : FabricationLimits
-        What the workshop can make.
+        Limits of the workshop.
     ignore_limits : bool
-        Write strips that it cannot, and say so in the report.
+        Write strips outside these limits too, and list their faults in the report.
 
     Returns
     -------
@@ -242,9 +243,9 @@ def _lists(word: str) -> tuple[str, ...]:
 
 
 def _draw_pages(contents: KitContents, path: Path) -> None:
-    """Every part once at full size, small ones of a sheet together; a page tells how often each is needed.
+    """Return pages with every part once at full size and its count; small parts of a sheet share a page.
 
-    Where the model has no part that holds its strips, a template to hold each by is printed after them.
+    If the model has no part that holds its strips, holding templates follow.
     """
     from elastica_cad.plot.template_pages import printed_size, save_templates
 
@@ -287,7 +288,7 @@ def _templates(contents: KitContents) -> list[Piece]:
 
 
 def _homes(contents: KitContents, *, parts: bool) -> dict[str, str]:
-    """The file that each piece is cut from: its own, or that of its sheet."""
+    """Return the name of the file from which each piece is cut: its own or its sheet's."""
     named = contents.spec.cutting.file_name
     if parts:
         return {piece.name: f"{PARTS}/{named(piece.file_stem, 'dxf')}" for piece in contents.pieces}
@@ -299,7 +300,7 @@ def _homes(contents: KitContents, *, parts: bool) -> dict[str, str]:
 
 
 def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
-    """What was made, in sentences, with links."""
+    """Return sentences with links on the contents of the kit."""
     listed = contents.cut_list
     lines = [
         f"{count_strips(contents.model)}; {counted(listed.count, 'piece')}, "
@@ -323,7 +324,7 @@ def _taken(pieces: int) -> str:
 
 
 def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:
-    """How many blocks are printed, and from which files."""
+    """Return the number of printed blocks and their files."""
     count = len(_printed(contents))
     if not count:
         return []
@@ -335,7 +336,7 @@ def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:
 
 
 def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]:
-    """List an archive of the files that are cut or printed, each part in one drawing, and one of all others."""
+    """Return an archive of the files to cut or print, each part in one drawing, and an archive of the rest."""
     names = [file.name for file in files]
     made = [file for file in names if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
     seen = [file for file in names if not file.endswith((".dxf", ".stl"))]
@@ -346,7 +347,7 @@ def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]
 
 
 def _pack(files: Sequence[str], path: Path) -> None:
-    """Write files that lie beside the archive into it, by their names and without the time."""
+    """Write files from the archive's folder into the archive, by their names and without the time."""
     with ZipFile(path, "w") as archive:
         for name in files:
             entry = ZipInfo(name)

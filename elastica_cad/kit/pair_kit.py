@@ -1,4 +1,4 @@
-"""Everything that a part with two states becomes: cutting files, bodies, picture and report."""
+"""The kit of a part with two states: cutting files, bodies, picture and report."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -39,7 +39,7 @@ class MadePair:
 
     @cached_property
     def kit(self) -> Kit:
-        """The report and all files that the installed packages can write."""
+        """Report and all files that the installed packages can write."""
         name, part = self.name, self.part
         files = [
             file
@@ -63,7 +63,7 @@ class MadePair:
 
     @cached_property
     def warnings(self) -> tuple[Refusal, ...]:
-        """What a user should know about the part, its curves and its cutting files."""
+        """Warnings about the part, its curves and its cutting files."""
         return (*self._moved_far(), *self._cut_away(), *self.part.warnings)
 
     def _moved_far(self) -> Iterator[Refusal]:

@@ -1,4 +1,4 @@
-"""Everything that one strip becomes: its cutting files, bodies, picture and report."""
+"""The kit of a strip: its cutting files, bodies, picture and report."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
@@ -25,23 +25,23 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
 UPRIGHT = Frame(y_axis=(0.0, 0.0, 1.0))
-"""The plane of a curve that says none, as screens show it."""
+"""Plane of a curve without a plane of its own: upright, as on a screen."""
 
 
 @dataclass(frozen=True)
 class StripFiles:
-    """Which files of one strip are asked for, beside the cut pattern and the report.
+    """Files of a strip to write in addition to the cut pattern and the report.
 
     Attributes
     ----------
     cutting : Cutting
-        How the cut pattern is written.
+        Options of the cut pattern's files.
     paper : str or None
-        Size of the pages of a template, "A4"; None for no template.
+        Size of a template's pages, such as "A4"; None for no template.
     glb, stl : bool
-        The bent strip for browsers and phones, and for a printer.
+        Write the bent strip for browsers and phones, and for 3D printing.
     step, pictures : bool
-        The flat and the bent strip, and its picture, where libraries for them are installed.
+        Write the flat and the bent strip, and its picture, if the libraries for them are installed.
     """
 
     cutting: Cutting = field(default_factory=Cutting)
@@ -54,20 +54,20 @@ class StripFiles:
 
 @dataclass(frozen=True, eq=False)
 class StripResult:
-    """One strip with its request and the rod that it was made from.
+    """A strip with its request and its rod.
 
     Attributes
     ----------
     spec : StripSpec
         The request.
     found : Rod or NearestRod
-        The answer of its `rod_spec`.
+        Rod that its `rod_spec` returned.
     strip : Strip
-        The strip that `spec` makes of that rod.
+        Strip that `spec` makes from that rod.
     name : str
         Stem of the names of its files.
     joints : (str, str)
-        Names of the corners at its ends where another strip goes on; empty elsewhere.
+        Names of the corners at which another strip continues; empty elsewhere.
     """
 
     spec: StripSpec
@@ -78,18 +78,18 @@ class StripResult:
 
     @property
     def near(self) -> NearestRod | None:
-        """The nearest rod, or None where the curve was not allowed to change."""
+        """Nearest rod, or None if the curve was not allowed to change."""
         return self.found if isinstance(self.found, NearestRod) else None
 
     @cached_property
     def stability(self) -> Stability:
-        """Whether the rest shape is stable, and by how much."""
+        """Stability of the rest shape."""
         return stability(self.strip.rod)
 
     def kit(self, asked: StripFiles) -> Kit:
         """Return the report and all requested files that the installed packages can write.
 
-        The description of a file is its kind; "backing dxf" is of a layer that is glued on.
+        The description of a file is its kind; "backing dxf" is a layer that is glued on.
         """
         strip, name, cutting, files = self.strip, self.name, asked.cutting, list[File]()
         pictures, looked_at = asked.pictures and can_draw(), cutting.service and can_draw()
@@ -129,7 +129,7 @@ class StripResult:
     def _drawn(
         self, name: str, made: Callable[[Strip], Drawing], asked: StripFiles, *, pdf: bool
     ) -> list[File]:
-        """A drawing that is written beside the cut pattern, in each kind of file."""
+        """Return the files of a drawing beside the cut pattern, for each requested format."""
         cutting = asked.cutting
         kinds = (*(() if cutting.service else ("dxf", "svg")), *(("pdf",) if pdf else ()))
         return [
@@ -143,7 +143,7 @@ class StripResult:
 
     @cached_property
     def drawings(self) -> tuple[Drawing, ...]:
-        """The cut pattern of each layer; ends where another strip goes on are engraved with the joint's name."""
+        """Cut pattern of each layer; ends at which another strip continues are engraved with the joint's name."""
         strip, joined = self.strip, spliced(self.strip, self.spec.shop)
         if joined is not None:
             return replace(joined, ends=self.joints).drawings
@@ -156,7 +156,7 @@ class StripResult:
 
     @cached_property
     def patterns(self) -> tuple[Drawing, ...]:
-        """The drawing of each layer to be cut, named as its file."""
+        """Drawing of each layer to be cut, named as its file."""
         named = zip(self.drawings, self.strip.layers, strict=True)
         return tuple(replace(drawing, name=layer.called(self.name)) for drawing, layer in named)
 

@@ -38,24 +38,23 @@ from elastica_cad.strip.styles import Layout
 from elastica_cad.strip.tab_seats import EndPose, TabSeat, rest_in_seats
 
 CUTS = 8
-"""Stations at which the material of each cell of the rod is measured."""
+"""Number of stations in each cell of the rod at which the material is measured."""
 
 
 def rod_as_built(rod: Rod, layout: Layout, layers: Sequence[Layer]) -> Rod:
-    """The rod with the stiffness and weight of what is really cut: slots, solid ends, rounded tips.
+    """Return the rod with the stiffness and weight of the cut strip: slots, solid ends, rounded tips.
 
-    Each node is softer than designed by as much as the mean compliance of its cell, which is what the angle across
-    the cell feels. Weight follows; a rod whose own weight is in newtons has it scaled with the material, hung
-    masses stay.
+    The stiffness of each node is reduced by the mean compliance of its cell, which determines the angle across the
+    cell. The strip's weight is scaled with the material; hung masses stay.
 
     Parameters
     ----------
     rod : Rod
         The design.
     layout : Layout
-        What the style made of it.
+        Layout that the style made of the rod.
     layers : sequence of Layer
-        As they are cut.
+        Layers as they are cut.
 
     Returns
     -------
@@ -89,7 +88,7 @@ def rod_as_built(rod: Rod, layout: Layout, layers: Sequence[Layer]) -> Rod:
 
 
 def _stiffness_of_cells(rod: Rod, asked: FloatArray) -> FloatArray:
-    """K (n,) at the nodes; where it jumps inside a cell, that of the cell's mean compliance."""
+    """Return K (n,) at the nodes; if K jumps inside a cell, use the cell's mean compliance."""
     K = rod.stiffness.copy()
     half = rod.length / (rod.s.size - 1) / 2
     if rod.profile.steps:
@@ -113,39 +112,43 @@ def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
 
 
 CUT, CUT_GRAIN = 1.15, 0.7
-"""Factor on `crack_energy` of an even sheet for a slot, and the exponent with which that follows sqrt(E / G), over
-that of an even sheet. Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
+"""Factor on `crack_energy` of an even sheet for a slot, and the exponent of sqrt(E / G) relative to an even sheet.
+
+Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 STEP, TAB, TAB_REACH = 1.08, 0.86, 0.05
-"""Factors on `crack_energy` for a step of the width, and for a tab, which also keeps the strip from deflecting
-there (at nu = 0). Distance from the tab, in widths that it lacks, at which its idle corners act, in an even sheet;
-it follows sqrt(E / G). Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
+"""Factors on `crack_energy` for a step of the width and for a tab, and the distance of a tab's idle corners.
+
+A tab also keeps the strip from deflecting (factor at nu = 0). The distance from the tab is divided by the
+difference between the widths of strip and tab. It holds for an even sheet and is proportional to sqrt(E / G).
+Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 RESTRAINT, WIDE_TAB = 0.35, 0.4
-"""Length, in widths, along which a clamp keeps a strip from curling across, and the least share of the width for a
-tab that does the same. Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
+"""Length, in widths, along which a clamp prevents curling across, and the least relative width of a tab that does.
+
+Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 FREE_EDGE = 0.63
 """Loss of width, in thicknesses, of a strip that is twisted, at both edges together (Saint-Venant)."""
 
 LEAST_SHARE = 0.01
-"""Of the width: no less is counted as left, for a slot that reaches across."""
+"""Least remaining width beside a slot, as a fraction of the width; used if the slot crosses the whole strip."""
 
 PLATES = "plates"
-"""Over joints of pieces, as a cause."""
+"""Name of the cause for plates over joints of pieces."""
 
 LEAST_SHEARING = 0.8
-"""Of G / E of a sheet without grain: what shears more easily has a grain."""
+"""Fraction of the G / E of a sheet without grain; a sheet with a smaller G / E has a grain."""
 
 KINKS = frozenset({"slots", "narrow tabs", "steps of width"})
-"""Causes that hang on how the sheet shears."""
+"""Causes that depend on the shear modulus of the sheet."""
 
 
 def _softer(kinks: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
-    """Share (n,) of the stiffness that the nodes keep where places, mm, add what lengths, mm, of the strip do.
+    """Return the fraction (n,) of stiffness left at the nodes for pairs of place (mm) and added length (mm).
 
-    Sections that are bent by the same moment are curved alike in the mean, whatever of them is idle; it is at the
-    cut, the tab or the step that their mean slope jumps.
+    A kink adds as much angle as that length of strip. Sections under the same moment have the same mean curvature
+    even if parts of them are idle. Only at the cut, tab or step does their mean slope jump.
     """
     at, lengths = np.array(kinks).T
     node = np.clip(at / rod.length, 0.0, 1.0) * (rod.s.size - 1)
@@ -159,15 +162,18 @@ def _softer(kinks: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
 def stiffness_shares(
     rod: Rod, layout: Layout, slots: Sequence[Slot], tab_widths: tuple[float | None, float | None]
 ) -> dict[str, FloatArray]:
-    """What each cause leaves of, or adds to, the designed stiffness in the drawn shape: factors (n,), by cause.
+    """Return factors (n,) on the designed stiffness in the drawn shape, by cause.
 
-    "slots": the cuts and the idle corners beside them. "narrow tabs": idle corners at ends that are wider than
-    their tabs. "steps of width": the same of the wider side where a plain strip's width jumps. All three act as
-    kinks. "leaning ligaments": a ligament at the angle theta to the strip keeps cos(theta) of its stiffness when
-    its twist is held by its mirror image, for a Poisson ratio near 0.3: in sheets of 0 to 0.1 it keeps more (up to
-    7 and 4 % at 25 degrees). "anticlastic bending": the stiffening of the width, of a ligament in a perforated
-    strip. "borders that curl": what is left of, or added to, the stiffness of a laminate. Causes that change
-    nothing are left out.
+    - "slots": cuts and the idle corners beside them.
+    - "narrow tabs": idle corners at ends that are wider than their tabs.
+    - "steps of width": idle corners on the wider side of a jump of a plain strip's width.
+    - "leaning ligaments": a ligament at the angle theta to the strip keeps cos(theta) of its stiffness if its
+      mirror image prevents its twist. This holds for a Poisson ratio near 0.3. For 0 to 0.1 it keeps more (up to
+      7 and 4 % at 25 degrees).
+    - "anticlastic bending": stiffening of the width, or of the ligaments of a perforated strip.
+    - "borders that curl": change of the stiffness of a laminate.
+
+    The first three act as kinks. Causes that change nothing are left out.
 
     Parameters
     ----------
@@ -201,12 +207,12 @@ def stiffness_shares(
 
 @dataclass(frozen=True, eq=False)
 class Curl:
-    """How the stiffness of a strip's nodes follows their curvature.
+    """Dependence of the stiffness of a strip's nodes on their curvature.
 
     Attributes
     ----------
     designed : (n,) array
-        The factor of the nodes where they are bent as designed.
+        Factor at the nodes in the designed shape.
     factor : BendFactor
     """
 
@@ -214,18 +220,17 @@ class Curl:
     factor: BendFactor
 
     def on(self, made: Rod) -> Rod:
-        """A rod that is as stiff as made where it is bent as designed, and follows its bend elsewhere."""
+        """Return a rod whose stiffness depends on its bend, and equals that of `made` in the designed shape."""
         below = made.law
-        if isinstance(below, CurlingLaw):  # of a design that was led elsewhere, which curls in the same way
+        if isinstance(below, CurlingLaw):  # a design whose ends were moved; it curls in the same way
             below = below.below
         return replace(made, law=CurlingLaw(self.factor, self.designed, made.natural_curvature, below))
 
 
 def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
-    """How the stiffness of a strip's nodes follows their bend, about its design or however it is bent; None where
-    that changes nothing or a section knows its own.
+    """Return the dependence of the nodes' stiffness on their bend.
 
-    Where plates lie over joints it curls as without them.
+    Return None if the bend changes nothing or the section has its own law. Plates over joints are ignored.
     """
     s, rest = rod.s, rod.natural_curvature
     if layout.backing is not None:
@@ -238,22 +243,22 @@ def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
 
 
 def _curl_of(rod: Rod, layout: Layout) -> Curl | None:
-    """How a strip curls about its design."""
+    """Return how a strip curls about its design, or None if curling changes nothing."""
     factor = _curl_factor(rod, layout)
     return None if factor is None else Curl(factor(rod.curvature), factor)
 
 
 def curling_by_design(made: Rod, design: Rod, layout: Layout) -> Rod:
-    """A rod that follows its bend as its design counts on; where it does not, the rod itself."""
+    """Return a rod whose stiffness depends on its bend if its design assumes so, else the rod itself."""
     curl = _curl_of(design, layout) if design.follows_bend else None
     return made if curl is None else curl.on(made)
 
 
 def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
-    """A design to be led elsewhere: K stays, and what is cut curls at every place as its bend there makes it.
+    """Return a design whose ends can be moved: K stays, and the cut strip curls according to its bend.
 
-    Widths that were not made for that leave it out of balance until it is bent; those that are `corrected` are as
-    stiff as K in the design. A sheet whose Poisson ratio is only estimated bends with E.
+    If the widths are `corrected`, the stiffness in the design is K. Otherwise the rod is out of balance until it is
+    bent. A sheet whose Poisson ratio is only estimated bends with E.
     """
     sheet = layout.section is None and layout.sheet.poisson_known
     if rod.follows_bend or isinstance(rod.law, CurlingLaw) or not (sheet or layout.backing):
@@ -266,7 +271,7 @@ def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
 
 
 def _with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
-    """A rod whose stiffness is changed by factors (n,) while its weight stays: out of balance until bent."""
+    """Return a rod with its stiffness changed by factors (n,) and the same weight; out of balance until bent."""
     B, K = built.bending_stiffness or 1.0, built.stiffness
     changed = K * np.prod([np.ones(K.size), *shares], axis=0)
     made = built.with_stiffness(Profile.interpolate(built.s, changed))
@@ -281,7 +286,7 @@ def _with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
 
 
 def _beside_slots(slots: Sequence[Slot], width: Profile, corner: float) -> list[tuple[float, float]]:
-    """Place, mm, and length, mm, of the strip that adds as much, of each cut."""
+    """Return for each cut its place, mm, and the length of strip, mm, that adds the same angle."""
     found = []
     for slot in slots:
         points, widths = slot.center_line(width)
@@ -293,19 +298,19 @@ def _beside_slots(slots: Sequence[Slot], width: Profile, corner: float) -> list[
 
 
 def _crowded(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
-    """Places of the first two slots that are nearer to each other than the deeper of them is deep."""
+    """Return the places of the first two slots whose distance is less than the larger of their depths."""
     points = (slot.center_line(width)[0] for slot in slots)
     lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
     return next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ())
 
 
 def idle_length(width: float, narrow: float, thickness: float) -> float:
-    """Length, mm, that idle corners add to a strip which continues `narrow` mm wide, over its `crack_energy`.
+    """Return the length, mm, that idle corners add to a strip that continues `narrow` mm wide, over `crack_energy`.
 
-    Strips side by side, joined along their edges, are a sheet with a row of cracks between the narrow parts. Its
-    energy is that of a row of collinear cracks in a wide sheet, whose stress intensity follows sqrt(tan(pi a / w))
-    (Westergaard, J. Appl. Mech. 6, 1939; in bending as in tension): depth^2 / width of few and short ones. Twist
-    is lost near free edges, so the narrow part counts as narrower by `FREE_EDGE`.
+    Strips joined side by side along their edges are a sheet with a row of cracks between the narrow parts. The
+    stress intensity of a row of collinear cracks in a wide sheet is proportional to sqrt(tan(pi a / w))
+    (Westergaard, J. Appl. Mech. 6, 1939; in bending as in tension). For few and short cracks the result tends to
+    depth^2 / width. Twist is lost near free edges, so the narrow part counts as narrower by `FREE_EDGE`.
     """
     net = narrow**2 / (narrow + FREE_EDGE * thickness)
     return float(-2 / np.pi**2 * width * np.log(np.sin(np.pi / 2 * net / width)))
@@ -314,7 +319,9 @@ def idle_length(width: float, narrow: float, thickness: float) -> float:
 def _beside_tabs(
     layout: Layout, tab_widths: tuple[float | None, float | None], grain: float, restraint: FloatArray
 ) -> list[tuple[float, float]]:
-    """The same of ends that are wider than their tabs, at the centroid of what the idle corners add.
+    """Return place and added length, mm, for each end that is wider than its tab.
+
+    The place is the centroid of the length that the idle corners add.
 
     A tab also keeps the strip from curling across beside it, which takes away a length: `restraint` (2,), of the
     width, at the start and end.
@@ -337,7 +344,10 @@ def _beside_tabs(
 
 
 def _beside_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
-    """The same of steps of a plain strip's width, in the middle of the idle corners on the wider side."""
+    """Return place and added length, mm, for each step of a plain strip's width.
+
+    The place is the middle of the idle corners on the wider side.
+    """
     if layout.pattern is not None or layout.backing is not None or layout.size is not None:
         return []
     found = []
@@ -355,42 +365,42 @@ def _leaning(layout: Layout, s: FloatArray) -> FloatArray | None:
 
 
 def _breadth(layout: Layout, s: FloatArray) -> FloatArray:
-    """Width (n,), mm, of each of the parts side by side that curl on their own."""
+    """Return the width (n,), mm, of each of the parts that curl independently, side by side."""
     pieces = layout.pattern.ligaments if isinstance(layout.pattern, DiamondPattern) else 1
     return np.asarray(layout.material(s) / pieces)
 
 
 HELD_NODES = 241
-"""Of the rod that is bent in its holders: its own error is some millionths of the length."""
+"""Number of nodes of the rod that is bent in its holders; its error is some millionths of the length."""
 
 
 @dataclass(frozen=True, eq=False)
 class StripAsMade:
-    """What is bent when a strip is held.
+    """Model of the finished strip that is bent when the strip is held.
 
     Attributes
     ----------
     design : Rod
-        In the shape that is wanted, on nodes enough to be bent.
+        Wanted shape, with as many nodes as bending needs.
     layout : Layout
-        What the style made of it.
+        Layout that the style made of the design.
     bending_stiffness : float
         B of the design, N mm2.
     tab_stiffness : pair of float
         E I of the tabs at start and end, N mm2.
     cut : Rod
-        With the stiffness and weight of what is cut, slots apart.
+        Rod with the stiffness and weight of the cut strip, without slots.
     shares : mapping of str to (n,) array
-        Factors on that stiffness at the nodes by cause, bent as designed: see `stiffness_shares`; "plates" over
-        joints of pieces.
+        Factors on that stiffness at the nodes in the designed shape, by cause: see `stiffness_shares`. "plates" are
+        those over joints of pieces.
     approximated : bool
-        Does the drawing only come near to the stiffness, as holes and backings do?
+        True if the drawing only approximates the stiffness, as holes and backings do.
     lap : LapJoint, optional
-        The joint of a closed strip.
+        Joint of a closed strip.
     curl : Curl, optional
-        How the stiffness of the nodes follows their curvature.
+        Dependence of the nodes' stiffness on their curvature.
     crowded : tuple of float
-        Places, mm, of two slots that are nearer to each other than the deeper of them is deep; empty of others.
+        Places, mm, of two slots whose distance is less than the larger of their depths; empty if there are none.
     """
 
     design: Rod
@@ -414,9 +424,9 @@ class StripAsMade:
         plates: LapPlates | None,
         whole: Callable[[], Sequence[Layer]],
     ) -> "StripAsMade":
-        """What a rod becomes when its layout is cut with tabs and slots, and joined of pieces by plates.
+        """Return the model of a strip whose layout is cut with tabs and slots, and joined from pieces by plates.
 
-        `whole` gives its layers without slots, where they are needed.
+        `whole` returns the layers without slots; it is called only if they are needed.
         """
         design = rod if rod.s.size <= HELD_NODES else resample(rod, HELD_NODES)
         widths = np.array([tab.width for tab in fix_tab_widths(layout.width, ends)])
@@ -443,24 +453,24 @@ class StripAsMade:
 
     @cached_property
     def rod(self) -> Rod:
-        """The rod with all causes together, whose stiffness follows its bend: out of balance until bent."""
+        """Rod with all causes together, whose stiffness depends on its bend; out of balance until bent."""
         made = _with_shares(self.cut, list(self.shares.values()))
-        if self.lap is not None:  # stiffer there, and glued in a shape that it keeps in part
+        if self.lap is not None:  # stiffer, and partly keeps the shape in which it is glued
             made = replace(_with_shares(made, [self.lap.share]), natural_curvature=self.lap.rest)
         return made if self.curl is None else self.curl.on(made)
 
     @property
     def as_plate(self) -> bool:
-        """Are its widths made by how the strip curls across?"""
+        """True if the widths take into account how the strip curls across."""
         return self.design.follows_bend
 
     def tab_ratios(self, rod: Rod) -> tuple[float, float]:
-        """E I of the tabs at start and end over the B of a rod made of the design."""
+        """Return E I of the tabs at start and end over the B of a rod made from the design."""
         B = rod.bending_stiffness or self.bending_stiffness
         return self.tab_stiffness[0] / B, self.tab_stiffness[1] / B
 
     def rest(self, seats: Seats = (None, None)) -> Rod:
-        """The shape that the strip takes, with a law of its nodes where their stiffness follows the bend.
+        """Return the rest shape, with a law of its nodes if their stiffness depends on the bend.
 
         Raises
         ------
@@ -471,9 +481,9 @@ class StripAsMade:
 
     @cached_property
     def loaded(self) -> Rod:
-        """The rest shape with both ends held as designed; the design itself where nothing changes it.
+        """Rest shape with both ends held as designed; the design itself if no rest shape was found.
 
-        As `rest` has it: stiffness and law are those of the strip before it is bent.
+        As in `rest`, stiffness and law belong to the strip before it is bent.
         """
         try:
             return self.rest()
@@ -481,9 +491,7 @@ class StripAsMade:
             return self.design
 
     def held(self, seats: Seats, asked: "StripAsMade", tolerance: MakingTolerance) -> HeldShape:
-        """Return the shape as held, with what each cause does alone to the strip as requested, before any
-        correction.
-        """
+        """Return the shape as held, with the effect of each single cause on the strip before any correction."""
         rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
         parts = asked.parts(seats, poses)
         corrected, holders = (
@@ -520,11 +528,11 @@ class StripAsMade:
 
     @property
     def _cut_breadth(self) -> FloatArray | None:
-        """Width (n,), mm, of each of the parts that are cut side by side; None of what is planed or turned."""
+        """Width (n,), mm, of each part cut side by side, or None if the strip is planed or turned."""
         return _breadth(self.layout, self.design.s) if self.layout.size is None else None
 
     def _notes(self, seats: Seats) -> tuple[str, ...]:
-        """What the model takes for granted."""
+        """Return notes on the assumptions of the model."""
         sheet, found = self.layout.sheet, []
         if sheet.grain != "none" and sheet.shear_modulus is None and self.shares.keys() & KINKS:
             found.append(
@@ -557,10 +565,10 @@ class StripAsMade:
 
     @cached_property
     def _leaf_ends(self) -> FloatArray:
-        """How the through leaf (n, 2), mm, moves because the neutral axis jumps where leaves end; zeros of others.
+        """Displacement (n, 2), mm, of the through ply due to jumps of the neutral axis where plies end.
 
-        The through leaf is centred on the curve and held there at its ends. The force that the strip carries acts
-        off the neutral axis of the design by as much as that moves.
+        Zero for strips without plies. The through ply is centred on the curve, and its ends are held there. The
+        distance between the strip's force and the neutral axis of the design is the displacement of the axis.
         """
         design, stack = self.design, self.layout.stack
         if stack is None:
@@ -575,10 +583,10 @@ class StripAsMade:
         return np.asarray(axis + shape_responses(design, moments, apart=off[-1:] - axis[-1:])[:, 0] - off)
 
     def parts(self, seats: Seats, poses: tuple[EndPose, EndPose]) -> dict[str, float]:
-        """How far, mm, each cause alone takes the strip from its design, to first order about the strip as made.
+        """Return the deviation, mm, due to each single cause, to first order about the strip as made.
 
-        A cause bends each node by more or less under the designed moment, or moves and turns an end. Of a strip
-        that bends as a plate, anticlastic bending counts as if its widths were not made for it.
+        A cause changes the bend of each node under the designed moment, or moves and turns an end. For a strip that
+        bends as a plate, anticlastic bending counts as if the widths did not compensate it.
         """
         design, made = self.design, self.loaded
         K, elastic, n = design.stiffness, design.moment / design.stiffness, design.s.size

@@ -84,7 +84,7 @@ class CylinderSurface:
 
 @dataclass(frozen=True, eq=False)
 class ExtrudedSurface:
-    """A placed segment drawn along its frame's z axis; u is the segment's parameter, v the height, mm."""
+    """A placed segment extruded along its frame's z axis; u is the segment's parameter, v the height, mm."""
 
     profile: PlacedSegment
 
@@ -93,10 +93,10 @@ Surface: TypeAlias = SpaceSurface | PlaneSurface | CylinderSurface | ExtrudedSur
 
 
 def trace_turn(surface: Surface) -> FloatArray:
-    """(2, 2) matrix that takes traces to the parameters in which a kernel gets the surface.
+    """Return the (2, 2) matrix that maps traces to the parameters of the surface in a kernel.
 
-    OpenCASCADE integrates areas and volumes span by span in v but by a single rule in u: a strip with its length
-    in u would come out with a volume wrong by tenths. Splines are therefore handed over `turned`.
+    OpenCASCADE integrates areas and volumes span by span in v but by a single rule in u. The volume of a strip with
+    its length in u would be wrong by tenths, so splines are passed to the kernel `turned`.
     """
     return QUARTER if isinstance(surface, SpaceSurface) else STRAIGHT
 
@@ -122,7 +122,7 @@ class Edge:
 
 @dataclass(frozen=True, eq=False)
 class EdgeUse:
-    """How a loop runs through an edge, and where the edge lies in the (u, v) plane of the face's surface.
+    """Direction in which a loop passes an edge, and the edge in the (u, v) plane of the face's surface.
 
     `trace` is a straight line or a segment (parameters as in `PlacedSegment`, equal to the edge's); None on
     planes.
@@ -135,10 +135,10 @@ class EdgeUse:
 
 @dataclass(frozen=True, eq=False)
 class Face:
-    """A trimmed surface.
+    """Trimmed surface.
 
-    The first loop is the outer one; loops keep the face to their left as seen from the side to which the
-    surface's normal (d/du cross d/dv) points. `outward` is False where that side is the inside of the body.
+    The first loop is the outer loop. The face is to the left of its loops as seen from the side to which the
+    surface's normal (d/du cross d/dv) points. `outward` is False if that side is the inside of the body.
     """
 
     surface: Surface
@@ -164,7 +164,7 @@ class Boundary:
 
     @property
     def is_closed(self) -> bool:
-        """True where every edge is used exactly twice, once each way."""
+        """True if every edge is used exactly twice, once in each direction."""
         ways: list[list[int]] = [[] for _ in self.edges]
         for face in self.faces:
             for loop in face.loops:
@@ -176,31 +176,32 @@ class Boundary:
 DEGREE = 5  # of the bent faces
 POSITION_TOLERANCE = 1e-6  # mm, of the centre line
 SURFACE_TOLERANCE = 5e-8  # mm, of edges drawn on the bent faces
-MOST_SPANS = 4000  # of one face: more mean a curve that cannot be followed
+MOST_SPANS = 4000  # in a face; a curve that needs more cannot be approximated
 PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])  # places in a span where the error is measured
-LEAST_SPANS = 3  # of an edge: kernels walk from knot to knot, and fillets of one or two spans break off
-MOST_PARTS = 4  # that a span is cut into at a time
-SPARE = 1.1  # parts for every one that the error asks for
-FIRST_TURN = 0.2  # rad, of the spans that are tried first
+LEAST_SPANS = 3  # in an edge: kernels step from knot to knot, and fillets of one or two spans fail
+MOST_PARTS = 4  # parts of a span in one subdivision
+SPARE = 1.1  # factor on the number of parts that the error requires
+FIRST_TURN = 0.2  # turn of the first spans, rad
 
 Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
 
 @dataclass(frozen=True, eq=False)
 class BentMap:
-    """The map (x, y, up) -> space of a stretch of the strip on which the curvature has no jump.
+    """Map (x, y, up) -> space for a stretch of the strip without jumps of the curvature.
 
-    A flat point goes to C(x) - up N(x) + y Z: C the centre line, N its left normal, Z across. C and N share
-    one B-spline basis, so faces offset by half the thickness and the ruled sides between them are exact.
+    A flat point is mapped to C(x) - up N(x) + y Z with the centre line C, its left normal N and the direction Z
+    across the strip. C and N have the same B-spline basis, so faces offset by half the thickness and the ruled
+    sides between them are exact.
 
     Attributes
     ----------
     knots : (m + 6,) array
-        Of the B-spline, clamped, of degree 5 over arc length in mm.
+        Clamped knots of the B-spline of degree 5 over arc length, mm.
     coefficients : (m, 4) array
         C (mm) and N in the coordinates of the curve's plane.
     frame : Frame
-        The plane of the curve in space.
+        Plane of the curve in space.
     """
 
     knots: FloatArray
@@ -208,7 +209,7 @@ class BentMap:
     frame: Frame
 
     def frame_at(self, x: float) -> Frame:
-        """The tangent plane at arc length x, with its own x running on as arc length."""
+        """Return the tangent plane at arc length x; its own x coordinate is the arc length."""
         row = self._spline(np.array(x))
         normal = row[2:] / np.hypot(*row[2:])
         origin = self.frame.point(row[:2])
@@ -216,7 +217,7 @@ class BentMap:
         return Frame(origin, tangent, self.frame.z_axis).shifted(x=-x)
 
     def points(self, flat: FloatArray, heights: Sequence[float]) -> FloatArray:
-        """Points in space (k, levels, 3) of flat points (k, 2) at several heights above the middle, mm."""
+        """Return points in space (k, levels, 3) for flat points (k, 2) at heights above the middle, mm."""
         rows = self._spline(flat[:, 0])
         local = np.empty((len(flat), len(heights), 3))
         for level, up in enumerate(heights):
@@ -227,9 +228,9 @@ class BentMap:
     def curves(
         self, parts: Sequence[tuple[Segment, float, float]], heights: Sequence[float]
     ) -> list[list[SpaceCurve]]:
-        """What becomes of flat segments between two parameters, of each at several heights in one basis.
+        """Return the space curves of flat segments between two parameters, for several heights in the same basis.
 
-        Exact where x runs evenly along the segment (long sides, lines); others are fitted to 5e-8 mm.
+        They are exact if x is linear in the segment's parameter (long sides, lines), else fitted to 5e-8 mm.
         """
         found = []
         for segment, first, last in parts:
@@ -251,7 +252,7 @@ class BentMap:
         return found
 
     def surface(self, low: float, high: float, up: float) -> SpaceSurface:
-        """The bent face at the height `up`, from y = `low` to `high`; (u, v) are the flat (x, y)."""
+        """Return the bent face at the height `up`, from y = `low` to `high`; (u, v) are the flat (x, y)."""
         plane = self.coefficients[:, :2] - up * self.coefficients[:, 2:]
         local = np.empty((len(plane), 2, 3))
         local[:, :, :2] = plane[:, None]
@@ -280,7 +281,7 @@ class BentMap:
     def _common_knots(
         self, segment: Segment, even: tuple[float, float], limits: tuple[float, float]
     ) -> tuple[FloatArray, int]:
-        """Knots in the parameter of a segment with even x in which both its shape and the map are splines."""
+        """Return knots in the parameter of a segment with linear x, for which its shape and the map are splines."""
         (offset, speed), (first, last) = even, limits
         t, continuity = self._smoothness
         t, degree = (t - offset) / speed, DEGREE
@@ -311,16 +312,16 @@ def _in_thirds(edges: FloatArray, continuity: IntArray, degree: int) -> tuple[Fl
 
 
 def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
-    """Maps of the stretches between jumps of curvature, from the start of the rod to its end.
+    """Return maps of the stretches between jumps of curvature, from the start of the rod to its end.
 
-    `reach` is how far faces lie off the centre line, mm.
+    `reach` is the largest distance of a face from the centre line, mm.
 
     Raises
     ------
     InputError
         The radius is smaller than the reach somewhere.
     NotConvergedError
-        The curve is too wild to be followed to 1e-6 mm.
+        The curve could not be approximated to 1e-6 mm.
     """
     shape, breaks = _shape_of(rod)
     cuts = [0.0, *(s for s, continuity in breaks if continuity < 2), rod.length]
@@ -421,7 +422,7 @@ def _fitted(
 
 
 def _divided(edges: FloatArray, parts: IntArray) -> FloatArray:
-    """The edges (n + 1,) with every span cut into as many equal parts as `parts` (n,) says."""
+    """Return edges (n + 1,) with each span divided into `parts` (n,) equal parts."""
     width = np.repeat(np.diff(edges) / parts, parts)
     return np.append(np.repeat(edges[:-1], parts) + numbers_in_groups(parts) * width, edges[-1])
 
@@ -429,12 +430,12 @@ def _divided(edges: FloatArray, parts: IntArray) -> FloatArray:
 ROUNDED_MM = 1e-12
 """Difference between the x of both ends of a line across the strip that counts as 0, mm."""
 
-Map: TypeAlias = Frame | BentMap  # a tab lies in its tangent plane, the free part is bent
+Map: TypeAlias = Frame | BentMap  # tangent plane of a tab, or map of the bent free part
 
 
 @dataclass
 class BoundaryMaker:
-    """Builds vertices, edges and faces of the flat pattern's regions at one or two heights."""
+    """Builder of vertices, edges and faces for the flat pattern's regions at one or two heights."""
 
     corners: FloatArray
     maps: Sequence[Map]
@@ -447,14 +448,14 @@ class BoundaryMaker:
     posts: dict[int, int] = field(default_factory=dict)
 
     def sheet(self, regions: Sequence[Region]) -> Boundary:
-        """The face of every region at the first height."""
+        """Return the face of every region at the first height."""
         for region in regions:
             self._add_edges(region)
             self._add_faces(region)
         return self._boundary()
 
     def solid(self, regions: Sequence[Region]) -> Boundary:
-        """The closed skin between the two heights."""
+        """Return the closed surface between the two heights."""
         for region in regions:
             self._add_edges(region)
             self._add_faces(region)
@@ -468,7 +469,7 @@ class BoundaryMaker:
         return Boundary(np.array(self.vertices), tuple(self.edges), tuple(self.faces))
 
     def _add_edges(self, region: Region) -> None:
-        """Vertices and edges at every height, in the order of the heights."""
+        """Add vertices and edges at every height, in the order of the heights."""
         shape = self.maps[region.interval]
         pieces = [piece for loop in region.loops for piece in loop]
         fresh = [piece.start for piece in pieces if piece.start not in self.at_corner]
@@ -486,7 +487,7 @@ class BoundaryMaker:
             ]
 
     def _add_faces(self, region: Region) -> None:
-        """The region's face at every height: seen from above it lies to the left of its loops."""
+        """Add the region's face at every height; seen from above it is to the left of its loops."""
         shape = self.maps[region.interval]
         surfaces: list[Surface]
         if isinstance(shape, Frame):
@@ -506,7 +507,7 @@ class BoundaryMaker:
             self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
 
     def _add_side(self, piece: Piece, shape: Map) -> None:
-        """The wall over one piece of a loop; u follows the piece's parameter, v goes up."""
+        """Add the wall over a piece of a loop; u is the piece's parameter, v the height."""
         low = self.at_piece[piece.number]
         surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
         height = self.heights[1] - self.heights[0]
@@ -549,13 +550,13 @@ class BoundaryMaker:
         return self._ruled(low_side, high_side)
 
     def _ruled(self, low: SpaceCurve, high: SpaceCurve) -> SpaceSurface:
-        """Straight across between two splines over the same knots."""
+        """Return the ruled surface between two splines with the same knots."""
         h = self.heights[1] - self.heights[0]
         points = np.stack([low.control_points, high.control_points], axis=1)
         return SpaceSurface((low.knots, np.array([0.0, 0.0, h, h])), points, (low.degree, 1))
 
     def _post(self, corner: int, shape: Map) -> int:
-        """The straight edge through the thickness at a corner."""
+        """Return the straight edge through the thickness at a corner."""
         if corner not in self.posts:
             low = self.at_corner[corner]
             rise = self.vertices[low + 1] - self.vertices[low]
@@ -569,10 +570,9 @@ class BoundaryMaker:
 
 
 def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace | Segment]:
-    """The traces of a wall's edges at these heights.
+    """Return the traces of a wall's edges at these heights.
 
-    On a spline they have the spline's knots: kernels measure a face from knot to knot of its traces, and miss what
-    bends between.
+    On a spline they have the spline's knots, because kernels measure a face from knot to knot of its traces.
     """
     if not isinstance(wall, SpaceSurface):
         return [StraightTrace((0.0, height), (1.0, 0.0)) for height in heights]
@@ -582,7 +582,7 @@ def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace 
 
 
 def _trace_on(shape: Map, segment: Segment) -> StraightTrace | Segment | None:
-    """A segment on the face that its pattern becomes: on a bent one it is itself, planes ask for none."""
+    """Return the trace of a segment on its face: the segment itself on a bent face, None on a plane."""
     if isinstance(shape, Frame):
         return None
     if not isinstance(segment, Line):
@@ -592,17 +592,17 @@ def _trace_on(shape: Map, segment: Segment) -> StraightTrace | Segment | None:
 
 
 def _levels(frame: Frame, heights: Sequence[float]) -> list[Frame]:
-    """The frame at every height."""
+    """Return the frame at every height."""
     return [frame.shifted(z=up) for up in heights]
 
 
 def _plane_through(origin: FloatArray, along: FloatArray, up: FloatArray) -> Frame:
-    """The plane of a wall, which stands upright on what it runs along."""
+    """Return the plane of a wall through `origin`; `up` is at right angles to `along`."""
     return Frame(origin, along / hypot(*along.tolist()), up / hypot(*up.tolist()))
 
 
 def _across(segment: Segment) -> tuple[float, float]:
-    """Bounds of y along a segment; of a spline those of its control points."""
+    """Return bounds of y along a segment; for a spline the bounds of its control points."""
     if isinstance(segment, Line):
         (_, y), (_, to_y) = segment.start.tolist(), segment.end.tolist()
         return min(y, to_y), max(y, to_y)
@@ -611,12 +611,12 @@ def _across(segment: Segment) -> tuple[float, float]:
 
 
 def _ends(piece: Piece) -> tuple[int, int]:
-    """Corners in the direction of the parameter."""
+    """Return the corners in the direction of the parameter."""
     return (piece.start, piece.end) if piece.forward else (piece.end, piece.start)
 
 
 def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArray:
-    """Points in space (k, levels, 3) of flat points (k, 2) at several heights."""
+    """Return points in space (k, levels, 3) for flat points (k, 2) at several heights."""
     if isinstance(shape, BentMap):
         return shape.points(flat, heights)
     return shape.point(flat)[:, None] + np.outer(heights, shape.z_axis)
@@ -625,7 +625,7 @@ def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArra
 def _curves(
     shape: Map, pieces: Sequence[Piece], heights: Sequence[float]
 ) -> Iterator[Sequence[SpaceCurve | PlacedSegment]]:
-    """The segment of each piece in space at every height."""
+    """Yield the segment of each piece in space at every height."""
     if not isinstance(shape, BentMap):
         frames = _levels(shape, heights)
         yield from ([PlacedSegment(piece.segment, frame) for frame in frames] for piece in pieces)
@@ -641,5 +641,5 @@ def _curves(
 
 
 def _is_across(segment: Segment) -> bool:
-    """Whether it is a line across the strip, which stays straight on a bent strip."""
+    """Return True for a line across the strip, which stays straight on a bent strip."""
     return isinstance(segment, Line) and abs(float(segment.start[0] - segment.end[0])) < ROUNDED_MM

@@ -30,22 +30,22 @@ MOST_TURNED_BACK = 6
 """Number of steps beyond the end of a side that are shortened, before the side counts as too short."""
 
 CLOSE_MM = 1e-9
-"""Accuracy, mm, to which the two centres of the arc agree."""
+"""Tolerance, mm, between the two centres of the arc."""
 
 PARALLEL = 1e-200
 """Replacement for a zero divisor: between parallel sides the ends of the arc leave the sides."""
 
 CLOSE_SHARE = 1e-3
-"""Share of the radius by which an arc may cross a side that it replaces, and the flatness of its points."""
+"""Tolerance as a fraction of the radius: for an arc that crosses a replaced side, and for flattening the side."""
 
 
 def round_corners(path: Path, radius: float) -> Path:
-    """The closed path with an arc of `radius` mm, tangent to both sides, in place of every corner.
+    """Return the closed path with an arc of `radius` mm, tangent to both sides, in place of every corner.
 
     Raises
     ------
     InputError
-        The sides at a corner are too short for the radius; says where.
+        The sides at a corner are too short for the radius. The message gives the place.
 
     Examples
     --------
@@ -60,7 +60,7 @@ def round_corners(path: Path, radius: float) -> Path:
 
 
 def too_small_for(radius: float, path: Path) -> InputError:
-    """The refusal of a path that the radius does not fit."""
+    """Return the error for a path that the radius does not fit."""
     return InputError(
         "a corner radius of {radius:g} does not fit at {place}: make it smaller",
         radius=Length(radius),
@@ -71,8 +71,8 @@ def too_small_for(radius: float, path: Path) -> InputError:
 def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | None]:
     """Return paths with rounded corners; None for each path that the radius does not fit.
 
-    A side too short for the arcs at both its ends is left out where one arc fits the sides before and behind it:
-    the blunt end of a hole that is cut off near its tip is rounded as the tip would be.
+    A side too short for the arcs at both its ends is left out if an arc fits the sides before and after it. So the
+    blunt end of a hole that is cut off near its tip is rounded as the tip would be.
     """
     segments = [segment for path in paths for segment in path.segments]
     if not segments:
@@ -137,7 +137,7 @@ class _Ring:
 
 
 def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment]) -> bool:
-    """Whether the arc cuts off the sides that it replaces and does not cross them."""
+    """Return True if the arc cuts off the sides that it replaces and does not cross them."""
     if not gap:
         return True
     if arc is None:
@@ -167,7 +167,7 @@ class _Corners:
 def _corners(
     table: SegmentTable, before: IntArray, after: IntArray, gaps: BoolArray, radius: float
 ) -> _Corners:
-    """Arcs where sides (n,) turn into those behind them, at the end of one or over a gap."""
+    """Return the arcs between sides (n,) and the sides after them, at a corner or across a gap."""
     s = table.at(before, np.ones(before.size), 1)
     t = table.at(after, np.zeros(after.size), 1)
     turn = turn_between(s, t)
@@ -215,13 +215,13 @@ def _corners(
 
 
 def _beside(points: FloatArray, velocities: FloatArray, distance: FloatArray) -> FloatArray:
-    """Points (n, 2) moved to the left of their velocities by distances (n, 1)."""
+    """Return points (n, 2) moved to the left of their velocities by distances (n, 1)."""
     left = np.column_stack([-velocities[:, 1], velocities[:, 0]])
     return np.asarray(points + distance * left / norm(velocities)[:, None], dtype=float)
 
 
 def _sizes(segments: Sequence[Segment]) -> FloatArray:
-    """mm (n,), of splines not less than their lengths."""
+    """Return sizes (n,), mm: lengths of lines and arcs, upper bounds of the lengths of splines."""
     sizes = np.array([0.0 if isinstance(segment, Spline) else segment.length for segment in segments])
     splines = [(i, segment.curve) for i, segment in enumerate(segments) if isinstance(segment, Spline)]
     if splines:
@@ -229,6 +229,6 @@ def _sizes(segments: Sequence[Segment]) -> FloatArray:
         begins = np.cumsum(counts) - counts
         sides = norm(np.diff(np.concatenate([curve.control_points for _, curve in splines]), axis=0))
         sides = np.append(sides, 0.0)
-        sides[begins[1:] - 1] = 0.0  # from one curve to the next
+        sides[begins[1:] - 1] = 0.0  # between curves
         sizes[[i for i, _ in splines]] = np.add.reduceat(sides, begins)
     return sizes

@@ -12,7 +12,7 @@ from elastica_cad.strip.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, centred_text, text_width
 
 BEST_LOAD = 5.0
-"""w L^3 / EI at which a clamped strip drops by half its length, where the droop depends most on E."""
+"""Load w L^3 / EI for which a clamped strip drops by half its length; its droop then depends most on E."""
 
 TICK_MM, LONG_TICK_MM = 10.0, 50.0
 """Steps of the scale, mm."""
@@ -25,9 +25,10 @@ EDGE_MM = 0.5
 
 
 def coupon_overhang(sheet: Sheet, *, max_overhang: float = 400.0) -> float:
-    """The free length that drops by about half of itself, in whole centimetres, at most `max_overhang`, mm.
+    """Return the free length, mm, whose end drops by about half the length, rounded down to whole centimetres.
 
-    There the reading error matters least; a shorter one can be measured too, less exactly.
+    At this length the reading error matters least. It is limited to `max_overhang`, mm; shorter lengths can be
+    measured less exactly.
 
     Examples
     --------
@@ -48,7 +49,7 @@ def coupon_drawing(
     clamp: float = 40.0,
     label: str | None = None,
 ) -> Drawing:
-    """A rectangular strip along the grain: clamp it level up to any tick, let the rest hang, read the droop.
+    """Return a rectangular test strip along the grain, whose droop is read when it is clamped level at a tick.
 
     x = 0 is the tick of the whole overhang; every tick is engraved with the free length it leaves. A second
     coupon makes the rule that the droop is read on.
@@ -112,7 +113,7 @@ def coupon_drawing(
 
 
 def reference_bar(length: float = 100.0, *, width: float = 10.0) -> Drawing:
-    """A bar whose length is engraved on it: measured after cutting, it tells the machine's scale and kerf.
+    """Return a bar with its length engraved, to measure the machine's scale and kerf after cutting.
 
     Parameters
     ----------
@@ -144,7 +145,7 @@ def reference_bar(length: float = 100.0, *, width: float = 10.0) -> Drawing:
 
 
 def _scale(free: float, width: float) -> tuple[tuple[LayeredPath, ...], tuple[Text, ...]]:
-    """Ticks from the lower edge and the free length that each long one leaves."""
+    """Return ticks from the lower edge, and the free length at each long tick."""
     edge = -width / 2 + EDGE_MM
     short, long = 0.12 * width, 0.24 * width
     height = min(3.0, 0.2 * width)
@@ -160,7 +161,7 @@ def _scale(free: float, width: float) -> tuple[tuple[LayeredPath, ...], tuple[Te
         if major:
             figure = f"{left:g}"
             start = min(x + 1.0, free - text_width(figure, height) - EDGE_MM)
-            # the whole length stands at the upper edge, clear of a round one that may follow closely
+            # write the whole length at the upper edge, clear of a round number that may follow closely
             y = -edge - height if x == 0.0 else edge + long + 1.0
             texts.append(Text((start, y), figure, height, 0.0, ENGRAVE))
     return tuple(paths), tuple(texts)

@@ -35,11 +35,10 @@ MARK = "MARK"
 SHEET = "SHEET"
 
 LAYERS = (SHEET, ENGRAVE, MARK, CUT_INNER, CUT_OUTER)
-"""All layers in the order in which a machine should work: a part comes loose last. The border of the sheet is for
-people, and no machine follows it."""
+"""All layers in the order of machining, so that parts come loose last; no machine follows the border SHEET."""
 
 SAME_MM = 1e-6
-"""Paths nearer to each other than this everywhere are one: files keep six digits behind the point."""
+"""Distance, mm, below which paths are the same path, because files have six decimals."""
 
 CHORD_SHARE = 1e-4  # of the diagonal: how closely a notebook's picture follows splines
 LAYER_INK = {CUT_OUTER: RED, CUT_INNER: BLUE, ENGRAVE: INK, MARK: GREY, SHEET: GREY}
@@ -151,7 +150,7 @@ class Drawing:
 
     @classmethod
     def merged(cls, name: str, drawings: Iterable["Drawing"]) -> "Drawing":
-        """All drawings in one."""
+        """Return a drawing with the contents of all drawings."""
         parts = several("drawings", drawings, Drawing, "Drawing")
         return cls(name, tuple(p for d in parts for p in d.paths), tuple(t for d in parts for t in d.texts))
 
@@ -162,7 +161,7 @@ def _check_layer(layer: str) -> None:
 
 
 def _without_twins(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
-    """The paths in order, without those that run where an earlier one of their layer, or a cut, runs."""
+    """Return the paths in order, without duplicates of an earlier path of the same layer or of an earlier cut."""
     if not items:
         return ()
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
@@ -193,7 +192,7 @@ WIDEST_KERF_MM = 15.0
 
 
 def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -> Drawing:
-    """The drawing as the tool must run so that the parts come out as drawn.
+    """Return the path of the tool's centre that gives the parts their drawn sizes.
 
     Closed loops on CUT_OUTER move outward by kerf / 2, those on CUT_INNER inward; a negative kerf moves them
     the other way. Open cuts, engraving and marks stay.
@@ -209,8 +208,7 @@ def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -
     Raises
     ------
     InputError
-        A kerf wider than that of any tool; a loop is swallowed by the cut, or moved loops cross or touch each
-        other.
+        The kerf is wider than any tool's, a loop is too small for the cut, or moved loops cross or touch.
 
     Examples
     --------
@@ -287,10 +285,10 @@ def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
 
 
 CORNER_RAD = 0.05
-"""Angle between two segments, rad, from which on bridges avoid the corner; smaller ones come from fitting."""
+"""Least angle between two segments, rad, that bridges avoid as a corner; smaller angles come from fitting."""
 
 SAME_PLACE_MM = 1e-9
-"""Arc lengths nearer to each other than this are the same."""
+"""Difference, mm, below which arc lengths are equal."""
 
 
 @dataclass(frozen=True)
@@ -319,15 +317,15 @@ class HoldingTabs:
 
 
 def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawing:
-    """The drawing with bridges in its closed outer cuts: each loop becomes open cuts, in its order.
+    """Return the drawing with bridges in its closed outer cuts; each loop becomes open cuts in its order.
 
-    Bridges are spread evenly and moved off corners. The last step of all: kerf moves closed loops only.
+    Bridges are spaced evenly and moved off corners. Compensate the kerf first, because it moves only closed loops.
 
     Parameters
     ----------
     drawing : Drawing
     tabs : HoldingTabs, optional
-        The default ones unless given.
+        Sizes of the bridges; `HoldingTabs()` by default.
 
     Raises
     ------
@@ -361,7 +359,7 @@ FLAT_MM = 0.02
 def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
     """Return a drawing for each closed outer cut, with the inner cuts inside it, without engraving and marks.
 
-    Cutting services cut every line, so nothing else may be in their files.
+    Cutting services cut every line, so their files must not contain anything else.
 
     Parameters
     ----------
@@ -440,7 +438,7 @@ class _Loop:
         return [Path(self._between(a, b)) for a, b in zip(starts, stops, strict=True)]
 
     def _off_corners(self, middle: float, width: float, reach: float) -> float:
-        """The nearest place whose bridge, with as much again on both sides, meets no corner."""
+        """Return the nearest place for a bridge that keeps its width clear of corners on both sides."""
         for shift in np.linspace(0.0, reach, 41):
             for at in (middle + shift, middle - shift):
                 away = np.abs((self.corners - at + self.length / 2) % self.length - self.length / 2)
@@ -449,7 +447,7 @@ class _Loop:
         return middle
 
     def _between(self, a: float, b: float) -> list[Segment]:
-        """The segments from one arc length to a later one, around the start where need be."""
+        """Return the segments between two arc lengths, across the start if necessary."""
         pieces: list[Segment] = []
         for turn in (0.0, self.length):
             for segment, end in zip(self.segments, self.ends + turn, strict=True):

@@ -19,24 +19,24 @@ from elastica_cad.refusals import Length
 from elastica_cad.strip.outline import pace
 
 SMOOTH = 2
-"""Continuous derivatives inside an edge: kernels offset faces, which takes one of them away."""
+"""Number of continuous derivatives inside an edge; kernels offset faces, which loses a derivative."""
 
 RAMP = 2e-5
-"""A piece between two kinks that is shorter than this share of the loop is the ramp of a step in width."""
+"""Fraction of the loop's length below which a piece between two kinks is the ramp of a step in width."""
 
 NO_JUMP = 1e-4
-"""mm: a jump of the second derivative worth less than this over a span is smoothed, which costs a hundredth."""
+"""Effect, mm, over a span below which a jump of the second derivative is smoothed; the error is 1 % of it."""
 
 NO_STEP = 1e-5
-"""mm: sides that end nearer than this to each other are made to meet."""
+"""Distance, mm, below which the ends of two sides are joined."""
 
 
 def in_smooth_pieces(path: Path) -> Path:
-    """The loop with its splines cut where they kink, and a line straight across for every step of the width.
+    """Return the loop with its splines cut at kinks, and a line straight across for every step of the width.
 
-    A drawn side is one spline, which a laser follows in one go: it may have corners at its knots, and ramps over
-    which a width that jumps gets from one value to the other. Kernels fillet, offset and hollow only what is
-    smooth inside its edges. No point moves by more than half a ramp, 5e-6 of the length, and areas stay.
+    A drawn side is a single spline, so that a laser cuts it without stopping. It may have corners at its knots, and
+    ramps in place of jumps of the width. Kernels fillet, offset and hollow only edges that are smooth inside. No
+    point moves by more than half a ramp, 5e-6 of the length, and areas stay.
 
     Examples
     --------
@@ -59,7 +59,7 @@ def in_smooth_pieces(path: Path) -> Path:
 
 
 def _reach(path: Path) -> float:
-    """Extent of the loop along the strip, mm; for splines that of their control points."""
+    """Return the extent of the loop along the strip, mm; for splines the extent of their control points."""
     rows = [
         segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
         for segment in path.segments
@@ -78,7 +78,7 @@ def _kinks(segment: Segment) -> FloatArray:
 
 
 def _smoothed(segment: Segment) -> Segment:
-    """The segment with single knots in place of double ones at which its curvature does not really jump."""
+    """Return the segment with double knots replaced by single knots where its curvature has no real jump."""
     if not isinstance(segment, Spline) or segment.curve.weights is not None:
         return segment
     curve = clamp_ends(segment.curve)
@@ -129,7 +129,7 @@ class _Cut:
 
 
 def _cut(segment: Segment, ramp: float) -> _Cut | None:
-    """Cut a segment into its smooth parts; None where it has no kink."""
+    """Cut a segment into its smooth parts, or return None if it has no kink."""
     kinks = _kinks(segment).tolist()
     if not isinstance(segment, Spline) or not kinks:
         return None
@@ -169,7 +169,7 @@ ON_SEAM = 1e-7  # mm
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """A part of one segment as a loop runs through it.
+    """Part of a segment in the direction of its loop.
 
     Attributes
     ----------
@@ -178,13 +178,13 @@ class Piece:
     first, last : float
         Range of the segment's parameter: distance on lines, angle on arcs, the curve's own on splines.
     forward : bool
-        True where the loop runs with the parameter.
+        True if the loop follows increasing parameters.
     start, end : int
         Corners in the direction of the loop.
     number : int
-        Two pieces with the same number are the two sides of one seam.
+        Two pieces with the same number are the two sides of a seam.
     seam : bool
-        True for a piece that only exists because the pattern was cut there.
+        True for a piece that exists only because the pattern was cut there.
     """
 
     segment: Segment
@@ -199,7 +199,7 @@ class Piece:
 
 @dataclass(frozen=True, eq=False)
 class Region:
-    """A connected part of the pattern between two stations; `interval` 0 lies before the first station."""
+    """Connected part of the pattern between two stations; `interval` 0 is before the first station."""
 
     interval: int
     loops: tuple[tuple[Piece, ...], ...]
@@ -259,7 +259,7 @@ class _Cutter:
     """Pieces with numbers below this belong to the outline."""
 
     def add(self, path: Path, *, backward: bool) -> None:
-        """Split one closed loop, perhaps run backward, at the stations; sort its pieces into intervals."""
+        """Split a closed loop, or its reverse, at the stations and sort its pieces into intervals."""
         parts = [part for segment in path.segments for part in self._split(segment, len(path.segments) == 1)]
         if backward:
             parts = [(segment, a, b, not forward) for segment, a, b, forward in reversed(parts)]
@@ -315,7 +315,7 @@ class _Cutter:
             yield segment, low, high, forward
 
     def _interval(self, piece: Piece) -> int:
-        """Which interval a piece lies in; one along a station belongs to the side on its left."""
+        """Return the interval of a piece; a piece along a station belongs to the side on its left."""
         segment, stations = piece.segment, self.stations
         if not isinstance(segment, Line):
             middle = float(on_segment(segment, np.array((piece.first + piece.last) / 2))[0])
@@ -389,7 +389,10 @@ class _Cutter:
 
 
 def _parted(loop: Sequence[Piece]) -> Iterator[list[Piece]]:
-    """A loop as loops that come to each corner once: holes may have a tip on a station and reach past the next."""
+    """Split a loop into loops that pass each corner once.
+
+    A hole may have a tip on a station and extend past the next.
+    """
     walk: list[Piece] = []
     for piece in loop:
         walk.append(piece)
@@ -400,7 +403,7 @@ def _parted(loop: Sequence[Piece]) -> Iterator[list[Piece]]:
 
 
 def _crossings(segment: Segment, x: float) -> list[float]:
-    """Parameters strictly inside a segment where it passes from one side of the line at x to the other."""
+    """Return parameters strictly inside a segment where it crosses the line at x."""
     if isinstance(segment, Line):
         a, b = float(segment.start[0]) - x, float(segment.end[0]) - x
         apart = min(abs(a), abs(b)) > ON_SEAM and a * b < 0
@@ -425,7 +428,7 @@ def _crossings(segment: Segment, x: float) -> list[float]:
 
 
 def _polygon(loop: Sequence[Piece]) -> FloatArray:
-    """Points along a loop, dense enough to tell inside from outside."""
+    """Return points along a loop, dense enough to distinguish inside from outside."""
     rows = []
     for piece in loop:
         count = 2 if isinstance(piece.segment, Line) else 33

@@ -21,7 +21,7 @@ MEETING_SHARE = 1e-4
 
 
 def closes(rod: Rod) -> bool:
-    """Whether the ends of a rod meet with the same direction."""
+    """Return True if the ends of a rod meet in the same direction."""
     gap = float(np.hypot(*(rod.position[-1] - rod.position[0])))
     turn = float(np.angle(np.exp(1j * float(rod.angle[-1] - rod.angle[0]))))
     return gap <= MEETING_SHARE * rod.length and abs(turn) <= CORNER_RAD
@@ -29,7 +29,7 @@ def closes(rod: Rod) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class Reactions:
-    """What the supports do to the strip: forces (2,) in N, moments in N mm (positive anticlockwise).
+    """Forces (2,), N, and moments, N mm (positive anticlockwise), of the supports on the strip.
 
     Examples
     --------
@@ -56,46 +56,46 @@ class Reactions:
 Seats = tuple[TabSeat | None, TabSeat | None]
 
 ANTICLASTIC = "anticlastic bending"
-"""Name of the cause that a wide strip curls across as it bends, and is stiffer."""
+"""Name of the cause that a wide strip curls across as it bends, which makes it stiffer."""
 
 LEAF_ENDS = "ends of leaves"
-"""Where a glued leaf ends, the neutral axis of the stack jumps by half its thickness."""
+"""Name of the cause that the neutral axis of a stack jumps by half a thickness where a glued ply ends."""
 
 LEAST_TOLD_MM = 0.005
-"""Deviations below this, mm, are not listed one by one."""
+"""Smallest deviation, mm, that is listed with its cause."""
 
 
 MOST = np.sqrt(0.5)
-"""Of what a strip strays in all: more than this is most of it, as independent causes add by their squares."""
+"""Fraction of the whole deviation above which a cause is most of it, because the squares of causes add."""
 
 
 @dataclass(frozen=True, eq=False)
 class HeldShape:
-    """A strip in its holders.
+    """Shape of a strip in its holders.
 
     Attributes
     ----------
     rod : Rod
-        The shape it takes, with all causes together.
+        Shape with all causes together.
     deviation : float
-        Largest distance of any place of the strip from where it was designed to be, mm, as the model has it.
+        Largest distance between any place of the strip and its designed position, mm, as modelled.
     parts : mapping of str to float
-        What each cause alone adds to first order, mm: "slots", "narrow tabs", "leaning ligaments", "anticlastic
-        bending", "start: pocket" and so on.
+        Deviation due to each single cause to first order, mm: "slots", "narrow tabs", "leaning ligaments",
+        "anticlastic bending", "start: pocket" and so on.
     start, end : EndPose
-        Where the ends come to rest.
+        Positions of the ends at rest.
     corrected : bool
-        Were the widths corrected? `parts` are then those of the strip without the correction.
+        True if the widths were corrected. `parts` then belong to the strip without the correction.
     as_plate : bool
-        Are the widths made for anticlastic bending, which would move the strip otherwise?
+        True if the widths compensate anticlastic bending, which would move the strip otherwise.
     made_up_for : tuple of str
-        Causes that move the strip without the correction of its widths; holders are not corrected.
+        Causes that the corrected widths compensate; the effect of holders is not corrected.
     open : float
-        How far a strip of a perfect sheet may lie from where the model has it, mm: see `open_deviation`.
+        Uncertainty of the model for a strip of a perfect sheet, mm: see `open_deviation`.
     sheet : mapping of str to float
-        What the sheet, its cut and its clamps add, mm, by cause: see `sheet_effects`.
+        Deviation due to sheet, cut and clamps, mm, by cause: see `sheet_effects`.
     notes : tuple of str
-        What the model takes for granted of this strip.
+        Assumptions of the model for this strip.
     """
 
     rod: Rod
@@ -112,16 +112,16 @@ class HeldShape:
 
     @property
     def sheet_adds(self) -> float:
-        """What sheet, cut and clamps add together, mm; they are independent of each other."""
+        """Deviation due to sheet, cut and clamps together, mm; they are independent of each other."""
         return float(np.linalg.norm([*self.sheet.values(), 0.0]))
 
     @property
     def expected(self) -> float:
-        """How far a real strip strays, mm: as modelled, by what the model leaves open, and by its sheet."""
+        """Expected deviation of a real strip, mm: modelled, uncertainty of the model, and sheet."""
         return float(np.linalg.norm([self.deviation, self.open, self.sheet_adds]))
 
     def __str__(self) -> str:
-        """One sentence, and one for each note."""
+        """Return a sentence on the deviation and a sentence for each note."""
         figures = {
             "most of it as modelled": self.deviation,
             "most of it left open by the model": self.open,
@@ -166,9 +166,9 @@ def about(mm: float) -> Length:
 
 
 def strayed(design: Rod, place: FloatArray) -> float:
-    """Largest distance, mm, of the nodes of a shape (n, 2) from those of the design.
+    """Return the largest distance, mm, between the nodes of a shape (n, 2) and the nodes of the design.
 
-    A closed strip, which nothing holds in its place, is laid over its design as well as it fits.
+    A closed strip has no fixed position, so it is first moved and turned to fit its design.
     """
     if closes(design):
         middle, wanted = place.mean(axis=0), design.position.mean(axis=0)
@@ -182,7 +182,7 @@ def strayed(design: Rod, place: FloatArray) -> float:
 def shape_responses(
     rod: Rod, moments: FloatArray, loads: FloatArray | None = None, apart: FloatArray | None = None
 ) -> FloatArray:
-    """How the nodes of a rod in balance move (n, m, 2), mm, to first order, with its start held in its place.
+    """Return displacements (n, m, 2), mm, of the nodes of a rod in balance to first order, with its start fixed.
 
     The shape answers changes of moment and weight at the same shape by H d(alpha) + C^t d(lambda) = -d(imbalance),
     C d(alpha) = d(chord), with the Hessian H of the discrete energy (paper, section 7.1) and the ends' rows C.
@@ -191,11 +191,11 @@ def shape_responses(
     ----------
     rod : Rod
     moments : (n, m) array
-        By how much the moments at the nodes grow, where the shape stays.
+        Increases of the moments at the nodes for the same shape.
     loads : (n, m, 2) array, optional
-        The same of the nodal weight.
+        Increases of the nodal weights for the same shape.
     apart : (m, 2) array, optional
-        How the end is moved against the start, mm.
+        Displacement of the end relative to the start, mm.
     """
     discrete, (n, m) = rod.discrete, moments.shape
     lengths, tangents = discrete.edge_lengths[:, None], discrete.tangents
@@ -209,7 +209,7 @@ def shape_responses(
     answers = solve_tridiagonal(*discrete.hessian, np.hstack([-imbalance, rows.T]))
     turned, forced = answers[:, :m], answers[:, m:]
     chord = 0.0 if apart is None else apart.T[list(discrete.held)]
-    # of a straight rod no turn of its parts moves the ends along it
+    # turning the parts of a straight rod does not move its ends along the rod
     turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]
     normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
     moved = np.zeros((n, m, 2))
@@ -218,7 +218,7 @@ def shape_responses(
 
 
 PHASES = 8
-"""Of a wave along the strip that are tried."""
+"""Number of phases that are tried for a wave along the strip."""
 
 OPEN_SHARES: Mapping[str, float] = {
     "slots": 0.24,
@@ -231,16 +231,19 @@ OPEN_SHARES: Mapping[str, float] = {
     "lap joint": 0.1,
     LEAF_ENDS: 0.1,
 }
-"""Of what each cause does to a strip: the largest error of the model (`docs/finite_elements.md`)."""
+"""Largest error of the model as a fraction of the effect of each cause (`docs/finite_elements.md`)."""
 
 OPEN_PLAIN, OPEN_CURLED, OPEN_BUILT, OPEN_GRAINED = 1e-4, 2.5e-4, 3e-4, 2.2e-3
-"""Of the length, whatever the causes: of any strip; of one whose sheet curls across, at nu = 0.3 and as nu^2; of
-one that is perforated or laminated; and of such a one in a sheet with grain, whose holes and borders are computed
-as those of a sheet without, in proportion to what sqrt(E / G) has more."""
+"""Uncertainties as fractions of the length, whatever the causes.
+
+The first holds for any strip. The second holds for a sheet that curls across, at nu = 0.3, and scales with nu^2.
+The third holds for perforated and laminated strips. The last is added for such strips in a sheet with grain,
+because holes and borders are computed without grain; it scales with the excess of sqrt(E / G)."""
 
 OPEN_WIDE = 2e-3
-"""Of the length, times (width / length)^2 and E / G over that of an even sheet: sections of a wide strip of varying
-width do not stay straight across."""
+"""Uncertainty as a fraction of the length, because sections of a wide strip of varying width do not stay straight.
+
+It scales with (width / length)^2 and with E / G relative to an even sheet."""
 
 
 def open_deviation(
@@ -252,9 +255,9 @@ def open_deviation(
     approximated: bool = False,
     crowded: bool = False,
 ) -> float:
-    """How far, mm, a strip of a perfect sheet may lie from where the model has it.
+    """Return the uncertainty of the model, mm, for a strip of a perfect sheet.
 
-    Errors of every strip, of its curl across and of its causes are independent of each other.
+    The general error, the error of curling across and the errors of the causes are independent of each other.
 
     Parameters
     ----------
@@ -262,13 +265,13 @@ def open_deviation(
         mm.
     sheet : Sheet
     parts : mapping of str to float
-        What each cause does to the strip before widths make up for it, mm.
+        Deviation due to each cause before the widths compensate it, mm.
     width : float
-        Of the widest place of a part that is cut, mm.
+        Largest width of a part that is cut, mm.
     approximated : bool
-        Does the drawing only come near to the stiffness, as holes and backings do?
+        True if the drawing only approximates the stiffness, as holes and backings do.
     crowded : bool
-        Do slots lie so near to each other that what they do together is not known?
+        True if slots are so close to each other that their joint effect is not known.
     """
     nu = sheet.poisson_ratio
     shear = even_shear_ratio(nu) / sheet.shear_ratio
@@ -283,20 +286,20 @@ def open_deviation(
 
 @dataclass(frozen=True)
 class MakingTolerance:
-    """What is assumed to be off in a strip that is made with care.
+    """Assumed deviations of a strip that is made with care.
 
     Parameters
     ----------
     thickness_wave : float
-        Amplitude of a wave of thickness, one over the length of the strip, as a share of the thickness.
+        Amplitude of a wave of the thickness as a fraction of the thickness; its period is the strip's length.
     grain : float
-        By how much the grain wanders to either side along the strip, rad; sheets without grain do not feel it.
+        Largest angle by which the grain wanders to either side along the strip, rad; for sheets with grain.
     clamps : float
-        By how much each clamp is turned, rad.
+        Angle by which each clamp is turned, rad.
     kerf : float
-        Width lost all along beyond what the kerf was corrected for, mm.
+        Width lost along the strip in addition to the corrected kerf, mm.
     modulus : float
-        Share by which Young's modulus is smaller; only strips under weight or loads depend on it.
+        Fraction by which Young's modulus is smaller; it matters only for strips under weight or loads.
 
     Raises
     ------
@@ -336,30 +339,30 @@ class MakingTolerance:
 
 
 USUAL_TOLERANCE = MakingTolerance()
-"""Of a shop that works with care."""
+"""Tolerances of a workshop that works with care."""
 
 
 def sheet_effects(
     made: Rod, design: Rod, sheet: Sheet, breadth: FloatArray | None, tolerance: MakingTolerance
 ) -> dict[str, float]:
-    """How far, mm, sheet, cut and clamps take a strip from where it rests, by cause, from one linear solve.
+    """Return the deviation from the rest shape, mm, due to sheet, cut and clamps, by cause, from one linear solve.
 
     Parameters
     ----------
     made : Rod
         The strip as made, at rest.
     design : Rod
-        On the same nodes; its shape is what distances are measured from.
+        Design on the same nodes, from whose shape distances are measured.
     sheet : Sheet
     breadth : (n,) array or None
-        Width at the nodes of each of the parts that are cut side by side, mm; None where nothing is cut to width.
+        Width at the nodes of each part cut side by side, mm; None if nothing is cut to width.
     tolerance : MakingTolerance
     """
     n, M = made.s.size, made.moment
     phases = 2 * np.pi * made.s[:, None] / made.length + np.pi * np.arange(PHASES) / PHASES
     wave = M[:, None] * np.cos(phases)
     changes = {"thickness": 3 * tolerance.thickness_wave * wave}  # E I ~ h^3
-    # at the angle theta to the grain 1 / E grows by sin^2 (E / G - 2 nu - 2), here between 0 and that
+    # at the angle theta to the grain, 1 / E grows by up to sin^2(theta) (E / G - 2 nu - 2)
     softer = np.sin(tolerance.grain) ** 2 * (1 / sheet.shear_ratio - 2 * sheet.poisson_ratio - 2)
     if sheet.grain != "none" and softer > 0:
         changes["grain"] = softer / 2 * wave

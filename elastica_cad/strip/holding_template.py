@@ -1,4 +1,4 @@
-"""Where the two ends of a strip are held, in numbers and as a drawing at full size to screw the strip on by."""
+"""Positions of the two held ends of a strip, in numbers and as a full-size drawing for mounting the strip."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -27,22 +27,22 @@ CROSS_MM = 8.0
 
 @dataclass(frozen=True, eq=False)
 class HeldEnd:
-    """One end of the bent part of a strip, as it is held.
+    """A held end of the bent part of a strip.
 
     Attributes
     ----------
     position : (2,) array
-        Where the strip begins to bend, mm, in the plane of the curve.
+        Point at which the strip begins to bend, mm, in the plane of the curve.
     angle : float
-        Direction in which the strip runs on there, from start to end, degrees from the x axis.
+        Direction of the strip at this point, from start to end, degrees from the x axis.
     tilt : float
-        The same from the line between both ends, degrees.
+        Direction of the strip relative to the line between both ends, degrees.
     support : End
-        What of it is held.
+        Support of the end.
     tab, thickness : float
-        Length of the tab, and how thick it is, mm.
+        Length and thickness of the tab, mm.
     holes : tuple of Hole
-        In the tab.
+        Holes in the tab.
     outward : (2,) array
         Unit vector along the tab.
     """
@@ -136,7 +136,7 @@ def hole_places(ends: Sequence[HeldEnd]) -> tuple[FloatArray, FloatArray]:
 
 
 def tell_ends(strip: Strip) -> Refusal:
-    """One sentence that says where and in which direction to hold the ends."""
+    """Return a sentence with the positions and directions in which to hold the ends."""
     ends = held_ends(strip)
     far: dict[str, Any] = {"apart": Length(distance_between(ends)), "tips": Length(distance_of_tips(ends))}
     if all(end.support.angle for end in ends):
@@ -193,6 +193,6 @@ def holding_template(strip: Strip) -> Drawing:
 
 
 def _number(name: str, end: HeldEnd) -> Text:
-    """What an end is called, beyond its tip."""
+    """Return the number that is drawn beyond the tip of an end."""
     x, y = end.tip + LETTERS_MM * end.outward
     return Text((float(x) - LETTERS_MM / 4, float(y) - LETTERS_MM / 2), name, LETTERS_MM, 0.0, MARK)

@@ -26,8 +26,7 @@ from elastica_cad.strip.styles import (
 )
 
 SLACK = 3e-4
-"""Relative amount by which the stiffness of a rod, fitted at fewer stations, may exceed the largest possible
-one; it is reduced to that."""
+"""Relative amount by which a rod's stiffness, fitted at fewer stations, may pass its bounds; it is then clipped."""
 
 FIT_MM = 1e-5
 """Largest error of the backing's width, mm."""
@@ -35,20 +34,20 @@ FIT_MM = 1e-5
 
 @dataclass(frozen=True, eq=False)
 class Laminated:
-    """A base of its own width and a narrower backing glued on, solved from the exact two-layer section.
+    """A base of given width with a narrower backing glued on, computed from the exact two-layer section.
 
-    The backing runs on into both tabs, as wide as the base there, so that holes in the tabs register both. Without
-    `max_width` the backing is as wide as the base somewhere, as in the paper (section 8.1). A laminate's weight is
-    not proportional to its stiffness: rods that feel it come from `optimal_laminate`.
+    The backing continues into both tabs, where it is as wide as the base, so that holes in the tabs align both.
+    Without `max_width` the backing is somewhere as wide as the base, as in the paper (section 8.1). A laminate's
+    weight is not proportional to its stiffness. Use `optimal_laminate` for a rod under its own weight.
 
     Parameters
     ----------
     width : float, Profile or callable
-        Of the base, mm: one number, or a profile or function of arc length (`touching_widths` gives such).
+        Width of the base, mm: a number, or a profile or function of arc length (as from `touching_widths`).
     backing : Sheet
-        What is glued on; the name of one is taken too.
+        Sheet of the backing, or its name.
     least_backing : float
-        Narrowest backing that can be cut and glued, mm.
+        Least width of a backing that can be cut and glued, mm.
     dots : float
         Diameter, mm, of the alignment holes in the middle of both tabs; 0 for none.
 
@@ -78,7 +77,7 @@ class Laminated:
     def laid_out(
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> Layout:
-        """Outline and backing for a rod.
+        """Return outline and backing for a rod.
 
         Parameters
         ----------
@@ -88,7 +87,7 @@ class Laminated:
         Raises
         ------
         InputError
-            No scale keeps the backing within the base: says where, and which thickness would do.
+            No scale keeps the backing within the base. The message gives the place and a thickness that fits.
         """
         require_laid_out(rod, sheet, max_width, min_width)
         base = width_profile(self.width, rod.length, "the width of the base")
@@ -107,7 +106,7 @@ class Laminated:
     def bounded(
         self, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> BoundedBacking | None:
-        """Bounds of the stiffness and the strain at them; None for a base whose width varies."""
+        """Return bounds of the stiffness and the strain at them, or None if the width of the base varies."""
         if not is_number(self.width):
             return None
         width = float(self.width)
@@ -120,7 +119,7 @@ class Laminated:
     def _scale(
         self, rod: Rod, section: LaminatedSection, base: Profile, least: float, most: float | None
     ) -> float:
-        """c, N mm2: the rod's own, or the largest whose backing fits."""
+        """Return c, N mm2: the rod's own, or the largest whose backing fits."""
         s = stations_of(rod.length, base, rod.profile)
         w1 = base(s)
         s = refine_stations(s, section.bending_stiffness(w1, w1) / rod.profile(s), w1 / rod.profile(s))
@@ -177,7 +176,7 @@ class Laminated:
 def _infeasible(
     section: LaminatedSection, fits: ScaleRange, s: FloatArray, K: FloatArray, w1: FloatArray, least: float
 ) -> str:
-    """Why no scale fits, where, and which thickness or stiffness ratio would do."""
+    """Return the error if no scale fits, with the place and a thickness or stiffness ratio that fits."""
     i, j = fits.lowest_at, fits.highest_at
     ways: list[Refusal] = []
     try:

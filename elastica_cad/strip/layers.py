@@ -1,4 +1,4 @@
-"""The layers of a strip, and the places where it lies double."""
+"""The layers of a strip, its lap joint, and the plates over joints of its pieces."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -39,12 +39,12 @@ it would be a notch."""
 
 
 FLAT_MM = 1e-4
-"""Distance of the chords, with which widths are measured, from the cuts, mm."""
+"""Largest distance, mm, between the cuts and the chords from which widths are measured."""
 
 
 @dataclass(frozen=True, eq=False)
 class Layer:
-    """One sheet of a strip as it is cut, in the flat frame of the strip.
+    """A sheet of a strip as it is cut, in the flat frame of the strip.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ class Layer:
     holes : tuple of Path
         Closed inner loops.
     name : str
-        What is added to the strip's name; empty for the base.
+        Suffix of the strip's name; empty for the base.
     low : float
         Height of its lower face over the base's, mm.
     """
@@ -93,7 +93,7 @@ class Layer:
         return self.area * self.sheet.thickness * self.sheet.density * 1e-6
 
     def material(self, s: ArrayLike) -> FloatArray:
-        """Summed width (n,), mm, that is really left at stations `s` (n,).
+        """Return the net width (n,), mm, at stations `s` (n,).
 
         At a station where a loop has an edge straight across, the side beyond it counts.
 
@@ -125,7 +125,7 @@ class Layer:
 
     @cached_property
     def _chords(self) -> tuple[IntArray, FloatArray, FloatArray]:
-        """Of all cuts, the outline first: the numbers (m,) of their loops, where they start and end (2, m)."""
+        """Return chords of all cuts, the outline first: numbers (m,) of their loops, starts and ends (2, m)."""
         loops = self.outline, *self.holes
         which, points = chords_of_all([one for loop in loops for one in loop.segments], FLAT_MM)
         # each segment goes on to where the next one starts
@@ -138,12 +138,12 @@ class Layer:
 
 
 def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) -> tuple[Layer, ...]:
-    """What is cut of each sheet, the base first, with tabs and slots.
+    """Return the layers with tabs and slots, the base first.
 
     Raises
     ------
     InputError
-        A slot meets an end, a hole or another slot; `name` is what the message calls the strip.
+        A slot meets an end, a hole or another slot. `name` is the strip's name in the message.
     """
     width = layout.width
     if layout.stack is not None:
@@ -213,7 +213,7 @@ def draw_layers(
 
 
 def _off_slots(guides: Sequence[Path], layout: Layout, slots: Sequence[Slot]) -> tuple[Path, ...]:
-    """The parts of lines that lie beside slots, where there is material to mark."""
+    """Return the parts of lines beside slots, where there is material to mark."""
     if not guides:
         return ()
     open_cuts = [slot_cut(slot, layout.width, beyond=slot.width) for slot in slots]
@@ -225,7 +225,7 @@ def _off_slots(guides: Sequence[Path], layout: Layout, slots: Sequence[Slot]) ->
 
 
 def _leaf_marks(layer: Layer, layers: Sequence[Layer]) -> tuple[Path, ...]:
-    """Lines across a leaf where the leaves that are glued on it begin and end."""
+    """Return lines across a ply where the plies glued on it begin and end."""
     (left, low), (right, high) = layer.outline.bounds
     above = [one for one in layers if abs(one.low - layer.high) < layer.sheet.thickness / 2]
     places = [float(x) for one in above for x in one.outline.bounds[:, 0] if left < x < right]
@@ -233,7 +233,7 @@ def _leaf_marks(layer: Layer, layers: Sequence[Layer]) -> tuple[Path, ...]:
 
 
 def _leaf_text(name: str, layer: Layer) -> Text:
-    """The name of a leaf and where it lies along the stack, mm."""
+    """Return the name of a ply and its position along the stack, mm."""
     (left, low), (right, high) = layer.outline.bounds
     said = f"{layer.called(name)}: {left:.0f} - {right:.0f}"
     return fit_label(
@@ -246,7 +246,7 @@ def _leaf_text(name: str, layer: Layer) -> Text:
 
 
 def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
-    """Whether a slot of a strip of one width is deep enough to cut a narrower strip."""
+    """Return True if a slot of a strip of one width is deep enough to cut a narrower strip."""
     points, _ = slot.center_line(outer)
     return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
 
@@ -282,22 +282,23 @@ def _label_texts(
 
 
 END_MM = 1e-6
-"""Material is measured this far inside the free part: across a bare end itself there is none."""
+"""Distance, mm, inside the free part at which material is measured, because a bare end has no width."""
 
 PLATE_END, PLATE_CUT = 0.25, 0.82
-"""Thicknesses of a glued plate that carry nothing at each of its ends, and over the joint, where the strip is cut
-half through. The first is fitted to the strips of `docs/finite_elements.md`; the second is that of an edge crack in
-bending (Tada, Paris and Irwin 1973), in whose place 5.7 thicknesses of the stack would turn as much."""
+"""Length of a glued plate that carries nothing, in thicknesses: at each of its ends, and over the joint.
+
+The first is fitted to the strips of `docs/finite_elements.md`. The second holds for a stack that is cut half
+through: an edge crack in bending (Tada, Paris and Irwin 1973) turns as much as 5.7 thicknesses of the stack."""
 
 
 @dataclass(frozen=True, eq=False)
 class LapJoint:
-    """What a lap does to the strip that it covers.
+    """Effect of a lap joint on the strip.
 
-    Two layers of widths w and v, bent together to the drawn curvature kappa and glued there, push back with
-    (w + v) kappa, where w kappa is asked for; glued they bend as one section of c w, with
-    c w = w + v + 12 w v / (w + v) for layers of equal thickness. So the lap bends as c times the strip, from the
-    rest curvature kappa - (w + v) / (c w) (kappa - kappa_0), and stays straighter than drawn.
+    Two layers of widths w and v are bent to the drawn curvature kappa and glued. Their moment is (w + v) kappa, but
+    the design needs w kappa. Glued, they bend as one section of c w, with c w = w + v + 12 w v / (w + v) for layers
+    of equal thickness. So the lap has c times the strip's stiffness and the rest curvature
+    kappa - (w + v) / (c w) (kappa - kappa_0). It stays straighter than drawn.
 
     Attributes
     ----------
@@ -335,16 +336,16 @@ class LapJoint:
 
 @dataclass(frozen=True)
 class LapPlates:
-    """Plates of the strip's own sheet, as wide as the strip and solid, glued over joints of its pieces on one side.
+    """Plates over joints of a strip's pieces: of the same sheet, solid, as wide as the strip, glued on one side.
 
     Attributes
     ----------
     joints : tuple of float
-        Where the strip is cut, mm along it; of a laminate its base.
+        Places at which the strip (for a laminate, its base) is cut, mm along it.
     lap : float
         Length of the plates, half of it on either piece, mm.
     backing_joints : tuple of float
-        Where the backing of a laminate is cut, mm along it.
+        Places at which the backing of a laminate is cut, mm along it.
     """
 
     joints: tuple[float, ...]
@@ -352,7 +353,7 @@ class LapPlates:
     backing_joints: tuple[float, ...] = ()
 
     def clear_holes(self, holes: Sequence[Path]) -> tuple[Path, ...]:
-        """Return those of a base's holes that no plate covers; the others are not cut."""
+        """Return the holes of a base that no plate covers; covered holes are not cut."""
         half = self.lap / 2
         spans = [(hole, hole.bounds[:, 0]) for hole in holes]
         return tuple(
@@ -384,7 +385,7 @@ class LapPlates:
         return np.asarray(1 / compliance)
 
     def _covered(self, s: FloatArray, joints: Sequence[float], thickness: float) -> FloatArray:
-        """Share (n,) of each node's cell that lies under a plate which carries."""
+        """Return the fraction (n,) of each node's cell that is under the load-bearing part of a plate."""
         ends = np.concatenate([s[:1], (s[1:] + s[:-1]) / 2, s[-1:]])
         near = PLATE_CUT / 2 * thickness
         far = max(near, self.lap / 2 - PLATE_END * thickness)

@@ -68,7 +68,7 @@ class Text:
 
 
 def require_engravable(text: object) -> None:
-    """Refuse what is no text, or holds letters that cannot be engraved."""
+    """Refuse a value that is not a text, or has letters that cannot be engraved."""
     if not isinstance(text, str):
         raise InputError(f"the text to engrave is {quoted(text)}: give a text")
     missing = sorted(set(text) - _glyphs().keys())
@@ -103,7 +103,7 @@ def text_width(text: str, height: float) -> float:
 
 
 def text_span(text: str, height: float) -> tuple[float, float]:
-    """How far (mm) the strokes of a text reach over its base line: the lowest is below 0 for letters like g.
+    """Return heights, mm, of the lowest and highest strokes over the base line; the first is negative for a g.
 
     Examples
     --------

@@ -29,13 +29,13 @@ from elastica_cad.strip.slots import Cut, Cuts, Slot, end_numbers, label_off_cut
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults, find_strip_faults
 
-SPACING_SHARE = 1 / 24  # of the length: between knots of a correction, so that outlines stay smooth
-SMOOTHING = 5e-3  # weight of the second differences of the coefficients against the drift that is left
-SIZE = 7e-3  # the same of the coefficients themselves: of many changes that serve, the smallest
+SPACING_SHARE = 1 / 24  # of the length: spacing of a correction's knots, wide for smooth outlines
+SMOOTHING = 5e-3  # weight of the second differences of the coefficients against the remaining drift
+SIZE = 7e-3  # weight of the coefficients themselves, which selects the smallest of the possible changes
 
 
 def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
-    """Cubic B-splines (n, m) at even stations s (n,) of a strip; of a closed one both ends share theirs."""
+    """Return cubic B-splines (n, m) at even stations s (n,); in a closed strip both ends have the same one."""
     pieces = round(1 / SPACING_SHARE)
     knots = np.concatenate([np.zeros(3), np.linspace(0.0, s[-1], pieces + 1), np.full(3, s[-1])])
     one = np.eye(pieces + 3)
@@ -48,23 +48,23 @@ def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
 def _correct_widths(
     made: Rod, drift: FloatArray, basis: FloatArray, kept: FloatArray, *, largest: float
 ) -> FloatArray:
-    """Coefficients (m,) of the change of width that takes a drift back, to first order.
+    """Return coefficients (m,) of the change of width that removes a drift to first order.
 
-    A change f of the width changes moment and weight by M f and p f at the same shape. Many changes leave the shape
-    alone (all that keep K kappa = M0 + <b, gamma>); the smallest and smoothest one is taken.
+    A change f of the width changes moment and weight by M f and p f at the same shape. Many changes do not affect
+    the shape (all that keep K kappa = M0 + <b, gamma>), so the smallest and smoothest change is chosen.
 
     Parameters
     ----------
     made : Rod
-        As made and held, in balance.
+        Rod as made and held, in balance.
     drift : (n, 2) array
-        Of its nodes from the design, mm.
+        Displacements of its nodes from the design, mm. For a closed strip only the shape counts.
     basis : (n, m) array
-        Of the changes: see `_width_basis`. Of a closed strip only its shape counts, not where it lies.
+        Basis of the changes: see `_width_basis`.
     kept : (m,) array
-        Coefficients of the change that the rod has already.
+        Coefficients of the present change.
     largest : float
-        No coefficient goes beyond it.
+        Bound of the coefficients.
     """
     moved = shape_responses(
         made, made.moment[:, None] * basis, made.nodal_load[:, None, :] * basis[:, :, None]
@@ -92,28 +92,28 @@ def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
 
 
 ROUNDS = 8
-LEAST_GAIN = 0.97  # of what is left in one round: a round that leaves more is the last
-LARGEST_GUESS = 0.5  # of the logarithm of a width's change
-ENOUGH_SHARE = 1e-5  # of the length: a deviation that needs no correction
+LEAST_GAIN = 0.97  # stop after a round that leaves a larger fraction of the deviation
+LARGEST_GUESS = 0.5  # largest logarithm of a width's change in the first guess
+ENOUGH_SHARE = 1e-5  # deviation, as a fraction of the length, that needs no correction
 
 
 def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
-    """The strip with widths that bring it, as it is made and held as designed, back to its design.
+    """Return the strip with widths that compensate its deviation as made and held as designed.
 
-    Bent forward as made (`Strip.held`) it strays; its widths are changed smoothly, to first order, and that is
-    repeated as long as it helps. What is left is `Strip.held().deviation`.
+    The strip as made (`Strip.held`) deviates from its design. Its widths are changed smoothly, to first order, and
+    this is repeated while the deviation decreases. The remaining deviation is `Strip.held().deviation`.
 
     Parameters
     ----------
     strip : Strip
     largest : float
-        Of the logarithm of a width's change, against the mean: ends flare where a slot lies beside a narrow tab,
-        and a strip as wide as before at its ends is narrower elsewhere.
+        Largest logarithm of a width's change relative to the mean. Ends become wider where a slot is beside a
+        narrow tab; if the ends keep their width, the rest of the strip becomes narrower.
 
     Returns
     -------
     Strip
-        The same rod with another `correction`; the strip itself where nothing helps.
+        Strip with the same rod and another `correction`, or the strip itself if no change helps.
 
     Examples
     --------
@@ -133,7 +133,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
     strip = replace(strip, correction=None) if strip.correction is not None else strip
     design = strip.as_made.design
     basis = _width_basis(design.s, closed=strip.is_closed)
-    # a first guess: as much wider as each place is softer, evened out along the strip
+    # first guess: each place is wider by as much as it is softer, smoothed along the strip
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.shares.values()], axis=0))
     clip = min(LARGEST_GUESS, largest)
     guess = np.clip(np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -clip, clip)
@@ -160,7 +160,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
 
 
 class _Held(NamedTuple):
-    """A strip with corrected widths, its shape as held, and how far that strays from the design, mm."""
+    """A strip with corrected widths, its shape as held, and the deviation from the design, mm."""
 
     strip: Strip
     coefficients: FloatArray
@@ -169,7 +169,7 @@ class _Held(NamedTuple):
 
 
 def _held(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _Held | None:
-    """A strip with its widths changed by a basis (n, m), held; None where the style or the rest refuses it."""
+    """Return a strip as held with its widths changed by a basis (n, m), or None if it is not possible."""
     design, change = strip.as_made.design, basis @ coefficients
     try:
         if change.any():
@@ -189,22 +189,22 @@ APART_MM = 5.0
 
 @dataclass(frozen=True, eq=False)
 class Splice:
-    """A strip in pieces, butt to butt, with a plate of the same sheet glued over each joint on one side.
+    """A strip in pieces, end to end, with a plate of the same sheet glued over each joint on one side.
 
-    Plates are solid and as wide as the strip; holes that would come to lie under one are not cut. Each layer of a
-    laminate has joints of its own, staggered, with plates on its free face.
+    Plates are solid and as wide as the strip; holes under a plate are not cut. Each layer of a laminate has its own
+    staggered joints, with plates on its free face.
 
     Attributes
     ----------
     strip : Strip
     joints : tuple of float
-        Where it is cut, mm along it; of a laminate its base.
+        Places at which the strip (for a laminate, its base) is cut, mm along it.
     lap : float
         Length of the plates, half of it on either piece, mm.
     backing_joints : tuple of float
-        Where the backing of a laminate is cut, mm along it.
+        Places at which the backing of a laminate is cut, mm along it.
     ends : (str, str)
-        What is engraved at the start and at the end of the strip's base, empty for nothing.
+        Texts engraved at the start and at the end of the strip's base; empty for no text.
     """
 
     strip: Strip
@@ -215,12 +215,12 @@ class Splice:
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """The pieces of every layer in order, where the plates come to lie marked on them, each with its plates."""
+        """Pieces of every layer in order, each layer followed by its plates; pieces have marks for the plates."""
         return tuple(piece for layer in self.layer_pieces.values() for piece in layer)
 
     @cached_property
     def layer_pieces(self) -> dict[str, tuple[Piece, ...]]:
-        """The pieces by the name of the layer that they are cut of, the base first."""
+        """Pieces by the name of their layer, the base first."""
         strip, layout = self.strip, self.strip.layout
         name, base = strip.label or "strip", strip.layers[0]
         marks = [drawing.on(MARK) for drawing in strip.drawings()]
@@ -248,9 +248,9 @@ class Splice:
 
     @cached_property
     def deviation(self) -> float:
-        """How far the plates move the shape, bent and held as designed, mm; their weight is left out.
+        """Deviation due to the plates, bent and held as designed, mm, without their weight.
 
-        Of a strip whose widths make up for them, what is left.
+        For a strip whose widths compensate the plates, the remaining deviation.
         """
         held = replace(self.strip, plates=self.plates).held()
         return held.deviation if held.corrected else held.parts["plates"]
@@ -298,7 +298,7 @@ class Splice:
         return self.plates.clear_holes(self.strip.holes)
 
     def _cut(self, whole: "_Whole") -> tuple[Piece, ...]:
-        """The pieces of one layer in order, then its plates."""
+        """Return the pieces of a layer in order, then its plates."""
         (first, _), (last, _) = whole.layer.outline.bounds
         ends = [float(first), *whole.joints, float(last)]
         pieces = [
@@ -342,7 +342,7 @@ class Splice:
         return Piece(name, Drawing(name, paths, (label, *mates, *numbers)), layer.sheet)
 
     def _clear_of_holes(self, whole: "_Whole", low: float, high: float) -> tuple[float, float]:
-        """The part of a perforated piece that comes to lie under a plate, where no hole is."""
+        """Return the span of a perforated piece under a plate, which has no holes."""
         joint = next(at for at in whole.joints if at in (low, high))
         return (joint, joint + self.lap / 2) if joint == low else (joint - self.lap / 2, joint)
 
@@ -368,8 +368,8 @@ def _tick(whole: _Whole, x: float) -> Path:
 def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | None = None) -> Splice:
     """Cut a strip into as few pieces as the stock allows, where plates change its shape least.
 
-    Joints keep off slots, tabs and each other, those of a backing off those of its base; of the places left those
-    are taken where the strip turns least under the plates, in the sum of squares (dynamic programming).
+    Joints keep clear of slots, tabs and each other; joints of a backing also keep clear of joints of the base.
+    Dynamic programming selects the remaining places with the least sum of squared turns under the plates.
 
     Parameters
     ----------
@@ -379,7 +379,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     lap : float
         Length of the plates, mm.
     backing_stock : float, optional
-        Length of the longest piece of a laminate's backing, mm; that of the base where not given.
+        Length of the longest piece of a laminate's backing, mm; by default `stock`.
 
     Raises
     ------
@@ -447,15 +447,14 @@ def spliced(strip: Strip, shop: FabricationLimits) -> Splice | None:
 
 
 def joined_within(strip: Strip, shop: FabricationLimits) -> Strip:
-    """The strip with the plates that join its pieces, where the shop cuts it in pieces; else without any."""
+    """Return the strip with the plates over its joints, or without plates if it fits the stock."""
     joined = spliced(strip, shop)
     plates = None if joined is None else joined.plates
     return strip if strip.plates == plates else replace(strip, plates=plates)
 
 
 def _keeps_off(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
-    """Whether a plate at these places along the strip leaves the slot free, with half the slot's width beside
-    it."""
+    """Return True where a plate at `at` along the strip is clear of the slot by half the slot's width."""
     low, high = slot_cut(slot, width, beyond=slot.width).bounds[:, 0]
     middle, reach = (high + low) / 2, (high - low) / 2
     return np.abs(at - middle) > lap / 2 + reach + slot.width / 2
@@ -464,7 +463,7 @@ def _keeps_off(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -
 def _placed(
     s: FloatArray, cost: FloatArray, count: int, first: float, last: float, stock: float, lap: float
 ) -> tuple[float, ...] | None:
-    """Places of the joints with the least sum of costs, no piece longer than the stock or shorter than two laps."""
+    """Return places of joints with the least sum of costs; pieces are two laps to `stock` long."""
     if count < 1:
         return ()
     gap = s[:, None] - s[None, :]
@@ -488,19 +487,19 @@ def _placed(
 def make_within(
     strip: Strip, shop: FabricationLimits, *, compensate: bool, ignore_limits: bool, wavers: bool
 ) -> Strip:
-    """The strip joined of pieces where it is longer than the stock, with compensated widths where asked.
+    """Return the strip as the workshop makes it: joined from pieces if too long, and compensated on request.
 
     `wavers`: as in `find_strip_faults`.
 
     Raises
     ------
     InputError
-        It cannot be cut or handled, with place and cure of each fault, unless `ignore_limits`.
+        It cannot be cut or handled, unless `ignore_limits`. The message gives place and cure of each fault.
     StrainError
         It would break, unless `ignore_limits`.
     """
     refuse_broken(strip, ignore_limits)
-    with suppress(InputError):  # no room for joints is told with what else cannot be cut
+    with suppress(InputError):  # missing room for joints is reported below with the other faults
         strip = joined_within(strip, shop)
     if compensate:
         strip = compensate_within(strip, shop)
@@ -518,7 +517,7 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
     Raises
     ------
     StrainError
-        With the place, the radius there and the least one; not with `ignore_limits`, where the strip warns of it.
+        The message gives the place, its radius and the least radius. With `ignore_limits` the strip has a warning.
     """
     judged = strip.strain_verdict
     if ignore_limits or not judged.refused:
@@ -535,7 +534,7 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
 
 
 def compensate_within(strip: Strip, shop: FabricationLimits) -> Strip:
-    """The strip with compensated widths; as it is, with a warning, where those could not be cut and handled."""
+    """Return the strip with compensated widths; if that cannot be cut and handled, the strip with a warning."""
     better = compensate_widths(strip)
     faults = find_strip_faults(better, shop)
     if not faults or find_strip_faults(strip, shop):

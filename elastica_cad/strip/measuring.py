@@ -1,4 +1,4 @@
-"""What can be measured on a bent strip with ruler and protractor, what is expected, and what differences mean."""
+"""Measurements on a bent strip with ruler and protractor, their expected values, and causes of differences."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -13,19 +13,19 @@ from elastica_cad.strip.held_shape import shape_responses
 from elastica_cad.strip.strip import Strip
 
 MARKS = (0.25, 0.5, 0.75)
-"""Of the length: where heights are measured."""
+"""Places at which heights are measured, as fractions of the length."""
 
 LENGTHS, ANGLES = ("chord", "height_1", "height_2", "height_3"), ("start_angle", "end_angle")
-"""What is measured: mm from end to end, mm from that line to the marks, degrees between it and the tabs."""
+"""Measured quantities: mm from end to end, mm from that line to the marks, degrees between line and tabs."""
 
 SKETCHED = 60
-"""Points of the curve, about, that a page needs."""
+"""Approximate number of points of the curve for a page."""
 
 UNEVEN_SHARE = 0.02
-"""By which the stiffness at equal distances from both ends must differ, or end for end is the same."""
+"""Least relative difference of the stiffness at equal distances from both ends; else the ends are equivalent."""
 
 EXPLAINED = 0.6
-"""Of the differences: a cause that explains less is not named."""
+"""Least fraction of the differences that a reported cause must explain."""
 
 MEANINGS: Mapping[str, str] = {
     "clamp at the start": "the clamp at the start lets the strip turn by {amount:.2g} degrees: tighten it",
@@ -36,30 +36,30 @@ MEANINGS: Mapping[str, str] = {
     "end for end": "it is mounted end for end: turn it round",
     "wrong side": "its backing lies on the wrong side of the bend: turn it over",
 }
-"""What each cause means for a maker."""
+"""Meaning of each cause for a maker."""
 
 ONCE = ("end for end", "wrong side")
-"""Causes that are there or not."""
+"""Causes without a size, which are present or not."""
 
 THICKEST_PERCENT = 6.0
-"""A wave of thickness that a sheet may have."""
+"""Largest wave of the thickness of a sheet, in percent."""
 
 
 @dataclass(frozen=True)
 class Measuring:
-    """What to measure on a strip, and how that answers to what may be wrong.
+    """Measurements on a strip, and their changes due to possible faults.
 
     Attributes
     ----------
     marks : tuple of float
-        Where heights are measured, mm along the free part.
+        Places at which heights are measured, mm along the free part.
     expected : mapping of str to float
         "chord", "height_1" to "height_3" in mm, "start_angle" and "end_angle" in degrees.
     uncertain : mapping of str to float
         What model, sheet, cut and clamps leave open of each.
     causes : mapping of str to tuple of mapping
-        By how much each of `MEANINGS` changes what is measured, for one degree, millimetre, percent, or at all; a
-        wave has two such changes.
+        Changes of the values due to each of `MEANINGS`: for one degree, millimetre or percent, or in all. A wave
+        has two such changes.
     shape : tuple of (float, float)
         Points of the curve, evenly along it, mm.
 
@@ -86,7 +86,7 @@ leave open
         InputError
             The strip is closed.
         NotConvergedError
-            It finds no rest shape.
+            The rest shape was not found.
         """
         require_record(strip, Strip, "the strip", "a Strip")
         if strip.is_closed:
@@ -135,12 +135,12 @@ leave open
         )
 
     def compare(self, measured: Mapping[str, float]) -> tuple[Refusal, ...]:
-        """What was measured beside what is expected, and what the difference means.
+        """Compare measured with expected values, and find the causes of the differences.
 
         Raises
         ------
         InputError
-            Nothing was measured that is expected here.
+            None of the expected quantities was measured.
         """
         require_record(measured, Mapping, "what was measured", "a mapping from names to numbers")
         names = [name for name in self.expected if name in measured]
@@ -181,7 +181,7 @@ leave open
 
 
 def _measured(position: FloatArray) -> dict[str, float]:
-    """What is measured of a shape (n, 2) on even nodes: heights to the side of the largest."""
+    """Return the measured values of a shape (n, 2) on even nodes; the largest height is positive."""
     chord = position[-1] - position[0]
     length = float(np.hypot(*chord))
     along = chord / length

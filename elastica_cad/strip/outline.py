@@ -24,7 +24,7 @@ StripEnd: TypeAlias = Literal["start", "end"]
 ENDS: tuple[StripEnd, StripEnd] = ("start", "end")
 
 SHORTEST_MM = 1e-3
-"""Shortest tab, mm; the corners of a shorter one would be one point in solids."""
+"""Least length of a tab, mm; the corners of a shorter tab would coincide in solids."""
 
 
 @dataclass(frozen=True)
@@ -103,27 +103,27 @@ class TSlot:
 
 @dataclass(frozen=True)
 class Tab:
-    """A straight piece beyond the free part of the strip, by which the end is held.
+    """A straight piece beyond the free part of the strip, for holding the end.
 
     Parameters
     ----------
     length : float
-        mm; 0 ends the strip square, without a tab.
+        Length, mm; 0 for a square end without a tab.
     width : float, optional
-        mm; the strip's own width at that end where not given.
+        Width, mm; by default the strip's width at that end.
     corner_radius, chamfer : float
-        Rounding or chamfer of the two outer corners, mm (one or the other).
+        Radius or chamfer of the two outer corners, mm; they exclude each other.
     holes : Hole or tuple of Hole
         Round holes.
     t_slot : TSlot, optional
         A slot for a screw with its nut.
     taper : float
-        How much the tab narrows towards its outer edge on either side, mm, as a flap that is glued on.
+        Narrowing of the tab towards its outer edge on either side, mm, as for a glue flap.
 
     Raises
     ------
     InputError
-        Sizes negative, corners larger than the tab, or holes that leave it.
+        Sizes are negative, corners are larger than the tab, or holes extend beyond it.
 
     Examples
     --------
@@ -188,9 +188,9 @@ class Tab:
         return replace(self, holes=tuple(replace(hole, across=-hole.across) for hole in self.holes))
 
     def corners(self, width: float) -> tuple[Line | Arc, ...]:
-        """The tab's rim seen from its free part, run outward, across and back (local frame: x outward).
+        """Return the tab's rim from the free part outward, across and back (local frame: x outward).
 
-        Goes from (0, -w/2) to (0, w/2), where w is the tab's width (`width`, the strip's, unless the tab has one).
+        It starts at (0, -w/2) and ends at (0, w/2), where w is the tab's own width or else `width`, the strip's.
         """
         require_positive(width, "width")
         w, length = self.width or width, self.length
@@ -225,7 +225,7 @@ class Tab:
         )
 
     def _outer_edge(self, far: float) -> list[tuple[float, float]]:
-        """Points of the outer edge from y = -far to far, about the T-slot where there is one."""
+        """Return points of the outer edge from y = -far to far, around a T-slot if there is one."""
         ends = (self.length, -far), (self.length, far)
         if self.t_slot is None:
             return list(ends)
@@ -276,18 +276,18 @@ class Tab:
 
 
 def lines_through(points: Sequence[tuple[float, float] | FloatArray]) -> tuple[Line, ...]:
-    """Lines that join successive points (2,), mm; a point that repeats the one before it makes no line."""
+    """Return lines that join successive points (2,), mm; repeated points are skipped."""
     rows: list[FloatArray] = [np.array(p) for p in points]
     return tuple(Line(p, q) for p, q in pairwise(rows) if np.any(p != q))
 
 
 def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
-    """The tabs of both ends; one alone is that of both.
+    """Return the tabs of both ends; a single tab serves both ends.
 
     Raises
     ------
     InputError
-        Something else, or not two of them.
+        The value is not a tab or a pair of tabs.
     """
     found = several("ends", tabs, Tab, "Tab") * (2 if isinstance(tabs, Tab) else 1)
     if len(found) != 2:
@@ -418,12 +418,15 @@ def _pieces(width: Profile) -> list[Profile]:
 
 
 def _side(width: Profile, factor: float, *, backward: bool = False) -> Spline:
-    """One long side: the graph of `factor` times the width."""
+    """Return a long side: the graph of `factor` times the width."""
     return graph(width.knots, factor * width.coefficients, width.degree, backward=backward)
 
 
 def _flush(tab: Tab, width: float) -> Tab:
-    """The tab without shoulders too small to cut (their ends would be one point in a file), or of no length."""
+    """Return the tab without shoulders that are too small to cut or on a tab without length.
+
+    The ends of smaller shoulders would coincide in a file.
+    """
     small = tab.width is not None and min(abs(tab.width - width), tab.length) < SHOULDER_MM
     return replace(tab, width=None) if small else tab
 
@@ -433,7 +436,7 @@ def _end_widths(width: Profile) -> tuple[float, float]:
 
 
 def _placed(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line | Arc]:
-    """A tab's rim in the frame of the strip, as `_frame` has it."""
+    """Return a tab's rim in the frame of the strip (see `_frame`)."""
     placed: list[Line | Arc] = []
     for segment in rim:
         if isinstance(segment, Line):
@@ -445,5 +448,5 @@ def _placed(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line | 
 
 
 def _frame(x: float, direction: int) -> FloatArray:
-    """A tab's frame in that of the strip: at the end as it is, at the start turned by half a turn."""
+    """Return the transformation from a tab's frame to the strip's; at the start it has a half turn."""
     return np.array([[direction, 0.0, x], [0.0, direction, 0.0], [0.0, 0.0, 1.0]])

@@ -1,4 +1,4 @@
-"""Perforated strips: diamonds between ligaments that leave as much material as the stiffness asks for."""
+"""Perforated strips: diamonds between ligaments that leave as much material as the stiffness requires."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -42,36 +42,36 @@ FIT_ROUNDING = 1e-12
 """Relative error of the widths that are fitted."""
 
 INSET = 1e-9
-"""Share of a stretch by which its spline begins and ends inside it, so that jumps are not crossed."""
+"""Fraction of a stretch by which its spline is inset at both ends, so that it does not cross jumps."""
 
 CLEAR_OF_SLOTS_MM = 0.02
-"""Flatness of the polylines with which the distance of holes from slots is measured."""
+"""Flatness, mm, of the polylines for distances between holes and slots."""
 
 
 @dataclass(frozen=True, eq=False)
 class DiamondPattern:
-    """Full diamonds in `rows` along and `columns` across, others in the gaps between them, halves at the edges.
+    """Full diamonds in `rows` along and `columns` across, diamonds in the gaps between them, halves at the edges.
 
-    With H = width - material, T(s) rising from 0 to 1 over half a row and falling again, n = `columns` and
-    t = material / (2 n + 2): full diamonds are T H / n wide across, those in the gaps (1 - T) H / n, halves along
-    both edges half of that. Every station meets holes of H in all, and every ligament is t wide across, 2 t where
-    two of them join. T rests at 0 and at 1 for a `bridge` between two rows, which keeps tips apart.
+    Let H = width - material, n = `columns` and t = material / (2 n + 2), and let T(s) rise from 0 to 1 over half a
+    row and fall again. Full diamonds are T H / n wide across, diamonds in the gaps (1 - T) H / n, and halves along
+    both edges half of that. At every station the holes are H wide in all and every ligament is t wide across, or
+    2 t where two ligaments join. T stays at 0 and at 1 for a `bridge` between two rows, which keeps tips apart.
 
     Parameters
     ----------
     width, material : Profile
-        Of the outline, and what is to be left of it, mm.
+        Width of the outline and the summed width of the ligaments, mm.
     columns, rows : int
-        Full diamonds across and along.
+        Numbers of full diamonds across and along.
     bridge : float
         Solid length along the strip between the tips of two holes, mm.
     corner_radius : float
-        Of the holes' corners, mm; 0 leaves them sharp.
+        Radius of the holes' corners, mm; 0 leaves them sharp.
     clearance : float
-        What holes keep from a slot, mm: those in its way end before it and begin anew behind it; where a tab is
-        narrower than the strip they keep it from the end, too.
+        Clearance between holes and a slot, mm. A hole at a slot ends before it, and a new hole begins after it. The
+        clearance also holds for an end whose tab is narrower than the strip.
     arcs : float, optional
-        Sides as arcs within this distance, mm, of the true ones; splines unless given.
+        Tolerance, mm, of sides that are approximated by arcs; by default sides are splines.
     """
 
     width: Profile
@@ -99,13 +99,13 @@ class DiamondPattern:
         return self.row_length / 2 - self.bridge
 
     def slopes(self, s: FloatArray) -> FloatArray:
-        """Slope (n,) of the diamonds' sides against the strip at stations `s` (n,)."""
+        """Return the slope (n,) of the diamonds' sides against the strip at stations `s` (n,)."""
         holes = self.width(s) - self.material(s)
         return np.asarray(holes / (2 * self.columns * self.side_length), dtype=float)
 
     @cached_property
     def joints(self) -> FloatArray:
-        """Stations (2 rows + 1,), mm, where diamonds end in a tip and others are widest."""
+        """Stations (2 rows + 1,), mm, of the diamonds' tips, where their neighbours are widest."""
         return np.linspace(0.0, self.width.length, 2 * self.rows + 1)
 
     def __post_init__(self) -> None:
@@ -179,7 +179,7 @@ class DiamondPattern:
 
     @cached_property
     def _rows(self) -> list["_Row"]:
-        """Rows of full diamonds and of the ones in the gaps between them, in turn."""
+        """Rows of full diamonds alternating with rows of diamonds in the gaps."""
         first, last = self.joints[:-1] + self.bridge / 2, self.joints[1:] - self.bridge / 2
         first[0], last[-1] = self.joints[0], self.joints[-1]
         stretches = self._stretches
@@ -193,7 +193,7 @@ class DiamondPattern:
 
     @property
     def _stretches(self) -> list["_Stretch"]:
-        """The strip between joints and jumps: width, material and T H / columns as splines over the same knots."""
+        """Stretches between joints and jumps: width, material and T H / columns as splines over the same knots."""
         breaks = [*self.width.breaks, *self.material.breaks]
         jumps = np.array([s for s, continuity in breaks if continuity < 0])
         inner = self.joints[1:-1]
@@ -216,7 +216,7 @@ class DiamondPattern:
         return [_Stretch(knots, values) for knots, values in splines]
 
     def _values(self, s: FloatArray) -> FloatArray:
-        """Width, material, and the width of a full diamond (n, 3), mm."""
+        """Return width, material, and the width of a full diamond (n, 3), mm."""
         w, m = self.width(s), self.material(s)
         half, last = self.row_length / 2, 2 * self.rows - 1
         k = np.clip(np.floor(s / half), 0, last)
@@ -228,12 +228,12 @@ class DiamondPattern:
 
 @dataclass(frozen=True, eq=False)
 class _Row:
-    """The holes side by side over some stretches: full diamonds, or those in the gaps (first and last: halves)."""
+    """Holes side by side over some stretches: full diamonds, or diamonds in the gaps with halves at the edges."""
 
     stretches: tuple["_Stretch", ...]
     columns: int
     full: bool
-    lost: float = 0.0  # of the length, mm, to ends and slots
+    lost: float = 0.0  # length lost to ends and slots, mm
 
     @property
     def across(self) -> int:
@@ -242,11 +242,11 @@ class _Row:
 
     @property
     def length(self) -> float:
-        """Along the strip, mm."""
+        """Length along the strip, mm."""
         return float(self.stretches[-1].knots[-1] - self.stretches[0].knots[0])
 
     def within(self, low: float, high: float) -> "_Row | None":
-        """The part between two stations; None where there is none."""
+        """Return the part between two stations, or None if it is empty."""
         if low <= self.stretches[0].knots[0] and self.stretches[-1].knots[-1] <= high:
             return self
         kept = tuple(part for one in self.stretches if (part := one.within(low, high)) is not None)
@@ -257,11 +257,11 @@ class _Row:
 
     @cached_property
     def sides(self) -> list[list[tuple[Spline, Spline]]]:
-        """Of every stretch those of the holes: the lower from its start, the upper from its end."""
+        """Sides of the holes for every stretch: the lower from its start, the upper from its end."""
         return [one.sides(self.columns, self.across, full=self.full) for one in self.stretches]
 
     def loop(self, j: int) -> Path:
-        """The j-th hole, anticlockwise."""
+        """Return the j-th hole, anticlockwise."""
         sides = [of_stretch[j] for of_stretch in self.sides]
         lower: list[Segment] = [side for side, _ in sides]
         upper: list[Segment] = [side for _, side in reversed(sides)]
@@ -276,7 +276,7 @@ class _Stretch:
     values: FloatArray
 
     def within(self, low: float, high: float) -> "_Stretch | None":
-        """The part between two stations; None where there is none."""
+        """Return the part between two stations, or None if it is empty."""
         a, b = max(low, float(self.knots[0])), min(high, float(self.knots[-1]))
         if b - a <= JOIN:
             return None
@@ -290,7 +290,7 @@ class _Stretch:
         return _Stretch(knots, np.asarray(solved, dtype=float))
 
     def sides(self, columns: int, across: int, *, full: bool) -> list[tuple[Spline, Spline]]:
-        """Of each of the holes `across` the lower side from its start, and the upper side from its end."""
+        """Return for each of the holes `across` its lower side from the start and its upper side from the end."""
         w, m, diamond = self.values.T
         t, pitch = m / (2 * columns + 2), (w - m) / columns
         gap = pitch - diamond
@@ -307,13 +307,13 @@ class _Stretch:
 
 
 SLACK = 1e-7
-"""Relative amount by which a design may exceed an active limit."""
+"""Relative tolerance of active limits."""
 
 STEEP_RAD = np.radians(30.0)
 """Ligaments that lean more than this are reported, as they are stiffer than their width suggests."""
 
 TIP_SHARE = 0.03
-"""Share of extra material at rounded tips from which on it is reported."""
+"""Fraction of extra material at rounded tips above which it is reported."""
 
 SLENDERNESS = 3.0
 """Length divided by pitch of the diamonds if no number of rows is given."""
@@ -321,27 +321,28 @@ SLENDERNESS = 3.0
 
 @dataclass(frozen=True, eq=False)
 class Perforated:
-    """An outline of its own width with diamond holes; the ligaments' summed width is ~ K (paper, section 8.1).
+    """An outline of given width with diamond holes; the ligaments' summed width is proportional to the stiffness.
 
-    Sums are taken straight across the strip and hold at every station, from one end of the free part to the
-    other; only corners that are rounded leave more, over the short zone of `tip_zone` about the tips. The strip
-    then weighs ~ K like a plain one. Without `max_width` as much material is left as the holes allow.
+    The sum is taken straight across the strip and holds at every station of the free part (paper, section 8.1).
+    Only rounded corners leave more, in the short `tip_zone` about the tips. So the weight per length is ~ K, as in
+    a plain strip.
+    Without `max_width` as much material is left as the holes allow.
 
     Parameters
     ----------
     width : float, Profile or callable
-        Of the outline, mm: one number, or a profile or function of arc length (`touching_widths` gives such).
+        Width of the outline, mm: a number, or a profile or function of arc length (as from `touching_widths`).
     columns, rows : int
-        Full diamonds across and along; between them come the ones in the gaps, halves at edges and ends. Without
-        `rows` diamonds are three times as long as their columns are apart.
+        Numbers of full diamonds across and along; more diamonds fill the gaps, with halves at edges and ends. By
+        default diamonds are three times as long as the spacing of their columns.
     hole_ratio : float
-        Largest share of the width that holes may take at any station.
+        Largest fraction of the width for holes at any station.
     least_ligament, least_hole : float
-        Widths, mm, that no ligament and no widest place of a hole may fall below.
+        Least width of a ligament, and of a hole at its widest place, mm.
     corner_radius : float
-        Of the holes' corners, against tearing, mm; 0 leaves them sharp.
+        Radius of the holes' corners, against tearing, mm; 0 leaves them sharp.
     sides : "spline" or "arc"
-        What the sides of holes are made of.
+        Kind of curve for the sides of holes.
 
     Examples
     --------
@@ -377,17 +378,17 @@ class Perforated:
     def laid_out(
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> Layout:
-        """Outline, material and holes for a rod.
+        """Return outline, material and holes for a rod.
 
         Parameters
         ----------
         max_width, min_width : float, optional
-            Bounds of the ligaments' sum, mm.
+            Bounds of the ligaments' summed width, mm.
 
         Raises
         ------
         InputError
-            No scale keeps ligaments and holes wide enough: says where, and what would do.
+            No scale keeps ligaments and holes wide enough. The message gives the place and possible changes.
         """
         require_laid_out(rod, sheet, max_width, min_width)
         outer = width_profile(self.width, rod.length, "the width of the outline")
@@ -403,7 +404,7 @@ class Perforated:
         return Layout(sheet, outer, material, scale, pattern=pattern, warnings=told)
 
     def tip_zone(self, layout: Layout) -> float:
-        """Half the length, mm, of the zones about `layout.pattern.joints` in which rounded corners leave more."""
+        """Return half the length, mm, of the zones about `layout.pattern.joints` with extra material at corners."""
         if self.corner_radius == 0 or not isinstance(layout.pattern, DiamondPattern):
             return 0.0
         s = stations_of(layout.width.length, layout.width, layout.material)
@@ -433,10 +434,11 @@ class Perforated:
         return tuple(told)
 
     def _excess(self, pattern: DiamondPattern) -> FloatArray:
-        """Width (n,), mm, that rounded tips at the joints leave too much, at the worst station beside them.
+        """Return the extra width (n,), mm, of rounded tips at the joints, at the worst station beside them.
 
-        A circle in a corner of half angle a ends where the corner is 2 r (sec a - tan a) wide. Halves have half the
-        angle of the others, end farther from the joint, and miss half as much where the others end.
+        A circle in a corner of half angle a ends where the corner is 2 r (sec a - tan a) wide. Half diamonds have
+        half the angle of the others and end farther from the joint. Where the others end, halves leave half the
+        extra width.
         """
         slope = pattern.slopes(pattern.joints)
         others, halves = (
@@ -448,7 +450,7 @@ class Perforated:
 
 
 class _Fit:
-    """Widths, section, and the scales of stiffness with which all limits are kept."""
+    """Widths, section, and the scales of stiffness that meet all limits."""
 
     def __init__(self, style: Perforated, rod: Rod, sheet: Sheet, outer: Profile) -> None:
         self.style, self.rod = style, rod
@@ -524,7 +526,7 @@ class _Fit:
         return scale
 
     def _infeasible(self) -> str:
-        """Why nothing fits, where, and what would do."""
+        """Return the error if no scale fits, with the place and possible changes."""
         style, rigidity = self.style, self.section.rigidity
         i, need = self._least_outline()
         ways = []
@@ -557,9 +559,10 @@ class _Fit:
         )  # fmt: skip
 
     def _least_outline(self) -> tuple[int, float]:
-        """Where the outline is too narrow, and the width that would do, mm: infinite where none does.
+        """Return the index of the place where the outline is too narrow, and a width, mm, that fits there.
 
-        An outline of one width grows everywhere, and what holes must leave of it grows with it.
+        The width is infinite if none fits. An outline of constant width grows everywhere, so the material that the
+        holes must leave grows too.
         """
         rigidity = self.section.rigidity
         need = self.lowest * self.K / rigidity + self.holes
@@ -577,7 +580,7 @@ class _Fit:
         return section.scale_range(self.w - 2 * columns * self.style.least_hole, self.K).feasible
 
     def _too_little(self, scale: float) -> str:
-        """The limit that a scale breaks, and where."""
+        """Return the limit that a scale violates, with the place."""
         if self.by_ratio.lowest > self.by_ligaments.lowest:
             i = self.by_ratio.lowest_at
             share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])

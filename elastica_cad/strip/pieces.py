@@ -1,4 +1,4 @@
-"""Pieces: what is cut from which sheet and how often; strips and pieces that are the same part."""
+"""Pieces to cut from sheets with their counts, and groups of equal strips and pieces."""
 
 import re
 from collections import Counter
@@ -22,24 +22,23 @@ from elastica_cad.strip.slots import Cuts, Slot, end_numbers
 from elastica_cad.strip.strip import Placed, Strip, strip_names
 
 SAME_SIZE_MM, SIZE_STATIONS = 1e-3, 65
-"""Difference in thickness or diameter, mm, up to which strips are the same, and number of places that are
-compared."""
+"""Largest difference in thickness or diameter, mm, between equal strips, and number of compared places."""
 
 SAME_BEND_RAD = 1e-4
-"""Difference in angle over the length of a strip, rad, up to which two natural shapes are the same."""
+"""Largest difference in angle over the length of a strip, rad, between equal natural shapes."""
 
 SLOT_DIGITS = 6
-"""Decimals of mm to which sizes of slots are compared, since those of copies differ by rounding."""
+"""Decimals of compared sizes of slots, mm; sizes of copies differ by rounding."""
 
 SAMPLES = 6
-"""Points of a segment at which loops are compared."""
+"""Number of points of a segment at which loops are compared."""
 
 WAYS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
-"""Signs of x and y of the four positions: as it is, turned over along the strip, across it, and rotated."""
+"""Signs of x and y for the four positions: unchanged, turned over along the strip or across it, and rotated."""
 
 
 def cut_key(strip: Strip) -> Hashable:
-    """Key of strips that are made and cut alike, whatever their labels and the names of their mates."""
+    """Return a key that is equal for strips that are made and cut alike, whatever their labels and mates."""
     slots = [
         (slot.side, slot.relief, slot.depth is None, *np.round(_sizes(slot), SLOT_DIGITS).tolist())
         for slot in strip.slots
@@ -50,23 +49,23 @@ def cut_key(strip: Strip) -> Hashable:
 
 
 def _sizes(slot: Slot) -> FloatArray:
-    """All sizes of a slot, mm; its lean in rad."""
+    """Return all sizes of a slot, mm, and its lean, rad."""
     paths = [np.ravel(part) for part in (slot.path, slot.widths) if part is not None]
     return np.concatenate([[slot.at, slot.width, slot.depth or 0.0, slot.lean], *paths])
 
 
 @dataclass(frozen=True, eq=False)
 class EqualStrips:
-    """Equal strips of a model: one part, cut as often as there are `members`.
+    """Equal strips of a model: a part that is cut once for each of its `members`.
 
     Attributes
     ----------
     strip : Strip
-        The first of them, whose drawing is cut.
+        First of the strips, whose drawing is cut.
     name : str
-        Its label, or "strip 3" after its place in the model.
+        Its label, or "strip 3" from its number in the model.
     members : tuple of int
-        Places in the model.
+        Indices of the strips in the model.
     """
 
     strip: Strip
@@ -80,12 +79,12 @@ class EqualStrips:
 
 
 def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
-    """The strips grouped by the part that is cut for them, in order of first appearance.
+    """Return the strips grouped by their part, in order of first appearance.
 
-    Strips are equal where sheet, label and all cut loops are, after turning the part about or over.
+    Strips are equal if sheet, label and all cut loops are equal after rotating the part or turning it over.
     """
     found: list[tuple[FlatShape, Strip, list[int]]] = []
-    known: dict[int, list[int]] = {}  # one strip in several places need not be compared again
+    known: dict[int, list[int]] = {}  # a strip in several places is compared only once
     for index, strip in enumerate(one.strip for one in placed):
         if id(strip) not in known:
             shape = FlatShape.of(strip)
@@ -107,7 +106,7 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
 
 
 def count_shapes(parts: Sequence[EqualStrips]) -> int:
-    """Number of different shapes of these parts, whatever is engraved on them."""
+    """Return the number of different shapes among parts, whatever is engraved on them."""
     found: list[FlatShape] = []
     for part in parts:
         shape = FlatShape.of(part.strip)
@@ -117,13 +116,13 @@ def count_shapes(parts: Sequence[EqualStrips]) -> int:
 
 
 def _same_marks(a: Strip, b: Strip) -> bool:
-    """Whether the same is engraved on both."""
+    """Return True if both strips have the same engraving."""
     mates = [sorted(slot.mate for slot in strip.slots) for strip in (a, b)]
     return (a.label, a.engraved) == (b.label, b.engraved) and mates[0] == mates[1]
 
 
 def _near(a: FloatArray | None, b: FloatArray | None, room: float) -> bool:
-    """Whether both are None, or rows of numbers that differ by less than `room`."""
+    """Return True if both are None, or if both are arrays that differ by less than `room`."""
     if a is None or b is None:
         return a is b
     return bool(np.abs(a - b).max() < room)
@@ -131,10 +130,10 @@ def _near(a: FloatArray | None, b: FloatArray | None, room: float) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class FlatShape:
-    """The cut loops of a part, of each of its layers, ready to be compared with many others.
+    """Cut loops of each layer of a part, for comparison with many other parts.
 
-    `size` (k,) is the thickness or diameter at even steps along it of one that is planed or turned, and `bent` (k,)
-    is how much the blank is bent beforehand there, rad over its length; None for the others.
+    `size` (k,) is the thickness or diameter at even steps along a part that is planed or turned, else None.
+    `bent` (k,) is the natural curvature of a pre-bent strip there, rad over its length, else None.
     """
 
     layers: tuple[Layer, ...]
@@ -150,7 +149,7 @@ class FlatShape:
         return cls(strip.layers, None if size is None else size(s), bent)
 
     def equals(self, other: "FlatShape") -> bool:
-        """Would one part serve for both, but for what is engraved? Sheets and all loops must be the same."""
+        """Return True if the parts are equal except for engraving; sheets and all loops must be the same."""
         if not (_near(self.size, other.size, SAME_SIZE_MM) and _near(self.bent, other.bent, SAME_BEND_RAD)):
             return False
         if len(self.layers) != len(other.layers) or any(
@@ -165,18 +164,18 @@ class FlatShape:
             return True  # strips that are cut alike share their loops
         if np.abs(self._size - other._size).max() > SAME_MM * self._size[0]:
             return False
-        ways = WAYS if self.bent is None else WAYS[:1]  # a bent blank that is turned is bent another way
+        ways = WAYS if self.bent is None else WAYS[:1]  # turning a pre-bent strip changes its bend
         return any(self._covers(other, way) for way in ways)
 
     @cached_property
     def _size(self) -> FloatArray:
-        """Length, box and areas of the loops: cheap to compare."""
+        """Length, box and areas of the loops, which are cheap to compare."""
         layers = self.layers
         width, height = np.diff(layers[0].outline.bounds, axis=0)[0]
         return np.array([layers[0].outline.length, width, height, *(np.sqrt(layer.area) for layer in layers)])
 
     def _covers(self, other: "FlatShape", way: tuple[int, int]) -> bool:
-        """Whether the other's loops, in this position and centred on this one, coincide with these."""
+        """Return True if the other shape's loops, in this position and centred on this shape, coincide with it."""
         middles = [shape.layers[0].outline.bounds.mean(axis=0) for shape in (self, other)]
         shift = middles[0] - way * middles[1]
         for own, others in zip(self.layers, other.layers, strict=True):
@@ -193,12 +192,12 @@ class FlatShape:
 
 
 def _samples(path: Path) -> FloatArray:
-    """Points along every segment of a path."""
+    """Return points along every segment of a path."""
     return np.concatenate([segment.at(np.linspace(0.0, 1.0, SAMPLES + 1)[:-1]) for segment in path.segments])
 
 
 def _along(path: Path, points: FloatArray) -> bool:
-    """Whether points are within `SAME_MM` of a path."""
+    """Return True if all points are within `SAME_MM` of a path."""
     left = points
     for segment in path.segments:
         low, high = segment.bounds
@@ -209,25 +208,24 @@ def _along(path: Path, points: FloatArray) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """A flat part to be cut.
+    """Flat part to be cut.
 
     Parameters
     ----------
     name : str
     drawing : Drawing
-        One closed outer cut or more.
+        Drawing with at least one closed outer cut.
     sheet : Sheet
-        What it is cut from; where the sheet has a grain, the drawing's x runs along or across it as `sheet.grain`
-        says.
+        Sheet of the part. `sheet.grain` is the direction of its grain relative to the drawing's x.
     count : int
-        How many are cut.
+        Number of copies.
     worked : float, optional
-        What one weighs, g, when it has been planed or turned; what is cut of the sheet unless told.
+        Mass of a piece after planing or turning, g; by default the mass as cut.
 
     Raises
     ------
     InputError
-        Nothing to cut out, or a count below 1.
+        The drawing has no closed outer cut, or the count is below 1.
 
     Examples
     --------
@@ -259,7 +257,7 @@ class Piece:
 
     @cached_property
     def bounds(self) -> FloatArray:
-        """[[x_min, y_min], [x_max, y_max]] of the outer cuts, mm, exact; all else lies inside."""
+        """Exact box [[x_min, y_min], [x_max, y_max]] of the outer cuts, mm, which enclose the whole drawing."""
         return box_around(np.array([path.bounds for path in self.drawing.on(CUT_OUTER)]))
 
     @property
@@ -270,12 +268,12 @@ class Piece:
 
     @cached_property
     def cut_length(self) -> float:
-        """Length of all cuts of one piece, mm."""
+        """Length of all cuts of a piece, mm."""
         return sum(path.length for path in self.drawing.on(CUT_INNER, CUT_OUTER))
 
     @cached_property
     def area(self) -> float:
-        """Area of one piece, mm2."""
+        """Area of a piece, mm2."""
         outer, inner = (
             sum(abs(path.area) for path in self.drawing.on(layer) if path.closed)
             for layer in (CUT_OUTER, CUT_INNER)
@@ -284,20 +282,20 @@ class Piece:
 
     @property
     def mass(self) -> float:
-        """Mass of one piece as it is used, g."""
+        """Mass of a finished piece, g."""
         if self.worked is not None:
             return self.worked
         return self.area * self.sheet.thickness * self.sheet.density * 1e-6
 
 
 LONGEST_WORD = 60
-"""Characters of a label that go into a file name: file systems allow 255 bytes in all."""
+"""Largest number of characters of a label in a file name; file systems allow 255 bytes in all."""
 
 _DEVICE = re.compile(r"^(con|prn|aux|nul|(?:com|lpt)[0-9¹²³])(?=\.|$)", re.IGNORECASE)  # of Windows
 
 
 def file_word(text: str) -> str:
-    """The text as it may stand in a file name on any system.
+    """Return the text with only characters that file names may have on any system.
 
     Examples
     --------
@@ -311,7 +309,7 @@ def file_word(text: str) -> str:
 
 
 def distinct(names: Iterable[str]) -> list[str]:
-    """Names, with a number behind those that came before; file systems may not tell capitals from small letters.
+    """Return names with numbers appended to repeated names, without regard to case, as in some file systems.
 
     Examples
     --------
@@ -334,8 +332,8 @@ def distinct(names: Iterable[str]) -> list[str]:
 def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tuple[Piece, ...]:
     """Return each group of equal strips as a piece with its count; each layer of a laminate is a piece.
 
-    Different parts with the same label get a number behind it, on the part and in its name. With `numbered` ends
-    are engraved 1 and 2, as the slots that hold them are.
+    Different parts with the same label get a number after it, on the part and in its name. With `numbered` the ends
+    are engraved 1 and 2, like the slots that hold them.
     """
     pieces: list[Piece] = []
     taken = {part.name for part in parts}
@@ -361,8 +359,10 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
 
 
 def _blank(strip: Strip, layer: Layer) -> tuple[Sheet, float | None]:
-    """Sheet from which a layer is cut; one that is planed or turned starts at its largest thickness and has the
-    mass given, g."""
+    """Return the sheet of a layer, and the mass, g, of a strip that is planed or turned, else None.
+
+    A strip that is planed or turned needs a sheet of its largest thickness.
+    """
     size = strip.layout.worked_size
     if size is None:
         return layer.sheet, None

@@ -52,20 +52,19 @@ class Slot:
     Parameters
     ----------
     at : float
-        Arc length of the inner end of its centre line, mm.
+        Arc length of the inner end of the centre line, mm.
     width : float
-        Across the slot, mm; of a slot along a `path` the width at the inner end.
+        Width across the slot, mm; for a slot along a `path` the width at the inner end.
     depth : float, optional
-        From the edge of the strip to the inner end, measured across the strip, mm; to the centre line of the
-        strip where not given.
+        Distance across the strip from its edge to the inner end, mm; by default to the strip's centre line.
     side : "upper" or "lower"
-        The edge on which it opens: y > 0 or y < 0 of the flat pattern.
+        Edge on which it opens: y > 0 or y < 0 of the flat pattern.
     lean : float
-        Angle of the centre line to the strip's ruling, rad: outward it moves towards larger x where positive.
+        Angle of the centre line to the strip's ruling, rad; if positive, x increases outward.
     relief : "square" or "round"
-        The inner end: straight across, or a half circle beyond it.
+        Form of the inner end: straight across, or a half circle beyond it.
     mate : str
-        What goes in here; written beside the slot.
+        Name of the part in the slot, written beside it.
     path : (k, 2) array, optional
         Centre line in the flat pattern from the inner end to the edge, mm, in place of depth and lean.
     widths : (k,) array, optional
@@ -74,7 +73,7 @@ class Slot:
     Raises
     ------
     InputError
-        Sizes that are not positive, a path without its widths.
+        Sizes are not positive, or a path has no widths.
 
     Examples
     --------
@@ -113,7 +112,7 @@ class Slot:
     def along(
         cls, path: ArrayLike, widths: ArrayLike, *, side: Side, relief: Relief = "square", mate: str = ""
     ) -> "Slot":
-        """A slot along a centre line (k, 2) from its inner end to the edge, as wide as `widths` (k,) say."""
+        """Return a slot along a centre line (k, 2) from its inner end to the edge, with widths (k,)."""
         rows, across = _center_line(path, widths, "slot along a path")
         return cls(
             float(rows[0, 0]), float(across[0]), side=side, relief=relief, mate=mate, path=rows, widths=across
@@ -191,7 +190,7 @@ def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
 
 
 def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
-    """A side through points in order: straight where they lie on a line."""
+    """Return a side through points in order; it is straight if they are on a line."""
     chord = points[-1] - points[0]
     off = (points - points[0]) @ left_of(chord) / np.hypot(*chord)
     if len(points) == 2 or np.abs(off).max() < STRAIGHT_MM:
@@ -202,16 +201,16 @@ def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
 
 
 FLAT_MM = 1e-3
-"""Flatness of the polylines with which loops are compared, mm: finer than any machine."""
+"""Flatness, mm, of the polylines for comparing loops; it is finer than any machine."""
 
 SAME_POINT_MM = 1e-9
-"""Points nearer to each other than this are the same."""
+"""Distance, mm, below which points are equal."""
 
 SAME_PARAMETER = 1e-6
-"""Parameters nearer to each other than this may be the same place; the distance decides."""
+"""Difference below which parameters may belong to the same place; then the distance decides."""
 
 REACHES = (1.0, 4.0, 16.0)
-"""Lengths, in widths of the slot, by which its sides are extended until they meet the edge."""
+"""Extensions of the slot's sides, in widths of the slot, that are tried until they meet the edge."""
 
 
 @dataclass(frozen=True)
@@ -337,7 +336,7 @@ class _Edge:
 
 
 def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segment]:
-    """The part of a chain from one place on to another, past its end and on from its start if need be."""
+    """Return the part of a chain from one place to another, across its end and start if necessary."""
     if start.segment == end.segment and start.u <= end.u:
         return _piece(chain[start.segment], start.u, end.u)
     following = range(start.segment + 1, end.segment + (len(chain) if end.segment <= start.segment else 0))
@@ -400,7 +399,7 @@ def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:
 
 
 def _on_free_part(box: FloatArray, width: Profile) -> bool:
-    """Whether a box lies on the free part of a strip."""
+    """Return True if a box is on the free part of a strip."""
     x = np.linspace(box[:, 0].min(), box[:, 0].max(), 9)
     if x[0] < 0 or x[-1] > width.length:
         return False
@@ -408,19 +407,19 @@ def _on_free_part(box: FloatArray, width: Profile) -> bool:
 
 
 class Cut:
-    """A line that letters keep off; of a loop also the side where no material is, "inside" or "outside"."""
+    """A line that letters avoid; a loop also has a side without material, "inside" or "outside"."""
 
     def __init__(self, line: Path, gone: str = "") -> None:
         self.line, self.gone = line, gone
 
     @cached_property
     def points(self) -> FloatArray:
-        """Along the line, of a loop back to the first."""
+        """Points along the line; for a loop the first point is repeated at the end."""
         points = self.line.points(COARSE_MM)
         return _around(points) if self.gone or self.line.closed else points
 
     def reaches(self, box: FloatArray, edge: FloatArray) -> bool:
-        """Whether the cut runs through a box, or leaves no material there."""
+        """Return True if the cut crosses a box or leaves no material there."""
         low, high = box_about(box)
         if bool(np.any(np.all((self.points > low) & (self.points < high), axis=1))):
             return True
@@ -430,8 +429,7 @@ class Cut:
 
 
 class Cuts:
-    """Places that letters avoid: loops and slots whose inside is cut out, lines, and all that is outside the
-    outline."""
+    """Places that letters avoid: holes, slots, lines, and the outside of the outline."""
 
     def __init__(
         self,
@@ -448,7 +446,7 @@ class Cuts:
         self._bounds = np.array([cut.line.bounds for cut in self._cuts]).reshape(-1, 2, 2)
 
     def clear_of(self, box: FloatArray) -> bool:
-        """Whether a box avoids all of them."""
+        """Return True if a box is clear of all cuts."""
         bounds = box_about(box)
         if self._rim and not boxes_meet(self._rim.line.bounds, bounds):
             return False
@@ -462,21 +460,19 @@ def _around(points: FloatArray) -> FloatArray:
 
 
 LETTER_HEIGHTS_MM = (2.0, 1.5, 1.0)
-"""Heights of letters that are tried in this order; below 1 mm engraved letters run together."""
+"""Heights of letters in the order of trial; engraved letters below 1 mm are not legible."""
 
 NUMBER_PLACES_MM = (2.0, 4.0, 7.0, 11.0)
-"""Distances of a number from the end of the free part, tried in this order, so that it can be seen beside the
-holder."""
+"""Distances of a number from the end of the free part, in the order of trial, to be visible beside a holder."""
 
 LABEL_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25)
-"""Shares of the usual height of a label, tried in this order where cuts are in its way."""
+"""Fractions of the usual height of a label, in the order of trial, if cuts leave too little room."""
 
 LABEL_STEP_MM, LABEL_STEPS = 2.0, 100
-"""Distance between the places that are tried for a label, and their number to either side; with more, the
-distance is larger."""
+"""Least distance between the places tried for a label, and the largest number of places on either side."""
 
 LABEL_DISTANCES_MM = (TEXT_DISTANCE_MM, 0.0)
-"""Clearances that are tried in this order: on a very narrow strip any label is near the edges."""
+"""Clearances in the order of trial; on a very narrow strip any label is near the edges."""
 
 
 def mating_marks(
@@ -486,10 +482,9 @@ def mating_marks(
     marks: Sequence[Path] = (),
     taken: Sequence[Text] = (),
 ) -> tuple[Text, ...]:
-    """The names of the mates, on the MARK layer, clear of all slots, holes, `marks` and of other texts.
+    """Return the names of the mates on the MARK layer, clear of all slots, holes, `marks` and other texts.
 
-    Each stands at the inner end of its slot, or else beside the slot, as large as fits; where nothing fits the
-    slot stays without.
+    A name is at the inner end of its slot or beside the slot, as large as possible. If nothing fits, it is omitted.
     """
     rims = [Cut(slot_cut(slot, width, beyond=slot.width), "inside") for slot in slots]
     cuts = Cuts(holes, marks, slots=rims)
@@ -508,9 +503,10 @@ def mating_marks(
 def end_numbers(
     width: Profile, cuts: Cuts, taken: Sequence[Text] = (), names: tuple[str, str] = ("1", "2")
 ) -> tuple[Text, ...]:
-    """ "1" where the free part starts and "2" where it ends, as slots of bases call them, clear of cuts and texts.
+    """Return the numbers "1" and "2" at the start and end of the free part, clear of cuts and texts.
 
-    Other `names` stand for joints; an empty one, or one that finds no room, is left out.
+    Slots of bases have the same numbers. Other `names` denote joints. Empty names, and names without room, are
+    omitted.
     """
     boxes, numbers = [box_about(_text_box(text)) for text in taken], []
     for number, end, way in ((names[0], 0.0, 1.0), (names[1], width.length, -1.0)):
@@ -525,10 +521,10 @@ def end_numbers(
 
 
 def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, float] | None = None) -> Text:
-    """The label of a strip, along its middle line: as near to the middle as it lies on the strip and off all cuts.
+    """Return the label on the strip's middle line, as near to the middle as possible and clear of all cuts.
 
-    Smaller where it must be; in the middle where there is no such place. `span` is where it may stand, mm along the
-    strip; the whole free part unless given.
+    It is smaller if necessary, and in the middle if there is no free place. `span` is the allowed range, mm along
+    the strip; by default the whole free part.
     """
     low, high = span or (0.0, width.length)
     length = high - low
@@ -549,9 +545,9 @@ def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, fl
 
 
 def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: Cuts) -> Text:
-    """The label across one of the `tabs`, each the x where it begins, where it ends, and its width, off all cuts.
+    """Return the label across one of the `tabs` (start x, end x and width), clear of all cuts.
 
-    Smaller or beside the middle where it must be; in the middle of the first where there is no such place.
+    It is smaller or beside the middle if necessary, and in the middle of the first tab if there is no free place.
     """
 
     def text(tab: tuple[float, float, float], share: float, place: float, side: float) -> Text:
@@ -574,14 +570,14 @@ def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: 
 
 
 def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: Cuts) -> bool:
-    """Whether a box, given by its corners, lies on the free part and avoids other boxes (2, 2) and cuts."""
+    """Return True if a box, given by its corners, is on the free part and clear of boxes (2, 2) and cuts."""
     if not _on_free_part(box, width) or (taken and boxes_meet(np.array(taken), box_about(box)).any()):
         return False
     return cuts.clear_of(box)
 
 
 def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
-    """Texts beyond the inner end, then on either side of the slot, the largest first."""
+    """Yield texts beyond the inner end, then on either side of the slot, the largest first."""
     points, _ = slot.center_line(width)
     inward = -1.0 if slot.side == "upper" else 1.0
     end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()

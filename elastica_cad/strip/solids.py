@@ -29,12 +29,12 @@ from elastica_cad.strip.tapered_solids import RoundSolid, side_view
 
 
 def centred_thickness(strip: Strip) -> float:
-    """Thickness, mm, of the layers that are centred on the curve: all, but of glued leaves the through one."""
+    """Return the thickness, mm, of the layers centred on the curve: all layers, or the through ply of a stack."""
     return strip.layers[-1 if strip.layout.stack is None else 0].high
 
 
 def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
-    """Flat place (x, y) of every joint, and +1 where its x axis runs along the strip, -1 against it."""
+    """Return the flat place (x, y) of every joint, and +1 if its x axis is along the strip, -1 if against it."""
     places = {"start": (0.0, 0.0, -1), "end": (strip.rod.length, 0.0, 1)}
     for number, hole in enumerate(strip.holes, start=1):
         x, y = map(float, hole.bounds.mean(axis=0))
@@ -43,7 +43,7 @@ def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
 
 
 def _with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Frame]:
-    """The joints, and of every hole one on each face of the strip: "hole1:top", "hole1:bottom", z outward."""
+    """Return the joints, and for every hole two more on the strip's faces: "hole1:top", "hole1:bottom"."""
     found = dict(joints)
     for name, frame in joints.items():
         if name.startswith("hole"):
@@ -54,26 +54,26 @@ def _with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Fram
 
 
 def turned(frame: Frame, way: int) -> Frame:
-    """The frame, half a turn about its z axis where `way` is -1."""
+    """Return the frame, with half a turn about its z axis if `way` is -1."""
     return frame if way == 1 else Frame(frame.origin, -frame.x_axis, -frame.y_axis)
 
 
 GLUE_MM = 5e-4
-"""Gap between the sheets of one body, mm: kernels lose parts of solids that touch, and misjudge one of 1e-4 mm."""
+"""Gap between the sheets of a body, mm; kernels lose parts of touching solids and fail with a gap of 1e-4 mm."""
 
 JOINT_GAP_MM = 0.01
 """Gap between the ends of a closed strip, mm: far above the tolerance of kernels."""
 
 FEW_SPANS = 8
-"""Number of spans up to which the wall of a spline is extruded without a check; sides of holes have one."""
+"""Largest number of spans of a spline whose wall is extruded without a check; sides of holes have a single span."""
 
 EVEN_SHARE = 1e-4
-"""Largest error of the area below a wall in a kernel, as a share of the part's area."""
+"""Largest error of the area below a wall in a kernel, as a fraction of the part's area."""
 
 RULE = np.polynomial.legendre.leggauss(16)
-"""Points in -1..1 and weights of the rule that OpenCASCADE uses along an extruded wall, however many its spans."""
+"""Points in -1..1 and weights of the rule that OpenCASCADE uses along an extruded wall with any number of spans."""
 
-BESIDE_MM = 20.0  # between the flat and the bent strip of a file
+BESIDE_MM = 20.0  # distance between the flat and the bent strip in a file
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,20 +83,20 @@ class FlatSolid:
     Parameters
     ----------
     outline : Path
-        Closed, mm.
+        Closed outline, mm.
     holes : tuple of Path
-        Closed, inside the outline.
+        Closed loops inside the outline.
     thickness : float
-        mm, from z = 0 to z = thickness of the frame.
+        Thickness, mm, from z = 0 to z = thickness of the frame.
     frame : Frame
-        Where the drawing's plane lies in space.
+        Plane of the drawing in space.
     joints : mapping of str to Frame
         Places to join other parts to.
 
     Raises
     ------
     InputError
-        An open loop or a thickness that is not positive.
+        A loop is open, or the thickness is not positive.
 
     Examples
     --------
@@ -119,15 +119,15 @@ class FlatSolid:
 
     @classmethod
     def of(cls, strip: Strip, frame: Frame | None = None) -> "FlatSolid | RoundSolid":
-        """The strip as cut, of a laminate its base: x runs from the start of the free part, z = 0 is below.
+        """Return the flat strip (for a laminate, its base): x = 0 at the start of the free part, z = 0 below.
 
-        Its joints are called as those of `BentSolid`.
+        The names of joints are the same as in `BentSolid`.
         """
         return cls.layers(strip, frame)[0]
 
     @classmethod
     def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["FlatSolid | RoundSolid", ...]:
-        """Every sheet of the strip as glued flat, one on the other; the base has the joints."""
+        """Return every sheet of the strip, glued flat on each other; the base has the joints."""
         require_record(strip, Strip, "what lies flat", "a Strip")
         frame = frame_or_plain(frame)
         if strip.layout.worked_size is not None:
@@ -160,7 +160,7 @@ class FlatSolid:
 
     @property
     def is_prism(self) -> bool:
-        """May a kernel extrude its face? Programs would misread walls along splines that go up and down often."""
+        """True if a kernel can extrude the face; programs misread walls along splines with many spans."""
         segments = (segment for loop in (self.outline, *self.holes) for segment in loop.segments)
         splines = [one for one in segments if isinstance(one, Spline) and not one.curve.is_rational]
         many = [one for one in splines if knot_runs(one.curve.knots)[0].size > FEW_SPANS + 1]
@@ -168,13 +168,13 @@ class FlatSolid:
 
     @cached_property
     def boundary(self) -> Boundary:
-        """The closed skin: planes, cylinders, and a ruled B-spline face along each spline of its loops."""
+        """Closed boundary: planes, cylinders, and a ruled B-spline face along each spline of its loops."""
         pattern = cut_across(self.outline, self.holes, ())
         return BoundaryMaker(pattern.points, (self.frame,), (0.0, self.thickness)).solid(pattern.regions)
 
 
 def _misread_area(sides: Sequence[Spline]) -> float:
-    """Error of one rule for all spans of a side for the area below it, mm2, summed over sides."""
+    """Return the error of the areas below sides, mm2, if a single rule integrates all spans of a side."""
     points, weights = RULE
     off = 0.0
     for side in sides:
@@ -188,7 +188,7 @@ def _misread_area(sides: Sequence[Spline]) -> float:
 
 
 def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | RoundSolid":
-    """A tapered strip or a round rod: flat on the frame's xy plane as cut, or bent with its curve in that plane.
+    """Return a tapered strip or a round rod: flat on the frame's xy plane, or bent with its curve in that plane.
 
     Raises
     ------
@@ -221,25 +221,25 @@ def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | Ro
 
 @dataclass(frozen=True, eq=False)
 class BentSolid:
-    """A strip bent into its rod's curve, with its thickness half to either side of the curve.
+    """A strip bent into its rod's curve, with half its thickness on either side of the curve.
 
-    The flat pattern's x follows the curve, its y stands across (the frame's z), and its upper side turns to
-    the right of the curve. Tabs go on straight along the end tangents.
+    The flat pattern's x is along the curve and its y is across (the frame's z). Its upper side is on the right of
+    the curve. Tabs continue straight along the end tangents.
 
     Attributes
     ----------
     pattern : CutPattern
-        The flat pattern cut where tabs begin and where the curvature jumps.
+        Flat pattern, cut where tabs begin and where the curvature jumps.
     maps : tuple
-        How each interval of it gets into space: a `BentMap`, or the plane of a tab as a `Frame`.
+        Map of each interval into space: a `BentMap`, or the plane of a tab as a `Frame`.
     heights : (lower, upper)
-        Where the two faces lie over the curve, mm.
+        Heights of the two faces over the curve, mm.
     frame : Frame
-        The plane in which the curve is drawn.
+        Plane in which the curve is drawn.
     places : mapping of str to (x, y, way)
-        Flat places of the joints, on the curve's own height; way is 1 where x runs along the strip, else -1.
+        Flat places of the joints at the height of the curve; way is 1 if x is along the strip, else -1.
     between : float
-        Thickness of the strip, mm, where its holes have joints on both faces; else 0.
+        Thickness of the strip, mm, if its holes have joints on both faces, else 0.
     """
 
     pattern: CutPattern
@@ -253,9 +253,9 @@ class BentSolid:
     def joints(self) -> Mapping[str, Frame]:
         """Frames by name.
 
-        "start" and "end" of the free part, "hole1", "hole2", ...: half way through the thickness, z off the strip's
-        upper side, x along the strip (outward at the ends); "hole1:top" and "hole1:bottom" lie on the strip's
-        faces, z outward.
+        "start" and "end" of the free part, "hole1", "hole2", ... are in the middle of the thickness. Their z points
+        away from the upper side and their x along the strip (outward at the ends). "hole1:top" and "hole1:bottom"
+        are on the strip's faces, z outward.
         """
         stations = [0.0, *(float(part.knots[-1]) for part in self.maps if isinstance(part, BentMap))]
         found = {}
@@ -267,36 +267,36 @@ class BentSolid:
 
     @cached_property
     def boundary(self) -> Boundary:
-        """The closed skin: B-spline faces on the free part, planes and cylinders on the tabs."""
+        """Closed boundary: B-spline faces on the free part, planes and cylinders on the tabs."""
         return BoundaryMaker(self.pattern.points, self.maps, self.heights).solid(self.pattern.regions)
 
     @cached_property
     def middle(self) -> Boundary:
-        """The open sheet half way through the thickness; its area is the flat area."""
+        """Open surface in the middle of the thickness; its area is the flat area."""
         half_way = (self.heights[0] + self.heights[1]) / 2
         return BoundaryMaker(self.pattern.points, self.maps, (half_way,)).sheet(self.pattern.regions)
 
     @classmethod
     def of(cls, strip: Strip, frame: Frame | None = None) -> "BentSolid":
-        """Bend a strip, of a laminate its base; the curve is drawn in `frame` (the xy plane unless told).
+        """Bend a strip (for a laminate, its base); the curve is drawn in `frame`, by default the xy plane.
 
         Raises
         ------
         InputError
             A radius below half the thickness, or loops of the flat pattern that cross.
         NotConvergedError
-            A curve too wild to be followed to 1e-6 mm.
+            The curve could not be approximated to 1e-6 mm.
         """
         require_record(strip, Strip, "what is bent", "a Strip")
         return next(cls._layers(strip, frame_or_plain(frame)))
 
     @classmethod
     def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["BodyRecord", ...]:
-        """Every sheet of the strip, the whole centred on the curve; the base has the joints. Errors as `of`.
+        """Return every sheet of the strip, the whole centred on the curve; the base has the joints.
 
-        Of glued leaves the through one is centred on the curve, the others lie on its upper side.
-        A strip that is tapered in thickness is its side view, extruded by its width; a rod is round. Of a closed
-        strip the lap is a body of its own, on the inside, where it is glued.
+        In a stack of glued plies, the through ply is centred on the curve and the others are on its upper side. A
+        strip of tapered thickness is its side view, extruded by its width; a rod is round. The lap of a closed
+        strip is a separate body on the inside, where it is glued. Errors are the same as in `of`.
         """
         require_record(strip, Strip, "what is bent", "a Strip")
         frame = frame_or_plain(frame)
@@ -368,23 +368,23 @@ class BentSolid:
         Parameters
         ----------
         rod : Rod
-            Its curve carries y = 0 of the pattern, x being arc length; beyond its ends the pattern is plane.
+            Rod whose curve is y = 0 of the pattern, with x as arc length; the pattern is plane beyond its ends.
         outline, holes : Path
             Closed loops, mm.
         heights : (lower, upper)
-            Where the two faces lie over the curve, mm, upward being its right side.
+            Heights of the two faces over the curve, mm; upward is the right side of the curve.
         frame : Frame, optional
-            The plane of the curve.
+            Plane of the curve.
         joints : mapping of str to (x, y, way), optional
-            Flat places, on the curve's own height; the x axis of a joint runs along the strip where way is 1,
-            against it where it is -1.
+            Flat places at the height of the curve. The x axis of a joint is along the strip if way is 1, against it
+            if way is -1.
         between : float
-            Thickness of the strip, mm: holes get joints on both its faces too; 0 for none.
+            Thickness of the strip, mm, to add joints of holes on both faces; 0 for none.
 
         Raises
         ------
         InputError, NotConvergedError
-            As `of`.
+            See `of`.
         """
         frame = frame_or_plain(frame)
         require_record(rod, Rod, "what a pattern is wrapped on", "a Rod")
@@ -414,7 +414,7 @@ def glued(records: Sequence["BodyRecord | PrismSolid"]) -> "tuple[BodyRecord | P
 
 
 def _lifted(record: "BodyRecord | PrismSolid", gap: float) -> "BodyRecord | PrismSolid":
-    """Return a sheet `gap` mm farther from the curve, or above the plane on which it lies."""
+    """Return a sheet `gap` mm farther from the curve, or above its plane."""
     if not gap or isinstance(record, PrismSolid):
         return record
     if isinstance(record, BentSolid):
@@ -425,7 +425,7 @@ def _lifted(record: "BodyRecord | PrismSolid", gap: float) -> "BodyRecord | Pris
 
 
 def bent_sheets(strip: Strip) -> tuple[Sheet, ...]:
-    """Sheet from which each body of `BentSolid.layers` is cut."""
+    """Return the sheet of each body of `BentSolid.layers`."""
     lap = (strip.sheet,) if strip.is_closed and strip.ends[1].length else ()
     return (*(layer.sheet for layer in strip.layers), *lap)
 
@@ -435,7 +435,7 @@ BodyRecord: TypeAlias = FlatSolid | BentSolid | RoundSolid
 
 
 def frame_beside(strip: Strip, frame: Frame) -> Frame:
-    """Frame of the flat strip on the xy plane, beside the one that is bent in `frame`."""
+    """Return the frame of the flat strip on the xy plane, beside the strip bent in `frame`."""
     outline = strip.outline.bounds
     reach = max(tab.length for tab in strip.ends) + sum(layer.sheet.thickness for layer in strip.layers)
     low, high = strip.rod.position.min(axis=0) - reach, strip.rod.position.max(axis=0) + reach

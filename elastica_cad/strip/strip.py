@@ -70,24 +70,26 @@ FILLETS = (
     (3.505, -2.109, 0.069),
 )
 DEEPEST, GRAIN = 20.0, 0.7
-"""Of `corner_factor`: row i times (2 t / width)^i, column j times (t / r)^(j / 2); largest t / r of the chart;
-power with which the peak follows sqrt(E / G), over that of a sheet without grain, fitted to finite elements
-(`tests/campaign/finite_elements/shoulders.py`)."""
+"""Largest t / r of the chart for `corner_factor`, and exponent of sqrt(E / G) relative to a sheet without grain.
+
+In `FILLETS`, row i is multiplied by (2 t / width)^i and column j by (t / r)^(j / 2). The exponent is fitted to
+finite elements (`tests/campaign/finite_elements/shoulders.py`)."""
 
 
 def corner_factor(sheet: Sheet, width: float, tab: float) -> float:
-    """Strain in the corners beside a tab, over its mean across the tab, where both are bent by one moment.
+    """Return the strain in the corners beside a tab over the mean strain across the tab.
 
-    That of a flat bar with shoulders t deep and fillets of radius r in tension (Pilkey, Peterson's Stress
-    Concentration Factors, chart 3.1), whose excess over 1 is smaller by (1 + nu) / (3 + nu) in a plate that is
-    bent, as beside an elliptic hole (Goodier, Phil. Mag. 22, 1936). A corner counts as rounded by the thickness of
-    the sheet: a sharp one is strained about as much in the mean over the nearest quarter of the thickness, and less
-    where the tab is gripped up to its mouth. Solids in CalculiX agree within 15 %.
+    Strip and tab are bent by the same moment. The factor is based on a flat bar in tension with shoulders t deep
+    and fillets of radius r (Pilkey, Peterson's Stress Concentration Factors, chart 3.1). In a bent plate its excess
+    over 1 is smaller by (1 + nu) / (3 + nu), as beside an elliptic hole (Goodier, Phil. Mag. 22, 1936). A corner
+    counts as rounded by the thickness of the sheet. The mean strain of a sharp corner over the nearest quarter of
+    the thickness is about the same, and less if the tab is gripped up to its mouth. Solids in CalculiX agree within
+    15 %.
 
     Parameters
     ----------
     width, tab : float
-        Of the strip's end and of its tab, mm.
+        Widths of the strip's end and of its tab, mm.
 
     Examples
     --------
@@ -103,8 +105,11 @@ def corner_factor(sheet: Sheet, width: float, tab: float) -> float:
 
 @dataclass(frozen=True)
 class Shoulder:
-    """An end of a strip, `at` mm along it and `width` mm wide, with its `tab`, mm, whose mean strain of the skin is
-    `strain`."""
+    """An end of a strip with a narrower tab.
+
+    The end is `at` mm along the strip and `width` mm wide. The tab is `tab` mm wide with the mean skin strain
+    `strain`.
+    """
 
     at: float
     width: float
@@ -114,9 +119,9 @@ class Shoulder:
 
     @property
     def verdict(self) -> StrainVerdict:
-        """Result of the strain rule: tabs break by their mean strain, brittle ones may crack in the corners before.
+        """Result of the strain rule: a tab breaks at its mean strain; corners of a brittle tab may crack before.
 
-        Where a sheet yields or creeps, the peak in a corner evens out.
+        In a sheet that yields or creeps, the peak in a corner evens out.
         """
         mean = judge_strain(self.sheet, self.strain, self.at)
         if mean.refused or self.sheet.kind not in BRITTLE:
@@ -127,7 +132,7 @@ class Shoulder:
 
     @property
     def least_tab(self) -> float:
-        """The narrowest tab, mm, that is not strained beyond the limit; else the width of the strip."""
+        """Least width of a tab, mm, that is not strained beyond the limit; else the width of the strip."""
         wider = np.linspace(self.tab, self.width, 100)[1:-1]
         tried = (replace(self, tab=float(one), strain=self.strain * self.tab / float(one)) for one in wider)
         return next((rounded_up(one.tab, 3) for one in tried if one.verdict.allowed), self.width)
@@ -163,23 +168,23 @@ def _find_shoulders(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) 
         found += [
             Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * own / narrow)
             for layer in strains
-            if layer.strain[station] <= layer.limit  # else the end itself is told of, which no tab helps
+            if layer.strain[station] <= layer.limit  # else the end itself is reported, which no tab can help
         ]
     return tuple(one for one in found if not one.verdict.allowed)
 
 
 LINEAR_CREEP_SHARE = 0.5
-"""Share of the strain limit above which creep grows faster than the stress."""
+"""Fraction of the strain limit above which creep grows faster than the stress."""
 
 STRAIGHT_SHARE = 1e-6
-"""Curvature, as a share of the largest, below which the strip counts as not bent."""
+"""Fraction of the largest curvature below which the strip counts as not bent."""
 
 UNEVEN_JOINT_MM = 0.05
-"""Difference between the widths of a closed strip's ends, mm, from which on it is reported."""
+"""Least reported difference between the widths of a closed strip's ends, mm."""
 
 
 def _tell_breadth(width: Profile, tapered: dict[str, Profile], digits: str) -> str:
-    """Width of a strip in words, with the thickness if it varies."""
+    """Return the width of a strip in words, with the thickness if it varies."""
     told: dict[str, Any] = {
         name: Span.of(*size.extremes, digits) for name, size in {"width": width, **tapered}.items()
     }
@@ -189,10 +194,10 @@ def _tell_breadth(width: Profile, tapered: dict[str, Profile], digits: str) -> s
 
 
 def _mark_on_backing(curvature: FloatArray) -> str:
-    """The word engraved on both sheets of a laminate: where their engraved faces look when it is bent.
+    """Return the word engraved on both sheets of a laminate: the side that the engraved faces have when bent.
 
-    The backing lies on the right of the curve as it runs from its start, so outside where it bends to the left.
-    Where the sense of bending changes the word is that of the first bend, with the end named.
+    The backing is on the right of the curve, seen from its start, so it is outside where the curve bends to the
+    left. If the sense of bending changes, the word describes the first bend and names the end.
     """
     small = STRAIGHT_SHARE * float(np.abs(curvature).max(initial=0.0))
     bent = curvature[np.abs(curvature) > small]
@@ -203,7 +208,7 @@ def _mark_on_backing(curvature: FloatArray) -> str:
 
 
 def _tell_backing(mark: str) -> str:
-    """Return a sentence on which side of the bend the backing lies; empty of a straight strip."""
+    """Return a sentence on the side of the bend with the backing; empty for a straight strip."""
     if not mark:
         return ""
     said = {
@@ -274,7 +279,7 @@ def _warn_of_width(width: Profile, length: float, *, closed: bool) -> Iterator[s
 
 
 def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
-    """Plywood bent sharper than its published radii, where its strain has not told so."""
+    """Warn of plywood bent more sharply than its published radii, if its strain gave no warning."""
     bend = bends.amount
     tightest = int(np.argmax(bend))
     for one, layer in zip(layers, strains, strict=False):
@@ -345,39 +350,39 @@ class Strip:
     Parameters
     ----------
     rod : Rod
-        From `optimal_rod`, `nearest_rod` or `bend`.
+        Rod from `optimal_rod`, `nearest_rod` or `bend`.
     sheet : Sheet
-        The material it is cut from.
+        Sheet from which the strip is cut.
     max_width, min_width : float, optional
-        Width of the widest, of the narrowest place, mm; one of them sets the scale. With both, `max_width` sets
-        it and a strip that would be narrower than `min_width` is refused. A rod that knows its bending stiffness
-        in N mm2 (a weight in newtons) fixes its own width; the two are then limits.
+        Largest and least width, mm. One of them sets the scale. With both, `max_width` sets the scale, and a strip
+        that would be narrower than `min_width` is refused. A rod with a bending stiffness in N mm2 (a weight in
+        newtons) determines the width; the two are then limits.
     style : Plain, Perforated or Laminated
-        How stiffness becomes material. The last two give the strip a width of its own; `max_width` and `min_width`
-        then limit the material: the ligaments' sum, the backing.
+        Conversion of stiffness into material. The last two have a separate width of the outline. `max_width` and
+        `min_width` then limit the ligaments' summed width or the backing.
     ends : pair of Tab
-        Tabs at the start and at the end. Of a strip that closes the second is its lap, the first is left out.
+        Tabs at the start and at the end. In a closed strip the second is the lap and the first is left out.
     slots : tuple of Slot
         Cuts for other strips; they become part of the outline.
     label : str
-        Its name in messages, files and assemblies; empty for none.
+        Name in messages, files and assemblies; empty for none.
     engrave : str, optional
-        Text engraved on the strip; empty for none. Unless given its label, in letters that can be engraved.
+        Text engraved on the strip; empty for none. By default the label, in letters that can be engraved.
     creep : float
         Creep factor phi of the sheet in the long run, 0 for none: see `crept`.
     correction : Profile, optional
-        Factor on the stiffness from which widths are made, to make up for what else changes it: see
+        Factor on the stiffness from which widths are computed, to compensate other effects: see
         `compensate_widths`.
     plates : LapPlates, optional
-        What joins the pieces of a strip that is longer than the stock.
+        Plates that join the pieces of a strip that is longer than the stock.
 
     tolerance : MakingTolerance
-        What is assumed to be off in sheet, cut and clamps: see `held`.
+        Assumed deviations of sheet, cut and clamps: see `held`.
 
     Raises
     ------
     InputError
-        No width given, a width that is not positive, or limits that cannot be kept.
+        No width is given, a width is not positive, or the limits cannot be met.
 
     Notes
     -----
@@ -445,9 +450,7 @@ class Strip:
         return self.drawing()._repr_svg_()
 
     def table(self) -> dict[str, FloatArray]:
-        """Columns (n,) by name with their unit: those of `Rod.table`, with moments and forces in N mm and N, widths
-        in mm and the strain of the most strained skin.
-        """
+        """Return the columns (n,) of `Rod.table` in N and N mm, with widths in mm and the largest skin strain."""
         columns, B = self.rod.table(), self.bending_stiffness
         for name, physical in {
             "moment_1_per_mm": "moment_Nmm", "force_x_1_per_mm2": "force_x_N", "force_y_1_per_mm2": "force_y_N",
@@ -463,20 +466,19 @@ class Strip:
         return columns | {"width_mm": self.width(self.rod.s)} | more | {"strain": worst.strain}
 
     def csv(self) -> str:
-        """The table as comma-separated text with a header."""
+        """Return the table as comma-separated text with a header."""
         return csv_text(self.table())
 
     @property
     def tapered(self) -> dict[str, Profile]:
-        """Profile of the quantity that varies instead of the width, "thickness" or "diameter", mm along the
-        free part."""
+        """Profile of "thickness" or "diameter", mm along the free part, if it varies instead of the width."""
         section, size = self.layout.section, self.layout.size
         if section is None or size is None or section.quantity not in ("thickness", "diameter"):
-            return {}  # leaves are counted
+            return {}  # the number of plies varies
         return {section.quantity: size}
 
     def breadth(self, digits: str = ".2f") -> str:
-        """Width in words, with the thickness if it varies: "20.00 mm wide, 2.00 to 3.00 mm thick"."""
+        """Return the width in words, with the thickness if it varies: "20.00 mm wide, 2.00 to 3.00 mm thick"."""
         return _tell_breadth(self.width, self.tapered, digits)
 
     @cached_property
@@ -494,27 +496,27 @@ class Strip:
 
     @cached_property
     def layers(self) -> tuple[Layer, ...]:
-        """The sheets that the strip is made of, the base first."""
+        """Sheets of the strip, the base first."""
         return cut_layers(self.layout, self.ends, self.slots, name=self.label or "strip")
 
     def cut_as(self, other: "Strip") -> "Strip":
-        """The strip itself, with the layers of another that is cut alike (`cut_key`)."""
+        """Return the strip itself, with the layers of another strip that is cut alike (`cut_key`)."""
         vars(self)["layers"] = other.layers
         return self
 
     @property
     def outline(self) -> Path:
-        """The closed outer loop with its slots, anticlockwise; its long sides are B-splines."""
+        """Closed outer loop with its slots, anticlockwise; its long sides are B-splines."""
         return self.layers[0].outline
 
     @property
     def _begins_at(self) -> str:
-        """Its start as the program shows it in which the curve was drawn."""
+        """Start of the strip in the coordinates of the program in which the curve was drawn."""
         return (self.rod.curve.provenance or Provenance()).shown(self.rod.position[0])
 
     @property
     def mass_told(self) -> str:
-        """The mass in words: in grams, from a thousand of them on in kilograms."""
+        """Mass in words: in grams, or in kilograms from 1000 g on."""
         return f"{self.mass:.3g} g" if self.mass < 1000 else f"{self.mass / 1000:.3g} kg"
 
     @property
@@ -523,11 +525,14 @@ class Strip:
         return self.layers[0].holes
 
     def labelled(self, label: str) -> "Strip":
-        """The strip under another name; itself where it has it, with all that was worked out."""
+        """Return the strip with another label, or the strip itself, with its cached results, if it is the same."""
         return self if label == self.label else replace(self, label=label)
 
     def mirrored(self) -> "Strip":
-        """The strip turned over about its centre line (y to -y), bent into the same curve; itself if it is even."""
+        """Return the strip turned over about its centre line (y to -y); a symmetric strip is returned itself.
+
+        It is bent into the same curve.
+        """
         start, end = (tab.mirrored() for tab in self.ends)
         if not self.slots and (start, end) == self.ends:
             return self
@@ -535,12 +540,12 @@ class Strip:
 
     @cached_property
     def is_closed(self) -> bool:
-        """Whether the strip is closed. Its second tab is then glued behind its start, and it has no first tab."""
+        """True if the strip is closed; its second tab is then glued behind its start, and it has no first tab."""
         return closes(self.rod)
 
     @property
     def joint(self) -> str:
-        """Sentence on how a closed strip is joined and what the joint carries; empty for an open one."""
+        """Sentence on the joint of a closed strip and its load; empty for an open strip."""
         if not self.is_closed:
             return ""
         return _tell_joint(self.ends[1].length, self.end_widths[1], self.reactions(), self._begins_at)
@@ -552,7 +557,7 @@ class Strip:
 
     @property
     def max_strain(self) -> float:
-        """Largest strain of the skin (dimensionless): of the layer that comes nearest to its limit."""
+        """Largest skin strain (dimensionless) of the layer nearest to its limit."""
         return self.most_strained.largest
 
     @property
@@ -562,12 +567,12 @@ class Strip:
 
     @property
     def strain_limit(self) -> float:
-        """Largest strain that the sheet of the most strained layer bears."""
+        """Strain limit of the sheet of the most strained layer."""
         return self.most_strained.limit
 
     @property
     def most_strained(self) -> LayerStrain:
-        """The layer that comes nearest to what its sheet bears."""
+        """Layer whose strain is nearest to the limit of its sheet."""
         return max(self.strains, key=lambda layer: layer.largest / layer.limit)
 
     @cached_property
@@ -579,7 +584,7 @@ class Strip:
 
     @property
     def strain_warnings(self) -> tuple[str, ...]:
-        """A sentence for each layer or tab strained beyond what its sheet bears: where, and what happens there."""
+        """Sentences with place and consequence for each layer or tab strained beyond the limit of its sheet."""
         return (*_warn_of_strains(self.strains, self._bends), *map(str, self._shoulders))
 
     @cached_property
@@ -616,7 +621,7 @@ class Strip:
 
     @cached_property
     def crept(self) -> Creep | None:
-        """The strip in the long run, held the same all the time; None without a creep factor.
+        """Strip after creep with its ends held throughout, or None without a creep factor.
 
         Raises
         ------
@@ -661,16 +666,16 @@ class Strip:
 
     @cached_property
     def as_built(self) -> Rod:
-        """The rod with the stiffness and weight of what is really cut, to be bent: see `rod_as_built`."""
+        """Rod with the stiffness and weight of the cut strip, not yet bent: see `rod_as_built`."""
         from elastica_cad.strip.as_made import rod_as_built
 
         return rod_as_built(self.rod, self.layout, self.layers)
 
     @cached_property
     def deviation_as_built(self) -> float:
-        """How far the strip as built, bent and held as designed, strays from the design, mm.
+        """Deviation of the strip as built from the design, bent and held as designed, mm.
 
-        Bent on finer nodes than the design's, which may be too coarse for its own stiffness.
+        It is bent on finer nodes, because the nodes of the design may be too coarse for the stiffness as built.
         """
         edges = self.rod.s.size - 1
         finer = -(-FINE_EDGES // edges)
@@ -682,14 +687,14 @@ class Strip:
 
     @cached_property
     def rod_to_bend(self) -> Rod:
-        """The rod to be led elsewhere, where what is cut curls as its bend there makes it: see `bend_strip`."""
+        """Rod whose ends can be moved, with the curling of the cut strip as it bends: see `bend_strip`."""
         from elastica_cad.strip.as_made import rod_to_bend
 
         return rod_to_bend(self.rod, self.layout, corrected=self.correction is not None)
 
     @cached_property
     def as_made(self) -> "StripAsMade":
-        """The strip with all that changes its stiffness, to be held: see `held`."""
+        """Strip with all effects on its stiffness, for `held`."""
         from elastica_cad.strip.as_made import StripAsMade
 
         return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates, self.whole)
@@ -699,7 +704,7 @@ class Strip:
         return cut_layers(self.layout, self.ends, (), name="strip") if self.slots else self.layers
 
     def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> "HeldShape":
-        """The shape of the strip as it is made, in its holders; without one an end is held as designed.
+        """Return the shape of the strip as made, in its holders; an end without a holder is held as designed.
 
         Raises
         ------
@@ -714,8 +719,7 @@ class Strip:
 
     @cached_property
     def held_deviation(self) -> float:
-        """Largest distance, mm, of the strip as made, with its ends held as designed, from its design; see
-        `held`."""
+        """Deviation of the strip as made from its design, mm, with its ends held as designed: see `held`."""
         return self.held().deviation
 
     @cached_property
@@ -724,7 +728,7 @@ class Strip:
         return strip_sideways(self.rod, self.layout)
 
     def reactions(self) -> Reactions:
-        """Forces (N) and moments (N mm) that the supports exert on the strip.
+        """Return the forces (N) and moments (N mm) that the supports exert on the strip.
 
         The internal force is -lambda B (Eq. 2), so the start is pushed by lambda(0) B and the end by -lambda(L) B.
         """
@@ -732,14 +736,14 @@ class Strip:
         return Reactions(B * force[0], float(-B * moment[0]), -B * force[-1], float(B * moment[-1]))
 
     def drawing(self) -> Drawing:
-        """The cut pattern on its layers: text, marks, inner cuts, outer cut; of a laminate that of the base."""
+        """Return the cut pattern (for a laminate, of its base) on layers: text, marks, inner cuts, outer cut."""
         return self.drawings()[0]
 
     def drawings(self) -> tuple[Drawing, ...]:
-        """The cut pattern of each layer, the base first; they register: same frame, same holes in the tabs.
+        """Return the cut pattern of each sheet, the base first; all have the same frame and holes in the tabs.
 
-        Where the backing of a laminate comes to lie is marked on the base, and on both which side of the bend
-        their engraved faces are on.
+        In a laminate, the position of the backing is marked on the base. Both sheets are marked with the side of
+        the bend of their engraved faces.
         """
         lap = self.ends[1].length if self.is_closed else 0.0
         engraved = f"{self.engraved} {self._backing_mark}".strip()
@@ -747,12 +751,12 @@ class Strip:
 
     @property
     def engraved(self) -> str:
-        """The text that is engraved on the strip."""
+        """Text engraved on the strip."""
         return self.label if self.engrave is None else self.engrave
 
     @property
     def backing_side(self) -> str:
-        """A sentence on which side of the bend the backing of a laminate lies; empty of other strips."""
+        """Sentence on the side of the bend with a laminate's backing; empty for other strips."""
         return _tell_backing(self._backing_mark)
 
     @property
@@ -762,20 +766,20 @@ class Strip:
 
 @dataclass(frozen=True, eq=False)
 class Placed:
-    """A strip in space: its curve is drawn in the plane of x_axis and y_axis, its width stands across.
+    """A strip in space: its curve is in the plane of x_axis and y_axis, its width at right angles to the plane.
 
     Parameters
     ----------
     strip : Strip
     origin : (3,) array_like
-        Where the origin of the curve's plane lies, mm.
+        Origin of the curve's plane, mm.
     x_axis, y_axis : (3,) array_like
-        Directions of the curve's plane, at right angles; the rulings follow x_axis cross y_axis.
+        Directions of the curve's plane, at right angles; the rulings are parallel to x_axis cross y_axis.
 
     Raises
     ------
     InputError
-        Axes that are not at right angles.
+        The axes are not at right angles.
     """
 
     strip: Strip
@@ -797,20 +801,20 @@ class Placed:
 
     @property
     def frame(self) -> Frame:
-        """The plane of the curve."""
+        """Plane of the curve."""
         return Frame(self.origin, self.x_axis, self.y_axis)
 
     def with_strip(self, strip: Strip) -> "Placed":
-        """Another strip in the same place."""
+        """Return another strip in the same place."""
         return Placed(strip, self.origin, self.x_axis, self.y_axis)
 
     def moved(self, turn: ArrayLike, shift: ArrayLike = (0.0, 0.0, 0.0)) -> "Placed":
-        """The placed strip after x -> turn @ x + shift; a mirror (determinant -1) turns the flat part over.
+        """Return the placed strip after x -> turn @ x + shift; a mirror (determinant -1) turns the flat part over.
 
         Raises
         ------
         InputError
-            `turn` is no 3x3 rotation or mirror.
+            `turn` is not a 3x3 rotation or mirror.
         """
         m = numbers(turn, "the turn of a strip")
         if m.shape != (3, 3) or not np.allclose(m @ m.T, np.eye(3), rtol=0, atol=1e-9):
@@ -826,17 +830,17 @@ PLACED_BY = "of a strip ec.Placed(strip), of a body in CAD its `placed`"
 
 
 def require_placed(placed: object) -> tuple[Placed, ...]:
-    """Placed strips as a tuple; refuses what is none."""
+    """Return placed strips as a tuple; refuse other values."""
     return several("placed", placed, Placed, "Placed", PLACED_BY)
 
 
 def strip_names(placed: Sequence[Placed]) -> tuple[str, ...]:
-    """What messages call each strip: its label, or its place counted from 1."""
+    """Return the name of each strip in messages: its label, or its number from 1."""
     return tuple(one.strip.label or f"strip {i}" for i, one in enumerate(placed, start=1))
 
 
 def distinct_names(placed: Sequence[Placed]) -> tuple[str, ...]:
-    """The names, with the place behind those that several strips share."""
+    """Return the names, with the strip's number after each repeated name."""
     names = strip_names(placed)
     count = Counter(names)
     return tuple(f"{name} (strip {i})" if count[name] > 1 else name for i, name in enumerate(names, start=1))

@@ -1,4 +1,4 @@
-"""The request for one strip, its checks, and the strip made from it."""
+"""The request for a strip, its checks, and the strip made from it."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -49,19 +49,19 @@ from elastica_cad.strip.styles import NO_WIDTH, PLAIN, Plain, Style, require_sty
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
 AskedGravity: TypeAlias = Gravity | bool | Sequence[float] | None
-"""A `Gravity`, True for the sheet's own weight along -y, or the direction in which that falls."""
+"""A `Gravity`, True for the sheet's own weight along -y, or the direction of the weight."""
 
 Loads: TypeAlias = "tuple[PointMass, ...] | Weight"
-"""Masses hung on a strip beside its own weight; or all weight in newtons."""
+"""Masses hung on a strip in addition to its own weight, or the whole weight in newtons."""
 
 
 def pull_in_plane(given: AskedGravity, sheet: Sheet, frame: Frame | None) -> tuple[Gravity | None, float]:
-    """Gravity as a strip feels it in the plane of its curve, and the share of a weight that acts there.
+    """Return gravity in the plane of a strip's curve, and the fraction of a weight that acts in the plane.
 
     Raises
     ------
     InputError
-        No direction, or one in space where no `frame` says how the plane lies.
+        The value is not a direction, or it is a direction in space without a `frame`.
     """
     if given is None or isinstance(given, bool):
         return (sheet.gravity() if given else None), 1.0
@@ -82,14 +82,14 @@ def pull_in_plane(given: AskedGravity, sheet: Sheet, frame: Frame | None) -> tup
 
 
 def _lightened(loads: Loads, share: float) -> Loads:
-    """Masses of which only a share acts; a weight in newtons is what acts."""
+    """Return the masses multiplied by `share`; a weight in newtons is not changed."""
     if isinstance(loads, Weight):
         return loads
     return tuple(replace(one, mass=share * one.mass) for one in loads)
 
 
 def _hung_weight(loads: Loads, share: float) -> Weight | None:
-    """Loads as `optimal_rod` takes them; in a plane that leans, masses hang with a share of their weight."""
+    """Return loads for `optimal_rod`; in an inclined plane only a fraction of a mass acts."""
     felt = _lightened(loads, share)
     if isinstance(felt, Weight):
         return felt
@@ -97,7 +97,7 @@ def _hung_weight(loads: Loads, share: float) -> Weight | None:
 
 
 def _direction(given: object) -> tuple[float, ...]:
-    """Two or three numbers that say where things fall."""
+    """Return the two or three numbers of the direction of gravity."""
     row = tuple(given) if isinstance(given, Sequence | np.ndarray) and not isinstance(given, str) else ()
     if len(row) not in (2, 3) or not all(is_number(one) for one in row) or not any(row):
         raise InputError(
@@ -112,11 +112,11 @@ def _direction(given: object) -> tuple[float, ...]:
 NEAREST_CALL = (
     "limits=ec.Limits() asks for the nearest curve that a strip can take, which strip.rod.curve then is."
 )
-"""What a program that asked for a strip can do."""
+"""Note for programs that request a strip whose curve may not change."""
 
 
 def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
-    """Refuse a place to begin that is not on the curve, or on one that is open."""
+    """Refuse a seam that is not on the curve, or a seam on an open curve."""
     if seam_position is not None and seam_position > curve.length:
         raise InputError(
             "{field} is {seam:g}: give a place along the curve, 0 to {length:.4g}, or none",
@@ -138,7 +138,7 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
 def _check_law(
     law: BoundedLaw, sheet: Sheet, style: Style, ends: Sequence[Tab], slots: Sequence[Slot], *, sized: bool
 ) -> None:
-    """Refuse a law beside another style, widths (`sized`) or a shape of its own, or one of another sheet."""
+    """Refuse a law together with another style, widths (`sized`), slots or shaped tabs, or for another sheet."""
     shaped = bool(slots) or any(tab != Tab(tab.length) for tab in ends)
     shaped = shaped and getattr(law, "quantity", "") != "width"
     if not isinstance(style, Plain) or sized or shaped:
@@ -165,14 +165,14 @@ def _check_law(
 def _limits_beside(
     limits: Limits, sheet: Sheet, style: Style, *, max_width: float | None, min_width: float | None
 ) -> Limits:
-    """Limits of a strip without a law, agreed with its own sheet and widths.
+    """Return the limits of a strip without a law, consistent with its sheet and widths.
 
-    What is asked of a plain strip's width stands in two places: the narrower range is kept.
+    The width of a plain strip can be limited in two places; the narrower range is used.
 
     Raises
     ------
     InputError
-        Widths outside those of the limits, or strains of a sheet of another thickness.
+        Widths are outside the limits, or the limits are for a sheet of another thickness.
     """
     if (
         limits.sheet is not None
@@ -208,12 +208,12 @@ def _limits_beside(
 
 
 def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: FabricationLimits) -> float:
-    """The largest ratio of a plain strip's widths, mm, that the workshop can cut of a sheet.
+    """Return the largest ratio of a plain strip's widths that the workshop can cut from a sheet.
 
     Raises
     ------
     InputError
-        A `min_width` above `max_width`, or a strip that is too narrow for its sheet everywhere.
+        `min_width` is above `max_width`, or the strip is too narrow for its sheet everywhere.
     """
     least = shop.width_for(sheet)
     if min_width > max_width:
@@ -242,10 +242,9 @@ def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Fab
 
 @contextmanager
 def told_in_python(curve: PlaneCurve, may_change: bool) -> Iterator[None]:
-    """A refusal of the curve ends with the argument that lets it change, where a program asked for the strip.
+    """Add a note to a refusal of the curve, with the argument that allows changing it.
 
-    It is a note below the message, not tried: a search may take longer than a program has for a curve that it
-    only asks about.
+    The change is not tried, because a search may take longer than the program can wait.
     """
     try:
         yield
@@ -257,82 +256,82 @@ def told_in_python(curve: PlaneCurve, may_change: bool) -> Iterator[None]:
 
 
 SAME_LENGTH = 1e-9
-"""Relative difference below which two gravity lengths are of the same sheet: they were computed alike."""
+"""Relative difference below which two gravity lengths belong to the same sheet."""
 
 
 @dataclass(frozen=True, eq=False)
 class StripSpec(EqualByValue):
-    """All that is asked of one strip; equal requests give equal strips.
+    """Request for a strip; equal requests give equal strips.
 
     Parameters
     ----------
     curve : PlaneCurve
-        What the strip bends into.
+        Curve of the bent strip.
     sheet : Sheet or str
-        The material, or the name of a built-in one.
+        Sheet of the strip, or the name of a built-in sheet.
     frame : Frame, optional
-        The plane of the curve in space, for directions that are given there.
+        Plane of the curve in space, for directions in space.
     max_width, min_width : float, optional
-        Width of the widest, of the narrowest place, mm: see `Strip`.
+        Largest and least width, mm: see `Strip`.
     style : Plain, Perforated or Laminated
-        How stiffness becomes material.
+        Conversion of stiffness into material.
     limits, keep : Limits, Keep, optional
-        With one of them the curve may be changed, by `nearest_rod`; without them it is followed exactly.
+        If one is given, `nearest_rod` may change the curve; else the strip takes the curve exactly.
     gravity : Gravity, bool or sequence of float, optional
-        True for the sheet's own weight, falling along -y of the drawing; two numbers for the direction in which it
-        falls there; three for a direction in space, of which the part in the plane of `frame` is felt. A `Gravity`
-        is taken as it is. A laminate carries the weight of both its layers.
+        True for the sheet's own weight along -y of the drawing, two numbers for its direction in the drawing, or
+        three for a direction in space. Of the last, the component in the plane of `frame` acts. A `Gravity` is used
+        unchanged. A laminate carries the weight of both its layers.
     loads : sequence of PointMass, or Weight
-        Masses hung on the strip, besides its own weight; or all weight in newtons. They need gravity.
+        Masses hung on the strip in addition to its own weight, or the whole weight in newtons. They need gravity.
     supports : Supports
-        What holds the ends; clamped unless given.
+        Supports of the ends, clamped by default.
     natural_curvature : float or RestCurvature
-        Of the strip before bending, 1/mm; along its length where the blank was bent beforehand.
+        Curvature before bending, 1/mm; along the length for a pre-bent strip.
     samples : int, optional
-        Nodes of the rod; chosen unless given.
+        Number of nodes of the rod; chosen automatically by default.
     ends : pair of Tab
-        Of a closed strip the second is the lap that is glued behind its start, the first is left out.
+        Tabs. In a closed strip the second is the lap, glued behind the start, and the first is left out.
     seam_position : float, optional
-        Where a closed strip begins and ends, mm along the curve as drawn; where it is bent least unless given, or
-        as drawn with limits or keep. All places along the strip are counted from there. None for an open curve.
+        Place at which a closed strip begins and ends, mm along the drawn curve. All places along the strip are
+        measured from there. By default it is the place of least curvature, or the start of the drawn curve with
+        limits or keep. None for an open curve.
     straight_ends : bool
-        Straight first and last pieces of the curve, where its end is held in its direction, become the tabs (at
-        least as long as drawn, with the circles drawn on them as holes), and only what lies between them is bent.
-        All places along the strip are counted from there. False: the whole curve is bent.
+        Turn straight first and last pieces of the curve into tabs if the direction of the end is held, and bend
+        only the part between them. The tabs are at least as long as drawn; circles drawn on them become holes.
+        All places along the strip are measured from there. False bends the whole curve.
     slots : sequence of Slot
     label : str
-        Its name in messages, files and assemblies; empty for none.
+        Name in messages, files and assemblies; empty for none.
     engrave : str, optional
-        Text engraved on the strip; empty for none. Unless given its label, in letters that can be engraved.
+        Text engraved on the strip; empty for none. By default the label, in letters that can be engraved.
     smooth : float, optional
-        Largest distance, mm, by which the curve may be moved to make its curvature and the slope of that
-        continuous; 0: exactly as drawn. By default a curve is moved by at most 0.1 mm and 5e-4 of its length, and
-        only if the outline would step: see `smooth_curve`.
+        Largest distance, mm, by which the curve may be moved to make its curvature and the slope of the curvature
+        continuous; 0 keeps it as drawn. By default the limits are 0.1 mm and 5e-4 of its length, and the curve is
+        moved only if the outline would have a step: see `smooth_curve`.
     shop : FabricationLimits
-        What the workshop can make: least widths and the largest sheet.
+        Limits of the workshop: least widths and the largest sheet.
     compensate : bool, optional
-        True: change the widths so that the strip as made (slots, narrow tabs, leaning ligaments, anticlastic
-        bending, its own weight) takes the curve, instead of the designed rod: see `compensate_widths`. False:
-        widths are proportional to the stiffness. Unless given, a plain strip of a sheet whose Poisson's ratio is
-        known (`Sheet.poisson_known`) makes up for anticlastic bending alone, under its weight too, but not under
-        loads: see `WidthLaw`.
+        True changes the widths so that the strip as made takes the curve, with slots, narrow tabs, leaning
+        ligaments, anticlastic bending and its own weight: see `compensate_widths`. False makes widths proportional
+        to the stiffness. By default only anticlastic bending is compensated, for a plain strip without loads whose
+        sheet has a known Poisson's ratio (`Sheet.poisson_known`): see `WidthLaw`.
     creep : float
-        Creep factor phi of the sheet in the long run, 0 for none: sag, forces and springback are told, see
-        `Strip.crept`.
+        Creep factor phi of the sheet in the long run, 0 for none. It adds sag, forces and springback to the
+        report: see `Strip.crept`.
     law : BoundedLaw, optional
-        What stiffness is made of instead of width: `ThicknessLaw` or `RoundLaw` of the sheet's material;
-        `LeavesLaw` for glued leaves of the sheet, with limits or keep, as a stack only comes near a curve; or
-        `WidthLaw`, for a plain strip that bends as a beam where it is narrow and as a plate where it is wide,
-        station by station, and so carries its weight. Its limits stand for `max_width` and `min_width`.
+        Relation between stiffness and a quantity other than width. `ThicknessLaw` or `RoundLaw` use the sheet's
+        material. `LeavesLaw` is for glued plies of the sheet and needs limits or keep, because a stack only
+        approximates a curve. `WidthLaw` is for a plain strip that bends as a beam where it is narrow and as a plate
+        where it is wide, and carries its weight. The law's limits replace `max_width` and `min_width`.
     ignore_limits : bool
-        Make a strip that the workshop cannot, and say so in its warnings.
+        Make a strip outside the workshop's limits too, with a warning.
     tolerance : MakingTolerance
-        What is assumed to be off in sheet, cut and clamps; what that adds to how far the strip strays is told.
+        Assumed deviations of sheet, cut and clamps, for the expected deviation of the strip.
 
     Raises
     ------
     InputError
-        Values of another kind, not positive or not finite, or requests that exclude each other.
+        Values have a wrong type, are not positive or not finite, or exclude each other.
 
     Examples
     --------
@@ -525,12 +524,12 @@ class StripSpec(EqualByValue):
 
     @property
     def may_change(self) -> bool:
-        """May the strip leave the drawn curve?"""
+        """True if the strip may deviate from the drawn curve."""
         return self.rod_spec.may_change
 
     @cached_property
     def rod_spec(self) -> RodSpec:
-        """What the rod is found from; requests alike but for ends, slots, label or (unloaded) widths share it."""
+        """Request for the rod; requests that differ only in ends, slots, label or unloaded widths have the same."""
         gravity, share = self._pulled
         layers: LaminateLayers | None = None
         weight = _hung_weight(self.loads, share)
@@ -553,20 +552,20 @@ class StripSpec(EqualByValue):
             smooth=self.smooth,
             section=self._section(share),
             widths=self._widths,
-            # these decide about a step of the outline; without one all widths share a rod
+            # the widths matter only if the outline may have a step; else the rod is the same for all widths
             outline_widths=(self.max_width, self.min_width) if may_step(self._begun) else (None, None),
         )
 
     @cached_property
     def run_ins(self) -> StraightEnds:
-        """The drawn curve and the part of it that is bent, between straight ends that are the tabs."""
+        """Drawn curve and its bent part between straight ends that become tabs."""
         if not self.straight_ends or (self.curve.has_corners and not self.smooth):
             return StraightEnds(self.curve, self.curve)
         return StraightEnds.of(self.curve, self.supports, self.natural_curvature)
 
     @cached_property
     def tabs(self) -> tuple[Tab, Tab]:
-        """The tabs, at least as long as straight ends are drawn, with the holes that are drawn on those."""
+        """Tabs, at least as long as the drawn straight ends, with the holes drawn on them."""
         run_ins = self.run_ins
         holes: tuple[list[Hole], list[Hole]] = ([], [])
         drawn = self.curve.provenance
@@ -582,7 +581,7 @@ class StripSpec(EqualByValue):
 
     @property
     def tabs_told(self) -> Refusal | None:
-        """What is said of straight ends that became tabs, and of circles on them; None where there are none."""
+        """Note on straight ends that became tabs, and on circles on them; None without straight ends."""
         told = self.run_ins.told
         drilled = sum(
             len(made.holes) - len(own.holes) for made, own in zip(self.tabs, self.ends, strict=True)
@@ -598,7 +597,7 @@ class StripSpec(EqualByValue):
 
     @property
     def _widths(self) -> WidthRange | None:
-        """Widths of a plain strip whose stiffness follows from its loads; None for other strips."""
+        """Widths of a plain strip whose stiffness depends on its loads, or None for other strips."""
         sized = self.max_width is not None or self.min_width is not None
         if not sized or not self.loads or self.law is not None or not isinstance(self.style, Plain):
             return None
@@ -609,9 +608,9 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def _begun(self) -> PlaneCurve:
-        """The curve; a closed one from where the strip is joined: where told, else only where it may not change."""
+        """Curve to bend; a closed curve starts at the seam, or at its flattest place if it may not change."""
         curve = self.run_ins.bent
-        if not curve.is_closed or (curve.has_corners and not self.smooth):  # refused, with places as drawn
+        if not curve.is_closed or (curve.has_corners and not self.smooth):  # corners are refused later
             return curve
         if self.seam_position is not None:
             return begin_at(curve, self.seam_position)
@@ -620,26 +619,26 @@ class StripSpec(EqualByValue):
 
     @property
     def makes_up_for_curl(self) -> bool:
-        """Are the widths made for anticlastic bending, as they are unless `compensate` says otherwise?"""
+        """True if the widths compensate anticlastic bending by default, that is without `compensate`."""
         sheet = self.material
         if self.compensate is not None or self.law is not None or not isinstance(self.style, Plain):
             return False
-        # masses settle the widths by themselves
+        # loads determine the widths
         return sheet.poisson_known and sheet.poisson_ratio > 0 and not self.loads
 
     @property
     def _width_law(self) -> WidthLaw:
-        """The law of a strip that is as wide at its widest, or else at its narrowest, place as asked."""
+        """Law of a strip with the requested largest or else least width."""
         if self.max_width is not None:
             return WidthLaw(self.material, 0.0, self.max_width)
         return WidthLaw(self.material, self.min_width or 0.0, np.inf)
 
     def _section(self, share: float) -> BoundedLaw | None:
-        """The law with the weight that pulls in the plane."""
+        """Return the law with the weight that acts in the plane."""
         law: BoundedLaw | None = self.law
         felt = self.gravity_in_plane
         if law is None and self.makes_up_for_curl and (felt is not None or self._asks_for_margin):
-            law = self._width_law  # its weight is that of the sheet, its stability that of a plate
+            law = self._width_law  # with the sheet's weight and the stability of a plate
             share = 1.0 if felt is None else (self.material.elasto_gravity_length / felt.length) ** 3
         if law is None and felt is None and isinstance(self.style, Laminated):
             changes = self.limits is not None or self.keep is not None
@@ -659,7 +658,7 @@ class StripSpec(EqualByValue):
 
     @property
     def _makeable_limits(self) -> Limits:
-        """The limits with what sheet and widths imply: a nearest rod can be cut and bent."""
+        """Limits including those of sheet and widths, so that a nearest rod can be cut and bent."""
         limits = Limits() if self.limits is None else self.limits
         if self.ignore_limits:
             return limits
@@ -674,21 +673,21 @@ class StripSpec(EqualByValue):
         return limits
 
     def make(self, found: Rod | NearestRod | None = None) -> Strip:
-        """The strip.
+        """Return the strip.
 
         Parameters
         ----------
         found : Rod or NearestRod, optional
-            What `rod_spec.solve()` answered, where that is known already.
+            Result of `rod_spec.solve()`, if it is already known.
 
         Raises
         ------
         NotRealizable
             No strip takes the curve and neither limits nor keep allow it to change.
         NotConvergedError
-            No rod near the curve meets the limits; the message says what would help.
+            No rod near the curve meets the limits; the message suggests changes.
         InputError
-            As `optimal_rod`, `optimal_laminate`, `nearest_rod` and `Strip`; or the strip cannot be cut or handled,
+            See `optimal_rod`, `optimal_laminate`, `nearest_rod` and `Strip`; or the strip cannot be cut or handled,
             with place and cure of each fault.
         StrainError
             It would break.
@@ -696,7 +695,7 @@ class StripSpec(EqualByValue):
         rod = accepted_rod(self.rod_spec.solve() if found is None else found)
         if self.makes_up_for_curl and rod.section is None:
             rod = replace(rod, section=self._width_law)
-        if isinstance(self.style, Laminated):  # which makes the section itself, as stiff as the rod was found
+        if isinstance(self.style, Laminated):  # the style computes the section for the stiffness of the rod
             rod = replace(rod, section=None)
         told = self.tabs_told
         notes = (*([] if told is None else [told]), *self.rod_spec.smoothing.notes)
@@ -719,12 +718,12 @@ class StripSpec(EqualByValue):
         )  # fmt: skip
 
     def changed(self, **fields: Any) -> "StripSpec":
-        """The request with other values of some fields."""
+        """Return the request with other values of some fields."""
         refuse_unknown(fields, {one.name for one in fields_of(self)}, "a strip")
         return replace(self, **fields)
 
     def with_change(self, change: Change) -> "StripSpec | None":
-        """The request with a change that a refusal names; None where that says nothing new of a strip.
+        """Return the request with a change from a refusal, or None if the change does not apply to a strip.
 
         Examples
         --------
@@ -747,12 +746,12 @@ class StripSpec(EqualByValue):
 
     @property
     def _bent(self) -> PlaneCurve:
-        """The curve that the strip takes where it may not change."""
+        """Curve of the strip if it may not change."""
         widths = self.max_width, self.min_width
         return Smoothing(self._begun, self.smooth, self.supports, widths=widths).curve
 
     def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
-        """What the rod of a laminate is found from; its weight is known for sheets that stand upright only."""
+        """Return the layers from which a laminate's rod is computed; gravity must act fully in the plane."""
         if abs(gravity.length / self.material.elasto_gravity_length - 1) > SAME_LENGTH:
             raise InputError(
                 "a laminate that carries its weight must stand upright and weigh what its sheets do: turn its "
@@ -767,12 +766,12 @@ class StripSpec(EqualByValue):
 
 
 def make_strip(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Strip:
-    """The strip that bends into a curve: `StripSpec(curve, sheet, **fields).make()`.
+    """Return the strip that bends into a curve: `StripSpec(curve, sheet, **fields).make()`.
 
     Raises
     ------
     NotRealizable, NotConvergedError, InputError
-        As `StripSpec` and its `make`; a field that no strip has.
+        See `StripSpec` and its `make`; also for an unknown field.
 
     Examples
     --------

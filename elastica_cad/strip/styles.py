@@ -1,4 +1,4 @@
-"""Styles: how stiffness becomes material. The plain one, and what a style answers."""
+"""Styles, which convert stiffness into material: the plain style, and the layout that every style returns."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -31,28 +31,28 @@ from elastica_cad.strip.outline import Ends, long_sides
 from elastica_cad.strip.slots import Slot
 
 Width: TypeAlias = float | Profile | Callable[[FloatArray], FloatArray]
-"""An outer width: one number, or a profile or function of arc length, all in mm."""
+"""Outer width: a number, or a profile or function of arc length, all in mm."""
 
 WIDTH_MM = 1e-6
 """Largest error, mm, of a width given as a function."""
 
 
 SIZE_SHARE = 3e-6
-"""Relative error of a section's size: about that of the stiffness from which it is computed."""
+"""Relative error of a section's size, about equal to the error of the stiffness from which it is computed."""
 
 CORRECTION_TOLERANCE = 1e-6
 """Error of the corrected stiffness, relative to its largest value."""
 
 CURVATURE_STATIONS = 2001
-"""Number of places, spread over the curve's smooth panels, at which the strain is computed."""
+"""Number of places on the curve's smooth panels for computing the strain."""
 
-_RODS = 64  # whose bends are kept: equal strips of a model share theirs
+_RODS = 64  # number of rods with cached bends, which equal strips of a model share
 
 MOST_EXTREMES = 200
-"""Largest number of local extremes at which finer stations are set; more of them come from rounding."""
+"""Largest number of local extremes with finer stations; more extremes are due to rounding."""
 
 GUIDE_MM = 0.5
-"""A backing that is nearer than this to the base's edge everywhere is not marked on the base."""
+"""Least distance, mm, between the edges of backing and base at which the backing is marked on the base."""
 
 
 NO_WIDTH = note(
@@ -64,7 +64,7 @@ NO_WIDTH = note(
 
 @dataclass(frozen=True, eq=False)
 class Bends:
-    """How sharply a strip is bent at stations along it.
+    """Bend of a strip at stations along it.
 
     Attributes
     ----------
@@ -73,7 +73,7 @@ class Bends:
     places : (n,) array
         Arc lengths, mm, or parameters of `curve`.
     curve : PlaneCurve, optional
-        Its arc lengths are found where a place is told, or a size there counts.
+        Curve that converts parameters into arc lengths when they are needed.
     """
 
     amount: FloatArray
@@ -81,7 +81,7 @@ class Bends:
     curve: PlaneCurve | None = None
 
     def arc_length(self, stations: int | slice) -> FloatArray:
-        """Arc length of stations by number or slice, mm."""
+        """Return the arc length of stations by number or slice, mm."""
         places = np.asarray(self.places[stations])
         return places if self.curve is None else self.curve.arc_length(places)
 
@@ -91,7 +91,7 @@ class Bends:
         return self.arc_length(slice(None))
 
     def place(self, station: int) -> float:
-        """Arc length of one of them, mm."""
+        """Return the arc length of a station, mm."""
         return float(self.arc_length(station))
 
 
@@ -99,13 +99,13 @@ class Pattern(Protocol):
     """Holes in the free part of a strip."""
 
     def paths(self, ends: Ends, slots: Sequence[Slot]) -> tuple[Path, ...]:
-        """The holes as closed loops, clear of the slots."""
+        """Return the holes as closed loops, clear of the slots."""
         ...
 
 
 @dataclass(frozen=True, eq=False)
 class Backing:
-    """A narrower strip that is glued on.
+    """Narrower strip that is glued on.
 
     Attributes
     ----------
@@ -120,30 +120,30 @@ class Backing:
 
 @dataclass(frozen=True, eq=False)
 class Layout:
-    """What a style makes of a rod and a sheet.
+    """Layout of a strip by a style, from a rod and a sheet.
 
     Attributes
     ----------
     sheet : Sheet
-        The sheet that makes the outline.
+        Sheet of the outline.
     width : Profile
         Full width of the outline along the free part, mm.
     material : Profile
-        Summed width that the style means to leave of the sheet, mm.
+        Intended net width of the sheet, mm.
     bending_stiffness : float
         B, N mm2: the E I where K = 1.
     pattern : Pattern or None
         Holes.
     backing : Backing or None
-        What is glued on.
+        Backing that is glued on.
     dots : float
-        Diameter of holes that register base and backing, mm; 0 for none.
+        Diameter of holes that align base and backing, mm; 0 for none.
     warnings : tuple of str
-        What a maker should know.
+        Warnings for the maker.
     section : BoundedLaw or None
-        What the stiffness is made of, where that is not the width of a strip that bends with E.
+        Law of the stiffness; None if the width is proportional to the stiffness with E.
     size : Profile or None
-        The section's thickness or diameter along the free part, mm, where that varies.
+        Thickness or diameter of the section along the free part, mm, if it varies.
     """
 
     sheet: Sheet
@@ -159,21 +159,21 @@ class Layout:
 
     @property
     def stack(self) -> LaidLeaves | None:
-        """The glued leaves that it is cut as; None for one piece."""
+        """Glued plies of the strip; None without plies."""
         return None if self.section is None else self.section.stack
 
     @property
     def worked_size(self) -> Profile | None:
-        """The thickness or diameter, mm, to which it is planed or turned; None for what is cut, and for leaves."""
+        """Thickness or diameter, mm, after planing or turning; None for strips that are cut, and for plies."""
         return self.size if self.stack is None else None
 
     def hole_paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
-        """Closed loops cut out of the free part, clear of the slots."""
+        """Return closed loops to cut out of the free part, clear of the slots."""
         return () if self.pattern is None else self.pattern.paths(ends, slots)
 
     @property
     def guides(self) -> tuple[Path, ...]:
-        """Lines marked on the base where the edges of the backing come to lie, unless the base's own show it."""
+        """Lines on the base that mark the edges of the backing, unless the edges of the base are close to them."""
         if self.backing is None:
             return ()
         s = stations_of(self.width.length, count=201)
@@ -182,29 +182,32 @@ class Layout:
         return tuple(Path([side]) for sides in long_sides(self.backing.width) for side in sides)
 
     def law(self, material: FloatArray, backing: FloatArray | None) -> tuple[StiffnessLaw, FloatArray]:
-        """The law where the sheet is `material` (n,) mm wide, and its parameter (n,)."""
+        """Return the law for a sheet of width `material` (n,), mm, and its parameter (n,)."""
         if self.backing is None or backing is None:
             return PlainSection(self.sheet), material
         return LaminatedSection(self.sheet, self.backing.sheet).on(material), backing
 
     def strains(self, bends: Bends) -> tuple[LayerStrain, ...]:
-        """Skin strain of each layer at stations along the strip."""
+        """Return the skin strain of each layer at stations along the strip."""
         if self.section is not None and self.size is not None:
             return self.section.strains(bends.amount, self.size(bends.s))
         if self.backing is None:  # the strain of a solid sheet does not depend on its width
             return PlainSection(self.sheet).strains(bends.amount)
         outer = self.width(bends.s)
-        # where it fills the base, the backing's fit may pass the base's by its tolerance
+        # a backing as wide as the base may exceed it by the tolerance of its fit
         law, parameter = self.law(outer, np.minimum(self.backing.width(bends.s), outer))
         return law.strains(bends.amount, parameter)
 
     def stiffness(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray:
-        """E I (n,), N mm2, of widths (n,), mm, that are really there of the sheet and of the backing."""
+        """Return the bending stiffness E I (n,), N mm2, for the net widths (n,), mm, of sheet and backing."""
         law, parameter = self.law(material, backing)
         return law.bending_stiffness(parameter)
 
     def weight_per_length(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray | None:
-        """N/mm (n,) of such widths; None for a single sheet, whose weight is proportional to its stiffness."""
+        """Return the weight (n,), N/mm, for net widths (n,), mm, or None for a single sheet.
+
+        The weight of a single sheet is proportional to its stiffness.
+        """
         law, parameter = self.law(material, backing)
         return None if backing is None or self.backing is None else law.weight_per_length(parameter)
 
@@ -215,13 +218,16 @@ class Style(Protocol):
     def laid_out(
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> Layout:
-        """Widths for a rod; refuses what can't be made and says where."""
+        """Return the layout for a rod, or raise `InputError` with the place that cannot be made."""
         ...
 
 
 @dataclass(frozen=True)
 class Plain:
-    """A solid strip of one sheet: the width is proportional to the stiffness (paper, section 8.1)."""
+    """A solid strip of a single sheet, whose width is proportional to the stiffness.
+
+    See the paper, section 8.1.
+    """
 
     def laid_out(
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
@@ -314,7 +320,7 @@ def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
 
 
 def _bend_between_steps(rod: Rod, s: FloatArray) -> FloatArray:
-    """kappa - kappa_0 (n,), 1/mm, without a jump inside the ramps that stand for steps of the stiffness."""
+    """Return kappa - kappa_0 (n,), 1/mm, linear inside the ramps that represent steps of the stiffness."""
     bend = rod.bend_at(s)
     for step in rod.profile.steps:
         inside = (s > step[0]) & (s < step[1])
@@ -327,12 +333,12 @@ PLAIN = Plain()
 
 
 def width_profile(width: Width, length: float, name: str) -> Profile:
-    """A width as a profile over [0, length], positive everywhere.
+    """Return a width as a profile over [0, length], positive everywhere.
 
     Raises
     ------
     InputError
-        Not positive somewhere, a profile of another length, a function that gives no numbers.
+        The width is not positive somewhere, the profile has another length, or the function returns no numbers.
     """
     if isinstance(width, Profile):
         if not np.isclose(width.length, length, rtol=1e-6):
@@ -362,7 +368,7 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
 
 
 def refine_stations(s: FloatArray, *values: FloatArray) -> FloatArray:
-    """The stations (n,) with finer ones about the local extremes of `values` (n,) at them."""
+    """Return the stations (n,) with finer stations about the local extremes of `values` (n,)."""
     turns = [np.flatnonzero(np.diff(np.sign(np.diff(value)))) + 1 for value in values]
     found = np.unique(np.concatenate([[0, s.size - 1], *turns]).astype(int))[:MOST_EXTREMES]
     before, after = s[np.maximum(found - 1, 0)], s[np.minimum(found + 1, s.size - 1)]
@@ -370,7 +376,7 @@ def refine_stations(s: FloatArray, *values: FloatArray) -> FloatArray:
 
 
 def stations_of(length: float, *profiles: Profile, count: int = 2001) -> FloatArray:
-    """Stations (n,) in [0, length], mm, dense, with the knots of the profiles among them."""
+    """Return dense stations (n,) in [0, length], mm, including the knots of the profiles."""
     knots = [profile.knots[(profile.knots >= 0) & (profile.knots <= length)] for profile in profiles]
     return np.unique(np.concatenate([np.linspace(0.0, length, count), *knots]))
 
@@ -378,20 +384,20 @@ def stations_of(length: float, *profiles: Profile, count: int = 2001) -> FloatAr
 def correct_layout(
     style: Style, rod: Rod, sheet: Sheet, correction: Profile, **widths: float | None
 ) -> Layout:
-    """Layout of a style for a rod whose stiffness is corrected by a factor along it."""
+    """Return the layout of a style for a rod whose stiffness is multiplied by a correction."""
     asked = rod.profile
     corrected = Profile.fit(
         lambda s: asked(s) * correction(s), rod.length, breaks=asked.breaks, knots=correction.knots,
         tolerance=CORRECTION_TOLERANCE * float(asked.extremes[1]),
     )  # fmt: skip
     layout = style.laid_out(rod.with_stiffness(corrected), sheet, **widths)
-    # E I where the rod's own K is 1; with_stiffness made the least corrected one 1
+    # E I for K = 1 of the original rod; `with_stiffness` scaled the least corrected K to 1
     return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
 
 
 @lru_cache(maxsize=_RODS)
 def bends_along(rod: Rod) -> Bends:
-    """Curvature of a rod at stations spread over its curve's smooth panels and on both sides of jumps."""
+    """Return the bend of a rod at stations on its curve's smooth panels and on both sides of jumps."""
     if rod.shape is None:
         return Bends(np.abs(rod.curvature - rod.natural_curvature), rod.s)
     curve, rest = rod.curve, rod.natural_curvature

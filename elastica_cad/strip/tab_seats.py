@@ -19,11 +19,10 @@ STEEPEST_RAD = np.radians(80.0)
 """A tab that can turn this far counts as not held."""
 
 STOP_RAD = np.radians(0.05)
-"""Step of the turns that are tried."""
+"""Step of the tried turns, rad."""
 
 WALL_PLACES = 17
-"""Number of places of a wall at which contact is checked: a tab bends in its pocket and may touch it in the
-middle."""
+"""Number of places of a wall at which contact is checked; a bent tab may touch its pocket in the middle."""
 
 
 @dataclass(frozen=True)
@@ -36,19 +35,19 @@ class EndPose:
 
 @dataclass(frozen=True, eq=False)
 class TabSeat:
-    """The edges of a holder on both sides of a tab, in the plane of the strip's curve.
+    """Edges of a holder on both sides of a tab, in the plane of the strip's curve.
 
-    Places are told as (into, left): how far into the tab from the end of the free part, and how far to the left of
-    the tab's designed middle line, seen along the strip from start to end; mm.
+    Places are (into, left), mm. The first is the distance into the tab from the end of the free part. The second is
+    the distance to the left of the tab's designed middle line, seen along the strip from start to end.
 
     Parameters
     ----------
     left, right : (k, 2) array_like
         Edges that the tab's left and right faces can touch.
     thickness : float
-        Of the tab, mm.
+        Thickness of the tab, mm.
     name : str
-        What holds it, as messages say it.
+        Name of the holder in messages.
 
     Examples
     --------
@@ -90,51 +89,51 @@ class TabSeat:
 
     @cached_property
     def edges(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Into and left of all edges, those of the left face first, and their faces' sides: 1 left, -1 right."""
+        """Into and left of all edges, with the left face first, and the side of each face: 1 left, -1 right."""
         into, left = np.concatenate([self.left, self.right]).T.copy()
         return into, left, np.repeat([1.0, -1.0], [len(self.left), len(self.right)])
 
     @property
     def depth(self) -> float:
-        """Depth to which the holder reaches into the tab, mm."""
+        """Length of the tab that the holder covers, mm."""
         return float(max(self.left[:, 0].max(), self.right[:, 0].max()))
 
     @property
     def room(self) -> float:
-        """Distance by which the tab can shift across between the edges, in its designed direction, mm; 0 where
-        they press it."""
+        """Clearance of the tab across the edges in its designed direction, mm; 0 if they press it."""
         return max(0.0, float(self.left[:, 1].min() - self.right[:, 1].max()) - self.thickness)
 
     @property
     def places(self) -> tuple[float, ...]:
-        """All edges, rounded: of seats that are alike the same."""
+        """All edges, rounded; they are equal for equal seats."""
         return tuple(np.round([*self.left.ravel(), *self.right.ravel()], 9).tolist())
 
     def moved(self, shift: float, turn: float) -> "TabSeat":
-        """The holder shifted to the left, mm, and turned towards the left, rad, about the end of the free part."""
+        """Return the holder after a shift, mm, and a turn, rad, to the left about the end of the free part."""
         cos, sin = np.cos(turn), np.sin(turn)
         rotation = np.array([[cos, sin], [-sin, cos]])
         left, right = (side @ rotation + (0.0, shift) for side in (self.left, self.right))
         return TabSeat(left, right, self.thickness, self.name)
 
     def gaps(self, shift: float, turn: float, way: int) -> FloatArray:
-        """Room (k,), mm, between each edge and the tab's face; negative where they overlap.
+        """Return the gap (k,), mm, between each edge and the tab's face; negative if they overlap.
 
-        The free part ends `shift` mm to the left of the design and the strip's tangent is turned by `turn` rad
-        anticlockwise; `way` is +1 at the end of the strip and -1 at its start, where the tab points backwards.
+        The end of the free part is `shift` mm to the left of the design, and the strip's tangent is turned by
+        `turn` rad anticlockwise. `way` is +1 at the end of the strip and -1 at its start, where the tab points
+        backwards.
         """
         cos, sin = np.cos(turn), np.sin(turn)
         into, left, side = self.edges
         return np.asarray(side * (-way * into * sin + (left - shift) * cos) - self.thickness / 2)
 
     def slopes(self, shift: float, turn: float, way: int) -> FloatArray:
-        """Derivatives (k, 2) of `gaps` by shift and turn."""
+        """Return the derivatives (k, 2) of `gaps` by shift and turn."""
         cos, sin = np.cos(turn), np.sin(turn)
         into, left, side = self.edges
         return np.column_stack([-cos * side, side * (-way * into * cos - (left - shift) * sin)])
 
     def bends(self, shift: float, turn: float, way: int) -> FloatArray:
-        """Second derivatives (k, 2, 2) of `gaps` by shift and turn."""
+        """Return the second derivatives (k, 2, 2) of `gaps` by shift and turn."""
         cos, sin = np.cos(turn), np.sin(turn)
         into, left, side = self.edges
         found = np.zeros((side.size, 2, 2))
@@ -144,7 +143,7 @@ class TabSeat:
 
     @cached_property
     def turning(self) -> tuple[float, float]:
-        """Angles, rad, by which the tab can turn to the right (negative) and to the left, seen outward."""
+        """Largest turns of the tab, rad, to the right (negative) and to the left, seen outward."""
         return -self._stop(-1), self._stop(1)
 
     def _stop(self, sense: int) -> float:
@@ -154,7 +153,7 @@ class TabSeat:
         (a, b), (c, d) = self.left.T, self.right.T
         most = (b - (a * sin + self.thickness / 2) / cos).min(axis=1)
         least = (d + (self.thickness / 2 - c * sin) / cos).max(axis=1)
-        # what fits at an angle need not fit at all smaller ones, but the first stop on the way out counts
+        # a larger angle may fit again, but the first stop counts
         room = most - least
         jams = np.flatnonzero(room[1:] < -1e-12)
         if not jams.size:
@@ -163,18 +162,20 @@ class TabSeat:
         return float(turn[k] + STOP_RAD * max(0.0, room[k]) / (max(0.0, room[k]) - room[k + 1]))
 
 
-STEP_SHARE = 0.05  # of the length: largest move of an end in one step
-STEP_RAD = 0.15  # largest turn of an end in one step
-PRICE = 100.0  # of a mm of overlap, over the forces that are there: far above most contacts' multipliers
-TAB_PIECES = 16  # of a tab that bends: its turn at the mouth is then right to half a percent
+STEP_SHARE = 0.05  # largest move of an end in a step, as a fraction of the length
+STEP_RAD = 0.15  # largest turn of an end in a step
+PRICE = 100.0  # price of an overlap relative to the forces, far above most contacts' multipliers
+TAB_PIECES = (
+    16  # number of pieces of a bending tab; the error of its turn at the mouth is then half a percent
+)
 
 
 @dataclass(frozen=True, eq=False)
 class SeatedEnd:
-    """An end with room: its tab as a chain of rigid pieces between bending joints.
+    """End with clearance, whose tab is a chain of rigid pieces between bending joints.
 
-    Unknowns are its shift, its turn and the angles of its tab's pieces; angles times the length of the strip, so
-    that all are mm.
+    The unknowns are its shift, its turn and the angles of its tab's pieces. Turn and angles are multiplied by the
+    length of the strip, so that all unknowns are in mm.
 
     Attributes
     ----------
@@ -191,12 +192,12 @@ class SeatedEnd:
 
     @property
     def way(self) -> int:
-        """Which way along the strip its tab points."""
+        """Direction of the tab along the strip: 1 at the end, -1 at the start."""
         return 1 if self.index else -1
 
     @property
     def pieces(self) -> int:
-        """Number of pieces of the tab; 0 where it is stiff."""
+        """Number of pieces of the tab; 0 for a rigid tab."""
         return TAB_PIECES if np.isfinite(self.stiffness) else 0
 
     @cached_property
@@ -211,25 +212,27 @@ class SeatedEnd:
 
     @cached_property
     def sideways(self) -> FloatArray:
-        """Amount (k, m), mm, by which the gap at each edge closes per angle of each piece."""
+        """Derivative (k, m), mm, of the gap at each edge by the angle of each piece."""
         into, _, side = self.seat.edges
         begins = self.piece * np.arange(self.pieces)
         covered = np.minimum(np.maximum(into[:, None] - begins, 0.0), self.piece)
         return np.asarray(-self.way * side[:, None] * covered)
 
     def left(self, design: Rod) -> FloatArray:
-        """Unit vector (2,) to the left of the design at this end."""
+        """Return the unit vector (2,) to the left of the design at this end."""
         angle = float(design.angle[-self.index])
         return np.array([-np.sin(angle), np.cos(angle)])
 
     def load(self, rod: Rod, left: FloatArray, length: float) -> tuple[float, float]:
-        """Force and moment of the holder on a rod along shift and turn, over B, 1/mm2; `left` is a unit vector
-        (2,)."""
+        """Return force and moment of the holder on a rod along shift and turn, over B, 1/mm2.
+
+        `left` is a unit vector (2,).
+        """
         k, sign = -self.index, -1.0 if self.index else 1.0
         return sign * float(rod.force[k] @ left), -sign * float(rod.moment[k]) / length
 
     def walls(self, part: FloatArray, length: float) -> tuple[FloatArray, FloatArray]:
-        """Slopes (k, 2 + m) by its unknowns and gaps (k,), mm, between tab and edges; negative overlaps."""
+        """Return slopes (k, 2 + m) by the unknowns and gaps (k,), mm, to the edges; overlaps are negative."""
         pose = float(part[0]), float(part[1]) / length
         gaps = self.seat.gaps(*pose, self.way)
         rows = np.empty((gaps.size, part.size))
@@ -242,8 +245,8 @@ class SeatedEnd:
 
 
 def _chain(pieces: int) -> FloatArray:
-    """Hessian (m, m) of a chain of pieces whose joints have the stiffness 1."""
-    # the first piece turns about the mouth, half a piece away from its middle
+    """Return the Hessian (m, m) of a chain of pieces whose joints have the stiffness 1."""
+    # the first piece turns about the mouth, half a piece from its middle
     springs = np.ones(pieces)
     springs[:1] = 2.0
     joints = np.eye(pieces) - np.eye(pieces, k=-1)
@@ -261,24 +264,24 @@ def _step_within(
     price: float = PRICE,
     reach: float = np.inf,
 ) -> QuadraticSolution:
-    """The next step of sequential quadratic programming, mm.
+    """Return the next step of sequential quadratic programming, mm.
 
     Parameters
     ----------
     hessian, gradient : (n, n), (n,) arrays
-        Of the energy over B.
+        Hessian and gradient of the energy over B.
     walls : ((k, n), (k,)) arrays
         Slopes and gaps of all edges.
     length : float
-        Of the strip, mm: steps are bounded by shares of it.
+        Length of the strip, mm; the bounds of steps are fractions of it.
     shifts : sequence of int
-        Which unknowns are shifts; all others are angles.
+        Indices of the unknowns that are shifts; all others are angles.
     scale : float
-        Stiffness of the ends by which all is divided, 1/mm3.
+        Stiffness of the ends by which the energy is divided, 1/mm3.
     price : float
-        Of a mm of overlap.
+        Price of a mm of overlap.
     reach : float
-        Farthest step of any unknown, mm.
+        Largest step of any unknown, mm.
     """
     rows, gaps = walls
     bound = np.full(gradient.size, STEP_RAD * length)
@@ -292,16 +295,18 @@ def _step_within(
 
 
 MOST_STEPS = 60
-RENEWED_SHARE = 0.003  # of the length: after longer steps the stiffness of the ends is measured anew
-SHORTER, LONGER = 0.5, 2.0  # most of the next step: of one that went back, and of what the last was allowed
-DIFFERENCE_SHARE = 1e-5  # of the length: step of the finite differences of reactions
-SETTLED_SHARE = 1e-9  # of the length: steps below it end the search
-LEAST_SHARE = 1e-6  # of the largest eigenvalue: a direction that is softer counts as this stiff
-DEARER = 10.0  # times as much, where a tab that is wedged in pays it
-DEAREST = 1e6  # a tab that pays this does not fit
-OVERLAP_SHARE = 1e-7  # of the length: overlaps below it are rounding
+RENEWED_SHARE = (
+    0.003  # fraction of the length: after longer steps the stiffness of the ends is computed again
+)
+SHORTER, LONGER = 0.5, 2.0  # factors on the largest step after a step back and after a step forward
+DIFFERENCE_SHARE = 1e-5  # step of the finite differences of reactions, as a fraction of the length
+SETTLED_SHARE = 1e-9  # step that ends the search, as a fraction of the length
+LEAST_SHARE = 1e-6  # least stiffness of a direction, as a fraction of the largest eigenvalue
+DEARER = 10.0  # factor on the price of an overlap if a tab still overlaps
+DEAREST = 1e6  # price of an overlap from which on the tab does not fit
+OVERLAP_SHARE = 1e-7  # largest overlap due to rounding, as a fraction of the length
 SEATING_STEPS = 3
-SEATING = 1e4  # times as stiff are the ends while tabs bend into their seats
+SEATING = 1e4  # factor on the stiffness of the ends while tabs bend into their seats
 
 
 def rest_in_seats(
@@ -310,20 +315,21 @@ def rest_in_seats(
     seats: tuple[TabSeat | None, TabSeat | None],
     tab_stiffness: tuple[float, float] = (np.inf, np.inf),
 ) -> tuple[Rod, tuple[EndPose, EndPose]]:
-    """The shape of least energy whose tabs stay within their seats, and where its ends are.
+    """Return the shape of least energy whose tabs stay within their seats, and the positions of its ends.
 
-    Tabs may shift across, turn and bend, not slide along. Contacts are without friction: least energy under
-    one-sided conditions, by sequential quadratic programming on shift and turn of each end and the angles of each
-    tab; forces and moments of the rod (Eq. 2) are the gradient, their differences and how pushes turn the Hessian.
+    Tabs may shift across, turn and bend, but not slide along. Contacts have no friction. Sequential quadratic
+    programming on shift and turn of each end and the angles of each tab minimizes the energy under inequalities.
+    Forces and moments of the rod (Eq. 2) are the gradient. Their differences and the turning of the contact forces
+    are the Hessian.
 
     Parameters
     ----------
     made : Rod
-        What is held.
+        Rod to hold.
     design : Rod
-        Where its ends were meant to be.
+        Rod with the designed positions of the ends.
     seats : pair of TabSeat or None
-        At start and end; None holds that end as its support does, without play.
+        Seats at start and end; None for an end that its support holds without play.
     tab_stiffness : pair of float
         E I of the tabs over the rod's B; infinite for tabs that do not bend.
 
@@ -344,7 +350,7 @@ def rest_in_seats(
     rod = problem.bent(q, made)
     stiffness = problem.end_stiffness(q, rod)
     firm = _made_definite(stiffness)
-    # tabs bend into their seats first, else the strip is thrown far off by walls that a straight tab meets
+    # first bend the tabs into their seats, else walls that a straight tab meets move the strip far away
     for _ in range(SEATING_STEPS):
         q = q + problem.step(q, rod, SEATING * firm).x
     rod = problem.bent(q, rod)
@@ -357,7 +363,7 @@ def rest_in_seats(
         before, step, pushes = step, found.x, found.row_multipliers * np.abs(firm).max()
         moved = np.abs(step).max()
         settled = moved <= SETTLED_SHARE * design.length and moved < reach
-        # steps back ask for shorter ones: shape and contacts change more on the way than a step knows
+        # take shorter steps after a step back, because shape and contacts change more than a step can predict
         reach = SHORTER * moved if step @ before < 0 else LONGER * reach
         q = q + step
         rod = problem.bent(q, rod)
@@ -382,7 +388,10 @@ def rest_in_seats(
 
 @dataclass(frozen=True, eq=False)
 class _Held:
-    """Unknowns q of each seated end: shift, turn, angles of its tab's pieces; angles times the length, all mm."""
+    """Problem in the unknowns q of each seated end: shift, turn, and angles of the tab's pieces.
+
+    Turn and angles are multiplied by the length, so that all unknowns are in mm.
+    """
 
     made: Rod
     design: Rod
@@ -417,19 +426,19 @@ class _Held:
         return bend(near, start=places[0], end=places[1], angles=(held[0], held[1]))
 
     def reactions(self, rod: Rod) -> FloatArray:
-        """Forces and moments of the holders on the strip along shift and turn of each end, over B, 1/mm2."""
+        """Return forces and moments of the holders on the strip along shift and turn of each end, over B, 1/mm2."""
         found = [one.load(rod, one.left(self.design), self.design.length) for one in self.seated]
         return np.array(found).ravel()
 
     def end_stiffness(self, q: FloatArray, rod: Rod) -> FloatArray:
-        """Derivatives of the reactions, 1/mm3."""
+        """Return the derivatives of the reactions, 1/mm3."""
         reactions, difference = self.reactions(rod), DIFFERENCE_SHARE * self.design.length
         moves = difference * np.eye(q.size)[self.poses]
         ends = np.array([self.reactions(self.bent(q + move, rod)) - reactions for move in moves]) / difference
         return np.asarray((ends + ends.T) / 2)
 
     def without_room(self, q: FloatArray) -> str:
-        """Message about the tab that overlaps its holder most."""
+        """Return the message about the tab with the largest overlap."""
         each = [(one, float(one.walls(part, self.design.length)[1].min())) for one, part in self.parts(q)]
         one, gap = min(each, key=lambda pair: pair[1])
         end = "end" if one.index else "start"
@@ -440,7 +449,7 @@ class _Held:
         )  # fmt: skip
 
     def wall_bends(self, q: FloatArray, pushes: FloatArray) -> FloatArray:
-        """What the pushes (k,) of the walls, over B, change of them as the ends turn, 1/mm3."""
+        """Return the second derivatives, 1/mm3, of the gaps times the contact forces (k,) over B."""
         found, at, scale = [], 0, np.array([1.0, 1 / self.design.length])
         for one, part in self.parts(q):
             bends = one.seat.bends(*self.pose(part), one.way) * np.outer(scale, scale)
@@ -449,7 +458,7 @@ class _Held:
         return _block_diagonal(found)
 
     def walls(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Slopes (k, n) by q and gaps (k,), mm, between tabs and the edges of their holders; negative overlaps."""
+        """Return slopes (k, n) by q and gaps (k,), mm, between tabs and edges; overlaps are negative."""
         rows, room = zip(*(one.walls(part, self.design.length) for one, part in self.parts(q)), strict=True)
         return _block_diagonal(rows), np.concatenate(room)
 
@@ -462,9 +471,9 @@ class _Held:
         price: float = PRICE,
         reach: float = np.inf,
     ) -> QuadraticSolution:
-        """The next step of sequential quadratic programming, none of it farther than `reach` mm."""
+        """Return the next step of sequential quadratic programming, at most `reach` mm in each unknown."""
         length = self.design.length
-        # the energy of the tabs over B in q, 1/mm3, then that of the rod in the poses
+        # energy of the tabs over B in q, 1/mm3, then energy of the rod in the poses
         H = _block_diagonal(
             [_block_diagonal([np.zeros((2, 2)), one.bending / length**2]) for one in self.seated]
         )
@@ -478,37 +487,37 @@ class _Held:
 
 
 def _block_diagonal(blocks: Sequence[FloatArray]) -> FloatArray:
-    """Blocks (k, m) along the diagonal, zeros elsewhere."""
+    """Return a matrix with blocks (k, m) along the diagonal and zeros elsewhere."""
     from scipy.linalg import block_diag
 
     return np.asarray(block_diag(*blocks), dtype=float)
 
 
 def _made_definite(stiffness: FloatArray) -> FloatArray:
-    """Symmetric (n, n) with the same directions, all of them stiff."""
+    """Return the symmetric positive definite matrix (n, n) with the same eigenvectors and absolute eigenvalues."""
     values, vectors = np.linalg.eigh(stiffness)
     values = np.maximum(np.abs(values), LEAST_SHARE * np.abs(values).max())
     return np.asarray(vectors @ np.diag(values) @ vectors.T)
 
 
 SHORTENING = (1.0, 0.1, 0.01)
-"""Stiffness of an end over its load / length in the first steps: what is stiff in its place keeps them short."""
+"""Stiffness of the springs over load / length in the first steps, which keeps these steps short."""
 
 FREE = 1e-4
-"""The same in all others, which end where it is of no account: each leaves this share of what it moved."""
+"""Stiffness of the springs over load / length in all later steps, which converge by this factor."""
 
 MOST_LEANS = 36
 """Largest number of iterations; about six are usual."""
 
 LEANED_SHARE = 1e-7
-"""Move of the last step, as a share of the length, when the contacts have been found."""
+"""Largest move of the last step, as a fraction of the length, when the contacts have been found."""
 
 
 @dataclass(frozen=True)
 class Lean:
-    """How a holder is shifted, mm, and turned, rad, to the left.
+    """Shift, mm, and turn, rad, of a holder to the left.
 
-    `slopes` are those of the tab's pieces at rest, each `piece` mm long, to its left.
+    `slopes` are the slopes to the left of the tab's pieces at rest; each piece is `piece` mm long.
     """
 
     shift: float
@@ -517,12 +526,12 @@ class Lean:
     piece: float
 
     def touched(self, wall: FloatArray) -> tuple[float, float]:
-        """How far into the tab at rest a wall of the moved holder comes nearest to it, mm, and its slope there.
+        """Return the place, mm into the tab at rest, nearest to a wall of the moved holder, and the slope there.
 
         Parameters
         ----------
         wall : (n, 2) array
-            Places of the wall before it is moved, into the tab and to its left, mm.
+            Places of the wall before the move, into the tab and to its left, mm.
         """
         (into, left), (slopes, places, bent) = wall.T, self._at_rest
         gaps = left + self.shift + self.turn * into - np.interp(into, places, bent)
@@ -531,18 +540,18 @@ class Lean:
 
     @cached_property
     def _at_rest(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """The tab's slopes (k,), and where its pieces begin and end (k + 1,): into it and to its left, mm."""
-        slopes = np.resize(self.slopes, max(self.slopes.size, 1))  # stiff tabs are one straight piece
+        """The tab's slopes (k,) and the ends of its pieces (k + 1,), into the tab and to its left, mm."""
+        slopes = np.resize(self.slopes, max(self.slopes.size, 1))  # a stiff tab is a single straight piece
         bent = np.append(0.0, np.cumsum(slopes)) * self.piece
         return slopes, np.asarray(self.piece * np.arange(slopes.size + 1), dtype=float), bent
 
 
 def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = np.inf) -> Lean:
-    """How a holder is shifted and turned so that the loaded tab lies as designed.
+    """Return the shift and turn of a holder for which the loaded tab has its designed position.
 
-    The strip's force and moment press the tab against some edges of the holder: moved by this, those edges are
-    where the tab is meant to be, and all play lies on the other sides. The load stays what it is, so an end that
-    were free to move would be thrown as far as a step may go: it is held by a spring that is softened.
+    The strip's force and moment press the tab against some edges of the holder. After the move these edges touch
+    the designed tab, and all play is on the other sides. Because the load is constant, a free end would move as far
+    as a step allows. A spring holds the end, and its stiffness is reduced.
 
     Parameters
     ----------
@@ -550,9 +559,9 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
     index : int
         0 for the start, 1 for the end.
     seat : TabSeat
-        The holder where it was designed.
+        Holder in its designed position.
     tab_stiffness : float
-        E I of the tab over the rod's B; a stiff tab unless given.
+        E I of the tab over the rod's B; a rigid tab by default.
     """
     end, length = SeatedEnd(index, seat, tab_stiffness), design.length
     load, piece, way, n = end.load(design, end.left(design), length), end.piece, end.way, 2 + end.pieces
@@ -570,7 +579,7 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
             g[2:] = H[2:, 2:] @ q[2:]
         step = _step_within(H, g, end.walls(q, length), length, [0], scale=H[0, 0]).x
         q[2:] += step[2:]
-        # the holder is moved against the tab, which stays where it is
+        # move the holder instead of the tab
         shift, turn = shift - float(step[0]), turn - way * float(step[1]) / length
         if np.abs(step).max() <= LEANED_SHARE * length:
             break

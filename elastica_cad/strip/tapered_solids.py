@@ -30,14 +30,14 @@ from elastica_cad.strip.outline import lines_through
 from elastica_cad.strip.strip import Strip
 
 FACE_MM = 1e-4
-"""Accuracy, mm, of the faces at half the thickness from the curve."""
+"""Error, mm, of the faces at half the thickness from the curve."""
 
 
 def side_view(strip: Strip, *, bent: bool = False) -> Path:
-    """The outline of a tapered strip seen from the side, anticlockwise; its tabs go on straight.
+    """Return the side view of a tapered strip, anticlockwise; its tabs continue straight.
 
-    Flat, x runs along the strip from the start of the free part, y = 0 is half way through the thickness; bent, it
-    stands on the strip's curve.
+    If it is flat, x is the arc length from the start of the free part and y = 0 is the middle of the thickness. If
+    it is bent, it follows the strip's curve.
 
     Raises
     ------
@@ -120,14 +120,14 @@ DEGREE = 5
 
 @dataclass(frozen=True, eq=False)
 class RoundSolid:
-    """A rod whose diameter varies, or a tube, along a strip's curve or straight along x; its tabs go on straight.
+    """A rod of varying diameter, or a tube, along a strip's curve or along x; its tabs continue straight.
 
     Attributes
     ----------
     strip : Strip
-        Its law is a `RoundLaw`.
+        Strip whose law is a `RoundLaw`.
     frame : Frame
-        The plane of the curve, or the plane in which the straight rod's axis is x.
+        Plane of the curve, or plane whose x axis is the axis of the straight rod.
     bent : bool
     bore : float
         Inner over outer diameter; 0 for a rod.
@@ -142,7 +142,7 @@ class RoundSolid:
 
     @cached_property
     def boundary(self) -> Boundary:
-        """The closed skin: two halves a piece (tab, free part, tab), also of a bore, and the two ends."""
+        """Closed boundary: two halves for each of tab, free part and tab, also for a bore, and the two ends."""
         first, last = (tab.length for tab in self.strip.ends)
         length = self.strip.rod.length
         stations = [*([-first] if first else []), 0.0, length, *([length + last] if last else [])]
@@ -241,7 +241,7 @@ class _Skins:
         return rings
 
     def cap(self, rings: list[list[int]], cross: Frame, *, at_start: bool) -> None:
-        """The plane end inside the first ring, outside the others."""
+        """Add the plane end inside the first ring and outside the other rings."""
         frame = Frame(cross.origin, cross.y_axis, cross.x_axis) if at_start else cross
         loops = []
         for i, ring in enumerate(rings):
@@ -257,7 +257,7 @@ class _Skins:
 
 
 def _half_turn() -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Knots over 0..1 and coefficients of the cosine and the sine of half a turn."""
+    """Return knots over 0..1 and coefficients of the cosine and the sine of half a turn."""
     from scipy.interpolate import make_lsq_spline
 
     inner = np.linspace(0.0, 1.0, HALF_TURN_SPANS + 1)

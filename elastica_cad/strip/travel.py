@@ -1,4 +1,4 @@
-"""A strip led through a travel: forces and moments at its ends, energy, strain and safety, step by step."""
+"""A strip whose ends are moved along a path: forces, moments, energy, strain and safety at each step."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -20,10 +20,10 @@ from elastica_cad.strip.strip import Strip, strip_sideways
 from elastica_cad.strip.styles import Bends
 
 RESOLUTION_SHARE = 1e-4
-"""Of a step: how closely the place is found at which a shape snaps, is strained too much or crosses itself."""
+"""Tolerance, as a fraction of a step, of places at which a shape snaps, is overstrained or crosses itself."""
 
 FALL_SHARE = 1e-4
-"""Of the largest force: a force that falls by less in a step counts as even."""
+"""Largest decrease of a force in a step, as a fraction of the largest force, that counts as constant."""
 
 TITLES = "travel mm   force N  strain %    margin"
 TURN_TITLES = " turn deg   force N  strain %    margin"
@@ -31,44 +31,43 @@ TURN_TITLES = " turn deg   force N  strain %    margin"
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Travel:
-    """What a strip does at k places of its ends, in physical units.
+    """States of a strip at k positions of its ends, in physical units.
 
-    `stable` and `snaps_at` are of ends that are led and held where they are. A weight that pushes an end runs away
-    where the force falls with the travel: `force_falls_at`.
+    `stable` and `snaps_at` are for ends whose positions are prescribed. An end under a constant weight runs away
+    where the force decreases with the travel: `force_falls_at`.
 
     Attributes
     ----------
     strip : Strip
-        As it is before its ends are moved.
+        Strip before its ends are moved.
     path : tuple of dict
         Keywords of `bend` for each step.
     side : {+1, -1} or None
-        To which side a straight strip bulges.
+        Side to which a straight strip bulges.
     rods : tuple of Rod
-        The rest shape at each step.
+        Rest shape at each step.
     end : (k, 2) array
-        Where the end is, seen from the start, mm.
+        Position of the end relative to the start, mm.
     travel : (k,) array
-        Way of the end seen from the start up to each step, mm, from where the strip's own end is.
+        Length of the end's path relative to the start up to each step, mm, from the strip's designed end.
     turn : (k,) array
-        Angle by which the held end that turns most has turned up to each step, rad.
+        Turn up to each step of the held end that turns most, rad.
     start_force, end_force : (k, 2) array
-        What the supports push the strip with, N.
+        Forces of the supports on the strip, N.
     start_moment, end_moment : (k,) array
-        N mm, positive anticlockwise.
+        Moments of the supports on the strip, N mm, positive anticlockwise.
     force_along : (k,) array
-        What the end is pushed with in the direction of its way, N: positive where work is put in, negative where
-        the strip pulls the end on.
+        Force on the end in the direction of its path, N; negative if the strip pulls the end forward.
     energy : (k,) array
-        Stored by bending, N mm (mJ).
+        Bending energy, N mm (mJ).
     strain, stress : (k,) array
-        Of the most strained skin (dimensionless), and its elastic stress, MPa.
+        Strain of the most strained skin (dimensionless), and its elastic stress, MPa.
     safety : (k,) array
         Strain limit over strain of the layer nearest to its limit.
     verdicts : tuple of Stability
-        In the plane of the curve.
+        Stability in the plane of the curve.
     sideways : tuple of SidewaysStability
-        Out of it.
+        Stability out of the plane.
     """
 
     strip: Strip
@@ -138,9 +137,7 @@ class Travel:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """A sentence each where its force falls, where it snaps, where it crosses itself, and where it is strained
-        beyond what its sheet bears.
-        """
+        """Sentences on places where the force falls or the strip snaps, crosses itself or is overstrained."""
         told = []
         if self.force_falls_at is not None:
             told.append(note(
@@ -165,7 +162,7 @@ class Travel:
 
     @property
     def stable(self) -> BoolArray:
-        """Does the shape of each step (k,) stay where its ends are led?"""
+        """True for each step (k,) whose shape is stable with its ends held."""
         return np.array([verdict.stable for verdict in self.verdicts])
 
     @property
@@ -175,24 +172,24 @@ class Travel:
 
     @cached_property
     def strained_at(self) -> float | None:
-        """Place of `path_length` from which the sheet is strained beyond its limit; None where it never is."""
+        """First place of `path_length` at which the strain exceeds the sheet's limit, or None."""
         return self._first(lambda rod: _most_strained(self.strip, rod)[2] < 1)
 
     @cached_property
     def snaps_at(self) -> float | None:
-        """Place of `path_length` at which the strip snaps, its ends driven; None where every step is stable."""
+        """First place of `path_length` at which the strip snaps, or None if every step is stable."""
         return self._first(lambda rod: has_snapped(rod) or not stability(rod).stable)
 
     @cached_property
     def crosses_at(self) -> float | None:
-        """Place of `path_length` from which the strip crosses itself; None where it never does."""
+        """First place of `path_length` at which the strip crosses itself, or None."""
         return self._first(_crosses_itself)
 
     @cached_property
     def force_falls_at(self) -> float | None:
-        """Travel of the first step behind which the force on the end falls along its way, mm.
+        """Travel, mm, after which the force on the end along its path first decreases.
 
-        None where it rises at every step, or until the strip snaps, and where the ends only turn.
+        None if it increases in every step, or until the strip snaps, or if the ends only turn.
         """
         if self.is_turn:
             return None
@@ -205,11 +202,11 @@ class Travel:
 
     @cached_property
     def _at_rest(self) -> Rod:
-        """The strip before it is moved, also under a weight that it was not designed for."""
+        """Rod before its ends are moved, also under a weight for which it was not designed."""
         return bend(self.strip.rod_to_bend)
 
     def _first(self, fails: Callable[[Rod], bool]) -> float | None:
-        """First place of `path_length` where a shape fails; between steps the ends move in straight lines."""
+        """Return the first place of `path_length` at which a shape fails; between steps the ends move straight."""
         rods = (self._at_rest, *self.rods)
         k = next((k for k, rod in enumerate(rods) if fails(rod)), None)
         if not k:
@@ -229,7 +226,7 @@ class Travel:
         return float(before + high * (after - before))
 
     def table(self) -> dict[str, FloatArray | BoolArray]:
-        """Columns (k,) by name with their unit, for a data frame or a file."""
+        """Return columns (k,) by name with their unit, for a data frame or a file."""
         return {
             "travel_mm": self.travel,
             "turn_deg": np.degrees(self.turn),
@@ -251,28 +248,28 @@ class Travel:
         }
 
     def csv(self) -> str:
-        """The table as comma-separated text with a header."""
+        """Return the table as comma-separated text with a header."""
         return csv_text(self.table())
 
 
 def bend_strip(
     strip: Strip, path: "ArrayLike | Sequence[Mapping[str, Any]]", *, side: int | None = None
 ) -> Travel:
-    """Lead the ends of a strip along a path and tell what it does, in newtons and millimetres.
+    """Move the ends of a strip along a path, and return forces, energy, strain and stability at each step.
 
-    Forces follow from the internal force -lambda B (Eq. 2), with B the bending stiffness where K = 1; the energy is
-    what bending stores. Sheets whose Poisson ratio is known stiffen across as each step bends them, and borders of
-    laminates give way. Widths that do not make up for it rest off their design from the start, by what `Strip.held`
-    tells; its other causes, such as slots, are left out.
+    Forces follow from the internal force -lambda B (Eq. 2), where B is the bending stiffness for K = 1. The
+    anticlastic stiffening of sheets with a known Poisson ratio, and the curling borders of laminates, follow the
+    bend of each step. If the widths do not compensate them, the strip deviates from its design from the start, as
+    `Strip.held` reports. Other causes of `Strip.held`, such as slots, are left out.
 
     Parameters
     ----------
     strip : Strip
-        Its rod may be straight: a strip cut to a width profile and then bent.
+        Strip to bend. Its rod may be straight, for a strip that is cut to a width profile and then bent.
     path : (k, 2) array_like or sequence of mappings
         Positions of the end at each step, mm, or keywords of `bend` for it.
     side : {+1, -1}, optional
-        To which side a straight strip bulges, as in `bend`.
+        Side to which a straight strip bulges, as in `bend`.
 
     Returns
     -------
@@ -281,7 +278,7 @@ def bend_strip(
     Raises
     ------
     InputError, NotConvergedError
-        As `bend`, with the step.
+        See `bend`; the message gives the step.
 
     Examples
     --------
@@ -321,7 +318,7 @@ def bend_strip(
 
 
 def _directions(end: FloatArray, own: FloatArray) -> FloatArray:
-    """Unit vectors (k, 2) of the way of the end, seen from the start; 0 where it stands still."""
+    """Return unit vectors (k, 2) along the path of the end relative to the start; 0 if it does not move."""
     first = end[0] if len(end) > 1 else own
     before = np.concatenate([[first], end[:-1]])
     after = np.concatenate([end[1:], end[-1:]])
@@ -331,12 +328,12 @@ def _directions(end: FloatArray, own: FloatArray) -> FloatArray:
 
 
 def _crosses_itself(rod: Rod) -> bool:
-    """Whether it does; without more than half a turn it cannot."""
+    """Return True if a rod crosses itself, which needs more than half a turn."""
     return bool(np.ptp(rod.angle) > np.pi and rod.curve.self_intersections().size)
 
 
 def _most_strained(strip: Strip, rod: Rod) -> tuple[float, float, float]:
-    """Strain, elastic stress (MPa) and safety of the layer nearest to its limit."""
+    """Return strain, elastic stress (MPa) and safety of the layer nearest to its limit."""
     bent = np.abs(rod.curvature - rod.natural_curvature)
     layers = strip.layout.strains(Bends(bent, rod.s))
     k = max(range(len(layers)), key=lambda i: layers[i].largest / layers[i].limit)

@@ -101,24 +101,24 @@ class FabricationLimits:
         return self.least_width or sheet.least_width or max(LEAST_STRIP_MM, THICKNESSES * sheet.thickness)
 
     def ligament_for(self, sheet: Sheet) -> float:
-        """Least material between the holes of a perforated strip, mm."""
+        """Return the least material between the holes of a perforated strip, mm."""
         sheet = Sheet.of(sheet)
         return self.least_ligament or sheet.least_ligament or LEAST_LIGAMENT_MM
 
     def bridge_for(self, sheet: Sheet) -> float:
-        """Least material between two cuts of a plate, mm."""
+        """Return the least material between two cuts of a plate, mm."""
         sheet = Sheet.of(sheet)
         return self.least_bridge or sheet.least_bridge or max(LEAST_BRIDGE_MM, sheet.thickness)
 
     def stock_for(self, sheet: Sheet) -> tuple[float, float]:
-        """Longer and shorter side of the largest sheet, mm."""
+        """Return the longer and shorter side of the largest sheet, mm."""
         sheet = Sheet.of(sheet)
         long, short = sorted(self.stock or sheet.stock or LARGEST_PANEL_MM, reverse=True)
         return long, short
 
 
 def limits_or_default(shop: FabricationLimits | None) -> FabricationLimits:
-    """The shop, one of which nothing is known for None; refuses what is neither."""
+    """Return the shop, or `DEFAULT_LIMITS` for None; refuse other values."""
     if shop is None:
         return DEFAULT_LIMITS
     require_record(shop, FabricationLimits, "the shop", "a FabricationLimits record")
@@ -126,22 +126,25 @@ def limits_or_default(shop: FabricationLimits | None) -> FabricationLimits:
 
 
 DEFAULT_LIMITS = FabricationLimits()
-"""A shop of which nothing is known."""
+"""Limits of an unknown workshop."""
 
 
-SAMPLES_PER_WIDTH = 12  # points along a cut in each least width: a width is found to a percent
-COARSE = 4  # the same for a first look, which most cuts pass
-LEANING = 0.1  # of the least width: what leaning sides come nearer in half a coarse step, 0.785 / 8
-FACING = 0.9  # cosine between a width and both inward normals: corners blunter than 50 degrees are no necks
-_REACHES = np.array(
-    [1 / 16, 1 / 4, 1]
-)  # of the least width, in which widths are searched one after the other
-FLAT_SHARE = 0.02  # of the least width: chords of the sampled cuts
+SAMPLES_PER_WIDTH = 12  # points along a cut for each least width; the error of a width is then a percent
+COARSE = 4  # points along a cut for each least width in the first search, which most cuts pass
+LEANING = 0.1  # fraction of the least width by which inclined sides approach in half a coarse step, 0.785 / 8
+FACING = (
+    0.9  # least cosine between a width and both inward normals, so corners above 50 degrees are not necks
+)
+_REACHES = np.array([1 / 16, 1 / 4, 1])  # search distances in order, as fractions of the least width
+FLAT_SHARE = 0.02  # flatness of the sampled cuts, as a fraction of the least width
 
 
 @dataclass(frozen=True)
 class ThinPlace:
-    """Too little material: its middle (x, y) and its width, mm; `loops`: the cuts on both sides, outlines first."""
+    """A place with too little material: its middle (x, y) and width, mm, and the numbers of the cuts beside it.
+
+    `loops` counts outlines before holes.
+    """
 
     x: float
     y: float
@@ -150,16 +153,16 @@ class ThinPlace:
 
 
 def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: float) -> tuple[ThinPlace, ...]:
-    """Places where straight across the material the next cut is nearer than `least` mm, the thinnest first.
+    """Return places where the material between two cuts is narrower than `least` mm, the narrowest first.
 
-    Each place is the thinnest of all that lie within `least` of each other.
+    Each place is the narrowest of a group of places within `least` of each other.
 
     Parameters
     ----------
     outlines, holes : sequences of Path
         Closed outer and inner cuts.
     least : float
-        mm.
+        Least width of material, mm.
 
     Examples
     --------
@@ -184,9 +187,7 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
 
 
 def _points_near_others(chords: "_Chords", least: float) -> tuple[FloatArray, IntArray]:
-    """Return points (n, 2) on the cuts, and the numbers (n,) of their chords, where a coarse search finds another
-    cut across material.
-    """
+    """Return points (n, 2) on cuts that a coarse search finds near another cut, and their chords (n,)."""
     points, chord, _ = chords.middles(least / COARSE)
     normals = chords.inward[chord]
     i, j = _opposed(points, normals, np.arange(len(points)), (1 + 1 / COARSE) * least, least)
@@ -210,7 +211,7 @@ def _opposed(
 
     The angle between the normals is bounded together with the distance, which is weighed by `least`.
     """
-    # places and directions are compared together: normals of facing points sum to at most 2 sin(acos(FACING))
+    # compare places and directions together: normals of facing points sum to at most 2 sin(acos(FACING))
     here, there = np.hstack([points, least * normals])[searching], np.hstack([points, -least * normals])
     radius = np.hypot(reach, 2 * least * np.sqrt(1 - FACING**2))
     i, j = near_pairs(here, there, float(radius))
@@ -220,10 +221,10 @@ def _opposed(
 def _widths_across(
     points: FloatArray, normals: FloatArray, least: float
 ) -> tuple[IntArray, IntArray, FloatArray]:
-    """Pairs of points (k,) that face each other straight across the material, and how far apart they are, mm.
+    """Return pairs of points (k,) that face each other straight across the material, and their distances, mm.
 
-    Of all pairs of a point only the narrowest is kept. Narrow widths are searched first: a point that has one needs
-    no wider search, which between many slots close together would list all of them for each other.
+    Only the narrowest pair of a point is returned. Narrow widths are searched first. A point with a narrow width
+    needs no wider search, which would find very many pairs between slots that are close together.
     """
     pairs: list[tuple[IntArray, IntArray, FloatArray]] = []
     searching = np.arange(len(points))
@@ -248,13 +249,13 @@ def _widths_across(
 
 
 def _near_pairs(points: FloatArray, reach: float) -> IntArray:
-    """The pairs (2, k) of points (n, 2) no farther apart than `reach`, the smaller number of each first."""
+    """Return the pairs (2, k) of points (n, 2) at most `reach` apart, with the smaller number first."""
     pairs = np.array(near_pairs(points, points, reach))
     return pairs[:, pairs[0] < pairs[1]]
 
 
 def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:
-    """The thinnest of places (k, 2) that lie within `least` of each other, directly or by others between."""
+    """Return the narrowest place of each group of places (k, 2) that are linked by distances below `least`."""
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import connected_components
 
@@ -266,16 +267,16 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
 
 
 def _narrowest(point: IntArray, width: FloatArray) -> IntArray:
-    """Index of the least of all widths (k,) across each point."""
+    """Return the index of the least of all widths (k,) across each point."""
     order = np.lexsort((width, point))
     return order[np.unique(point[order], return_index=True)[1]]
 
 
 @dataclass(frozen=True, eq=False)
 class _Chords:
-    """All cuts as chords (m): where each begins, its way, both (m, 2), its length, and the number of its cut.
+    """All cuts as chords (m): starts and vectors (m, 2), lengths, and the numbers of their cuts.
 
-    The material is on their left; `inward` are unit normals (m, 2) into it.
+    The material is on the left of the chords; `inward` are unit normals (m, 2) into the material.
     """
 
     start: FloatArray
@@ -286,7 +287,7 @@ class _Chords:
 
     @classmethod
     def of(cls, outlines: Sequence[Path], holes: Sequence[Path], flat: float) -> "_Chords":
-        """The chords of closed cuts, to `flat` mm."""
+        """Return the chords of closed cuts with the flatness `flat`, mm."""
         sided = [*((path, True) for path in outlines), *((path, False) for path in holes)]
         runs = [path if (path.area > 0) == outer else path.reversed() for path, outer in sided]
         lines = [path.points(flat) for path in runs]
@@ -299,8 +300,9 @@ class _Chords:
         return cls(start, way, length, loop, inward)
 
     def middles(self, longest: float) -> tuple[FloatArray, IntArray, FloatArray]:
-        """Return the middles (n, 2) of equal parts no longer than `longest` mm, the numbers (n,) of their chords,
-        and their places (n,) on these chords from 0 to 1.
+        """Return the middles (n, 2) of equal parts at most `longest` mm long, their chords and places (n,) there.
+
+        Places on a chord are from 0 to 1.
         """
         parts = np.maximum(1, np.ceil(self.length / longest)).astype(np.int64)
         chord = np.repeat(np.arange(len(parts)), parts)
@@ -309,31 +311,31 @@ class _Chords:
 
 
 FAR_LARGER = 2.0
-"""A part larger than this many lengths of the stock is refused as too large, without a search for thin places."""
+"""Size of a part, in lengths of the stock, above which it is refused without a search for thin places."""
 
 TIMES_AS_LONG = 4.0
-"""Least ratio of length to width when a narrower strip is suggested; at half of that it would bend as a plate."""
+"""Least ratio of length to width of a suggested narrower strip; at half this ratio it would bend as a plate."""
 
 LAP_THICKNESSES = 20
-"""Length of the plates that join pieces, in thicknesses; from about twelve on, glue holds as well as the sheet."""
+"""Length of the plates that join pieces, in thicknesses; from about 12 on, glue is as strong as the sheet."""
 
-MOST_TOLD = 3  # thin places of one part that are named; the count tells the rest
+MOST_TOLD = 3  # thin places of a part that are listed; the rest are counted
 
 
 @dataclass(frozen=True)
 class Fault:
-    """One reason why a part cannot be made.
+    """A reason why a part cannot be made.
 
     Attributes
     ----------
     part : str
-        Its name.
+        Name of the part.
     what : str
-        The fault with its place, mm.
+        Fault with its place, mm.
     cure : str
-        What to change.
+        Suggested change in words.
     changes : tuple of Change
-        Of the request, each of which may help.
+        Suggested changes of the request.
     """
 
     part: str
@@ -377,10 +379,10 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
 def find_strip_faults(
     strip: Strip, shop: FabricationLimits | None = None, *, wavers: bool = False
 ) -> tuple[Fault, ...]:
-    """Everything that keeps a strip from being cut and handled, the base first.
+    """Return all faults that prevent a strip from being cut and handled, the base first.
 
-    Widths are measured on the cut loops: free part, tabs, necks beside slots and holes. `wavers` says that
-    its curve goes through points that waver, so that smoothing helps.
+    Widths are measured on the cut loops: free part, tabs, necks beside slots and holes. `wavers` is True if the
+    curve passes through noisy measured points, so that smoothing helps.
 
     Examples
     --------
@@ -389,14 +391,14 @@ def find_strip_faults(
     >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
     A: only 1.5 mm wide at ... mm from the start of the curve, 3 mm are needed in birch-plywood-0.8; ...
     """
-    if strip.layout.size is not None:  # not cut from a sheet: its law has limits of its own
+    if strip.layout.size is not None:  # not cut from a sheet; its law has its own limits
         return ()
     shop = shop or FabricationLimits()
     name = strip.label or "strip"
-    joined = shop.lap is not None  # of pieces
+    joined = shop.lap is not None  # may be joined from pieces
     stocks = [shop.stock_for(layer.sheet) for layer in strip.layers]
     leasts = [shop.width_for(layer.sheet) for layer in strip.layers]
-    if isinstance(strip.style, Laminated):  # glued on, a backing needs no strength of its own
+    if isinstance(strip.style, Laminated):  # a glued backing needs no strength by itself
         leasts[1:] = [min(least, strip.style.least_backing) for least in leasts[1:]]
     ligament = shop.ligament_for(strip.sheet)
     found: list[Fault] = []
@@ -456,7 +458,7 @@ def find_plate_faults(
 
 
 def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tuple[Fault, ...]:
-    """Slots far wider than what goes into them: (name, width of the slot, thickness of the tab) of each, mm."""
+    """Return the fault of slots that are far wider than their tabs: (name, slot width, tab thickness), mm."""
     wide = [one for one in slots if one[1] > max(FILLED_SLOT_MM, WIDEST_SLOT_THICKNESSES * one[2])]
     if not wide:
         return ()
@@ -524,13 +526,13 @@ def _thin_strip(
 
 
 def _cures_of_necks(strip: Strip, times: float, least: float, wavers: bool) -> tuple[str, tuple[Change, ...]]:
-    """What helps a strip that must be so many times as wide to have no neck below `least` mm."""
+    """Return suggestions for a strip that must be `times` as wide to have no neck below `least` mm."""
     wider = _wider(strip, times)
     field = FieldName("max_width")
     if not wider:
         cure = note("make it wider ({field}), or ask for the nearest curve with a smaller ratio", field=field)
     elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
-        wider = ()  # the tips of its bulges grow thinner
+        wider = ()  # a wider strip has thinner tips of its bulges
         cure = note("ask for the nearest curve with a smaller ratio")
     else:
         cure = note(
@@ -544,7 +546,7 @@ def _cures_of_necks(strip: Strip, times: float, least: float, wavers: bool) -> t
 
 
 def _place_on(strip: Strip, place: ThinPlace) -> str:
-    """Where a place of the flat part is: along the strip, or in one of its tabs."""
+    """Return the position of a place of the flat part in words: along the strip, or in a tab."""
     length = strip.rod.length
     if place.x < 0:
         return note("{into} into the tab at its start", into=Length(-place.x))
@@ -554,7 +556,7 @@ def _place_on(strip: Strip, place: ThinPlace) -> str:
 
 
 def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) -> Fault:
-    """The fault of too little material beside a hole, and how far to move the hole."""
+    """Return the fault of too little material beside a hole, with the distance to move the hole."""
     wide, needed = map(Length, told_apart(place.width, least, ".3g"))
     shift = Length(rounded_up(least - place.width, 2))
     if 0 in place.loops:
@@ -573,7 +575,7 @@ def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) 
 
 
 def _wider(strip: Strip, times: float) -> tuple[Change, ...]:
-    """The width of a plain strip's widest place that makes it so many times as wide, unless its rod fixes that."""
+    """Return the change of a plain strip's largest width by the factor `times`, unless its rod determines it."""
     if not isinstance(strip.style, Plain) or strip.rod.bending_stiffness is not None:
         return ()
     return (Change("max_width", rounded_up(times * float(strip.width.extremes[1]), 3)),)
