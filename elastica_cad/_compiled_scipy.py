@@ -1,7 +1,7 @@
-"""Compiled parts of scipy by themselves: LAPACK, Brent's method, convex hulls without the packages around them.
+"""Compiled parts of scipy (LAPACK, Brent's method, convex hulls) without their packages.
 
-`scipy.linalg` and `scipy.optimize` import some hundred modules before the first function can be called, a fifth
-and a third of a second. The functions used here are compiled ones in one file each, loaded alone in milliseconds.
+`scipy.linalg` and `scipy.optimize` import some hundred modules before the first call, which takes a fifth and a
+third of a second. The functions used here are compiled in a single file each, which loads in milliseconds.
 """
 
 from collections.abc import Callable
@@ -26,7 +26,7 @@ def lapack() -> Any:
 
 
 def svd(matrix: FloatArray, *, full_matrices: bool = True) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """What `numpy.linalg.svd` gives, which takes three times as long over a matrix of a few rows.
+    """Return the result of `numpy.linalg.svd`, in a third of the time for a matrix of a few rows.
 
     Examples
     --------
@@ -71,11 +71,11 @@ def _spatial() -> Any:
 
 
 def _alone(package: str, name: str, needed: str) -> Any | None:
-    """A compiled module of scipy without its package; None where this build keeps it otherwise.
+    """Return a compiled module of scipy without its package, or None if this build of scipy has another layout.
 
-    It stays out of `sys.modules`: scipy, imported later, loads its own.
+    The module is not added to `sys.modules`, because scipy loads its own copy later.
     """
-    scipy = find_spec("scipy")  # not imported either: it asks for the network's modules and more
+    scipy = find_spec("scipy")  # not imported either, because it imports network modules and more
     places = None if scipy is None else scipy.submodule_search_locations
     spec = PathFinder.find_spec(
         f"scipy.{package}.{name}", [str(Path(path) / package) for path in places or ()]

@@ -1,4 +1,4 @@
-"""Front doors: what a package exports stands in its `__init__.pyi` and is imported when it is first used."""
+"""Lazy exports of packages: the names are listed in `__init__.pyi` and imported on first use."""
 
 import ast
 import sys
@@ -21,10 +21,10 @@ def installed_modules() -> Iterator[None]:
 
 
 def exports(file: str, package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
-    """`__getattr__`, `__dir__` and `__all__` of a package, from the stub beside its `__init__.py`.
+    """Return `__getattr__`, `__dir__` and `__all__` of a package, from the stub beside its `__init__.py`.
 
-    The stub is one list for type checkers and for Python: `import elastica_cad` loads no numbers, and a name costs
-    its own module only.
+    The stub is for type checkers and for Python. `import elastica_cad` does not load numpy, and a name loads only
+    its own module.
     """
     homes: dict[str, str] = {}
     for node in ast.parse(Path(file).with_suffix(".pyi").read_text(encoding="utf-8")).body:

@@ -1,4 +1,4 @@
-"""How records show themselves in notebooks: lines as a small SVG, tables as HTML, without any library."""
+"""Display of records in notebooks: lines as a small SVG, tables as HTML, without other libraries."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -16,7 +16,7 @@ FIGURES = 5  # of coordinates in pixels: a hundredth
 
 
 def svg_of_lines(lines: Iterable[tuple[FloatArray, str, bool]], title: str) -> str:
-    """Polylines (points (n, 2) with y up, colour, closed) scaled into one picture.
+    """Return an SVG of polylines (points (n, 2) with y up, colour, closed), scaled to the picture.
 
     Examples
     --------

@@ -9,9 +9,9 @@ from types import FrameType
 
 @contextmanager
 def interrupts_held() -> Iterator[None]:
-    """Hold back Ctrl-C during the block, and let it take effect behind the block.
+    """Delay Ctrl-C until the end of the block.
 
-    Some libraries catch every exception while they import others, so that Ctrl-C would be lost there.
+    Some libraries catch every exception during imports, so that Ctrl-C would be lost there.
     """
     before = signal.getsignal(signal.SIGINT)
     if before is None or current_thread() is not main_thread():

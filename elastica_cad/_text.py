@@ -51,7 +51,7 @@ MADE_BY: ContextVar[str] = ContextVar("made_by", default="")
 """The running command, for the files that it writes; empty in a script."""
 
 _PLAIN = re.compile(r"[^&|<>^()%!]+")
-"""What cmd leaves as it is."""
+"""Characters that cmd does not interpret."""
 
 _NOT_OF_DRAWINGS = {
     "-o": 1, "--output": 1, "--force": 0, "--json": 0, "-v": 0, "--verbose": 0, "-q": 0, "--quiet": 0, "--watch": 0,
@@ -75,9 +75,10 @@ def quote_words(words: Iterable[str], *, windows: bool = os.name == "nt") -> str
 
 
 def command_of_drawings(words: Iterable[str], *, windows: bool = os.name == "nt") -> str:
-    """The command that makes the same drawings again, from the words behind the program's name.
+    """Return the command that makes the same drawings again, from the arguments of the program.
 
-    It has no place to write to, and of paths from the root, which tell of their owner, the name alone.
+    It omits the output folder, and absolute paths are reduced to the file name, because they may contain user
+    names.
 
     Examples
     --------

@@ -17,7 +17,7 @@ MILLIMETRES = {
     "px": MM_PER_INCH / 96,
     "pt": MM_PER_INCH / 72,
 }
-"""Millimetres in one of each unit that a file or an option may name; px is the pixel of CSS, pt the DTP point."""
+"""Size in mm of each unit in files and options; px is the CSS pixel, pt the DTP point."""
 
 
 _WORDS = {
@@ -32,7 +32,7 @@ _WORDS = {
     "pt": "points?|punkte?",
 }
 _UNIT = {unit: re.compile(f"{unit}|{words}", re.IGNORECASE) for unit, words in _WORDS.items()}
-"""How people write units: symbols, words and signs."""
+"""Spellings of units: symbols, words and signs."""
 
 
 def read_unit(text: str) -> str | None:
@@ -47,12 +47,12 @@ def read_unit(text: str) -> str | None:
 
 
 def look_up_unit(unit: str) -> float:
-    """Millimetres in one `unit`.
+    """Return the size of `unit` in mm.
 
     Raises
     ------
     InputError
-        A unit that is not known.
+        The unit is unknown.
 
     Examples
     --------
@@ -78,12 +78,12 @@ _SIGNS = str.maketrans({"′": "'", "’": "'", "‘": "'", "″": '"', "”": '
 
 
 def read_number(text: str) -> float:
-    """Of digits, or of a fraction as on a folding rule: "5/16", "1 3/8", "1-3/8".
+    """Return the number in a text of digits or a fraction as on a folding rule: "5/16", "1 3/8", "1-3/8".
 
     Raises
     ------
     ValueError
-        Other text.
+        The text is not a number.
 
     Examples
     --------

@@ -15,11 +15,11 @@ from elastica_cad.errors import InputError, quoted
 from elastica_cad.refusals import note
 
 LARGEST = 1e100
-"""Of numbers that mean something here: their squares and cubes are numbers still."""
+"""Largest permitted number, so that squares and cubes are finite."""
 
 
 def is_number(value: object) -> TypeGuard[float]:
-    """A finite number? Texts, truth values, rows of numbers and what no drawing holds, beyond 1e100, are none.
+    """Return True if the value is a finite number up to 1e100; texts, booleans and arrays are not numbers.
 
     Examples
     --------
@@ -45,7 +45,7 @@ def is_whole(value: object) -> TypeGuard[int]:
 
 
 def require_positive(value: object, what: str, unit: str = "mm") -> None:
-    """Refuse what is no finite number above 0.
+    """Raise InputError unless the value is a finite number above 0.
 
     Raises
     ------
@@ -82,7 +82,7 @@ def require_number(value: object, what: str, unit: str = "") -> float:
 
 
 def as_floats(values: object) -> FloatArray | None:
-    """An array of floats; None of texts, rows of unequal length, or whole numbers larger than all floats."""
+    """Return an array of floats, or None for texts, rows of unequal length, or integers larger than all floats."""
     try:
         return np.asarray(cast("ArrayLike", values), dtype=float)
     except (TypeError, ValueError, OverflowError):
@@ -174,18 +174,18 @@ def require_flag(value: object, what: str) -> bool:
 
 
 def is_one_of(value: object, choices: Iterable[object]) -> bool:
-    """Is it one of these? An array, which would answer for each of its elements, is none."""
+    """Return True if the value is one of these choices; an array, which compares by element, is not."""
     return not isinstance(value, np.ndarray) and value in choices
 
 
 def is_series(value: object) -> TypeGuard[Iterable[Any]]:
-    """Can it be gone through? A text stands for itself, and an array of one number for that number."""
+    """Return True if the value is iterable, except texts and arrays of a single number."""
     alone = isinstance(value, str) or (isinstance(value, np.ndarray) and value.ndim == 0)
     return isinstance(value, Iterable) and not alone
 
 
 def require_record(value: object, record: type[Any] | UnionType, what: str, cure: str) -> None:
-    """Refuse what is no such record; `cure` says what to give.
+    """Raise InputError unless the value is such a record; `cure` is the instruction in the message.
 
     Raises
     ------
@@ -212,14 +212,14 @@ def require_path(path: object) -> Path:
 def several(
     name: str, values: object, record: type[Any] | UnionType, kind: str, cure: str = ""
 ) -> tuple[Any, ...]:
-    """A tuple of records of one kind; one record alone stands for a tuple of it.
+    """Return a tuple of records of one type; a single record becomes a tuple.
 
-    `cure` says how such records are had.
+    `cure` is the instruction in the message.
 
     Raises
     ------
     InputError
-        Something else among them.
+        An item has another type.
     """
     many = is_series(values) and not isinstance(values, record)
     found: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
@@ -230,7 +230,7 @@ def several(
 
 
 _KEPT = "_value_key"  # in a record's own dictionary
-_PLAIN = frozenset({type(None), bool, int, float, str})  # most fields hold one of these
+_PLAIN = frozenset({type(None), bool, int, float, str})  # most fields have one of these types
 
 
 class EqualByValue:
@@ -244,9 +244,9 @@ class EqualByValue:
 
 
 def value_key(value: Any) -> Any:
-    """What two values have in common where they are equal, as something that can be hashed.
+    """Return a hashable key that is the same for equal values.
 
-    Records count by their fields, arrays by their numbers, functions by being the same function.
+    Records are compared by their fields, arrays by their numbers, functions by identity.
 
     Examples
     --------
@@ -257,7 +257,7 @@ def value_key(value: Any) -> Any:
     if kind in _PLAIN:
         return value
     if isinstance(value, np.ndarray):
-        return value.shape, (np.asarray(value, dtype=float) + 0.0).tobytes()  # one zero, not two
+        return value.shape, (np.asarray(value, dtype=float) + 0.0).tobytes()  # -0.0 becomes 0.0
     if _compared(kind) is not None:
         return _record_key(value)
     if isinstance(value, tuple | list):
@@ -266,7 +266,7 @@ def value_key(value: Any) -> Any:
 
 
 def _record_key(record: Any) -> tuple[Any, ...]:
-    """That of a record; a frozen one keeps it, as a curve stands in several requests."""
+    """Return the key of a record; frozen records store it, because a curve may be in several requests."""
     kept = getattr(record, "__dict__", {}) if record.__dataclass_params__.frozen else {}
     if _KEPT not in kept:
         kind: Any = type(record)
@@ -278,18 +278,18 @@ def _record_key(record: Any) -> tuple[Any, ...]:
 
 @cache
 def _compared(kind: type) -> tuple[str, ...] | None:
-    """Names of the fields by which records of a class are compared, None of what is no record."""
+    """Return the names of the compared fields of a record class, or None for another class."""
     if not is_dataclass(kind):
         return None
     return tuple(field.name for field in fields(kind) if field.compare)
 
 
 MORE_DIGITS = 9
-"""Beyond those that are usual: numbers that so many do not tell apart are as good as equal."""
+"""Largest number of digits beyond the usual digits; numbers that still look alike count as equal."""
 
 
 def counted(count: int, noun: str) -> str:
-    """How many there are.
+    """Return the count with its noun.
 
     Examples
     --------
@@ -300,7 +300,7 @@ def counted(count: int, noun: str) -> str:
 
 
 def and_more(found: Sized, noun: str = "") -> str:
-    """What follows the first of those found: how many more there are, nothing for a single one.
+    """Return a text with the number of items after the first, or an empty text for a single item.
 
     Examples
     --------
@@ -316,7 +316,7 @@ def and_more(found: Sized, noun: str = "") -> str:
 
 
 def told_apart(one: float, other: float, digits: str) -> tuple[float, float]:
-    """Two numbers rounded to as many digits as show that they differ, at least as their format says.
+    """Return two numbers rounded to enough digits to differ, with at least the digits of their format.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""What can be asked for: a field is declared once, on its record, and every front end reads it here.
+"""Declared options: a field is declared once, on its record, and read by every front end.
 
 A field, or a parameter of a function, is declared by its annotation:
 `ratio: Annotated[float | None, Asked("Largest stiffness ratio.", least=1, common=True)] = None`.
@@ -26,7 +26,7 @@ REQUIRED = MISSING
 
 
 MOST_ELEMENTS = 10_000
-"""Elements of a list, unless a field declares its own bound: ten times those of the longest list of an example."""
+"""Default limit for the elements of a list, ten times as many as in the longest list of an example."""
 
 LONGEST_TEXT = 1_000
 """Letters of a text, unless a field declares its own bound: paths of files are shorter."""
@@ -34,26 +34,26 @@ LONGEST_TEXT = 1_000
 
 @dataclass(frozen=True)
 class Asked:
-    """What people are told of a field, where it is declared.
+    """Declaration of an option: help, unit and bounds of a field.
 
     Attributes
     ----------
     help : str
         One English sentence.
     unit : str
-        "mm", "1/mm", "rad", "g" and so on; empty for what has none.
+        "mm", "1/mm", "rad", "g" and so on; empty for no unit.
     least, most : float or None
-        Bounds that count as well; `most` of a text counts its letters.
+        Inclusive bounds; for a text, `most` is its largest number of characters.
     above : float or None
-        A lower bound that does not.
+        Exclusive lower bound.
     many : int
         Largest number of elements of a list.
     group : str
-        Heading below which front ends list it.
+        Heading in the lists of front ends.
     common : bool
-        It has an option and a field of its own; the others are set by name (`--set`, the property editor).
+        True for a separate option and input field; other fields are set by name (`--set`, the property editor).
     written : type, optional
-        Of the value in files and options, where the field takes more than can be written there.
+        Type of the value in files and options, if the field has a wider type.
     """
 
     help: str
@@ -73,7 +73,7 @@ class Asked:
         return sentences((note(text, bound=bound) for text, bound in said.items() if bound is not None), " ")
 
     def holds(self, value: float) -> bool:
-        """Whether a number keeps within the bounds."""
+        """Return True if a number is within the bounds."""
         return (
             (self.least is None or value >= self.least)
             and (self.above is None or value > self.above)
@@ -83,7 +83,7 @@ class Asked:
 
 @dataclass(frozen=True)
 class Kind:
-    """What a value is made of.
+    """Kind of a value.
 
     Attributes
     ----------
@@ -91,13 +91,13 @@ class Kind:
         "number", "count", "flag", "text", "choice", "names" (any names, each with a value), "list", "table" or
         "either".
     of : tuple of Kind
-        Elements of a list, values of names (one kind), or the alternatives of "either".
+        Kinds of the elements of a list, of the values of names (a single kind), or the alternatives of "either".
     size : int or None
-        Of a list; None for any.
+        Size of a list; None for any size.
     choices : tuple of str
-        Of a choice.
+        Values of a choice.
     record : callable or None
-        What a table makes.
+        Class or function that makes a record from a table.
     """
 
     name: Literal["number", "count", "flag", "text", "choice", "names", "list", "table", "either"]
@@ -134,7 +134,7 @@ _PLAIN = {
 
 @cache
 def declared(record: Record) -> tuple[Field, ...]:
-    """The declared fields of a dataclass or parameters of a function, in order.
+    """Return the declared fields of a dataclass or parameters of a function, in order.
 
     Examples
     --------
@@ -199,7 +199,7 @@ def require_bounds(one: Field, value: Any, place: str) -> None:
 
 
 def _refusal(one: Field, value: Any, place: str, **where: Any) -> InputError:
-    """Return why a value is not one of a declared field."""
+    """Return why a value is not valid for a declared field."""
     return InputError(
         "{field} is {given}: it must be {wanted}",
         field=place, given=quoted(value), wanted=_wanted(one.kind, one.asked), **where,
@@ -207,7 +207,7 @@ def _refusal(one: Field, value: Any, place: str, **where: Any) -> InputError:
 
 
 def _fits(value: Any, kind: Kind, asked: Asked) -> bool:
-    """Whether a value is of a kind and within bounds; kinds that only files tell apart are not looked at."""
+    """Return True if a value has the kind and is within bounds; kinds that differ only in files are not checked."""
     match kind.name:
         case "number" | "count":
             return (is_number if kind.name == "number" else is_whole)(value) and asked.holds(value)
@@ -229,7 +229,7 @@ def _fits(value: Any, kind: Kind, asked: Asked) -> bool:
 
 
 def _wanted(kind: Kind, asked: Asked) -> str:
-    """What a value must be, in words."""
+    """Return a description of the valid values."""
     if kind.name == "choice":
         return note("one of {choices}", choices=", ".join(kind.choices))
     if kind.name == "table":
@@ -283,7 +283,7 @@ def kind_of(hint: Any) -> Kind:
 
 
 def name_of(record: Record) -> str:
-    """How pages call the table that makes a record: its name in words, without "keys" or "table" at its end.
+    """Return the title of a record's table on pages: its name in words, without a final "keys" or "table".
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""The one family of errors: every message says what is wrong, where (mm), and what to do."""
+"""Errors of elastica_cad; every message states what is wrong, where (mm), and what to do."""
 
 import re
 import sys
@@ -50,25 +50,25 @@ _QUOTED.maxstring = _QUOTED.maxother = 60
 
 
 class ElasticaError(Exception):
-    """Base of every error raised on purpose by elastica_cad.
+    """Base class of all errors raised by elastica_cad.
 
     Parameters
     ----------
     text : str
-        A finished sentence; or a template with {name} for each of the values.
+        A complete sentence, or a template with {name} for each value.
     kind : str, optional
-        What programs tell refusals apart by; that of the class unless given.
+        Kind of the error for programs; by default the kind of the class.
     where : mapping, optional
         Places by kind, such as {"field": "end"}.
     changes : sequence of Change, optional
         Changes of the request that may help.
     **values : object
-        Of the template; lengths as `Length`.
+        Values of the template; lengths as `Length`.
 
     Attributes
     ----------
     refusal : Refusal
-        All of that as a record.
+        These data as a record.
 
     Examples
     --------
@@ -132,7 +132,7 @@ class UnknownOptionError(InputError, TypeError):
 
 
 class StrainError(InputError):
-    """The strip would break: it is bent beyond the strain at which its sheet does."""
+    """The strip would break, because its strain exceeds the breaking strain of its sheet."""
 
     KIND = "strain"
 
@@ -150,7 +150,7 @@ class NotMetError(NotConvergedError):
 
 
 class MissingDependencyError(ElasticaError, ImportError, RuntimeError):
-    """An optional library is needed for what was asked and is not installed, or of an unknown version."""
+    """A required optional library is not installed, or its version is not supported."""
 
     KIND = "missing"
 
@@ -167,7 +167,7 @@ def quoted(value: object) -> str:
 
 
 def toml_slip(text: str, error: Exception) -> str:
-    """What to do about a line that TOML refuses.
+    """Return a suggestion for a line with a TOML error.
 
     Examples
     --------
@@ -202,19 +202,19 @@ def how_to_install(package: str) -> str:
 
 
 def refuse_unknown(asked: Iterable[str], known: Iterable[str], what: str) -> None:
-    """Refuse names of options that `what` does not have.
+    """Raise an error for unknown names of options.
 
     Parameters
     ----------
     asked, known : iterable of str
-        The names that were given, and those that there are.
+        The given names, and the known names.
     what : str
-        What has the options, as the message calls it.
+        Name, in the message, of the object with these options.
 
     Raises
     ------
     UnknownOptionError
-        A name is not known. The message gives the known name that is spelled most like it, or else all of them.
+        A name is unknown. The message has the known name with the most similar spelling, or else all known names.
 
     Examples
     --------
@@ -233,19 +233,19 @@ def refuse_unknown(asked: Iterable[str], known: Iterable[str], what: str) -> Non
 
 
 def near_names(name: str, known: Iterable[str], *, most: int = 1, cutoff: float = 0.6) -> list[str]:
-    """Known names that one may have been meant for, the nearest first."""
+    """Return known names with a similar spelling, the most similar first."""
     from difflib import get_close_matches
 
     return get_close_matches(name, list(known), n=most, cutoff=cutoff)
 
 
 def refuse_options_unlike(asked: Iterable[str], function: Callable[..., object], what: str) -> None:
-    """Refuse the first name that is no keyword of the function that the options go to.
+    """Raise an error for the first option that is not a keyword of the function.
 
     Raises
     ------
     UnknownOptionError
-        There is one.
+        An option is not a keyword.
     """
     refuse_unknown(asked, _keywords(function), what)
 
@@ -258,7 +258,7 @@ def _keywords(function: Callable[..., object]) -> tuple[str, ...]:
 
 
 def rounded_up(value: float, figures: int = 4) -> float:
-    """A least value as a message tells it: never below, so that what is told will do.
+    """Return a least value rounded up for a message, so that the stated value is sufficient.
 
     Examples
     --------
@@ -284,5 +284,5 @@ def _rounded(value: float, figures: int, *, up: bool) -> float:
         return value
     step = 10.0 ** (floor(log10(value)) - figures + 1)
     steps = value / step
-    whole = ceil(steps - 1e-9) if up else floor(steps + 1e-9)  # a value told exactly stays
+    whole = ceil(steps - 1e-9) if up else floor(steps + 1e-9)  # an exactly displayed value stays
     return float(f"{whole * step:.{figures}g}")

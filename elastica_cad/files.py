@@ -1,6 +1,6 @@
-"""Reading curves from files and saving drawings to them, the format taken from the file name.
+"""Reading curves from files and saving drawings to files; the suffix determines the format.
 
-Readers and writers are imported when a file of their kind is met: a command reads one.
+Readers and writers are imported on first use, because a command usually reads a single file.
 """
 
 from importlib.util import find_spec
@@ -30,15 +30,14 @@ def read_curves(
     fit_tolerance: float = FIT_TOLERANCE,
     unit: str | None = None,
 ) -> CurveList:
-    """The curves drawn in a file, in mm.
+    """Read the curves in a file, in mm.
 
     Splines, arcs and ellipses are kept exactly; polylines and measured points are fitted. Pieces whose ends meet
-    are joined to one curve, but for shapes of an SVG that have names. A closed curve is returned too, with equal
-    ends. Corners that the number of decimals explains are taken out, and `PlaneCurve.provenance` tells how far that
-    moved the curve.
+    are joined to a curve, except named shapes of an SVG. A closed curve has equal ends. Corners due to rounded
+    decimals are removed, and `PlaneCurve.provenance` has the resulting movement of the curve.
 
-    Up to 256 MB, 20,000 shapes (blocks and clones counted as often as they are shown), 120,000 pieces and 5,000
-    curves are read; a curve may have 3,000 pieces and be 0.001 mm to 1 km large.
+    Limits are 256 MB, 20,000 shapes (blocks and clones are counted for each use), 120,000 pieces and 5,000 curves.
+    A curve may have 3,000 pieces and a size of 0.001 mm to 1 km.
 
     Parameters
     ----------
@@ -47,17 +46,17 @@ def read_curves(
         uniform unclamped spline; .json: as written by this program; .step, .stp, .brep: with build123d or
         CadQuery.
     tolerance : float
-        Ends nearer than this are joined, mm.
+        Largest distance of ends that are joined, mm.
     fit_tolerance : float
         Largest distance of measured points from their curve, mm.
     unit : str, optional
-        Unit of the numbers in the file, "mm", "cm", "m", "in", "ft" or "px"; overrides what the file says.
+        Unit of the numbers in the file, "mm", "cm", "m", "in", "ft" or "px"; overrides the unit in the file.
 
     Returns
     -------
     list of PlaneCurve
-        In the order of the file, never empty; its `notes` name what was left out: curves whose numbers make none,
-        texts, images. `read_drawing` tells numbers, ids and layers too.
+        In the order of the file, never empty. Its `notes` list omitted items: invalid curves, texts, images.
+        `read_drawing` also returns numbers, ids and layers.
 
     Raises
     ------
@@ -87,14 +86,14 @@ def read_drawing(
     unit: str | None = None,
     corners: bool = True,
 ) -> DrawnFile:
-    """Read the curves of a file one by one, with numbers, names and layers, and list what was left out.
+    """Read the curves of a file individually, with numbers, names and layers, and list omitted items.
 
     Arguments and errors as in `read_curves`; the problem of a single curve is an attribute of that curve.
 
     Parameters
     ----------
     corners : bool
-        In DXF and SVG: join ends also where they meet at a corner.
+        In DXF and SVG, also join ends that meet at a corner.
     """
     with name_source(path) as file:
         suffix = file.suffix.lower()
@@ -142,14 +141,14 @@ def _kernel_drawing(path: Path, unit: str | None) -> DrawnFile:
 
 
 def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> "Surface":
-    """The surface in a file, to be cut by planes: a mesh (.obj, .stl, .ply) or a CAD body (.step, .stp, .brep).
+    """Read a surface for sections by planes: a mesh (.obj, .stl, .ply) or a CAD body (.step, .stp, .brep).
 
     Raises
     ------
     InputError
-        A missing or unknown file, nothing to cut in it, or a mesh whose size asks for `unit`.
+        The file is missing, unknown or has no surface, or the size of a mesh shows that it needs `unit`.
     MissingDependencyError
-        Meshes need trimesh, CAD bodies a kernel.
+        trimesh (for meshes) or a CAD kernel (for bodies) is not installed.
     """
     path = require_file(path)
     suffix = path.suffix.lower()
@@ -175,7 +174,7 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
 
 
 def step_trouble() -> str:
-    """Why no STEP can be written here, and the command that installs what it needs; "" where it can."""
+    """Return why STEP cannot be written, with the command that installs the library, or "" if it can."""
     if find_spec("OCP") is None:
         return how_to_install("build123d")
     from elastica_cad.kernel.ocp_import import kernel_trouble
@@ -193,18 +192,19 @@ def _no_kernel(path: Path, doing: str = "reading") -> MissingDependencyError:
 
 
 def save(made: "Drawing | Strip", path: str | Path, **options: Any) -> Path:
-    """Write a drawing for cutting, or a strip: the suffix of `path` is the format.
+    """Write a drawing for cutting, or a strip, in the format of the suffix of `path`.
 
-    A drawing becomes .dxf or .svg; a strip that too, or .step with the flat and the bent strip as bodies. The
-    options are those of `formats.write_drawing`: kerf, curves, tolerance, version, layers, force; STEP has force
-    alone.
+    Drawings and strips are written as .dxf or .svg; strips also as .step, with the flat and the bent strip as
+    bodies. Options are as for `formats.write_drawing`: kerf, curves, tolerance, version, layers, force; for STEP
+    only force.
 
     Raises
     ------
     InputError
-        As `formats.write_drawing`; no file is half written, none overwritten without `force=True`.
+        As in `formats.write_drawing`. A file is complete or not written at all, and it is only overwritten with
+        `force=True`.
     MissingDependencyError
-        STEP without build123d or CadQuery.
+        STEP needs build123d or CadQuery.
 
     Examples
     --------

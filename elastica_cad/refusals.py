@@ -13,7 +13,7 @@ from elastica_cad._text import printable
 Severity = Literal["error", "warning", "note"]
 
 PLACES = ("file", "strip")
-"""Places that stand before the text, in this order; the others are for programs."""
+"""Kinds of places that are shown before the text, in this order; other places are for programs."""
 
 
 class Length(float):
@@ -50,11 +50,11 @@ class FieldName(str):
 
 
 SPELLING: ContextVar[Callable[[str], str]] = ContextVar("spelling", default=str)
-"""Spelling of a field's name in English messages; the command line sets it to that of its options."""
+"""Spelling of a field's name in English messages; the command line replaces it by the spelling of options."""
 
 
 class Listed(tuple[Any, ...]):
-    """Numbers, lengths or sentences that a text names one after the other, six of them at most.
+    """Numbers, lengths or sentences that are listed in a text, at most six.
 
     Examples
     --------
@@ -69,7 +69,7 @@ class Listed(tuple[Any, ...]):
 
 
 class Either(Listed):
-    """Sentences or numbers of which one is to be chosen, joined by "or".
+    """Alternative sentences or numbers, joined by "or".
 
     Examples
     --------
@@ -81,13 +81,13 @@ class Either(Listed):
 
 
 class Span(Listed):
-    """A range of lengths; one length where both ends look alike."""
+    """Range of lengths, or a single length if both ends look the same."""
 
     LAST = "{some} to {last}"
 
     @classmethod
     def of(cls, low: float, high: float, digits: str = ".3g") -> "Span":
-        """Return the range from `low` to `high`, mm; ends that are equal in these digits become one.
+        """Return the range from `low` to `high`, mm; ends with equal digits become a single length.
 
         Examples
         --------
@@ -112,16 +112,16 @@ class Point(tuple[float, ...]):
 
 
 class Wording(Formatter):
-    """How a record becomes a sentence: in English, in mm. Front ends say theirs by what they override.
+    """Formatter of records as sentences in English, with lengths in mm; front ends override methods.
 
     Attributes
     ----------
     unit : str
-        What lengths are shown in.
+        Unit of displayed lengths.
     size : float
-        mm in it.
+        Size of the unit in mm.
     point : str
-        Between whole and decimal digits.
+        Decimal separator.
     """
 
     unit, size, point = "mm", 1.0, "."
@@ -161,7 +161,7 @@ class Wording(Formatter):
 
     @property
     def _separator(self) -> str:
-        return ", " if self.point == "." else "; "  # a comma stands in the numbers
+        return ", " if self.point == "." else "; "  # the numbers contain commas
 
     def _in_unit(self, mm: float, spec: str) -> str:
         if self.size != 1:
@@ -208,14 +208,15 @@ _MOST_LISTED = 6
 
 @dataclass(frozen=True)
 class Change:
-    """A value of one field of the request with which it may be met.
+    """Suggested value of a field that may make the request possible.
 
     Attributes
     ----------
     field : str
-        As in a design file: "max_width", "smooth"; "nearest" lets the curve change within the sheet and the widths.
+        Name as in a design file: "max_width", "smooth"; "nearest" permits a change of the curve within the limits
+        of sheet and widths.
     value : object
-        What to give it; lengths in mm.
+        Suggested value; lengths in mm.
     """
 
     field: str
@@ -223,23 +224,23 @@ class Change:
 
 
 class Refusal(str):
-    """Why a request is refused, or what is to be said of its answer: an English sentence that is a record too.
+    """Reason for an error, or message about an answer: an English sentence with its data.
 
-    As a text it is the sentence, with the places before it. Front ends make the sentence in another language, or
-    with lengths in another unit, from the template and the values; nothing reads the sentence back.
+    As a text it is the sentence after its places. Front ends format the sentence in another language or unit from
+    the template and the values. No code parses the sentence.
 
     Parameters
     ----------
     kind : str
-        What programs tell refusals apart by.
+        Kind of the message for programs.
     text : str
-        The English template, {name} for each of the values; without values a finished sentence.
+        English template with {name} for each value, or a complete sentence without values.
     values : mapping
-        By name, of their own types; a value may be a Refusal itself.
+        Values by name; a value may be a Refusal.
     where : mapping
-        Places by kind: "file", "strip", "field" (or several, of the request), "at" (mm along the curve).
+        Places by kind: "file", "strip", "field" (or several fields of the request), "at" (mm along the curve).
     changes : sequence of Change
-        Each of which may help; none of them was tried.
+        Alternative changes that may help; they are untested.
     severity : "error", "warning" or "note"
 
     Examples
@@ -287,13 +288,13 @@ class Refusal(str):
 
     @property
     def all_changes(self) -> tuple[Change, ...]:
-        """The changes of this record, and those of the records in its values."""
+        """Changes of this record and of the records in its values."""
         inside = (one for one in self.values.values() if isinstance(one, Refusal))
         return (*self.changes, *(change for one in inside for change in one.all_changes))
 
     @property
     def record(self) -> dict[str, Any]:
-        """For programs, as JSON holds it: kind, values, where, changes, severity, and the message."""
+        """Data for programs, as in JSON: kind, values, where, changes, severity, and the message."""
         return {
             "kind": self.kind,
             "severity": self.severity,
@@ -306,14 +307,14 @@ class Refusal(str):
 
 
 def is_told(said: str) -> bool:
-    """Is it more than a note, which is for those who ask for everything?"""
+    """Return True for an error or warning; notes are only for verbose output."""
     return not isinstance(said, Refusal) or said.severity != "note"
 
 
 def note(
     text: str, /, *, severity: Severity = "note", changes: Sequence[Change] = (), **values: Any
 ) -> Refusal:
-    """What is to be said of an answer: a finished sentence, or a template with {name} for each of the values.
+    """Return a message about an answer: a complete sentence, or a template with {name} for each value.
 
     Examples
     --------
@@ -325,7 +326,7 @@ def note(
 
 
 def sentences(parts: Iterable[str], between: str = "; ", end: str = "") -> str:
-    """Several sentences as one that front ends can still take apart; a single one is itself.
+    """Join sentences to one message that front ends can still separate; a single sentence is returned unchanged.
 
     Examples
     --------

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 
 def make_solids(records: Sequence[BodyRecord | PrismSolid]) -> list[bd.Solid]:
-    """The solids of one body, the sheets of a strip or a single block."""
+    """Return the solids of a body: the sheets of a strip, or a single block."""
     return [bd.Solid(solid) for solid in occt.make_sheets(records)]
 
 
@@ -50,7 +50,7 @@ def _read_frame(location: bd.Location) -> Frame:
 
 
 def _numbered(name: str, number: int) -> str:
-    """The name of a joint on one of several copies."""
+    """Return the name of a joint on a copy."""
     return name if number == 1 else f"{name}:{number}"
 
 
@@ -115,14 +115,15 @@ class _Made(StripBody):
 
     @lists(BendOptions)
     def bent(self, **moved: Unpack[BendOptions]) -> "BentStrip":
-        """The strip bent, on its curve; with new ends it is bent further: `rib.bent(end=(120, 0))`."""
+        """Return the bent strip on its curve, or bent further to other ends: `rib.bent(end=(120, 0))`."""
         if not moved:
             return BentStrip(self, mode=bd.Mode.PRIVATE)
         return BentStrip(self._bent_anew(moved), plane=self.frame, mode=bd.Mode.PRIVATE)
 
     def slider(self, end: Point | None = None, *, angle: float | None = None) -> "Slider | AngleSlider":
-        """A joint of this body: the travel of its end to a point in space or two numbers in its `frame`, mm; or
-        turning where it stands to an angle in that frame, degrees.
+        """Return a joint for the travel of the strip's end to a point (mm) or its rotation to an angle (degrees).
+
+        A point is in space, or two numbers in the body's `frame`; an angle is in this frame.
         """
         return Slider(self, end) if angle is None else AngleSlider(self, angle, end)
 
@@ -133,7 +134,7 @@ class _Made(StripBody):
 
     @property
     def layers(self) -> tuple[bd.Solid, ...]:
-        """The sheets of the bent strip, the base first, with names and colours."""
+        """Sheets of the bent strip, the base first, with names and colours."""
         found = []
         for shape, name, sheet in self._layers():
             solid = bd.Solid(shape)
@@ -143,7 +144,7 @@ class _Made(StripBody):
 
     @property
     def assembly(self) -> bd.Compound:
-        """The sheets of the bent strip as children of one compound, with names and colours."""
+        """Sheets of the bent strip as children of a compound, with names and colours."""
         return bd.Compound(label=self.strip.label or "strip", children=list(self.layers))
 
     @property
@@ -154,11 +155,11 @@ class _Made(StripBody):
 
     @lists(FixtureSizes, BlockOptions)
     def fixture(self, end: StripEnd = "start", **sizes: Unpack[BlockOptions]) -> "EndFixture":
-        """The block that holds an end of the bent strip, in place."""
+        """Return the block that holds an end of the bent strip, in place."""
         return EndFixture(self, end=end, mode=bd.Mode.PRIVATE, **sizes)
 
     def _apply_transform(self, transformation: Any) -> Any:
-        """A shape mirrored, or made anew where it goes: joints are made there too, strips of images turned over."""
+        """Return the moved or mirrored shape with its joints; the strip of a mirror image is turned over."""
         body: Any = self
         image = bd.Shape._apply_transform(body, transformation)
         occt.lock(image.wrapped)
@@ -172,12 +173,12 @@ class _Made(StripBody):
         return image
 
     def scale(self, *args: Any, **options: Any) -> bd.Part | bd.Sketch:
-        """As `Shape.scale`: a plain body, as a strip of another size has other numbers."""
+        """Return a plain body, as `Shape.scale` does, because a strip of another size has other properties."""
         body: Any = self
         return self._plain(bd.Shape.scale(body, *args, **options))
 
     def transform_geometry(self, t_matrix: bd.Matrix) -> bd.Part | bd.Sketch:
-        """As `Shape.transform_geometry`: a plain body, as what is stretched is no strip."""
+        """Return a plain body, as `Shape.transform_geometry` does, because a stretched body is not a strip."""
         body: Any = self
         return self._plain(bd.Shape.transform_geometry(body, t_matrix))
 
@@ -188,7 +189,7 @@ class _Made(StripBody):
         return plain
 
     def __getstate__(self) -> dict[str, Any]:
-        """What `pickle` takes along; the kernel's colours cannot be pickled, so their numbers are."""
+        """Return the state for `pickle`, with colours as numbers, because kernel colours cannot be pickled."""
         color = self.__dict__.get(COLOR)
         return self.__dict__ | {COLOR: None if color is None else tuple(color)}
 
@@ -198,26 +199,26 @@ class _Made(StripBody):
 
 
 class _Travelled:
-    """What joints on a strip's end know of the strip on its way."""
+    """Data of the strip and its travel for joints on a strip's end."""
 
     travel: "Travel"
     parent: Any
 
     def bent(self, position: float) -> "BentStrip":
-        """The strip with its end `position` along the way, mm or degrees."""
+        """Return the strip with its end at a position on the path, mm or degrees."""
         strip = replace(self.travel.strip, rod=self.travel.rod(position))
         return BentStrip(strip, plane=self._frame, mode=bd.Mode.PRIVATE)
 
     def write_glb(
         self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
     ) -> None:
-        """Write the way there and back as an animation; a file that is there only with `force`."""
+        """Write the path forth and back as an animation; an existing file is only overwritten with `force`."""
         moved = replace(self.travel, frame=self._frame)
         moved.write_glb(path, frames=frames, seconds=seconds, force=force)
 
     @property
     def _frame(self) -> Frame:
-        """The plane of the strip where its body lies now: it may have been joined to others since."""
+        """Present plane of the strip, which moves when the body is joined to other bodies."""
         return self.parent.frame if isinstance(self.parent, _Made) else self.travel.frame
 
 
@@ -265,27 +266,27 @@ class Slider(_Travelled, bd.LinearJoint):
 
 
 class AngleSlider(_Travelled, bd.RevoluteJoint):
-    """Revolute joint "slider": a strip's end that turns where it stands.
+    """Revolute joint "slider": a strip's end that rotates in place.
 
-    `connect_to(joint, angle=...)` turns what sits on the end, its x axis along the strip; `bent(angle)` is the
-    strip then. Angles count from where the end is, degrees.
+    `connect_to(joint, angle=...)` rotates the part on the end, with its x axis along the strip; `bent(angle)`
+    returns the strip for this angle. Angles are measured from the initial direction of the end, degrees.
 
     Parameters
     ----------
     rib : BentStrip or PlacedStrip
-        Gets the joint.
+        Body with the joint.
     angle : float
-        The direction that the end turns to in the rib's `frame`, degrees, counted along the strip.
+        Final direction of the end in the rib's `frame`, degrees, counted along the strip.
 
     Attributes
     ----------
     travel : Travel
-        The shapes on the way, and how far it turns.
+        Shapes on the path, and the angle of rotation.
 
     Raises
     ------
     InputError
-        A body that is not bent, or whose end has that direction already.
+        The body is not bent, or its end has this direction already.
 
     Examples
     --------
@@ -312,7 +313,7 @@ class AngleSlider(_Travelled, bd.RevoluteJoint):
         )
 
     def relative_to(self, other: bd.RigidJoint, *, angle: float | None = None) -> bd.Location:
-        """Where a joint is put on the end; the base class leaves open where angles are counted from."""
+        """Return the location of a joint on the end; the base class does not define the zero of the angle."""
         require_record(other, bd.RigidJoint, "the other joint", "a RigidJoint")
         if angle is not None and not 0 <= require_number(angle, "the angle", "degrees") <= self.travel.length:
             raise InputError(f"the angle is {angle:g} degrees: give 0 to {self.travel.length:g}")
@@ -324,21 +325,21 @@ class AngleSlider(_Travelled, bd.RevoluteJoint):
 class StripOutline(_Made, bd.BaseSketchObject):
     """Sketch object: the flat pattern of the strip that bends into a curve.
 
-    The x axis runs along the strip from the start of its free part, y = 0 is the centre line.
+    The x axis is along the strip from the start of its free part, and y = 0 is the centre line.
 
     Parameters
     ----------
     rotation : float
-        About the z axis, degrees.
+        Rotation about the z axis, degrees.
     align, mode
         As in every sketch object of build123d.
 
     Raises
     ------
     NotRealizable
-        No strip takes the curve and neither limits nor keep allow it to change.
+        No strip bends into the curve, and neither limits nor keep permit a change of the curve.
     InputError
-        A path that is not one open, plane, smooth curve; numbers that make no strip.
+        The path is not an open, plane, smooth curve, or a value is out of range.
 
     Examples
     --------
@@ -390,15 +391,15 @@ class _StripPart(_Made, bd.BasePartObject):
 
 @lists(StripOptions, drawn=True)
 class FlatStrip(_StripPart):
-    """Part object: the strip as cut, lying on the xy plane.
+    """Part object: the strip as cut, on the xy plane.
 
-    Rigid joints "start", "end", "hole1", "hole2", ... lie half way through the thickness: z off the sheet, x
-    outward along the strip. Errors and frame as in `StripOutline`.
+    Rigid joints "start", "end", "hole1", "hole2", ... are at half the thickness, with z away from the sheet and x
+    outward along the strip. Errors and frame are as for `StripOutline`.
 
     Parameters
     ----------
     rotation : (float, float, float)
-        About the axes, degrees.
+        Rotation about the axes, degrees.
     align, mode
         As in every part object of build123d.
     """
@@ -409,15 +410,15 @@ class FlatStrip(_StripPart):
 
 @lists(StripOptions, drawn=True)
 class BentStrip(_StripPart):
-    """Part object: the strip bent, standing on the drawn curve with half its thickness to either side.
+    """Part object: the bent strip, with half its thickness on either side of the drawn curve.
 
-    Inside a builder the path is in the coordinates of its workplane, as all that is drawn there. Joints as on
-    `FlatStrip`, errors as in `StripOutline`.
+    Inside a builder the path is in the coordinates of its workplane. Joints are as on `FlatStrip`, and errors are
+    as for `StripOutline`.
 
     Parameters
     ----------
     rotation : (float, float, float)
-        About the axes, degrees.
+        Rotation about the axes, degrees.
     align, mode
         As in every part object of build123d.
     """
@@ -428,22 +429,24 @@ class BentStrip(_StripPart):
 
 @lists(FixtureSizes, BlockOptions, StripOptions, drawn=True)
 class EndFixture(_Made, bd.BasePartObject):
-    """Part object: the block that holds one end of the bent strip, in place beside `BentStrip` of the same path.
+    """Part object: the block that holds one end of the bent strip, in its place at `BentStrip` of the same path.
 
-    Its rigid joint "tab" lies where the free part ends, x out of the strip; connect it to the joint of that end.
+    Its rigid joint "tab" is at the end of the free part, with x out of the strip; connect it to the joint of this
+    end.
 
     Parameters
     ----------
     end : "start" or "end"
     rotation : (float, float, float)
-        About the axes, degrees.
+        Rotation about the axes, degrees.
     align, mode
         As in every part object of build123d.
 
     Raises
     ------
     InputError
-        No tab at that end, sizes that do not fit, a floor not square to the curve's plane; and as `StripOutline`.
+        The end has no tab, sizes do not fit, or the floor is not perpendicular to the curve's plane; also the
+        errors of `StripOutline`.
     """
 
     def __init__(
@@ -468,7 +471,7 @@ class EndFixture(_Made, bd.BasePartObject):
 
 
 class PlacedStrip(_Made, bd.Part):
-    """A bent strip of a model, in its place; `strip`, `rod`, `check`, `warnings` tell about it."""
+    """Bent strip of a model, in its place, with properties `strip`, `rod`, `check` and `warnings`."""
 
 
 def _jointed(records: Sequence[BodyRecord]) -> bd.Solid | bd.Part:

@@ -45,26 +45,26 @@ def elastic_strip(
     mode: bd.Mode = bd.Mode.ADD,
     **options: Unpack[StripOptions],
 ) -> Any:
-    """Operation: the strip of a curve, of the builder's pending edges unless `path` is given.
+    """Operation: the strip of a curve, by default of the builder's pending edges.
 
     Parameters
     ----------
     form : "bent", "flat" or "outline"
-        The strip as bent (`BentStrip`), as cut (`FlatStrip`, which is `.flat` of a bent one too), or its flat
-        pattern (`StripOutline`). Bent it stands on the pending edges where these are, as locations put them
-        there; flat it lies at each active location.
+        The bent strip (`BentStrip`), the flat strip (`FlatStrip`, also available as `.flat` of a bent strip), or
+        its flat pattern (`StripOutline`). A bent strip is at the pending edges in their place; a flat strip is
+        placed at each active location.
     mode : Mode
-        How it joins the builder's part or sketch.
+        Combination with the builder's part or sketch.
 
     Returns
     -------
     BentStrip, FlatStrip or StripOutline
-        Where pending edges make several chains a `ShapeList` of them, one a chain.
+        If pending edges form several chains, a `ShapeList` with one strip per chain.
 
     Raises
     ------
     InputError
-        No path and no pending edges, an unknown form, and as `StripOutline`.
+        There is neither a path nor pending edges, or the form is unknown; also the errors of `StripOutline`.
     """
     forms: dict[str, Any] = {"flat": FlatStrip, "bent": BentStrip, "outline": StripOutline}
     if not isinstance(form, str) or form not in forms:
@@ -103,36 +103,36 @@ def section_strips(
     half: bool = False,
     **options: Unpack[StripOptions],
 ) -> "bd.ShapeList[BentStrip]":
-    """The strips that follow the lines in which planes cut a face or a body.
+    """Return the strips along the section lines of a face or body by planes.
 
     Parameters
     ----------
     body : Face, Shell or Solid
     planes : Plane, planes, or SectionSpec
-        A `SectionSpec` also splits closed lines, keeps the longest and smooths.
+        A `SectionSpec` also splits closed lines, keeps the longest line and smooths lines.
     sheet : Sheet or str
-        The material, or the name of a built-in one.
+        The sheet, or the name of a built-in sheet.
     max_width : float
-        The largest width of each strip, mm.
+        Largest width of each strip, mm.
     limits : Limits
-        Most sections bend within limits only.
+        Limits for changes of the curves; most sections need them.
     half : bool
-        Only what lies on the side to which a plane's x axis points.
+        Keep only the side of the plane to which its x axis points.
 
     Returns
     -------
     ShapeList of BentStrip
-        Standing in the section's plane, with its z axis to the strip's upper edge; called by `label` and a number.
+        Strips in the planes of the sections, with z towards the strip's upper edge; names are `label` and a number.
 
     Raises
     ------
     InputError
-        No section that a strip could follow, and as `StripOutline`.
+        No section is suitable for a strip; also the errors of `StripOutline`.
 
     Warns
     -----
     StripWarning
-        Of lines that are left out.
+        Lines were omitted.
 
     Examples
     --------
@@ -149,36 +149,35 @@ def section_strips(
 
 
 class Elastica(bd.BaseLineObject):
-    """Line object: the curve that a strip of given length takes between two clamps, or from one to its free end.
+    """Line object: the curve of a strip of given length between two clamps, or from a clamp to its free end.
 
-    Which of its many shapes is stated by `branch`, and chosen by `side` and `buckling`.
+    `side` and `buckling` select one of several shapes; `branch` describes the shape.
 
     Parameters
     ----------
     start, end : point
-        In the plane of the workplane, mm; `end=None` leaves the end free, with the start clamped.
+        Points in the plane of the workplane, mm; with `end=None` the end is free and the start clamped.
     length : float
-        Of the strip, mm: more than the distance of its ends.
+        Length of the strip, mm, more than the distance between its ends.
     angles : pair of float or None
-        Of the tangents at start and end, degrees, whole turns not counted; None leaves the strip free to turn
-        there.
+        Directions of the tangents at start and end, degrees, without whole turns; None for an end that can rotate.
     stiffness : float, sequence or Profile
-        Of a tapered strip: its widths at even stations, in any unit.
+        Widths of a tapered strip at equally spaced stations, in any unit.
     gravity : Gravity, optional
-        The strip's own weight, as `Sheet.gravity` gives it.
+        Weight of the strip, from `Sheet.gravity`.
     force : pair of float, optional
-        At a free end, newtons over the strip's least bending stiffness in N mm2 (`Sheet.bending_stiffness`).
+        Force at a free end, N, divided by the strip's least bending stiffness in N mm2 (`Sheet.bending_stiffness`).
     side : {+1, -1}
-        Bulge to the left or the right of the way from start to end.
+        Bulge to the left or right of the line from start to end.
     buckling : int
-        Buckling mode; above 1 the shape is unstable as a rule.
+        Buckling mode; shapes with a mode above 1 are usually unstable.
     mode : Mode
-        How it joins the builder's line.
+        Combination with the builder's line.
 
     Raises
     ------
     InputError
-        A length that does not reach, points off the plane, a force at an end that is held.
+        The length is too small, points are outside the plane, or a force acts on a held end.
 
     Examples
     --------
@@ -217,26 +216,26 @@ class Elastica(bd.BaseLineObject):
 
 
 def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Compound:
-    """The bent strips of a model as an assembly: a compound whose children are called like the parts.
+    """Return the bent strips of a model as an assembly: a compound whose children have the names of the parts.
 
-    Equal strips share one body. Every child has the joints of `BentStrip` and knows its `strip`; the sheets of a
-    laminate are its children.
+    Equal strips share a body. Every child has the joints of `BentStrip` and a property `strip`. The sheets of a
+    laminate are children of the strip.
 
     Parameters
     ----------
     model : Model
     others : iterable of BasePlate, SlottedFrame and EndFixture, optional
-        What holds the strips, as further children: plates and blocks, these with their joint "tab".
+        Holders of the strips, as further children: plates, and blocks with their joint "tab".
 
     Returns
     -------
     Compound
-        Called like the model, with one `PlacedStrip` a strip.
+        Compound with the name of the model and one `PlacedStrip` per strip.
 
     Raises
     ------
     InputError
-        Something else among `others`.
+        An item of `others` is not a holder.
     """
     from elastica_cad.model.assembly import assembly_parts, require_model, shape_parts
 
@@ -250,7 +249,7 @@ def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Com
 
 
 def _child(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:
-    """A part of an assembly in its place; of a strip one that knows it."""
+    """Return a part of an assembly in its place; a part that is a strip has the property `strip`."""
     child: Any = bd.Part(solids[0].wrapped)
     if part.strip is not None:
         child = PlacedStrip(bd.Compound(solids).wrapped)

@@ -51,32 +51,31 @@ def elastica(
     side: int = 1,
     buckling: int = 1,
 ) -> cq.Edge:
-    """The curve of a strip of given length between two clamps, or of one with a free end, as an edge in xy.
+    """Return the curve of a strip of given length between two clamps or with a free end, as an edge in xy.
 
     Parameters
     ----------
     start, end : (x, y) or Vector
-        mm; `end=None` leaves the end free, with the start clamped.
+        mm; with `end=None` the end is free and the start clamped.
     length : float
-        Of the strip, mm: more than the distance of its ends.
+        Length of the strip, mm, more than the distance between its ends.
     angles : pair of float or None
-        Of the tangents at start and end, degrees, whole turns not counted; None leaves the strip free to turn
-        there.
+        Directions of the tangents at start and end, degrees, without whole turns; None for an end that can rotate.
     stiffness : float, sequence or Profile
-        Of a tapered strip: its widths at even stations, in any unit.
+        Widths of a tapered strip at equally spaced stations, in any unit.
     gravity : Gravity, optional
-        The strip's own weight, as `Sheet.gravity` gives it.
+        Weight of the strip, from `Sheet.gravity`.
     force : pair of float, optional
-        At a free end, newtons over the strip's least bending stiffness in N mm2 (`Sheet.bending_stiffness`).
+        Force at a free end, N, divided by the strip's least bending stiffness in N mm2 (`Sheet.bending_stiffness`).
     side : {+1, -1}
-        Bulge to the left or the right of the way from start to end.
+        Bulge to the left or right of the line from start to end.
     buckling : int
-        Buckling mode; above 1 the shape is unstable as a rule.
+        Buckling mode; shapes with a mode above 1 are usually unstable.
 
     Raises
     ------
     InputError
-        A length that does not reach, a force at an end that is held.
+        The length is too small, or a force acts on a held end.
 
     Examples
     --------
@@ -107,36 +106,36 @@ def section_strips(
     half: bool = False,
     **options: Unpack[StripOptions],
 ) -> "list[StripSolid | StripCompound]":
-    """The strips that follow the lines in which planes cut a face or a body.
+    """Return the strips along the section lines of a face or body by planes.
 
     Parameters
     ----------
-    body : Face, Shell, Solid, or Workplane with one
+    body : Face, Shell, Solid, or Workplane with such a shape
     planes : Plane, planes, or SectionSpec
-        A `SectionSpec` also splits closed lines, keeps the longest and smooths.
+        A `SectionSpec` also splits closed lines, keeps the longest line and smooths lines.
     sheet : Sheet or str
-        The material, or the name of a built-in one.
+        The sheet, or the name of a built-in sheet.
     max_width : float
-        The largest width of each strip, mm.
+        Largest width of each strip, mm.
     limits : Limits
-        Most sections bend within limits only.
+        Limits for changes of the curves; most sections need them.
     half : bool
-        Only what lies on the side to which a plane's x axis points.
+        Keep only the side of the plane to which its x axis points.
 
     Returns
     -------
     list of StripSolid
-        Standing in the section's plane; called by `label` and a number.
+        Strips in the planes of the sections; names are `label` and a number.
 
     Raises
     ------
     InputError
-        No section that a strip could follow, and as `strip_outline`.
+        No section is suitable for a strip; also the errors of `strip_outline`.
 
     Warns
     -----
     StripWarning
-        Of lines that are left out.
+        Lines were omitted.
 
     Examples
     --------
@@ -152,28 +151,28 @@ def section_strips(
 
 
 def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Assembly:
-    """The bent strips of a model as an assembly with names, colours and places.
+    """Return the bent strips of a model as an assembly with names, colours and places.
 
-    The ends of every strip are held by constraints (points and axes of their end faces), so that parts which are
-    added and constrained to them find their places in `solve()` while the strips stay. Equal strips share one body.
+    Constraints on the end faces fix the strips, so that `solve()` moves only parts that are added and constrained
+    to them. Equal strips share a body.
 
     Parameters
     ----------
     model : Model
     others : iterable of BasePlate, SlottedFrame and EndFixture, optional
-        What holds the strips, as further children, held where they are by `solve()` as the strips.
+        Holders of the strips, as further children, which `solve()` does not move either.
 
     Returns
     -------
     Assembly
-        Called like the model; its children like the parts (with "_" for what queries cannot hold), each strip
-        with its end faces tagged "start" and "end" and its `Strip` as metadata "strip". Of a laminate that is the
-        base, with the backing as its child.
+        Assembly with the name of the model. Its children have the names of the parts, with "_" for characters that
+        queries do not permit. The end faces of each strip have the tags "start" and "end", and its metadata "strip"
+        is the `Strip`. For a laminate this is the base, and the backing is its child.
 
     Raises
     ------
     InputError
-        Something else among `others`.
+        An item of `others` is not a holder.
     """
     from elastica_cad.model.assembly import assembly_parts, require_model, shape_parts
 
@@ -204,7 +203,7 @@ def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Ass
 
 
 def _part_shapes(part: "AssemblyPart") -> list[cq.Shape]:
-    """A body, of a strip its sheets: the base is the one that knows its strip."""
+    """Return a body, or the sheets of a strip; the base has the property `strip`."""
     base, *glued_on = map(cq.Solid, occt.make_sheets(part.solids))
     if part.strip is not None:
         home = part.solids[0].joints["start"]
@@ -249,27 +248,26 @@ def _workplane_strip(
     clean: bool = True,
     **options: Unpack[StripOptions],
 ) -> cq.Workplane:
-    """The strip of the pending edges and wires, or of the edges and wires selected.
+    """Return the strip of the pending or selected edges and wires.
 
     Parameters
     ----------
     sheet : Sheet or str
-        The material, or the name of a built-in one.
+        The sheet, or the name of a built-in sheet.
     max_width : float
-        The largest width of the free part, mm; or give `min_width`, the least.
+        Largest width of the free part, mm; alternatively pass `min_width`, the least width.
     form : "bent", "flat" or "outline"
-        Flat (which is `.flat` of a bent one too) it lies on the workplane, the start of its free part at the
-        origin, as its outline does, which is a face to be extruded; bent it stands on the edges, which are moved
-        to the points of the stack, where there
-        are some.
+        A flat strip (also available as `.flat` of a bent strip) is on the workplane, with the start of its free
+        part at the origin. The outline is in the same place; it is a face for extrusion. A bent strip is at the
+        edges, which are moved to the points of the stack, if there are any.
     combine, clean
-        As in `Workplane.eachpoint`; of solids only.
+        As in `Workplane.eachpoint`; for solids only.
 
     Returns
     -------
     Workplane
-        With a strip for every chain of edges on its stack, at every point of the stack; the end faces of solids
-        are tagged "start" and "end".
+        Its stack has a strip for every chain of edges at every point of the previous stack. The end faces of solids
+        have the tags "start" and "end".
     """
     if form not in get_args(Form):
         raise InputError(f"form {form!r} is not known: choose flat, bent or outline")
@@ -322,14 +320,14 @@ def _sketch_strip(
     tag: str | None = None,
     **options: Unpack[StripOptions],
 ) -> cq.Sketch:
-    """Add the flat pattern of the strip that bends into the sketch's edges; these are used up.
+    """Add the flat pattern of the strip that bends into the sketch's edges, and remove the edges.
 
     Parameters
     ----------
     sheet : Sheet or str
-        The material, or the name of a built-in one.
+        The sheet, or the name of a built-in sheet.
     max_width : float
-        The largest width of the free part, mm; or give `min_width`, the least.
+        Largest width of the free part, mm; alternatively pass `min_width`, the least width.
     mode, tag
         As in `Sketch.face`.
     """

@@ -60,7 +60,7 @@ KEPT = ("_made", "_joints", "label", "color")
 
 
 class _Made(StripBody, cq.Shape):
-    """The strip behind a shape, which copies, moved and turned ones keep. Its properties make the other bodies."""
+    """Shape with a strip, which copies and moved shapes keep. Its properties return the other bodies."""
 
     _joints: Mapping[str, cq.Location] = MappingProxyType({})
     color: cq.Color
@@ -86,8 +86,9 @@ class _Made(StripBody, cq.Shape):
         return bent_strip(self._bent_anew(moved), plane=self.frame)
 
     def slider(self, end: Point | None = None, *, angle: float | None = None) -> "Slider":
-        """The travel of the strip's end: to a point in space or two numbers in its `frame`, mm; or turning where it
-        stands to an angle in that frame, degrees.
+        """Return the travel of the strip's end to a point (mm) or its rotation to an angle (degrees).
+
+        A point is in space, or two numbers in the strip's `frame`; an angle is in this frame.
         """
         return Slider(self, end, angle=angle)
 
@@ -99,7 +100,7 @@ class _Made(StripBody, cq.Shape):
 
     @property
     def layers(self) -> tuple[cq.Solid, ...]:
-        """The sheets of the bent strip, the base first, with labels."""
+        """Sheets of the bent strip, the base first, with labels."""
         found = []
         for shape, name, _ in self._layers():
             solid: cq.Solid = cq.Solid(shape)
@@ -109,7 +110,7 @@ class _Made(StripBody, cq.Shape):
 
     @property
     def assembly(self) -> cq.Assembly:
-        """The sheets of the bent strip as children of one assembly, with names and colours."""
+        """Sheets of the bent strip as children of an assembly, with names and colours."""
         made = cq.Assembly(name=_plain_name(self.strip.label or "strip"))
         for solid, sheet in zip(self.layers, bent_sheets(self.strip), strict=True):
             made.add(solid, name=free_name(solid.label, made), color=cq.Color(*sheet_color(sheet)))
@@ -153,7 +154,7 @@ class _Made(StripBody, cq.Shape):
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:
-            """CadQuery makes what is rounded or hollowed an object of the same class: it is no strip any more."""
+            """CadQuery returns rounded or hollowed bodies as objects of the same class, but they are not strips."""
             if "_made" in self.__dict__ or name.startswith("__"):
                 raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
             raise AttributeError(
@@ -161,7 +162,7 @@ class _Made(StripBody, cq.Shape):
             )
 
     def __getstate__(self) -> tuple[Any, ...]:
-        """What `copy`, `deepcopy` and `pickle` take along: the strip too."""
+        """Return the state for `copy`, `deepcopy` and `pickle`, including the strip."""
         kept = {k: v for k, v in self.__dict__.items() if k in KEPT}
         if "color" in kept:
             kept["color"] = self.color.toTuple()
@@ -193,27 +194,27 @@ class _Made(StripBody, cq.Shape):
 
 
 class Slider:
-    """A strip's end on its way: straight and with its direction held to another point, or turning where it stands.
+    """Path of a strip's end: straight to another point with constant direction, or a rotation in place.
 
     Parameters
     ----------
     rib : StripSolid or StripCompound
         A bent strip.
     end : point, or (2,) array_like
-        Where the end goes: a point in space, or two numbers in the rib's `frame`, mm.
+        Final position of the end: a point in space, or two numbers in the rib's `frame`, mm.
     angle : float
-        In place of `end`: the direction that the end turns to in that frame, degrees, counted along the strip.
-        Positions are then degrees too.
+        Instead of `end`: final direction of the end in this frame, degrees, counted along the strip. Positions are
+        then also in degrees.
 
     Attributes
     ----------
     travel : Travel
-        The shapes on the way, and how long it is.
+        Shapes on the path, and its length.
 
     Raises
     ------
     InputError
-        A body that is not bent, a point that the strip does not reach.
+        The body is not bent, or the strip does not reach the point.
 
     Examples
     --------
@@ -262,7 +263,7 @@ class Slider:
 
 
 class StripFace(_Made, cq.Face):
-    """The flat pattern of a strip; `strip`, `rod`, `check`, `warnings` tell about it."""
+    """Flat pattern of a strip, with properties `strip`, `rod`, `check` and `warnings`."""
 
 
 class _Jointed(_Made):
@@ -272,10 +273,10 @@ class _Jointed(_Made):
 
     @property
     def joints(self) -> Mapping[str, cq.Location]:
-        """Places to join other parts to.
+        """Locations for joining other parts.
 
-        Of a strip "start" and "end" of the free part and "hole1", "hole2", ...: half way through the thickness, z
-        off the strip, x along it (outward at the ends). Of a fixture "tab", which lies on the strip's start or end.
+        A strip has "start" and "end" of the free part and "hole1", "hole2", ... at half the thickness, with z away
+        from the strip and x along it (outward at the ends). A fixture has "tab" at the strip's start or end.
         """
         here = self.location()
         # a dict of this name would be taken for build123d's joints by viewers that show both libraries
@@ -284,7 +285,7 @@ class _Jointed(_Made):
 
 class _Ended(_Jointed):
     def end_face(self, end: StripEnd) -> cq.Face:
-        """The plane face that closes the strip at one end."""
+        """Return the plane face at an end of the strip."""
         if end not in ENDS:
             raise InputError(f'a strip has the ends "start" and "end", not {end!r}')
         tab = self.strip.ends[0 if end == "start" else 1].length
@@ -295,13 +296,13 @@ class _Ended(_Jointed):
 
 
 class StripSolid(_Ended, cq.Solid):
-    """A strip, flat or bent; `strip`, `rod`, `check`, `warnings` tell about it."""
+    """Flat or bent strip, with properties `strip`, `rod`, `check` and `warnings`."""
 
 
 class Sheets(cq.Compound):
-    """Sheets that booleans take as one argument.
+    """Sheets that are a single argument of boolean operations.
 
-    A plain compound passes each solid as an argument of its own, and OpenCASCADE then intersects the sheets too.
+    A plain compound passes each solid as a separate argument, and OpenCASCADE then also intersects the sheets.
     """
 
     def _bool_op(self, args: Iterable[cq.Shape], *others: Any) -> cq.Shape:
@@ -319,7 +320,7 @@ class StripCompound(_Ended, Sheets):
 
 
 class FixtureSolid(_Jointed, cq.Solid):
-    """A block that holds one end of a strip; `strip`, `rod`, `check`, `warnings` tell about the strip."""
+    """Block that holds one end of a strip, with properties `strip`, `rod`, `check` and `warnings` of the strip."""
 
 
 S = TypeVar("S", bound=_Made)
@@ -333,16 +334,16 @@ def strip_outline(
     max_width: float | None = None,
     **options: Unpack[StripOptions],
 ) -> StripFace:
-    """The flat pattern of the strip that bends into a curve, on the xy plane.
+    """Return the flat pattern of the strip that bends into a curve, on the xy plane.
 
-    The x axis runs along the strip from the start of its free part, y = 0 is the centre line.
+    The x axis is along the strip from the start of its free part, and y = 0 is the centre line.
 
     Raises
     ------
     NotRealizable
-        No strip takes the curve and neither limits nor keep allow it to change.
+        No strip bends into the curve, and neither limits nor keep permit a change of the curve.
     InputError
-        A path that is not one open, plane, smooth curve; numbers that make no strip.
+        The path is not an open, plane, smooth curve, or a value is out of range.
 
     Examples
     --------
@@ -375,9 +376,9 @@ def bent_strip(
     max_width: float | None = None,
     **options: Unpack[StripOptions],
 ) -> StripSolid | StripCompound:
-    """The strip bent, standing on the drawn curve with half its thickness to either side.
+    """Return the bent strip, with half its thickness on either side of the drawn curve.
 
-    Errors as in `strip_outline`.
+    Errors are as for `strip_outline`.
     """
     made = make_strip_of(path, sheet, max_width=max_width, **options)
     return make_body(BentSolid.layers(made.strip, made.frame), made)
@@ -393,7 +394,7 @@ def end_fixture(
     floor: cq.Plane | None = None,
     **options: Unpack[FixtureOptions],
 ) -> FixtureSolid:
-    """The block that holds one end of the bent strip, in place beside `bent_strip` of the same path.
+    """Return the block that holds one end of the bent strip, in its place at `bent_strip` of the same path.
 
     Parameters
     ----------
@@ -402,7 +403,8 @@ def end_fixture(
     Raises
     ------
     InputError
-        No tab at that end, sizes that do not fit, a floor not square to the curve's plane; and as `strip_outline`.
+        The end has no tab, sizes do not fit, or the floor is not perpendicular to the curve's plane; also the
+        errors of `strip_outline`.
     """
     edges, drawn_on = _drawn(path)
     made, block = make_fixture_on(
@@ -414,14 +416,14 @@ def end_fixture(
 
 
 def _drawn(path: Drawn) -> tuple[Any, dict[str, Any]]:
-    """What was drawn, and of a Workplane the plane it was drawn on."""
+    """Return the drawn shapes, and the plane of a Workplane."""
     if not isinstance(path, cq.Workplane):
         return path, {}
     return [*path.ctx.pendingEdges, *path.ctx.pendingWires] or path.vals(), {"workplane": path.plane}
 
 
 def make_strip_of(path: Drawn, sheet: Sheet | str | None, **options: Any) -> MadeStrip:
-    """The strip of what was drawn; of a Workplane in the plane that it was drawn on."""
+    """Return the strip of the drawn shapes, in the plane of a Workplane."""
     edges, drawn_on = _drawn(path)
     return make_strip_on(edges, sheet, **(drawn_on | options))
 

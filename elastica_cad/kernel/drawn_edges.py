@@ -17,22 +17,23 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.occt import sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 
-OFFSET = 1e-6  # mm: offset curves are no NURBS and are followed this closely
+OFFSET = 1e-6  # mm: accuracy of the approximation of offset curves, which are not NURBS
 
 
 def plane_curve(
     shape: Shape | Iterable[Shape], plane: Frame | None = None, *, turned: FloatArray | None = None
 ) -> tuple[PlaneCurve, Frame]:
-    """The drawn curve of an edge, a wire, or several edges that follow each other, and the plane it lies in.
+    """Return the drawn curve of an edge, a wire, or several consecutive edges, and its plane.
 
-    NURBS, lines, circles, ellipses and other conics stay exact; offset curves, which are no NURBS, are followed to
-    1e-6 mm. Direction and axes are as in `placed_curve`: the plane is the given one, else its side
-    is chosen as the edges were drawn and turns with the places that shapes have had since.
+    NURBS, lines, circles, ellipses and other conics stay exact. Offset curves are approximated to 1e-6 mm.
+    Direction and axes are as in `placed_curve`. If no plane is given, its side follows the drawn edges and the
+    later movements of the shapes.
 
     Raises
     ------
     InputError
-        Faces and bodies; edges that are not plane, have no length, do not meet or meet at a corner; another plane.
+        The shape is a face or body; the edges are not plane, have no length, are not connected or form a corner; or
+        the edges are in another plane.
     """
     if _has_faces(shape):
         raise InputError(
@@ -82,7 +83,7 @@ def free_chains(shape: Shape) -> tuple[list[Run], dict[str, int]]:
 
 
 def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
-    """Return all edges, in order, of a shape, of a wrapper of one, or of several of these."""
+    """Return all edges, in order, of a shape, a wrapped shape, or several of these."""
     k = kernel()
     shape = bare(shape)
     if not isinstance(shape, k.TopoDS_Shape):

@@ -28,24 +28,24 @@ from elastica_cad.strip.solids import BentSolid, centred_thickness
 from elastica_cad.strip.strip import Strip
 
 TURN_RAD = 2.5
-"""Of the circle that a strip is bent into to be meshed: any that keeps the tabs apart."""
+"""Angle of the circular arc into which a strip is bent for meshing, rad; the tabs must stay apart."""
 
 CHORD = 5e-5
-"""How far triangles leave that circle, over the strip's length: some eighty of them along it."""
+"""Largest distance of triangles from this arc over the strip's length; it gives about eighty triangles along it."""
 
 
 @dataclass(frozen=True, eq=False)
 class SkinMesh:
-    """Triangles over a flat strip.
+    """Triangle mesh of a flat strip.
 
     Attributes
     ----------
     places : (n, 3) array
-        x along the strip, y across, height off the middle of its thickness, mm.
+        x along the strip, y across, and height above the middle surface, mm.
     normals : (n, 3) array
         Outward, in the same axes.
     triangles : (m, 3) array of int
-        Anticlockwise from outside; faces of the strip have corners of their own.
+        Anticlockwise from outside; faces of the strip do not share corners.
     """
 
     places: FloatArray
@@ -53,7 +53,7 @@ class SkinMesh:
     triangles: IntArray
 
     def bent(self, rod: Rod, frame: Frame) -> tuple[FloatArray, FloatArray]:
-        """Points and normals (n, 3) in space of the strip bent into the rod's curve, drawn in `frame`."""
+        """Return points and normals (n, 3) in space of the strip bent into the rod's curve in `frame`."""
         from scipy.interpolate import CubicHermiteSpline
 
         x, y, up = self.places.T
@@ -81,7 +81,7 @@ def skin_meshes(strip: Strip) -> tuple[SkinMesh, ...]:
 
 
 def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, float]) -> SkinMesh:
-    """Meshed on a circle, where every point tells its place in the flat pattern."""
+    """Return the mesh of a layer, made on a circle, where each point determines its place in the flat pattern."""
     body = make_solid(BentSolid.wrapped(circle, layer.outline, layer.holes, heights=heights))
     places: list[FloatArray] = []
     normals, triangles = [], []
@@ -94,10 +94,10 @@ def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, f
 
 
 def _unrolled(points: FloatArray, radius: float) -> FloatArray:
-    """Along, across and height of points of a strip that is bent into a circle about the origin."""
+    """Return the flat places (along, across, height) of points of a strip bent into a circle about the origin."""
     flat = np.column_stack([points[:, 2]] * 3)
     turn = np.arctan2(points[:, 1], points[:, 0])
-    # a tab goes on straight: what lies on it turns by less than nothing, or by more than the circle
+    # tabs are straight: their points are at angles below 0 or above that of the arc
     for end, way in ((0.0, -1.0), (TURN_RAD, 1.0)):
         along = np.array([-np.sin(end), np.cos(end)])
         beyond = way * (points[:, :2] @ along)
@@ -113,7 +113,7 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
 
 
 def _normals(places: FloatArray, corners: IntArray) -> FloatArray:
-    """At every corner the mean of its triangles, by area."""
+    """Return the normal at every corner, averaged over its triangles by area."""
     a, b, c = (places[corners[:, i]] for i in range(3))
     found = np.zeros_like(places)
     for i in range(3):
@@ -122,28 +122,29 @@ def _normals(places: FloatArray, corners: IntArray) -> FloatArray:
 
 
 STATIONS = 24
-"""Shapes along the way that are found first, each from the one before; others begin at the nearest of them."""
+"""Number of shapes along the path that are computed first; other shapes start from the nearest of these."""
 
 
 @dataclass(frozen=True, eq=False)
 class Travel:
-    """The way of a strip's end from where it is: straight to another point with its direction held, or turning.
+    """Path of a strip's end: straight to another point with constant direction, or a rotation in place.
 
     Parameters
     ----------
     strip : Strip
     frame : Frame
-        The plane of its curve.
+        Plane of the strip's curve.
     end : (2,) array_like, optional
-        Where the end goes, mm, in that plane.
+        Final position of the end in this plane, mm.
     angle : float, optional
-        The direction that the end turns to where it stands, rad, counted along the strip as in `bend`; in place of
+        Final direction of the end, which rotates in place, rad, counted along the strip as in `bend`; instead of
         `end`.
 
     Raises
     ------
     InputError
-        Not one of both, the end is there already, or the point is farther from the start than the strip is long.
+        Neither or both are given, the end is there already, or the point is farther from the start than the strip
+        is long.
 
     Examples
     --------
@@ -195,39 +196,42 @@ class Travel:
 
     @property
     def length(self) -> float:
-        """How far the end goes, mm; how far it turns, degrees."""
+        """Displacement of the end, mm, or its rotation, degrees."""
         if self.angle is None:
             return float(np.hypot(*self._way))
         return round(float(abs(np.degrees(self._turn))), 9)  # 30 degrees are within a joint's 30 degrees
 
     @property
     def unit(self) -> str:
-        """Of its length and of positions on it: "mm" or "degrees"."""
+        """Unit of the length and of positions on the path: "mm" or "degrees"."""
         return "mm" if self.angle is None else "degrees"
 
     @property
     def place(self) -> Frame:
-        """The frame of the end at its start, z across the strip: x along the travel; of one that turns, about z, x
-        along the strip."""
+        """Frame of the end before the travel, with z across the strip.
+
+        The x axis is along the travel, or along the strip for a rotation about z.
+        """
         angle = self._rod.angle[-1]
         along = self._way / self.length if self.angle is None else np.array([np.cos(angle), np.sin(angle)])
         x, z = self.frame.direction(along), self.frame.z_axis * (-1.0 if self._turn < 0 else 1.0)
         return Frame(self.frame.point(self._rod.position[-1]), x, np.cross(z, x))
 
     def _ends(self, share: float) -> dict[str, Any]:
-        """Return the keywords of `bend` for a share of the way."""
+        """Return the keywords of `bend` for a fraction of the path."""
         if self.angle is None:
             return {"end": self._rod.position[-1] + share * self._way}
         return {"angles": (None, float(self._rod.angle[-1] + share * self._turn))}
 
     @cached_property
     def _stations(self) -> tuple[Rod, ...]:
-        """Where a shape on the way is found from: the first is the design as it begins to bend."""
+        """Initial shapes for the solution of other shapes on the path; the first is the designed shape."""
         return (self.strip.rod_to_bend, *self.rods(STATIONS + 1)[1:])
 
     def rods(self, frames: int) -> tuple[Rod, ...]:
-        """Return `frames` shapes at even places of the way, both its ends among them, each found from the one
-        before.
+        """Return `frames` shapes at equal steps of the path, including both ends.
+
+        The solution of each shape starts from the previous shape.
         """
         if not isinstance(frames, int) or frames < 2:
             raise InputError(f"a travel of {frames} frames shows no motion: give a whole number, 2 or more")
@@ -235,7 +239,7 @@ class Travel:
         return (self._rod, *bend_path(self.strip.rod_to_bend, [self._ends(share) for share in shares]))
 
     def rod(self, position: float) -> Rod:
-        """Return the shape with the end so far along the way, mm or degrees, found from the nearest station."""
+        """Return the shape at a position on the path, mm or degrees."""
         share = position / self.length if is_number(position) else np.nan
         if not -1e-9 <= share <= 1 + 1e-9:
             told = f"{position:g}" if is_number(position) else repr(position)
@@ -250,22 +254,22 @@ class Travel:
         seconds: float = 4.0,
         force: bool = False,
     ) -> None:
-        """Write the way there and back as an animation, for browsers, phones and Blender.
+        """Write the path forth and back as an animation, for browsers, phones and Blender.
 
         Parameters
         ----------
         frames : int
-            Shapes on the way there; what lies between two is blended.
+            Number of shapes on the path forth; shapes in between are interpolated.
         seconds : float
-            There and back.
+            Duration of the path forth and back.
         force : bool
-            Write over a file that is there.
+            Overwrite an existing file.
 
         Raises
         ------
         InputError
-            Fewer than two frames, no time, a name without .glb, or a file that is there already or cannot be
-            written.
+            There are fewer than two frames, the duration is not positive, the name does not end in .glb, or the
+            file exists or cannot be written.
         """
         if FilePath(path).suffix.lower() != ".glb":
             raise InputError(
@@ -286,8 +290,9 @@ class Travel:
 
 
 def travel_of(rib: StripBody, end: Point | None, angle: float | None) -> Travel:
-    """Compute how a bent body follows when its end travels to a point in space, or to two numbers in its `frame`,
-    mm; or turns to an angle in that frame, degrees.
+    """Return the travel of a bent body's end to a point (mm) or to an angle (degrees).
+
+    A point is in space, or two numbers in the body's `frame`; an angle is in this frame.
 
     Raises
     ------

@@ -17,17 +17,18 @@ from elastica_cad.kernel.step_files import NamedShape, make_document
 
 
 def face_triangles(body: Shape, *, chord: float, turn: float) -> Iterator[tuple[FloatArray, IntArray]]:
-    """Yield the points (n, 3), mm, of every face and its triangles (m, 3) as numbers of points, anticlockwise from
-    outside.
+    """Yield the points (n, 3), mm, and the triangles (m, 3, indices of points) of each face.
+
+    Triangles are anticlockwise from outside.
 
     Parameters
     ----------
     body : Shape
-        One kind of mesh is kept with it: a second call with coarser values may find the finer one.
+        OpenCASCADE stores the mesh in the body, so a second call with coarser values may return the finer mesh.
     chord : float
-        How far triangles may leave the faces, mm.
+        Largest distance of triangles from the faces, mm.
     turn : float
-        Largest turn from one triangle to the next along an edge, rad.
+        Largest angle between consecutive triangles along an edge, rad.
     """
     k = kernel()
     k.BRepMesh_IncrementalMesh(body, chord, False, turn)
@@ -43,7 +44,7 @@ def face_triangles(body: Shape, *, chord: float, turn: float) -> Iterator[tuple[
 
 
 PRINTED_MM, SHOWN_MM, TURN_RAD = 0.02, 0.2, 0.4
-"""How closely triangles follow faces: finer than a printer's layer, or than a screen shows."""
+"""Accuracy of triangles, finer than a printer's layer or a screen's resolution."""
 
 HEADING = b"binary STL, mm".ljust(80)
 TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -52,21 +53,21 @@ TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribu
 def write_stl(
     body: Shape, path: str | PathLike[str], *, bed: Frame | None = None, force: bool = False
 ) -> None:
-    """Write a body as binary STL, as it lies on the printer's bed.
+    """Write a body as binary STL, optionally moved to the printer's bed.
 
     Parameters
     ----------
     body : Shape
     path : path-like
     bed : Frame, optional
-        The plane that becomes z = 0, its z axis up; the body stays where it is unless given.
+        Plane that becomes z = 0, with its z axis up; by default the body is not moved.
     force : bool
-        Overwrite a file that exists.
+        Overwrite an existing file.
 
     Raises
     ------
     InputError
-        A file that is there already (without `force`), or one that cannot be written.
+        The file exists (without `force`) or cannot be written.
     """
     bed = bed or Frame()
     nets = face_triangles(body, chord=PRINTED_MM, turn=TURN_RAD)
@@ -82,7 +83,7 @@ def write_stl(
 
 
 def _normals(corners: np.ndarray) -> np.ndarray:
-    """Outward, of length one."""
+    """Outward unit normals."""
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     across = np.cross((b - a).astype(float), (c - a).astype(float))
     return np.asarray(across / np.maximum(np.linalg.norm(across, axis=1), 1e-30)[:, None])
@@ -91,12 +92,12 @@ def _normals(corners: np.ndarray) -> np.ndarray:
 def write_glb(
     parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str, force: bool = False
 ) -> None:
-    """Write parts, each in its place, to one GLB file called `name`: m, y up, named and coloured.
+    """Write parts, each in its place, with names and colours to a GLB file; units are m, and y is up.
 
     Raises
     ------
     InputError
-        A file that is there already (without `force`), or one that cannot be written.
+        The file exists (without `force`) or cannot be written.
     """
     k = kernel()
     for part in parts:

@@ -28,7 +28,7 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
 
 
 def make_boundary(boundary: Boundary) -> Shape:
-    """Make a TopoDS_Solid of a closed boundary, a TopoDS_Shell of an open one."""
+    """Make a TopoDS_Solid of a closed boundary, or a TopoDS_Shell of an open boundary."""
     k = kernel()
     return (k.as_solid if boundary.is_closed else k.as_shell)(_read(boundary_brep(boundary)))
 
@@ -53,7 +53,7 @@ def lock(shape: Shape) -> Shape:
 
 
 def make_sheets(records: Sequence[BodyRecord | PrismSolid]) -> list[Shape]:
-    """Make the solids of one body, the sheets of a strip or a single block."""
+    """Make the solids of a body: the sheets of a strip, or a single block."""
     return list(map(make_solid, glued(records)))
 
 
@@ -71,7 +71,7 @@ def _solid_of(record: BodyRecord | PrismSolid) -> Shape:
 
 
 def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
-    """A boolean operation of a shape with others."""
+    """Return the result of a boolean operation of a shape with other shapes."""
     if not others:
         return shape
     builder = kernel().BOPAlgo_BOP()
@@ -88,14 +88,14 @@ def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
 
 
 def _with_few_faces(shape: Shape) -> Shape:
-    """The shape with faces that go on in one plane joined, and edges that go on in one line."""
+    """Return the shape with coplanar adjacent faces and collinear adjacent edges joined."""
     joined = kernel().ShapeUpgrade_UnifySameDomain(shape, True, True, False)
     joined.Build()
     return joined.Shape()
 
 
 def _only_solid(shape: Shape) -> Shape:
-    """The one solid in a compound."""
+    """Return the only solid in a compound."""
     found = sub_shapes(shape, kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
     if len(found) != 1:
         raise InputError(f"the prisms of a body leave {len(found)} pieces: they must make one")
@@ -113,7 +113,7 @@ def sub_shapes(shape: Shape, *kinds: Any) -> list[Shape]:
 
 
 def make_location(frame: Frame) -> Any:
-    """The TopLoc_Location that takes the world's axes to those of a frame."""
+    """Return the TopLoc_Location that moves the world's axes to the axes of a frame."""
     k = kernel()
     place = k.gp_Trsf()
     place.SetTransformation(plane_axes_of(frame), k.gp_Ax3())

@@ -1,6 +1,6 @@
-"""The one door to OCP, the Python face of OpenCASCADE that build123d and CadQuery bring along.
+"""Import of OCP, the Python binding of OpenCASCADE that build123d and CadQuery install.
 
-It works with OCP's 7.x and 8.x lines.
+Releases 7.x and 8.x of OCP are supported.
 """
 
 from functools import lru_cache
@@ -13,11 +13,11 @@ from elastica_cad.errors import MissingDependencyError, how_to_install
 from elastica_cad.refusals import note
 
 Shape: TypeAlias = Any
-"""A TopoDS_Shape, or an object of build123d or CadQuery that wraps one."""
+"""TopoDS_Shape, or an object of build123d or CadQuery that wraps a TopoDS_Shape."""
 
 
 def bare(shape: Any) -> Any:
-    """The kernel's own shape in an object that wraps one, nothing in one that is empty; else the object."""
+    """Return the OpenCASCADE shape in a wrapper, None for an empty wrapper, or any other object unchanged."""
     try:
         inside = getattr(shape, "wrapped", shape)
     except AssertionError:  # build123d's, of an empty shape
@@ -41,13 +41,12 @@ ARRAYS = {
 @lru_cache(maxsize=1)
 @interrupts_held()
 def kernel() -> SimpleNamespace:
-    """Import OCP, and return its classes by name, with one name for array types that its two lines call
-    differently.
+    """Import OCP and return its classes by name; array types have the same names for 7.x and 8.x.
 
     Raises
     ------
     MissingDependencyError
-        OCP is not installed, or of a line that is not known.
+        OCP is not installed, or its release is not supported.
     """
     try:
         import OCP
@@ -82,7 +81,7 @@ def kernel() -> SimpleNamespace:
 
 
 def kernel_trouble() -> str:
-    """Why no body can be made here, and what to install; "" where OpenCASCADE works."""
+    """Return why bodies cannot be made and what to install, or "" if OpenCASCADE works."""
     try:
         kernel()
     except MissingDependencyError as error:
@@ -98,7 +97,7 @@ def library_trouble(library: str, error: ImportError) -> str:
 
 
 def _unsound(error: Exception) -> MissingDependencyError:
-    """OCP that is there and cannot be used: two releases in one place, or a library of the system missing."""
+    """Return the error for a broken OCP: two mixed releases, or a missing system library."""
     reason = note("OpenCASCADE (OCP) is installed but cannot be loaded ({error})", error=error)
     brought = {
         name: version

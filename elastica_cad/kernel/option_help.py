@@ -1,4 +1,4 @@
-"""What `help` lists of typed keywords: their names, types and units, from the classes that declare them."""
+"""Keyword lists for `help`: names, types and units, from the classes that declare the keywords."""
 
 import ast
 import re
@@ -42,7 +42,7 @@ def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
             return thing
         text = cleandoc(thing.__doc__)
         keys = dict(DRAWN) if drawn else {}
-        for one in options:  # of two that have a key, the first says what it is
+        for one in options:  # if two classes have the same key, the first describes it
             keys = _keys_of(one) | keys
         rows = (
             f"{name} : {kind}\n    {said}"

@@ -28,30 +28,30 @@ MOST = 1000
 """Points of a line; of lines with more those are kept that it bends at, and as many at even distances."""
 
 BETWEEN = 1e-3
-"""Points that are left out lie nearer than this to the chords between those that are kept, mm."""
+"""Largest distance of omitted points from the chords between kept points, mm."""
 
 
 def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False) -> tuple[PlaneSection, ...]:
-    """Cut a body or a surface of OpenCASCADE by planes, as `mesh_sections` cuts a mesh.
+    """Cut an OpenCASCADE body or surface by planes, as `mesh_sections` cuts a mesh.
 
     Parameters
     ----------
-    shape : TopoDS_Shape, or a wrapper of one
+    shape : TopoDS_Shape or wrapped shape
         Solid, shell or face, mm: a build123d object, or `.val()` of a CadQuery workplane.
     planes : sequence of Frame
     half : bool
-        Only what lies at x >= 0 of each frame: half planes about an axis.
+        Keep only x >= 0 of each frame, for half planes about an axis.
 
     Returns
     -------
     tuple of PlaneSection
-        Points lie on the surface, a thousand to a line or as many as keep its chords within 0.001 mm; a plane
-        that misses gives a section without lines.
+        Points are on the surface, a thousand on each line, or as many as keep its chords within 0.001 mm. A plane
+        that misses the shape gives a section without lines.
 
     Raises
     ------
     InputError
-        No shape.
+        The object is not a shape.
     """
     from OCP.BRepAlgoAPI import BRepAlgoAPI_Section
     from OCP.gp import gp_Pln
@@ -123,7 +123,7 @@ def _places(edge: Edge) -> FloatArray:
 
 
 def _thinned(points: FloatArray) -> FloatArray:
-    """Of many points those at even distances and, where chords between them leave the line, those farthest off."""
+    """Return points at even distances, with the farthest points added where chords deviate from the line."""
     if len(points) <= MOST:
         return points
     s = lengths_along(points)

@@ -36,13 +36,13 @@ from elastica_cad.strip.solids import BentSolid, FlatSolid, bent_sheets, frame_b
 from elastica_cad.strip.strip import Strip
 
 LEAST_S, S_PER_MB = 5, 5
-"""What a trial may take of the processor: ten times what sound files take."""
+"""CPU time limit of a trial, s and s per MB: ten times the time for valid files."""
 
 BUSY = 10
-"""How many times as long by the clock, on a machine that has other things to do."""
+"""Ratio of the wall clock limit to the CPU time limit, for a busy machine."""
 
 PR_SET_PDEATHSIG = 1
-"""Of Linux: the signal that a process gets when its parent ends."""
+"""Linux option of prctl: the signal to a process when its parent ends."""
 
 
 def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
@@ -65,7 +65,7 @@ def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
         return
     seconds = LEAST_S + S_PER_MB * size // 2**20
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", DeprecationWarning)  # of threads: the copy runs none but this one
+        warnings.simplefilter("ignore", DeprecationWarning)  # about threads: the copy runs only this thread
         parent, copy = os.getpid(), os.fork()
     if not copy:
         with suppress(BaseException):
@@ -112,7 +112,7 @@ MANY_WIRES = 32
 
 
 def _has_many_wires(shape: Shape) -> bool:
-    """Has a face so many holes that OpenCASCADE takes long to compare them?"""
+    """Return True if a face has so many holes that OpenCASCADE takes long to compare them."""
     k = kernel()
     faces = sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE)
     return any(len(sub_shapes(face, k.TopAbs_ShapeEnum.TopAbs_WIRE)) > MANY_WIRES for face in faces)
@@ -142,10 +142,10 @@ def _with_wires_apart(shape: Shape) -> Shape:
 
 
 def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
-    """Turn shapes into STEP entities, without the look at their wires that the writer would take first.
+    """Convert shapes to STEP entities without the writer's check of their wires.
 
-    Its own transfer of a document finds what has been transferred. A controller that no writer has set up yet asks
-    for no such look; OCP has no way to tell a writer so.
+    The later transfer of the document reuses these entities. OCP cannot switch the check off in a writer, but a
+    controller that no writer has set up does not request it.
     """
     k = kernel()
     session = writer.ChangeWriter().WS()
@@ -156,7 +156,7 @@ def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
 
 
 def _touching(wires: list[Shape]) -> list[int]:
-    """Numbers of the wires of a face that have a corner in common with another one."""
+    """Return the indices of the wires of a face that share a corner with another wire."""
     if len(wires) < 2:
         return []
     k = kernel()
@@ -173,15 +173,18 @@ def _touching(wires: list[Shape]) -> list[int]:
 
 SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
 TRACES = "write.surfacecurve.mode"
-"""Are edges written in the parameters of their faces too? More than half of a file, which planes, cylinders, cones,
-balls and rings need not: there every reader finds them exactly."""
+"""Name of the setting for writing edges also in the parameters of their faces.
+
+These curves are more than half of a file. Planes, cylinders, cones, spheres and tori do not need them, because
+readers
+compute them exactly."""
 
 ELEMENTARY = ("Plane", "Cylinder", "Cone", "Sphere", "Torus")
 
 
 @dataclass(frozen=True, eq=False)
 class NamedShape:
-    """A shape in an assembly with its name, colour and place; a shape that several share is written once."""
+    """Shape in an assembly with its name, colour and place; a shared shape is written once."""
 
     name: str
     shape: Shape
@@ -190,7 +193,7 @@ class NamedShape:
 
 
 def model_shapes(model: Model, others: Iterable[Holder] = ()) -> list[NamedShape]:
-    """The bent strips of a model, each in its place, and what holds them; equal strips share one shape."""
+    """Return the bent strips of a model, each in its place, and their holders; equal strips share one shape."""
     parts = assembly_parts(model.placed, (*model.plates, *others))
     return [
         NamedShape(name, shape, color, part.frame)
@@ -204,12 +207,12 @@ def write_step(
 ) -> None:
     """Write parts to a STEP file: AP214, millimetres, names, colours.
 
-    Several parts make one assembly, called `name` (the file's own unless told).
+    Several parts form an assembly with the name `name`, by default the name of the file.
 
     Raises
     ------
     InputError
-        No parts, a file that is there already (without `force`), or a folder that cannot be written to.
+        There are no parts, the file exists (without `force`), or the folder is not writable.
     """
     if not parts:
         raise InputError("there is nothing to write: give one part or more")
@@ -217,7 +220,7 @@ def write_step(
 
 
 def make_document(parts: Sequence[NamedShape], *, name: str) -> Any:
-    """Make OpenCASCADE's document of named, coloured parts, mm; several make one assembly called `name`."""
+    """Return an OpenCASCADE document of named, coloured parts, mm; several parts form the assembly `name`."""
     k = kernel()
     document = k.TDocStd_Document(k.TCollection_ExtendedString("XmlOcaf"))
     shapes = k.XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
@@ -242,7 +245,7 @@ def make_document(parts: Sequence[NamedShape], *, name: str) -> Any:
 
 
 def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
-    """Return the bytes of a STEP file of the parts; several of them make one assembly called `name`."""
+    """Return the bytes of a STEP file of the parts; several parts form the assembly `name`."""
     k = kernel()
     shapes = {id(part.shape): bare(part.shape) for part in parts}
     holed = any(map(_has_many_wires, shapes.values()))
@@ -275,7 +278,7 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
 
 
 def _is_elementary(shape: Shape) -> bool:
-    """Are all faces planes, cylinders and their like?"""
+    """Return True if all faces are elementary surfaces."""
     k = kernel()
     known = [getattr(k.GeomAbs_SurfaceType, f"GeomAbs_{name}") for name in ELEMENTARY]
     faces = sub_shapes(bare(shape), k.TopAbs_ShapeEnum.TopAbs_FACE)
@@ -312,9 +315,9 @@ def _set_name(label: Any, name: str) -> None:
 def write_strip_step(
     strip: Strip, path: str | PathLike[str], *, frame: Frame | None = None, force: bool = False
 ) -> None:
-    """Write a strip as cut and as bent to one STEP file; the bent one stands on the curve in the plane of `frame`.
+    """Write a flat and a bent strip to one STEP file; the curve of the bent strip is in the plane of `frame`.
 
-    The sheets of a laminate are parts of their own.
+    The sheets of a laminate are separate parts.
     """
     name = strip.label or "strip"
     names, sheets = bent_names(name, strip), bent_sheets(strip)
@@ -332,14 +335,14 @@ def write_strip_step(
 
 
 def read_step_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
-    """The curves of a STEP (or BREP) file one by one, in mm; what is no curve is counted.
+    """Read the curves of a STEP (or BREP) file, in mm, and count other items.
 
-    Edges that belong to faces are not curves of strips.
+    Edges of faces are ignored.
 
     Raises
     ------
     InputError
-        No STEP file, or no free edges in it.
+        The file is not a STEP file, or it has no free edges.
     """
     chains, skipped = free_chains(read_step_shape(file))
     if not chains:

@@ -1,4 +1,4 @@
-"""What bodies of strips tell and warn of in every CAD library, and how they are bent anew."""
+"""Properties and warnings of strip bodies in every CAD library, and bending them to other ends."""
 
 import sys
 import warnings
@@ -30,14 +30,14 @@ if TYPE_CHECKING:
 
 
 LEAST_DEGREES = 7.0
-"""Decimals below this are taken for radians: a whole turn is 6.28."""
+"""Least plausible angle with decimals, degrees; smaller angles are probably radians."""
 
 LIBRARIES = ("elastica_cad", "build123d", "cadquery")
-"""Between the user's line and what goes wrong."""
+"""Packages whose frames are skipped when a warning is attributed to the user's line."""
 
 
 class StripWarning(UserWarning):
-    """Strips can be made, but maybe not as they are meant: strained too much, or through each other."""
+    """Warning about strips that can be made but may be unusable, such as overstrained or colliding strips."""
 
 
 def warn_of_missing_slots(model: "Model") -> None:
@@ -49,13 +49,13 @@ def warn_of_missing_slots(model: "Model") -> None:
 
 
 def warn_of_strain(strip: Strip) -> None:
-    """Tell of a strip that is strained beyond what its sheet takes."""
+    """Warn of a strip that is strained beyond the limit of its sheet."""
     for text in strip.strain_warnings[:1]:
         warn(text)
 
 
 def end_angles(angles: object) -> tuple[float | None, float | None]:
-    """Angles in degrees at start and end as rad; warns of what looks like radians, which `mechanics.bend` takes."""
+    """Return the angles at start and end in rad, and warn if the given degrees look like radians."""
     pair = angles_in_rad(angles)
     given = [degrees(angle) for angle in pair if angle]
     if given and all(abs(angle) < LEAST_DEGREES and round(angle, 9) % 1 for angle in given):
@@ -70,7 +70,7 @@ def end_angles(angles: object) -> tuple[float | None, float | None]:
 
 
 def warn(text: str) -> None:
-    """Warn at the line of the user's script, however deep we are."""
+    """Issue a warning that is attributed to the line of the user's script."""
     depth, caller = 2, sys._getframe(1)
     while caller.f_back is not None and str(caller.f_globals.get("__name__")).split(".")[0] in LIBRARIES:
         depth, caller = depth + 1, caller.f_back
@@ -78,7 +78,7 @@ def warn(text: str) -> None:
 
 
 def warn_of_contact(strip: Strip) -> None:
-    """Tell of a strip that meets itself when it is bent."""
+    """Warn of a strip that meets itself when it is bent."""
     meeting = self_contact(strip)
     if meeting is not None:
         low, high = meeting
@@ -90,18 +90,18 @@ def warn_of_contact(strip: Strip) -> None:
 
 
 OFF_PLANE_MM = 1e-4
-"""How far a point given in space may lie off the curve's plane."""
+"""Largest distance of a given point from the curve's plane, mm."""
 
 
 class TupleLike(Protocol):
-    """Any vector with a method `toTuple`, as CadQuery's."""
+    """Vector with a method `toTuple`, such as a CadQuery vector."""
 
     def toTuple(self) -> tuple[float, float, float]:
         """Return the coordinates."""
 
 
 Point: TypeAlias = Iterable[float] | TupleLike
-"""In space, or two numbers in the frame of a body, mm."""
+"""Point in space, or two numbers in the frame of a body, mm."""
 
 
 def numbers_of(point: Point) -> tuple[float, ...]:
@@ -110,25 +110,25 @@ def numbers_of(point: Point) -> tuple[float, ...]:
     Raises
     ------
     TypeError, ValueError
-        It is neither.
+        The object is neither.
     """
     given: Any = point.toTuple() if hasattr(point, "toTuple") else point
     return tuple(map(float, given))
 
 
 class BendOptions(TypedDict, total=False):
-    """The ends to which a strip is bent, as in `mechanics.bend`."""
+    """Options for bending a strip to other ends, as in `mechanics.bend`."""
 
     start: "Point | None"
-    """Where the start goes: a point in space, or two numbers in the body's `frame` (mm)."""
+    """Final position of the start: a point in space, or two numbers in the body's `frame` (mm)."""
     end: "Point | None"
-    """Where the end goes, likewise (mm)."""
+    """Final position of the end: a point in space, or two numbers in the body's `frame` (mm)."""
     angles: "tuple[float | None, float | None] | ArrayLike | None"
-    """Directions of start and end in that frame, counted along the strip; None keeps one (degrees)."""
+    """Directions of start and end in this frame, counted along the strip; None for no change (degrees)."""
     gravity: Any
-    """A `Gravity`, or None for no weight; the strip's own unless given."""
+    """A `Gravity`, or None for no weight; by default the gravity of the strip."""
     supports: Supports | None
-    """What holds the ends from now on; the strip's own unless given."""
+    """Supports of the ends; by default the supports of the strip."""
     force: ArrayLike | None
     """Dead force on ends that are free to move, over the least bending stiffness (1/mm2)."""
     moment: float | tuple[float, float] | None
@@ -142,22 +142,22 @@ class BendOptions(TypedDict, total=False):
     samples: int | None
     """Nodes of the rod."""
     settle: bool
-    """An unstable shape snaps to the stable one near it."""
+    """An unstable shape is replaced by the stable shape that it snaps to."""
 
 
 @dataclass(frozen=True, eq=False)
 class MadeStrip:
-    """A strip and where it lies; copies of a shape share it.
+    """Strip and its position, shared by the copies of a shape.
 
     Attributes
     ----------
     strip : Strip
     frame : Frame
-        The plane of its curve.
+        Plane of the strip's curve.
     deviation : float
-        How far limits moved the strip off the drawn curve, mm.
+        Distance by which limits moved the strip from the drawn curve, mm.
     home : Frame or None
-        The joint "start" as it was made of a body that stands on the curve; None for others.
+        Original joint "start" of a bent body; None for other bodies.
     """
 
     strip: Strip
@@ -185,7 +185,7 @@ class StripBody:
     _made: MadeStrip
 
     def _start(self) -> Frame | None:
-        """Where the joint "start" lies now; None where the body has none."""
+        """Return the present frame of the joint "start", or None if the body has no such joint."""
         raise NotImplementedError
 
     @property
@@ -195,12 +195,12 @@ class StripBody:
 
     @property
     def deviation(self) -> float:
-        """How far limits moved the strip off the drawn curve, mm."""
+        """Distance by which limits moved the strip from the drawn curve, mm."""
         return self._made.deviation
 
     @property
     def frame(self) -> Frame:
-        """The plane in which the curve of the bent strip lies: moved with a bent body, as drawn for others."""
+        """Plane of the bent strip's curve, which moves with a bent body; for other bodies the drawn plane."""
         home, now = self._made.home, self._start()
         return self._made.frame if home is None or now is None else self._made.frame.carried(home, now)
 
@@ -211,7 +211,7 @@ class StripBody:
 
     @property
     def check(self) -> EquilibriumCheck | None:
-        """The verdict of Theorem 1 on the drawn curve, where one was asked for."""
+        """Result of the test of Theorem 1 on the drawn curve, or None if it was not requested."""
         return self.rod.check
 
     @property
@@ -226,7 +226,7 @@ class StripBody:
         return Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis)
 
     def _bent_anew(self, moved: BendOptions) -> Strip:
-        """The strip with its ends led elsewhere."""
+        """Return the strip bent to other ends."""
         refuse_unknown(moved, BendOptions.__annotations__, "bending a strip")
         led: dict[str, Any] = dict(moved)
         for name in ("start", "end"):

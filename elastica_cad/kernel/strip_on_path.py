@@ -25,17 +25,17 @@ from elastica_cad.refusals import Length, note
 from elastica_cad.strip.outline import StripEnd
 from elastica_cad.strip.strip import Strip
 
-# what solves and holds strips is imported when it is asked for: a skin is then there soon after its library
+# solvers and holders are imported on first use, so that the binding loads quickly
 if TYPE_CHECKING:
     from elastica_cad.forming.section_lines import SectionCurve
     from elastica_cad.model.fixtures import EndFixture
     from elastica_cad.strip.strip_spec import StripSpec
 
 FAR_SHARE = 0.01
-"""Of the length: a nearest strip that leaves the drawn curve by more is told."""
+"""Least deviation of a nearest strip from the drawn curve, as a fraction of the length, that is reported."""
 
 SHORTEST_MM = 5.0
-"""A shorter curve with a strip wider than it is long was drawn in metres."""
+"""Length, mm, below which a curve shorter than the strip's width was probably drawn in metres."""
 
 KEPT_REQUESTS = 64  # requests whose strips are kept: a few models' worth
 FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)
@@ -60,7 +60,7 @@ class FixtureOptions(StripOptions, FixtureSizes, total=False):
 
 
 class BlockOptions(FixtureSizes, total=False):
-    """What the fixture of a strip that is made takes; see `model.EndFixture`."""
+    """Options for the fixture of a finished strip; see `model.EndFixture`."""
 
     floor: Any
     """Plane of any library that the block stands on; square to the tab unless given."""
@@ -71,31 +71,32 @@ class BlockOptions(FixtureSizes, total=False):
 def make_strip_on(
     path: Any, sheet: Sheet | str | None = None, *, workplane: Any = None, **asked: Any
 ) -> MadeStrip:
-    """The strip that `StripSpec` makes of a path; equal requests share it.
+    """Return the strip that `StripSpec` makes from a path; equal requests share it.
 
     Parameters
     ----------
-    path : PlaneCurve, edges and wires of a kernel, a Strip, or a body of one
-        The plane of drawn edges is found; that of a `PlaneCurve` or `Strip` is xy, or `plane`.
+    path : PlaneCurve, edges and wires of a kernel, a Strip, or the body of a Strip
+        The plane of drawn edges is determined from the edges; a `PlaneCurve` or `Strip` is in `plane`, by default
+        xy.
     sheet : Sheet or str
-        None with a strip, which has one.
+        None with a strip, which has a sheet.
     workplane : Frame, or a plane of build123d or CadQuery, optional
-        What the path was drawn on; its side is taken where the path lies in it or beside it.
+        Plane of the drawing, which determines the side of a path that is in it or parallel to it.
     **asked
         `StripOptions`, and `max_width`.
 
     Raises
     ------
     InputError
-        Edges that are no smooth, plane curve, or lie in another plane; options that are not known, or that
-        come too late for a strip that is made; and as `StripSpec.make`.
+        The edges are not a smooth plane curve or are in another plane; an option is unknown, or cannot change a
+        finished strip; also the errors of `StripSpec.make`.
     """
     from elastica_cad.strip.strip_spec import StripSpec, told_in_python
 
     drawn = getattr(path, "line", None)
     path = (
         path if drawn is None or callable(drawn) else drawn
-    )  # a builder of lines stands for what it has drawn
+    )  # a line builder is replaced by its line
     asked = {name: value for name, value in asked.items() if value is not None}
     _refuse_unknown(asked)
     frame = _frame_of(asked.pop("plane")) if "plane" in asked else None
@@ -152,10 +153,10 @@ def make_fixture_on(
     workplane: Any = None,
     **asked: Any,
 ) -> "tuple[MadeStrip, EndFixture]":
-    """The block that holds an end of the strip that `make_strip_on` makes, and that strip.
+    """Return the block that holds an end of the strip made by `make_strip_on`, and the strip.
 
-    `floor` and `workplane` are planes of any library, `asked` as `FixtureOptions`; errors as of `EndFixture` and
-    `make_strip_on`.
+    `floor` and `workplane` are planes of any library, and `asked` are `FixtureOptions`. Errors are as for
+    `EndFixture` and `make_strip_on`.
     """
     from elastica_cad.model.fixtures import EndFixture
 
@@ -168,15 +169,15 @@ def make_fixture_on(
 
 
 def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[SectionCurve, ...]":
-    """The curves in which planes cut a face or a body of a kernel, each with its plane in space.
+    """Return the section curves of a face or body by planes, each with its plane in space.
 
-    `planes` are planes of any library, or a `SectionSpec`; `half` keeps what lies on the side of their x axes. What
-    is left out is told by a warning.
+    `planes` are planes of any library, or a `SectionSpec`; `half` keeps only the side of their x axes. A warning
+    lists omitted lines.
 
     Raises
     ------
     InputError
-        No faces, or no section that a strip could follow.
+        The shape has no faces, or no section is suitable for a strip.
     """
     from elastica_cad.forming.section_spec import GivenCuts, SectionSpec
     from elastica_cad.kernel.shape_sections import shape_surface
@@ -223,7 +224,7 @@ def _warn_of(strip: Strip) -> None:
 
 
 def _refuse_unknown(asked: Mapping[str, Any], sizes: Sequence[str] = ()) -> None:
-    """Names that are no options; of those of a style with what to give instead."""
+    """Raise InputError for unknown options; for fields of a style, the message has the replacement."""
     from elastica_cad.strip.strip_spec import StripSpec
 
     known = {"plane", *sizes, *(field.name for field in fields(StripSpec))} - {"curve", "sheet", "frame"}
@@ -234,7 +235,7 @@ def _refuse_unknown(asked: Mapping[str, Any], sizes: Sequence[str] = ()) -> None
 
 
 def _frame_of(plane: Any) -> Frame:
-    """The frame of a plane of any library."""
+    """Return the frame of a plane of any library."""
     if isinstance(plane, Frame):
         return plane
     for names in (("origin", "x_dir", "y_dir"), ("origin", "xDir", "yDir")):
@@ -244,5 +245,5 @@ def _frame_of(plane: Any) -> Frame:
 
 
 def _is_vector(value: Any) -> bool:
-    """A vector of a library, not numbers or records of ours?"""
+    """Return True if the value is a vector of a CAD library."""
     return hasattr(value, "toTuple") or all(hasattr(value, name) for name in ("X", "Y", "Z", "__iter__"))

@@ -17,35 +17,35 @@ if TYPE_CHECKING:
 
 
 class StripOptions(TypedDict, total=False):
-    """What every function takes besides path, sheet and max_width; see `StripSpec`.
+    """Options of every function besides path, sheet and max_width; see `StripSpec`.
 
-    `gravity` may be a vector of the library too, a direction in space.
+    `gravity` may also be a vector of the library, a direction in space.
     """
 
     plane: Any
-    """Of the curve, its z axis to the strip's upper edge: a plane of the library, or a `Frame`."""
+    """Plane of the curve, with z towards the strip's upper edge: a plane of the library, or a `Frame`."""
     min_width: "float | None"
     """Width of the narrowest place, or its limit (mm)."""
     style: "Style"
-    """How stiffness becomes material."""
+    """Style that realizes the stiffness."""
     limits: "Limits | None"
-    """The curve may change, as little as these limits ask for."""
+    """Limits within which the curve may change; the change is as small as possible."""
     keep: "Keep | None"
-    """What a curve that may change keeps."""
+    """Properties that a curve keeps when it changes."""
     gravity: "Gravity | bool | Sequence[float] | Point | None"
-    """The strip carries its own weight: true, the direction in which it falls, or a length of its own."""
+    """Weight of the strip: true, a direction of gravity, or a `Gravity`."""
     loads: "PointMass | Sequence[PointMass] | Weight"
     """Masses hung on the strip, or all weight in newtons."""
     supports: "Supports"
-    """What holds the start and the end of the curve."""
+    """Supports of the start and the end of the curve."""
     natural_curvature: "float | RestCurvature"
-    """Curvature of the strip before it is bent, or a blank that is bent beforehand (1/mm)."""
+    """Curvature of the strip before bending, or a pre-bent strip (1/mm)."""
     samples: "int | None"
-    """Nodes of the rod; chosen unless given."""
+    """Number of nodes of the rod; by default it is chosen automatically."""
     ends: "Tab | Sequence[Tab]"
-    """Tab of both ends, or the two of start and end."""
+    """Tab of both ends, or the tabs of start and end."""
     seam_position: "float | None"
-    """Where a closed strip is joined, along its curve; where it is bent least unless given (mm)."""
+    """Position of the joint of a closed strip along its curve; by default where it is bent least (mm)."""
     straight_ends: "bool"
     """Straight first and last pieces of the curve become the tabs; false: the whole curve is bent."""
     slots: "Slot | Sequence[Slot]"
@@ -53,21 +53,21 @@ class StripOptions(TypedDict, total=False):
     label: "str"
     """Name of the strip, which is engraved on it."""
     engrave: "str | None"
-    """Text engraved in place of the label; empty for none."""
+    """Text engraved instead of the label; empty for no text."""
     smooth: "float | None"
-    """How far the curve may be moved to become fair; 0 follows it exactly as drawn (mm)."""
+    """Largest movement of the curve for smoothing; 0 follows it exactly as drawn (mm)."""
     shop: "FabricationLimits"
-    """What the workshop can make."""
+    """Limits of the workshop."""
     compensate: "bool | None"
-    """Make up in the widths for slots, narrow tabs and bending; unless given for anticlastic bending alone."""
+    """Compensate slots, narrow tabs and bending by the widths; by default anticlastic bending alone."""
     creep: "float"
-    """Creep factor of the sheet in the long run; 0 leaves creep out."""
+    """Long-term creep factor of the sheet; 0 for no creep."""
     law: "BoundedLaw | None"
-    """What stiffness is made of in place of width: thickness, a rod, a tube, or glued leaves."""
+    """Stiffness law instead of width: thickness, a rod, a tube, or glued plies."""
     ignore_limits: "bool"
-    """Make a strip that cannot be cut or handled, and say so."""
+    """Make a strip beyond the limits of the workshop, with warnings."""
     tolerance: "MakingTolerance"
-    """What is off in sheet, cut and clamps; what that adds is told."""
+    """Tolerances of sheet, cut and clamps; their effect is reported."""
 
 
 class FixtureSizes(TypedDict, total=False):

@@ -1,4 +1,4 @@
-"""The parts of an assembly: bent strips and what holds them, and the order in which they are put together."""
+"""Parts of an assembly (bent strips and their holders) and the order of assembly."""
 
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -36,15 +36,15 @@ class AssemblyPart:
     Attributes
     ----------
     name : str
-        Unlike all other names of its kind in the assembly.
+        Unique among the parts of the same kind in the assembly.
     solids : tuple of BentSolid, FlatSolid or PrismSolid
-        Of a strip one for each sheet, the curve's plane as their xy plane; equal strips share the tuple.
+        For a strip, one solid per sheet, with the plane of the curve as xy plane. Equal strips share the tuple.
     colors : tuple of (red, green, blue)
-        Of the solids, in 0..1, as on a screen.
+        Screen colors of the solids, each component in 0..1.
     frame : Frame
-        Where the solids' frame lies.
+        Position of the solids in the assembly.
     strip : Strip or None
-        None for what holds strips.
+        None for a holder.
     """
 
     name: str
@@ -60,28 +60,28 @@ class AssemblyPart:
 
 
 def layer_names(name: str, strip: Strip) -> tuple[str, ...]:
-    """Names of a strip's sheets: its own for the base, with "backing" or the leaf for what is glued on."""
+    """Return the names of a strip's sheets; those of glued sheets end in "backing" or the name of the ply."""
     return tuple(f"{name} {layer.name}".rstrip() for layer in strip.layers)
 
 
 def bent_names(name: str, strip: Strip) -> tuple[str, ...]:
-    """Names of its bodies when bent: those of its sheets, and of the lap that closes it."""
+    """Return the names of the bent bodies: the sheets, and the lap of a closed strip."""
     return (*layer_names(name, strip), f"{name} lap")[: len(bent_sheets(strip))]
 
 
 def require_model(model: object) -> None:
-    """Refuse what is no `Model`."""
+    """Raise InputError if the object is not a `Model`."""
     if not isinstance(model, Model):
         raise InputError(f"a {type(model).__name__} is no model: give ec.Model([rib.placed, ...])")
 
 
 def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> tuple[AssemblyPart, ...]:
-    """The strips in their order, then what holds them; those with the same name are numbered.
+    """Return the strips in their order, then their holders; equal names are numbered.
 
     Raises
     ------
     InputError, NotConvergedError
-        Something else among the holders, and as `BentSolid.of`.
+        An item of `holders` is not a holder; also the errors of `BentSolid.of`.
     """
     solids: dict[int, tuple[BodyRecord, ...]] = {}
     strips = []
@@ -97,7 +97,7 @@ def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> 
 def shape_parts(
     parts: Iterable[AssemblyPart], make: Callable[[AssemblyPart], Shape]
 ) -> Iterator[tuple[AssemblyPart, Shape]]:
-    """Yield each part with the shape that `make` makes of it, made once for all parts that share their solids."""
+    """Yield each part with its shape; `make` is called once for all parts that share their solids."""
     made: dict[int, Shape] = {}
     for part in parts:
         if id(part.solids) not in made:
@@ -106,12 +106,12 @@ def shape_parts(
 
 
 def single_holders(holders: Iterable[Holder]) -> Iterator[SingleHolder]:
-    """Holders one by one: of slotted frames their rails and ribs.
+    """Yield single holders; a slotted frame yields its rails and ribs.
 
     Raises
     ------
     InputError
-        Something else among them.
+        An item is not a holder.
     """
     for holder in holders:
         if isinstance(holder, SlottedFrame):
@@ -133,7 +133,7 @@ def _holder_part(holder: SingleHolder) -> AssemblyPart:
 
 
 def _numbered(parts: Sequence[AssemblyPart]) -> Iterator[AssemblyPart]:
-    """The parts, those with the same name told apart by a number that no other name has."""
+    """Yield the parts with unique names; parts with equal names get a number."""
     count = Counter(part.name for part in parts)
     used, taken = Counter[str](), set(count)
     for part in parts:
@@ -150,21 +150,21 @@ FREE = "free"
 
 @dataclass(frozen=True)
 class AssemblyStep:
-    """One strip to be put in.
+    """Step of the assembly: one strip.
 
     Attributes
     ----------
     number : int
         From 1.
     strip : str
-        As it is engraved, with its place where several are called so.
+        Engraved name, with the strip's place if several strips have the same name.
     part : str
-        The piece that is cut for it.
+        Name of the cut piece.
     ends : (str, str)
-        What holds end 1 and end 2, by name; "hold at (x, y, z)", mm, and the angle from the line between both
-        ends, where nothing of the model does; "free".
+        Holders of end 1 and end 2. For an end that no part of the model holds: "hold at (x, y, z)", mm, with the
+        angle from the line between both ends, or "free".
     locks_into : tuple of str
-        Strips that are there already and cross it in a slot.
+        Slotted strips that were placed earlier.
     """
 
     number: int
@@ -175,7 +175,7 @@ class AssemblyStep:
 
 
 def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[AssemblyStep, ...]:
-    """The strips in the order of the model, each with its places.
+    """Return one step for each strip, in the order of the model.
 
     Examples
     --------
@@ -204,7 +204,7 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
 
 
 def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple[StripEnd, ...]]:
-    """Ends that the design holds and nothing of the model does, by the place of their strip in the model."""
+    """Return the supported ends without a holder, by the index of their strip in the model."""
     places = _held_at(model, holders)
     found = {
         i: tuple(
@@ -216,7 +216,7 @@ def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple
 
 
 def _held_at(model: Model, holders: Iterable[Holder]) -> dict[str, list[str]]:
-    """Names of what holds each tab, by the name of the tab."""
+    """Return the names of the holders of each tab, by the tab's name."""
     places = defaultdict[str, list[str]](list)
     for tab, place in _places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
         if place not in places[tab]:
@@ -225,7 +225,7 @@ def _held_at(model: Model, holders: Iterable[Holder]) -> dict[str, list[str]]:
 
 
 def _by_hand(one: Placed, end: StripEnd) -> str:
-    """Sentence on where, and how steeply, to hold an end that no part of the model holds."""
+    """Return at which position and angle to hold an end without a holder."""
     k = ENDS.index(end)
     support = one.strip.rod.supports.ends[k]
     if one.strip.is_closed or not (support.x or support.y or support.angle):
@@ -236,7 +236,7 @@ def _by_hand(one: Placed, end: StripEnd) -> str:
 
 
 def _places(holders: Iterable[Holder]) -> Iterable[tuple[str, str]]:
-    """Names of tabs with what holds them."""
+    """Yield the name of each held tab with its holder."""
     for holder in single_holders(holders):
         if isinstance(holder, BasePlate):
             yield from (

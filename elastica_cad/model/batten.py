@@ -1,4 +1,4 @@
-"""Battens of tapered stock, and what the bench needs of them."""
+"""Battens of tapered stock, with tables and drawings for the workshop."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -31,27 +31,27 @@ from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.tapered_solids import side_view
 
 ROWS = 21
-"""Stations of a batten of which none are asked for, evenly from end to end of its free part."""
+"""Default number of stations, evenly spaced along the free part of a batten."""
 
 DECIMALS = {"mm": 2, "inch": 3, "percent": 3, "safety": 2}
-"""Of a column in the table's file, by the unit in its name: as fine as a bench works."""
+"""Number of decimals of a column in the table's file, by the unit in the column's name."""
 
 LETTER_MM, TICK_MM = 4.0, 3.0
 LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
-"""Of what is written below a side view: distance of its lines, and letters in one, which a page of A4 holds."""
+"""Line distance (mm) and characters per line of the text below a side view; a line fits on A4."""
 
 
 def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, FloatArray]:
-    """Columns (n,) by name at stations (n,), mm along a tapered strip: size in mm and inch, strain, and safety.
+    """Return columns (n,) by name at stations (n,), mm along a tapered strip: size in mm and inch, strain, safety.
 
-    Stations count from where the bend begins, and each has its distance from the tip of the first tab. Where none
-    are asked for, both tips are among them. Safety is what the material bears over the strain; infinite
-    where it is not bent.
+    Stations are measured from the start of the free part; each row also has the distance from the tip of the first
+    tab. The default stations include both tips. Safety is the strain limit of the material divided by the strain,
+    and infinite where the strip is not bent.
 
     Raises
     ------
     InputError
-        The strip is of one thickness.
+        The strip has constant thickness.
     """
     law, size = strip.layout.section, strip.layout.size
     if law is None or size is None:
@@ -73,8 +73,9 @@ def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, F
 
 
 def bench_csv(strip: Strip, stations: ArrayLike | None = None) -> str:
-    """The table as comma-separated text, the strain in percent, without a safety where nothing is bent; of leaves
-    their cut list.
+    """Return the table as comma-separated text, or the cut list of a strip of glued plies.
+
+    The strain is in percent; the safety is empty where the strip is not bent.
     """
     if strip.layout.stack:
         return LeafStack(strip).cut_list.csv
@@ -86,10 +87,10 @@ def bench_csv(strip: Strip, stations: ArrayLike | None = None) -> str:
 
 
 def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
-    """The side view at full size; of leaves their pattern.
+    """Return the side view at full size, or the pattern of a strip of glued plies.
 
-    A tick at every station has its distance from the tip and the size there, mm; the lines below say what it is
-    made of and how its ends are held.
+    The tick at each station is labelled with the distance from the tip and the local size, mm. The lines below the
+    view state the stock and the supports of the ends.
     """
     if strip.layout.stack:
         return LeafStack(strip).drawing
@@ -109,7 +110,7 @@ def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
 
 
 def _told(strip: Strip) -> list[str]:
-    """The lines below a side view."""
+    """Return the lines below a side view."""
     law, sheet = strip.layout.section, strip.sheet
     flat = law is not None and law.quantity == "thickness"
     stock = sheet.full_name.removesuffix(f" {sheet.thickness:g} mm")  # a sheet is given for its wood
@@ -121,39 +122,39 @@ def _told(strip: Strip) -> list[str]:
 
 
 ENDS = Supports("pinned", "pinned")
-SEARCH_NODES, FINE_NODES = 401, 2401  # while the taper is sought, and of the curve that is handed on
-MOST_CAMBER = 0.4  # of the chord: deeper ones are bows, not battens
-MOST_FULL = 0.8  # of the length: what is left must make the taper
+SEARCH_NODES, FINE_NODES = 401, 2401  # during the search for the taper, and for the final curve
+MOST_CAMBER = 0.4  # fraction of the chord; a deeper batten is a bow
+MOST_FULL = 0.8  # fraction of the length; the rest must be long enough for the taper
 SETTLED = 1e-7  # of camber and place, in chords
 MOST_STEPS = 30
 
 
 @dataclass(frozen=True)
 class BattenSpec:
-    """What is asked of a batten.
+    """Request for a batten.
 
     Parameters
     ----------
     length : float
-        Of the batten, mm.
+        Length of the batten, mm.
     camber : float
-        Its greatest depth over the chord, in chords (0.1 is 10 %), once the ends are pressed together.
+        Largest depth with pressed ends, as a fraction of the chord (0.1 is 10 %).
     place : float
-        Where along the chord that is, in chords from the start: 0.5 is the middle, less is nearer to the start.
+        Position of the largest depth along the chord, as a fraction of the chord from the start.
     stock : ThicknessLaw or RoundLaw
-        A strip planed in thickness, or a rod; its largest size is that of the stock, its least what may be left.
+        A strip planed in thickness, or a rod. Its largest size is the size of the stock, its least size the limit
+        for planing or turning.
     label : str
     full : float
-        Share of the length, at the thick end, that keeps the full size: the taper goes over the rest, so that the
-        entry at the thin end comes fuller or finer.
+        Fraction of the length, at the thick end, that keeps the full size; the rest is tapered.
     lying : "up" or "down", optional
-        Which way it bulges as it lies with its chord level: camber and place are then meant under its own weight.
-        Without it the batten stands, as a sail holds it, and its weight does not count.
+        Side to which a batten with level chord bulges; camber and place are then reached under its own weight.
+        Without it the weight is ignored, as for an upright batten in a sail.
 
     Raises
     ------
     InputError
-        Numbers that no batten has.
+        A value out of range.
 
     Examples
     --------
@@ -192,19 +193,19 @@ class BattenSpec:
             raise InputError(f'lying is {self.lying!r}: give "up" or "down", which way it bulges, or None')
 
     def make(self) -> "Batten":
-        """The batten: its size falls evenly towards one end, by as much as the place asks for.
+        """Return the batten, with the linear taper that brings the camber to its place.
 
         Raises
         ------
         InputError
-            The place asks for a thinner end than the stock's least size; the place that it allows is told.
+            The taper needs a thin end below the stock's least size; the message has the nearest possible place.
         NotConvergedError
             No taper gives that camber.
         """
         try:
             taper, chord = self._taper()
         except NotConvergedError:
-            if self.lying is not None:  # what the weight does is told
+            if self.lying is not None:  # the message already describes the effect of the weight
                 raise
             raise self._too_thin(0.5 - self.place, self._even_chord, note("less")) from None
         thin = self.stock.largest * np.exp(-abs(taper))
@@ -213,10 +214,10 @@ class BattenSpec:
         return Batten(self, _straight_ends(_pressed(self, taper, chord, FINE_NODES).curve))
 
     def _too_thin(self, side: float, chord: float, thin: object) -> InputError:
-        """That the stock's taper, larger at the end where `side` is positive, brings the camber less far."""
+        """Return the error that the largest taper of the stock does not bring the camber to its place."""
         most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)
         within = 100 * self._place_of(most, chord)
-        # rounded towards the middle, so that what is told can be made
+        # rounded towards the middle, so that the stated place is possible
         nearest = (
             note("at least {percent:.3g}", percent=np.ceil(10 * within) / 10)
             if side > 0
@@ -235,11 +236,14 @@ class BattenSpec:
 
     @property
     def _even_chord(self) -> float:
-        """About the chord, over the length, of an even batten with this camber: of half a sine."""
+        """Estimated chord over length of an untapered batten with this camber (half a sine)."""
         return 1 - 2.4 * self.camber**2
 
     def _place_of(self, taper: float, chord: float) -> float:
-        """Where this taper brings a camber of that depth, which grows with the root of what the chord is short."""
+        """Return the place of the camber for this taper, with the chord adjusted to the requested depth.
+
+        The depth grows with the square root of length minus chord.
+        """
         for _ in range(MOST_STEPS):
             depth, place = camber_of(_pressed(self, taper, chord, SEARCH_NODES))
             if abs(depth - self.camber) < 10 * SETTLED:
@@ -248,14 +252,14 @@ class BattenSpec:
         return place
 
     def _taper(self) -> tuple[float, float]:
-        """Logarithm of end over start size, and chord over length."""
+        """Return the logarithm of end size over start size, and chord over length."""
         from scipy.optimize import least_squares
 
         def missed(x: FloatArray) -> FloatArray:
             found = camber_of(_pressed(self, float(x[0]), float(x[1]), SEARCH_NODES))
             return np.array(found) - (self.camber, self.place)
 
-        # what taper does to the place of an even batten's camber, to begin with
+        # initial guess: linear effect of the taper on the place of the camber
         first = [6.0 * (0.5 - self.place), self._even_chord]
         found = least_squares(
             missed, first, bounds=([-4.0, 0.3], [4.0, 1.0 - 1e-6]), x_scale=[1.0, 0.1], ftol=None, gtol=None,
@@ -271,7 +275,7 @@ class BattenSpec:
 
 @dataclass(frozen=True, eq=False)
 class Batten:
-    """A batten as it is made: see `BattenSpec`.
+    """Finished batten; see `BattenSpec`.
 
     Attributes
     ----------
@@ -285,7 +289,7 @@ class Batten:
 
     @property
     def strip_spec(self) -> StripSpec:
-        """The batten as a request for a strip: its curve between hinges, its stiffness made of the stock."""
+        """Request for the batten's strip: its curve between hinges, with the stiffness law of the stock."""
         stock = self.spec.stock
         return StripSpec(
             self.curve, stock.sheet, law=stock, supports=ENDS, ends=(Tab(0.0), Tab(0.0)), label=self.spec.label,
@@ -294,18 +298,18 @@ class Batten:
 
     @cached_property
     def strip(self) -> Strip:
-        """What the request makes: bodies, mass and warnings are those of every strip."""
+        """Strip made from `strip_spec`."""
         return self.strip_spec.make()
 
     @property
     def camber(self) -> tuple[float, float]:
-        """Depth and its place, in chords."""
+        """Depth of the camber and its place, as fractions of the chord."""
         return camber_of(self.strip.rod)
 
     def camber_with_weight(self, *, bulging: Literal["up", "down"]) -> tuple[float, float]:
         """Return depth and place of the camber under the batten's own weight, as `camber_of` does.
 
-        The batten lies with its chord level, and its ends are pressed as near as before.
+        The chord is level and as long as before.
         """
         rod, size = self.strip.rod, self.strip.layout.size
         assert size is not None
@@ -316,23 +320,23 @@ class Batten:
 
     @property
     def chord(self) -> float:
-        """Distance of the pressed ends, mm."""
+        """Distance between the pressed ends, mm."""
         return float(np.hypot(*(self.strip.rod.position[-1] - self.strip.rod.position[0])))
 
     @property
     def end_force(self) -> float:
-        """Force by which the ends are pressed together, N."""
+        """Force that presses the ends together, N."""
         return float(np.hypot(*self.strip.reactions().start_force))
 
     def of_leaves(self, leaves: int) -> LeafedRod:
-        """The stock glued of so many equal leaves, not planed; their ends bring it nearest to this shape.
+        """Return the closest stack of equal glued plies; the lengths of the plies replace the planed taper.
 
         Raises
         ------
         InputError
-            The stock is no strip, or the number no whole one.
+            The stock is not a strip, or the number of plies is not an integer.
         NotConvergedError
-            No such stack comes to rest between the pressed ends.
+            No stack has an equilibrium between the pressed ends.
         """
         stock = self.spec.stock
         if not isinstance(stock, ThicknessLaw):
@@ -341,17 +345,17 @@ class Batten:
         return lay_leaves(self.strip.rod, LeavesLaw(leaf, leaves, stock.width))
 
     def strip_of(self, leafed: LeafedRod) -> Strip:
-        """Return the strip that these leaves make."""
+        """Return the strip of these plies."""
         spec = self.spec
         return Strip(leafed.rod, leafed.section.sheet, ends=(Tab(0.0), Tab(0.0)), label=spec.label)
 
     def table(self, stations: FloatArray | list[float]) -> dict[str, FloatArray]:
-        """Columns (n,) by name at stations (n,), mm along the batten: see `_bench_table`."""
+        """Return columns (n,) by name at stations (n,), mm along the batten; see `bench_csv`."""
         return _bench_table(self.strip, stations)
 
 
 def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
-    """The batten between hinges at this distance; its size goes from 1 to exp(taper), full at the thick end."""
+    """Return the batten between hinges at distance `chord`; the ratio of end size to start size is exp(taper)."""
     along = np.linspace(0.0, 1.0, nodes)
     tapered = 1 - spec.full
     share = along / tapered if taper > 0 else (along - spec.full) / tapered
@@ -373,12 +377,15 @@ def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
 
 
 def _level(bulging: Literal["up", "down"], side: float = 1.0) -> Gravity:
-    """Gravity across the chord, of a batten that bulges to its left, or where `side` is -1 to its right."""
+    """Return gravity across the chord; the batten bulges to its left, or to its right if `side` is -1."""
     return Gravity(1.0, (0.0, -side if bulging == "up" else side))
 
 
 def camber_of(rod: Rod) -> tuple[float, float]:
-    """The largest distance from the chord and where it lies, in chords, by a parabola through three nodes."""
+    """Return the largest distance from the chord and its place, as fractions of the chord.
+
+    Both come from a parabola through three nodes.
+    """
     chord = rod.position[-1] - rod.position[0]
     size = float(chord @ chord)
     along = (rod.position - rod.position[0]) @ chord / size
@@ -389,7 +396,7 @@ def camber_of(rod: Rod) -> tuple[float, float]:
 
 
 def _straight_ends(curve: PlaneCurve) -> PlaneCurve:
-    """The curve with no curvature at its ends, as hinges have it: third points are moved by micrometres."""
+    """Return the curve without curvature at its hinged ends; this moves the third control points by micrometres."""
     points = np.array(curve.control_points)
     for first, second, third in ((0, 1, 2), (-1, -2, -3)):
         along = points[second] - points[first]

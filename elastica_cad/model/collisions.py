@@ -1,7 +1,7 @@
-"""Strips of a model that share material where no slot lets them, and a strip that meets itself.
+"""Collisions between strips of a model outside their slots, and contact of a strip with itself.
 
-Both are found on samples. Of two bodies that share material an edge of one reaches into the other, or they lie face
-on face: edges are sampled finely, and faces, where the depth is level, coarsely.
+Both are detected on samples. If two bodies share material, either an edge of one body is inside the other, or two
+faces overlap. Edges are sampled finely. Faces are sampled coarsely, because the depth varies little there.
 """
 
 from collections.abc import Iterable, Sequence
@@ -32,20 +32,19 @@ EDGE_PITCH_MM, FACE_PITCH_MM = 0.2, 2.0
 """Distances between samples along edges and on faces, mm."""
 
 SHARED_MM = 0.05
-"""Depth, mm, up to which strips that are slotted together only touch."""
+"""Largest overlap, mm, of slotted strips that counts as touching."""
 
 EDGES_TOUCH_MM = 0.1
-"""Depth, mm, up to which strips that lie edge to edge may overlap; it can be filed off."""
+"""Largest permitted overlap, mm, of strips that meet edge to edge; it can be filed off."""
 
 FOOT_STEPS = 3
 """Newton steps from the nearest station of a curve to its nearest point."""
 
 INSCRIBED = np.sqrt(0.5)
-"""Side of the square in a circle, over its diameter: round rods count as that."""
+"""Side of the square inscribed in a circle, over the diameter; round rods are replaced by this square."""
 
 MOUTH = 4.0
-"""Length, in widths of a slot, by which it is extended beyond the edge: its sides reach the edge at different
-places."""
+"""Extension of a slot beyond the edge of the strip, in slot widths, because its two sides differ in length."""
 
 RIM_MM = 0.002
 """Flatness of the polygons that represent slots, mm."""
@@ -54,23 +53,23 @@ SELF_PITCH_SHARE = 0.25
 """Distance between samples along a strip that may meet itself, in thicknesses."""
 
 MOST_SAMPLES = 20_000
-"""Largest number of samples along a strip that may meet itself; on a long one they are farther apart."""
+"""Largest number of samples along a strip that may meet itself; on a long strip the samples are farther apart."""
 
 Places = tuple[float, float]
 
 
 @dataclass(frozen=True, eq=False)
 class Collision:
-    """A place where two strips share material.
+    """Place where two strips share material.
 
     Attributes
     ----------
     places : (float, float)
-        Arc lengths of both, mm.
+        Arc length on each strip, mm.
     depth : float
-        How far one reaches into the other, mm.
+        Depth of the overlap, mm.
     position : (3,) array
-        In space, mm.
+        Position in space, mm.
     """
 
     places: Places
@@ -100,8 +99,9 @@ class Body:
         return cls(ruled, strip_thickness(strip), strip)
 
     def samples(self, inset: float) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Return places (n,) and (n,) on edges and faces in the flat pattern, `inset` mm within the rim, and the
-        points and tangents (n, 2) of the curve there.
+        """Return samples of edges and faces in the flat pattern, `inset` mm within the rim.
+
+        Samples are arc lengths (n,) and places across (n,), with the points and tangents (n, 2) of the curve.
         """
         length = self.ruled.length
         first, last = min(inset, length / 2), max(length - inset, length / 2)
@@ -126,7 +126,7 @@ class Body:
         return near, stations[k[order[first]]]
 
     def nearest(self, points: FloatArray, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Arc lengths (n,) near s at which the curve is nearest to points (n, 2), its places and tangents there."""
+        """Return the arc lengths (n,), near s, nearest to points (n, 2), with the curve's points and tangents."""
         for _ in range(FOOT_STEPS):
             place, tangent = self.ruled.in_plane(s)
             s = np.clip(s + ((points - place) * tangent).sum(axis=1), 0.0, self.ruled.length)
@@ -146,7 +146,7 @@ class Body:
             left, down = s[:, None] - x, across[:, None] - y
             where = np.clip((left * dx + down * dy) / (dx**2 + dy**2), 0.0, 1.0)
             off = np.hypot(where * dx - left, where * dy - down).min(axis=1)
-            # a line from the place to one side meets the sides of a polygon around it an odd number of times
+            # a ray from a place inside a polygon crosses the sides of the polygon an odd number of times
             beside = ((down >= 0) != (down >= dy)) & ((left * dy < down * dx) == (dy > 0))
             away = np.minimum(away, np.where(beside.sum(axis=1) % 2 == 1, -off, off))
         return away
@@ -158,17 +158,17 @@ def _steps(low: float, high: float, pitch: float) -> FloatArray:
 
 
 def deepest_collision(first: Body, second: Body, room: float = 0.0) -> Collision | None:
-    """Return the place where two slotted strips reach deepest into each other, `room` mm and more beside all slots.
+    """Return the deepest overlap of two slotted strips at a distance of at least `room` mm from all slots.
 
-    None where no deeper than `SHARED_MM`.
+    Return None if the overlap is at most `SHARED_MM`.
     """
     return _deeper(first, second, room, SHARED_MM, is_flush=False)
 
 
 def _flush_overlap(first: Body, second: Body) -> Collision | None:
-    """Where two strips whose surfaces run nearly alike lie deepest in each other's thickness, slots left out.
+    """Return the deepest overlap, outside slots, of two strips with nearly parallel surfaces.
 
-    Of strips thinner than twice `EDGES_TOUCH_MM` half the thickness counts.
+    The threshold is `EDGES_TOUCH_MM`, or half the thickness of a thinner strip.
     """
     return _deeper(
         first, second, 0.0, min(EDGES_TOUCH_MM, first.thickness / 2, second.thickness / 2), is_flush=True
@@ -176,7 +176,7 @@ def _flush_overlap(first: Body, second: Body) -> Collision | None:
 
 
 def _deeper(first: Body, second: Body, room: float, least: float, *, is_flush: bool) -> Collision | None:
-    """The deeper of the places where the first reaches into the second or the other way round."""
+    """Return the deeper of the overlaps of the first strip in the second and of the second in the first."""
     one, other = (
         _deepest(a, b, room, least, is_flush=is_flush) for a, b in ((first, second), (second, first))
     )
@@ -186,10 +186,9 @@ def _deeper(first: Body, second: Body, room: float, least: float, *, is_flush: b
 
 
 def _deepest(a: Body, b: Body, room: float, least: float, *, is_flush: bool) -> Collision | None:
-    """Where samples of one strip lie more than `least` mm deep in another.
+    """Return the sample of strip `a` that is deepest in strip `b`, or None if no sample is deeper than `least` mm.
 
-    The samples are those of both faces, a little within the body; strips that are flush are compared by their
-    middle surfaces.
+    The samples are slightly inside both faces; for flush strips they are on the middle surface.
     """
     inset = least if is_flush else min(least / 2, a.thickness / 4, b.thickness / 4)
     heights = [0.0] if is_flush else [inset - a.thickness / 2, a.thickness / 2 - inset]
@@ -256,10 +255,10 @@ class _Meeting:
 
 
 def missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tuple[str, ...]:
-    """A sentence for every two strips that overlap and are not slotted there, on one place; tabs are left out.
+    """Return one sentence for each pair of strips that overlap outside slots; tabs are ignored.
 
-    Of strips that cross it is the first crossing, of strips that lie side by side where they lie deepest. Of strips
-    that `joints` slot into each other it is where they reach deepest into each other beside their slots.
+    The sentence names the first crossing of strips that cross, and the deepest overlap of strips side by side. For
+    strips with a joint in `joints` it names the deepest overlap beside their slots.
 
     Examples
     --------
@@ -270,7 +269,7 @@ def missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tup
 
 
 def tell_missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tuple[str, ...]:
-    """Return a sentence on the first two strips that lack a slot; empty where all are slotted or apart.
+    """Return a sentence on the first pair of strips that needs a slot, or an empty tuple if no pair does.
 
     Examples
     --------
@@ -282,7 +281,7 @@ def tell_missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -
 
 
 def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meeting]:
-    """One place for every two strips that overlap where no slot allows it."""
+    """Return one place for each pair of strips that overlap outside slots."""
     names, bodies = strip_names(placed), [Body.of(one) for one in placed]
     narrower = [replace(body.ruled, width=_within_edges(one.strip.width))
                 for body, one in zip(bodies, placed, strict=True)]  # fmt: skip
@@ -313,10 +312,9 @@ def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meetin
 
 
 def _rooms(placed: Sequence[Placed], joints: Iterable[Joint]) -> dict[tuple[int, int], float]:
-    """For pairs that are slotted together, how far beside their slots they are asked, mm.
+    """Return, for each slotted pair, the distance from the slots, mm, beyond which overlaps count.
 
-    Slots of the paper's width are too narrow: there strips are asked only where they are clear of what an exact
-    slot takes away.
+    With `fit="paper"` slots are too narrow, so the region that an exact slot would remove is not checked.
     """
     rooms: dict[tuple[int, int], float] = {}
     for joint in joints:
@@ -329,7 +327,7 @@ def _rooms(placed: Sequence[Placed], joints: Iterable[Joint]) -> dict[tuple[int,
 
 
 def _crossing(strips: tuple[Strip, Strip], surfaces: tuple[RuledStrip, RuledStrip]) -> Places | None:
-    """Arc lengths of both strips where they first run through each other at an angle."""
+    """Return the arc lengths of both strips at their first crossing without a slot, or None."""
     for crossing in strip_crossings(*surfaces):
         _, _, points = crossing.course
         if points.angle.max() < TOUCHING_RAD or crossing.length < strip_thickness(strips[0]):
@@ -340,12 +338,12 @@ def _crossing(strips: tuple[Strip, Strip], surfaces: tuple[RuledStrip, RuledStri
 
 
 def _within_edges(width: Profile) -> Profile:
-    """The width without what a file takes off: strips that lie edge to edge then keep apart."""
+    """Return the width reduced by the permitted overlap, so that strips edge to edge do not collide."""
     return replace(width, coefficients=width.coefficients - 2 * EDGES_TOUCH_MM)
 
 
 def _slotted(strips: tuple[Strip, Strip], first: FloatArray, second: FloatArray) -> bool:
-    """Has either strip a slot at these stations?"""
+    """Return True if either strip has a slot at these stations."""
     return any(_has_slot(strip, at) for strip, at in zip(strips, (first, second), strict=True))
 
 
@@ -358,10 +356,10 @@ def _has_slot(strip: Strip, stations: FloatArray) -> bool:
 
 
 def self_contact(strip: Strip) -> Places | None:
-    """Two places of the bent strip that touch or run through each other, mm along it; None where there are none.
+    """Return the arc lengths, mm, of two places at which the bent strip meets itself, or None.
 
-    Tabs lie below 0 and beyond the length; the lap of a closed strip is left out. A meeting that a slot at one of
-    the places makes room for is none.
+    Places on tabs are below 0 or beyond the length. The lap of a closed strip is ignored, and so is contact at a
+    slot.
 
     Examples
     --------

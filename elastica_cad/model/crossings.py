@@ -1,9 +1,9 @@
-"""Where two bent strips, as ruled surfaces, cross in space.
+"""Crossings in space of two bent strips, taken as ruled surfaces.
 
-gamma_a + v z_a = gamma_b + u z_b. Across both rulings, along n = z_a x z_b, only the two curves have a say:
-<n, gamma_a(s_a)> = <n, gamma_b(s_b)> is a level set in the plane of (s_a, s_b), made of one branch for each pair
-of stretches on which the two heights are monotone; v and u follow from what is left. With parallel rulings the
-plane curves cross at points, each a whole ruling.
+The surfaces meet where gamma_a + v z_a = gamma_b + u z_b. The component along n = z_a x z_b is independent of u, v:
+<n, gamma_a(s_a)> = <n, gamma_b(s_b)>. This is a level set in the plane of (s_a, s_b), with one branch for each
+pair of stretches on which both heights are monotone. The other components give v and u. If the rulings are
+parallel, the plane curves cross at points, and each point is a whole common ruling.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -24,7 +24,7 @@ from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import SplineFunction
 
 STATIONS = 400
-"""Least number of samples of a strip from which crossings are found; between them it is known to 1e-5 mm."""
+"""Least number of samples of a strip for its crossings; interpolation between them is accurate to 1e-5 mm."""
 
 _TABLES = 128  # curves whose tables are kept: equal strips share theirs, as do crossings and collisions
 _ROUNDING = 1e-12  # of places: strips as thin as a line may meet in spite of it
@@ -94,9 +94,9 @@ class RuledStrip:
 
 
 def strips_may_meet(strips: Sequence[RuledStrip], rooms: FloatArray | None = None) -> BoolArray:
-    """Which strips (n, n) are not clearly apart, each with `rooms` (n,) mm about it, seen in the frame of either.
+    """Return a matrix (n, n) that is False for pairs of strips that are clearly apart.
 
-    A box around one strip then meets that around the other.
+    The boxes around the strips, enlarged by `rooms` (n,) mm, are compared in the frames of both strips.
     """
     rooms = np.zeros(len(strips)) if rooms is None else rooms
     axes, origins, boxes = (
@@ -137,7 +137,7 @@ ZERO = 1e-11
 of 10 m."""
 
 ZERO_STEPS = 80
-"""Largest number of steps, far more than needed: each gains more than one and a half digits."""
+"""Largest number of steps, far more than needed: each step gains more than one and a half digits."""
 
 
 def _bracketed_zeros(
@@ -147,9 +147,9 @@ def _bracketed_zeros(
     *,
     values: tuple[FloatArray, FloatArray],
 ) -> FloatArray:
-    """Zeros (n,), one between each low and high, where the function has the given values of different signs.
+    """Return zeros (n,), one in each interval (low, high); the function's values there have opposite signs.
 
-    All at once by the false position of Anderson and Bjorck (BIT 13, 1973).
+    All intervals are treated at once, by the false position method of Anderson and Bjorck (BIT 13, 1973).
     """
     if not low.size:
         return low
@@ -186,14 +186,14 @@ LEVEL_SLOPE = 1e-12
 """A curve is level when the slope of its height is nowhere larger than this."""
 
 LEAST_SQUARED_SLOPE = 1e-14
-"""Squared slope of the heights below which the surfaces touch; Newton's steps are kept short there."""
+"""Squared slope of the heights below which the surfaces count as touching; Newton's steps are limited there."""
 
 
 @dataclass(frozen=True, eq=False)
 class IntersectionPoints:
-    """Common points: arc lengths of both curves (n,), and how far along both rulings they lie (n,), mm.
+    """Common points: arc lengths on both curves (n,) and distances along both rulings (n,), mm.
 
-    `on_curves` says where both curves are at these arc lengths.
+    `on_curves` has the points and tangents of both curves at these arc lengths.
     """
 
     s_a: FloatArray
@@ -210,7 +210,7 @@ def margins(strips: tuple[RuledStrip, RuledStrip], p: IntersectionPoints) -> Flo
 
 
 def _intersect_surfaces(a: RuledStrip, b: RuledStrip) -> "tuple[Branch | Ruling, ...]":
-    """All curves in which the two surfaces, with rulings of any length, meet."""
+    """Return all intersection curves of the two surfaces, with rulings of unlimited length."""
     n = np.cross(a.axis, b.axis)
     if np.linalg.norm(n) < PARALLEL_RAD:
         return tuple(_rulings(a, b))
@@ -231,7 +231,7 @@ class Ruling:
 
     @property
     def nodes(self) -> FloatArray:
-        """The points along the ruling, from one end to the other."""
+        """Points along the ruling, from end to end."""
         return np.linspace(-self.reach, self.reach, 9)
 
     def at(self, q: FloatArray) -> IntersectionPoints:
@@ -271,11 +271,11 @@ class _Heights:
         return self.n / np.linalg.norm(self.n)
 
     def along(self, strip: RuledStrip, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Heights of one of the curves, from the origin of a's frame, and their slopes, (n,) each."""
+        """Return heights of a strip's curve above the origin of a's frame, and their slopes, (n,) each."""
         return self.above(strip, strip.in_plane(s))
 
     def above(self, strip: RuledStrip, places: InPlane) -> tuple[FloatArray, FloatArray]:
-        """Heights and their slopes for places on one of the curves."""
+        """Return the heights, and their slopes, of places on a strip's curve."""
         across, base = self._ways[0 if strip is self.a else 1]
         position, tangent = places
         return position @ across + base, tangent @ across
@@ -362,7 +362,7 @@ def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
 def _level(
     s_a: FloatArray, c_a: FloatArray, s_b: FloatArray, c_b: FloatArray
 ) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """The way along a straight strip that keeps the height at which the other curve passes it."""
+    """Yield branches for a strip with constant height, along which the other strip's arc length is constant."""
     if c_b[0] == c_b[-1] and c_a.min() < c_b[0] < c_a.max():
         yield np.repeat(_inverted(s_a, c_a, c_b[:1]), s_b.size), s_b
     if c_a[0] == c_a[-1] and c_b.min() < c_a[0] < c_b.max():
@@ -399,9 +399,9 @@ def _inverted(s: FloatArray, c: FloatArray, at: FloatArray) -> FloatArray:
 
 
 def _joint(k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float) -> tuple[str, int, int] | None:
-    """Which turn of which curve ends a piece at the height `bound`: the next piece goes on from there.
+    """Return the turning point that ends a piece at the height `bound`; the next piece starts there.
 
-    Turns are counted as the stretches that begin with them.
+    A turning point has the number of the stretch that begins there.
     """
     as_a, as_b = bound in (c_a[0], c_a[-1]), bound in (c_b[0], c_b[-1])
     if as_a and as_b:
@@ -459,7 +459,7 @@ ON_EDGE_MM = 1e-8
 """A crossing that ends this near to an edge, mm, ends on it."""
 
 LENGTH_POINTS = 33
-"""Number of points with which the length along a crossing is measured, to a thousandth."""
+"""Number of points for measuring the length along a crossing, accurate to 0.1 %."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -499,7 +499,7 @@ class Crossing:
     end: float
 
     def at(self, x: FloatArray) -> CrossingPoints:
-        """Points at x (n,): 0 and 1 are where the stretch begins and ends; it goes on beyond."""
+        """Return the points at x (n,): the stretch is from 0 to 1, and x may be outside it."""
         a, b = self.strips
         p = self.locus.at(self.start + x * (self.end - self.start))
         (place, tangent), (_, other) = p.on_curves
@@ -555,9 +555,9 @@ class Crossing:
         return np.array([m[:, :2].min(axis=1), m[:, 2:].min(axis=1)])
 
     def beyond(self, which: int, end: int) -> float | None:
-        """The x at which strip `which` (0 or 1) itself ends, going on from the start (end 0) or the end (1).
+        """Return the x at which the crossing, extended at `end` (0 is its start), reaches an edge of a strip.
 
-        None where the strip's curve ends before its long edge is reached.
+        `which` selects the strip, 0 or 1. Return None if the strip's curve ends before its long edge is reached.
         """
         if self.room[which, end] < ON_EDGE_MM:
             return float(end)
@@ -575,10 +575,9 @@ class Crossing:
 
 
 def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
-    """All stretches along which two bent strips cross.
+    """Return all stretches along which two bent strips cross.
 
-    Solved by Newton's method to rounding error; both ends of a stretch are where it leaves one of the strips. Of
-    strips that are clearly apart (`strips_may_meet`) there is none.
+    Points are solved by Newton's method to rounding error. A stretch ends at an edge or end of one of the strips.
     """
     found = []
     for locus in _intersect_surfaces(a, b):
@@ -607,7 +606,10 @@ def _edges(
     sides: IntArray,
     values: tuple[FloatArray, FloatArray],
 ) -> FloatArray:
-    """Where on the locus the margins' columns `sides` (n,) vanish, between places (n,) where they have `values`."""
+    """Return the places on the locus where columns `sides` (n,) of the margins are zero, within the given brackets.
+
+    The margins at both ends of the brackets are `values`.
+    """
     rows = np.arange(sides.size)
     return _bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], *between, values=values)
 

@@ -27,27 +27,27 @@ Key: TypeAlias = tuple[float, ...]
 
 
 def tab_name(strip: str, end: StripEnd) -> str:
-    """Number of the part that is the tab at an end of a strip: the way its label reads."""
+    """Return the part number of the tab at an end of a strip, as engraved in its label."""
     return f"{strip}:{1 if end == 'start' else 2}"
 
 
 @dataclass(frozen=True, eq=False)
 class PlacedTab:
-    """A tab in space.
+    """Tab in space.
 
     Attributes
     ----------
     frame : Frame
-        Origin where the free part ends, half way through the thickness; x out of the strip into the tab, y across
-        it, z off the strip's upper side.
+        The origin is the end of the free part, at half the thickness. The x axis points out of the strip into the
+        tab, y across the tab, and z away from the strip's upper side.
     length, width, thickness : float
         mm.
     holes : tuple of Hole
         Seen along y of this frame.
     name : str
-        Part number: the strip's name with 1 for the start and 2 for the end, which is the way its label reads.
+        Part number: the strip's name with 1 for the start and 2 for the end, as in the engraved label.
     t_slot : TSlot or None
-        The screw that goes in from the tip.
+        Slot for a screw that is inserted at the tip.
     """
 
     frame: Frame
@@ -62,7 +62,7 @@ class PlacedTab:
     def of(
         cls, strip: Strip, end: StripEnd, frame: Frame | None = None, *, name: str | None = None
     ) -> "PlacedTab":
-        """The tab at the start or the end of a strip whose curve is drawn in `frame`."""
+        """Return the tab at the start or end of a strip; `frame` is the plane of the strip's curve."""
         require_record(strip, Strip, "what a tab is of", "a Strip, as make_strip makes one")
         require_ends([end])
         place = frame_or_plain(frame)
@@ -86,7 +86,7 @@ class PlacedTab:
 
     @cached_property
     def key(self) -> Key:
-        """Rounded position, by which holders and strips are matched."""
+        """Rounded position, the key for matching holders with strips."""
         return tuple(np.round([*self.frame.origin, *self.frame.x_axis], 6).tolist())
 
     @property
@@ -149,40 +149,41 @@ LEVEL = 1e-6
 """Tolerance for heights, mm, and directions."""
 
 BEYOND_MM = 1.0
-"""Distance by which holes and pockets extend beyond the faces that they open, mm."""
+"""Extension of holes and pockets beyond the faces that they open, mm."""
 
 
 @dataclass(frozen=True, eq=False)
 class EndFixture(EqualByValue):
-    """A block with a pocket for one tab, and a foot with two screw holes.
+    """Block with a pocket for one tab, and a foot with two screw holes.
 
     Parameters
     ----------
     tab : PlacedTab
-        What it holds; see `EndFixture.of`.
+        Tab in the pocket; see `EndFixture.of`.
     floor : Frame, optional
-        The plane it stands on, z up; it must be at right angles to the plane of the strip's curve. Without it the
-        block stands on a plane square to the tab, behind its tip.
+        Plane under the block, z up; it must be perpendicular to the plane of the strip's curve. By default it is
+        perpendicular to the tab, behind its tip.
     clearance : float
-        Room around the tab on every side, mm.
+        Clearance around the tab on every side, mm.
     wall : float
         Least thickness around the pocket, mm.
     foot : float
-        How far the foot sticks out on either side, mm; 0 for none.
+        Width of the foot on either side, mm; 0 for no foot.
     foot_height : float
         mm.
     screw : float
-        Diameter of the screw holes in the foot, mm; 0 for none. Holes of the tab go through the block too, to clamp
-        it with screws.
+        Diameter of the screw holes in the foot, mm; 0 for no holes. Holes of the tab also pass through the block,
+        for clamping screws.
     engrave : str, optional
-        Text engraved on the block; the tab's name unless given, empty for none.
+        Engraved text; by default the tab's name, empty for no text.
     lean : (float, float)
-        How the pocket is shifted to the left of the curve, mm, and turned to the left, rad: see `of`.
+        Shift of the pocket to the left of the curve, mm, and its turn to the left, rad; see `of`.
 
     Raises
     ------
     InputError
-        No tab to hold, sizes that are not possible, a floor above the tab or not square to the curve's plane.
+        The strip has no tab there, a size is impossible, or the floor is above the tab or not perpendicular to the
+        plane of the curve.
 
     Examples
     --------
@@ -253,20 +254,20 @@ class EndFixture(EqualByValue):
         engrave: str | None = None,
         **sizes: Any,
     ) -> "EndFixture":
-        """The fixture of a strip's "start" or "end", its curve drawn in `frame` (the xy plane unless told).
+        """Return the fixture of a strip's "start" or "end"; `frame` is the plane of its curve, by default xy.
 
-        The pocket leans against the strip's force and moment, so that the tab lies as designed when it has taken up
-        the clearance.
+        The pocket is shifted and turned against the strip's force and moment. After the tab has taken up the
+        clearance, it is at its designed position.
         """
         tab = PlacedTab.of(strip, end, frame)
         _require_holdable(strip)
         return cls(tab, floor, engrave=engrave, **sizes).leaning(strip, end)
 
     def leaning(self, strip: Strip, end: StripEnd) -> "EndFixture":
-        """The fixture with its pocket leaned against what an end of the strip does to it.
+        """Return the fixture with its pocket shifted and turned against the load of the strip's end.
 
-        The tab bends between the walls that it is pressed against, as it does between two plates: the body of a
-        straight tab runs into them a little.
+        The tab bends between the walls, as between two plates. The solid of the straight tab therefore overlaps the
+        walls slightly.
         """
         require_record(strip, Strip, "what is held", "a Strip")
         require_ends([end])
@@ -287,7 +288,7 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def ground(self) -> Frame:
-        """The plane the block stands on; its z axis points to the block."""
+        """Plane under the block; its z axis points to the block."""
         if self.floor is not None:
             return self.floor
         tab = self.tab.frame
@@ -296,13 +297,12 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def _profile(self) -> Frame:
-        """Frame in which profiles are drawn: x points out of the strip, y away from its upper side, z across it
-        from the middle."""
+        """Frame of the profiles: x points out of the strip, y away from its upper side, z across it."""
         return Frame(self.tab.frame.origin, self.tab.frame.x_axis, self.tab.frame.z_axis)
 
     @cached_property
     def _core(self) -> FloatArray:
-        """Corners (4, 2) of the block about the pocket, in the profile's frame."""
+        """Corners (4, 2) of the block around the pocket, in the frame of the profiles."""
         half = self.tab.thickness / 2 + self.clearance + self.wall
         back = self.tab.length + self.clearance + self.wall
         return np.array([(0.0, -half), (back, -half), (back, half), (0.0, half)])
@@ -437,10 +437,10 @@ def _groove(way: Segment, width: float) -> Path:
 def end_fixtures(
     placed: Sequence[Placed], *, floor: Frame | None = None, ends: Sequence[StripEnd] = ENDS, **sizes: Any
 ) -> tuple[EndFixture, ...]:
-    """Blocks for these ends of every strip that has tabs; sizes as in `EndFixture`.
+    """Return blocks for these ends of every strip that has tabs; sizes as in `EndFixture`.
 
-    Without `floor`, blocks whose strips stand upright share a horizontal floor that just touches the lowest of
-    them; the others stand square to their tabs.
+    Without `floor`, blocks of strips with a vertical plane share one horizontal floor below the lowest block. The
+    floor of every other block is perpendicular to its tab.
     """
     refuse_unknown(sizes, {one.name for one in fields(EndFixture)} - {"tab", "floor", "engrave"}, "a fixture")
     placed = require_placed(placed)
@@ -467,14 +467,14 @@ def _polygon(corners: FloatArray) -> Path:
 
 
 TOUCHING_MM = 0.1
-"""Depth, mm, by which blocks may overlap; it can be filed off."""
+"""Largest permitted overlap of blocks, mm; it can be filed off."""
 
 PITCH_MM = 0.5
 """Distance, mm, between the points of strips and edges of blocks that are tested for overlap with blocks."""
 
 
 def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tuple[str, ...]:
-    """Sentences that name the first two blocks that would stand in each other, and the first strip in one's way.
+    """Return messages on the first two blocks that overlap and on the first strip that runs through a block.
 
     Examples
     --------
@@ -511,7 +511,7 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
 
 
 def _crossed(placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Sequence["_Prism"]]) -> list[int]:
-    """The blocks that a strip runs through, but for those that hold it."""
+    """Return the blocks that a strip runs through, except those at its own ends."""
     own = {PlacedTab.of(placed.strip, end, placed.frame).key for end in ENDS}
     rod, frame = placed.strip.rod, placed.frame
     s = np.linspace(0.0, rod.length, int(rod.length / PITCH_MM) + 2)
@@ -523,13 +523,13 @@ def _crossed(placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Seque
 
 
 def _reach_into(points: FloatArray, parts: Sequence["_Prism"]) -> bool:
-    """Whether any of the points (n, 3) is deep enough within one of the parts."""
+    """Return True if any of the points (n, 3) is deeper than `TOUCHING_MM` in one of the parts."""
     return any(bool((part.depths(points) > TOUCHING_MM).any()) for part in parts)
 
 
 @dataclass(frozen=True, eq=False)
 class _Prism:
-    """A convex prism in space: points (n, 3) along its edges, and of its faces points and normals (k, 3)."""
+    """Convex prism in space: points (n, 3) along its edges, and a point and normal (k, 3) of each face."""
 
     edges: FloatArray
     faces: FloatArray
@@ -537,7 +537,7 @@ class _Prism:
 
     @classmethod
     def of(cls, solid: FlatSolid) -> "_Prism":
-        """That of a solid, whose outline of lines runs anticlockwise."""
+        """Return the prism of a solid whose outline is an anticlockwise polygon."""
         up = solid.frame.z_axis
         lower = solid.frame.point([segment.start for segment in solid.outline.segments])
         upper, after = lower + solid.thickness * up, np.roll(lower, -1, axis=0)

@@ -34,7 +34,7 @@ from elastica_cad.strip.uncuttable_parts import (
 )
 
 SHOULDER_MM = 5.0
-"""Width, mm, by which a rib is wider than its tongue on each side, to rest against the rail."""
+"""Width of a rib's shoulder beside its tongue, mm, which rests against the rail."""
 
 SLOT_ROOM_MM = 3.0
 """Least distance between the slots of ribs and of tabs, mm; the sheet may need more."""
@@ -43,35 +43,34 @@ LABEL_MM = 6.0
 """Height of a rib's name, where there is room."""
 
 MOST_RIBS = 200
-"""Largest number of ribs of one frame."""
+"""Largest number of ribs of a frame."""
 
 STEP_MM = 2.5
-"""Step, mm, on each side by which a tongue is narrower in the first of two rails: it keeps the gap between
-them."""
+"""Step on each side of a tongue, mm: it is narrower in the first of two rails, which keeps the gap between them."""
 
 ON_SIDE_MM = 1e-6
-"""Points of a tongue this near to a side of the rib lie on it: rounding."""
+"""Largest distance, mm, by rounding, of a point on a side of the rib from this side."""
 
 PARALLEL_SINE = 0.1
-"""Rails whose normals differ by no larger sine count as parallel: ribs then stand across the first of them."""
+"""Largest sine of the angle between normals of parallel rails; ribs are then perpendicular to the first rail."""
 
 
 @dataclass(frozen=True, eq=False)
 class Rib:
-    """A plate that joins the rails; its tongues fill slots of both.
+    """Plate that joins the rails with tongues in their slots.
 
     Attributes
     ----------
     name : str
     sheet : Sheet
     frame : Frame
-        Middle of its thickness.
+        Middle plane of the rib.
     outline : Path
         Closed, in the frame.
     label : Text
-        Its name, in the frame.
+        Engraved name, in the frame.
     warnings : tuple of str
-        Why it should not be cut, where it was made all the same.
+        Reasons not to cut the rib, if limits were ignored.
     """
 
     name: str
@@ -82,12 +81,12 @@ class Rib:
     warnings: tuple[str, ...] = ()
 
     def checked(self, options: PlateOptions) -> "Rib":
-        """The rib with what is to be said of it; one that cannot be cut is refused without `ignore_limits`.
+        """Return the rib with its warnings.
 
         Raises
         ------
         InputError
-            Necks, or a rib larger than the stock.
+            The rib has narrow necks or is larger than the sheet, and `ignore_limits` is false.
         """
         require_record(options, PlateOptions, "options", "a PlateOptions")
         faults = find_plate_faults(self.name, self.sheet, self.outline, (), options.shop)
@@ -113,7 +112,7 @@ class SlottedFrame:
     Attributes
     ----------
     rails : tuple of BasePlate
-        One holds the tabs at the strips' starts, one those at their ends; or two each.
+        One rail (or two) for the tabs at the strips' starts, and the same number for the tabs at their ends.
     ribs : tuple of Rib
     """
 
@@ -150,37 +149,37 @@ def slotted_frame(
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> SlottedFrame:
-    """A frame of plates: each rail follows the tabs of one end, ribs hold the rails apart at their angle.
+    """Return a frame of plates: each rail holds the tabs of one end, and ribs keep the rails in position.
 
     Parameters
     ----------
     placed : sequence of Placed
-        Every strip with a tab at both ends; the tabs of each end lie near a line or a plane.
+        Strips with tabs at both ends; the tabs of each end must be near a line or a plane.
     sheet : Sheet or its name
-        Of the rails and ribs.
+        Sheet of the rails and ribs.
     ribs : int
-        How many, 2 or more; fewer are made where there is no room between tabs.
+        Number of ribs, 2 or more; there are fewer if the gaps between tabs are too narrow.
     depth : float
-        Of the ribs behind the rails, mm.
+        Depth of the ribs behind the rails, mm.
     tongue : float
-        Length of the tongues by which ribs hold rails, mm.
+        Length of the tongues of the ribs in the rails, mm.
     play, clearance : float
-        Room beside tabs and tongues on either side, and added to the width of slots, mm.
+        Play beside tabs and tongues on either side, and amount added to the width of slots, mm.
     border : float
         Least distance of slots from the edge of a rail, mm.
     gap : float, optional
-        Two rails instead of each, so far apart, mm, that hold inclined tabs at their angle; the steps of the ribs'
-        tongues keep the gap.
+        Distance, mm, between two rails that replace each single rail and hold inclined tabs at their angle.
+        Steps of the tongues keep this distance.
     shop : FabricationLimits, optional
-        What the workshop can make: bridges between slots, the largest sheet.
+        Limits of the workshop: bridges between slots, the largest sheet.
     ignore_limits : bool
-        Make rails and ribs that the workshop cannot, and say so in their warnings.
+        Make rails and ribs beyond these limits, and list the faults in their warnings.
 
     Raises
     ------
     InputError
-        Tabs that no plane rail can hold, slots that meet or are far wider than their tabs, rails that no rib can
-        join, parts that cannot be cut; the parts are named.
+        No plane rail can hold the tabs, slots meet or are far wider than their tabs, no rib can join the rails, or
+        a part cannot be cut. The message names the parts.
 
     Examples
     --------
@@ -242,14 +241,14 @@ class _RailPlan:
         options: PlateOptions,
         behind: float = 0.0,
     ) -> "_RailPlan":
-        """The plane that the tabs of one end go through, or one so far behind it, with their slots."""
+        """Return the rail for the tabs of one end, shifted `behind` mm along the tabs, with their slots."""
         name = f"rail-{end}{'-outer' if behind else ''}"
         tabs = tabs_to_hold(placed, [end])
         frame = tab_plane(tabs, name).shifted(z=-behind)
         return cls(name, frame, through_slots(tabs, frame, sheet, replace(options, name=name)))
 
     def seat(self, station: float, across: FloatArray) -> "_Seat":
-        """Place where a rib across direction `across` (3,) meets the upper face, in the middle of the rail."""
+        """Return the place where a rib with normal `across` (3,) meets the upper face, in the rail's middle."""
         centers = self.frame.point([slot.corners.mean(axis=0) for slot in self.slots])
         n = self.frame.z_axis
         along = np.cross(n, across)
@@ -260,7 +259,7 @@ class _RailPlan:
         return _Seat(station * across + side * along + height * n, along, n)
 
     def tongue_slot(self, name: str, seat: "_Seat", size: tuple[float, float], thickness: float) -> TabSlot:
-        """The slot for a rib's tongue: length along the rib and width."""
+        """Return the slot for a rib's tongue; `size` is its length along the rib and its width."""
         center = self.frame.local(seat.point)[:2]
         u = (self.frame.axes @ seat.along)[:2]
         v = np.array([-u[1], u[0]])
@@ -269,15 +268,14 @@ class _RailPlan:
         return TabSlot(corners, name, thickness)
 
     def reach(self, across: FloatArray) -> FloatArray:
-        """Begin and end of each slot (n, 2) along a direction (3,)."""
+        """Return start and end of each slot (n, 2) along a direction (3,)."""
         corners = self.frame.point(np.array([slot.corners for slot in self.slots])) @ across
         return np.column_stack([corners.min(axis=1), corners.max(axis=1)])
 
 
 @dataclass(frozen=True, eq=False)
 class _Seat:
-    """Place where a rib goes through a rail: a point of the rail's upper face, the directions along the rib and
-    off the face."""
+    """Place of a rib in a rail: a point of the rail's upper face, the direction of the rib, the face normal."""
 
     point: FloatArray
     along: FloatArray
@@ -294,7 +292,7 @@ class _RibPlan:
     seats: tuple[_Seat, ...]
 
     def rib(self, sheet: Sheet, tongue: float, depth: float, *, behind: float, step: float) -> Rib:
-        """The plate behind all rails, with a tongue through each, which is narrower in the first of two rails."""
+        """Return the rib behind all rails, with tongues that are narrower in the first of two rails."""
         x_axis = self.seats[0].along
         frame = Frame(self.seats[0].point, x_axis, np.cross(self.across, x_axis))
         rest, under = tongue / 2 + SHOULDER_MM, sheet.thickness + behind
@@ -322,7 +320,7 @@ class _RibPlan:
 
 
 class _Corner:
-    """Corners of a rib in its frame, told by one of its seats: towards the other seat, and behind the face."""
+    """Local coordinates of a rib at one of its rails: towards the other rail, and behind the rail's face."""
 
     def __init__(self, frame: Frame, seat: _Seat, other: _Seat) -> None:
         self.frame, self.seat = frame, seat
@@ -335,7 +333,7 @@ class _Corner:
 
 
 def _across(rails: Sequence[_RailPlan]) -> FloatArray:
-    """The direction that ribs stand across, square to both rails' normals."""
+    """Return the normal of the ribs, which is perpendicular to the normals of both rails."""
     a, b = rails
     normal = np.cross(a.frame.z_axis, b.frame.z_axis)
     if np.linalg.norm(normal) < PARALLEL_SINE:
@@ -345,7 +343,7 @@ def _across(rails: Sequence[_RailPlan]) -> FloatArray:
 
 
 def _stations(rails: Sequence[_RailPlan], across: FloatArray, count: int, room: float) -> list[float]:
-    """Places of the ribs: before the first tab, behind the last, and evenly in gaps between."""
+    """Return the places of the ribs: before the first tab, behind the last tab, and evenly in gaps between tabs."""
     reach = np.concatenate([rail.reach(across) for rail in rails])
     reach = reach[np.argsort(reach[:, 0])]
     first, last = float(reach[:, 0].min()), float(reach[:, 1].max())
@@ -367,10 +365,10 @@ def _anticlockwise(loop: FloatArray) -> FloatArray:
 def _with_tongue(
     loop: FloatArray, base: FloatArray, heights: tuple[float, float], step: float
 ) -> FloatArray | None:
-    """The anticlockwise loop with a tongue drawn outward over `base`, two points inside one of its sides.
+    """Return the anticlockwise loop with an outward tongue on `base`, two points inside one of its sides.
 
-    The tongue ends at the second height; from the first on it is narrower by `step` at either side. None where the
-    points lie on no side.
+    The tongue ends at the second height, and beyond the first height it is narrower by `step` on either side.
+    Return None if the points are not on a side.
     """
     low, high = heights
     for i, (p, q) in enumerate(zip(loop, np.roll(loop, -1, axis=0), strict=True)):
@@ -388,27 +386,27 @@ def _with_tongue(
 
 
 LEAST_GLUED_MM = 4.0
-"""Least length of a tab behind its plate, mm, that can be glued."""
+"""Least length of a tab behind its plate for gluing, mm."""
 
 FOOT_LABEL_MM = 3.0
 """Height of a foot's name, where there is room."""
 
 
 def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib, ...]:
-    """Plates whose tabs are glued, and the feet that set their angle: two for every tab, of the plate's sheet.
+    """Return the plates with glued tabs and their feet (gussets), two per tab, which set the angle of the tabs.
 
-    A foot stands square to plate and tab; one of its sides lies on the plate's back, one along the tab. Feet of
-    equal strips are equal and share a name; others of that name have a number behind it.
+    A foot is perpendicular to plate and tab: one of its sides is glued to the back of the plate, one to the tab.
+    Feet of equal strips are equal and share a name; different feet with the same name get a number.
 
     Parameters
     ----------
     size : float
-        How far feet reach along the tab, and over the plate beside the slot, mm.
+        Length of the feet along the tab, and along the plate beside the slot, mm.
 
     Raises
     ------
     InputError
-        A tab that does not reach far enough behind its plate to be glued, with the length it needs.
+        A tab is too short behind its plate for gluing; the message has the length that it needs.
     """
     plates = several("plates", plates, BasePlate, "BasePlate")
     if not (is_number(size) and size >= LEAST_GLUED_MM):
@@ -448,7 +446,7 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
 
 
 def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
-    """The feet, those of one name and another shape called by another name; copies of a strip have equal feet."""
+    """Yield the feet with a distinct name for each shape; copies of a strip have equal feet."""
     shapes: list[tuple[str, FloatArray]] = []
     places: list[int] = []
     for foot in feet:
@@ -469,7 +467,7 @@ def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
 
 
 def _label(name: str, corners: np.ndarray) -> Text:
-    """The name in the middle of a triangle, as large as fits."""
+    """Return the name in the middle of a triangle, as large as possible."""
     sides = np.roll(corners, -1, axis=0) - corners
     (ux, uy), (vx, vy) = sides[:2]
     inner = abs(ux * vy - uy * vx) / np.hypot(*sides.T).sum()  # radius of the circle inscribed

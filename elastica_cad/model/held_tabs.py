@@ -1,4 +1,4 @@
-"""What holders leave free: the seats of tabs, strips' shapes in them, their play, and tabs that rock."""
+"""Play of tabs in their holders: pockets and slots, shapes of the held strips, and tabs that rock."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TypeGuard
@@ -46,13 +46,13 @@ def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
     begin, finish = local[:, [0, 3]], local[:, [1, 2]]
     u = begin[..., 1] / (begin[..., 1] - finish[..., 1])
     met = begin + u[..., None] * (finish - begin)
-    # the tab's z axis is off the strip's upper side, which lies to the right of the curve
+    # the tab's z axis points away from the strip's upper side, to the right of the curve
     walls = met[..., [0, 2]] * (1.0, -1.0)
     return [(*which, own) for which, own in zip(through, walls, strict=True)]
 
 
 def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
-    """The seats of all tabs that holders hold with play, by where the tab is; two plates make one seat."""
+    """Return the seat of each tab that is held with play, by the tab's position; two plates form one seat."""
     found: dict[Key, TabSeat] = {}
     for tab, seat in _seated(holders):
         before = found.get(tab.key)
@@ -76,7 +76,7 @@ def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
 
 
 def _require_holders(holders: object) -> tuple[object, ...]:
-    """Holders as a tuple; refuses what cannot be gone through."""
+    """Return the holders as a tuple, or raise InputError if they are not iterable."""
     if not is_series(holders):
         raise InputError(
             f"holders are {quoted(holders)}: give a list of base plates, rings, frames and fixtures"
@@ -85,21 +85,21 @@ def _require_holders(holders: object) -> tuple[object, ...]:
 
 
 def _plates_of(holders: Iterable[object]) -> Iterator[BasePlate]:
-    """The plates among holders whose slots leave tabs their play: of frames too, none whose tabs are glued."""
+    """Yield the plates, and the rails of frames, in which tabs have play because they are not glued."""
     for holder in holders:
-        # a slotted frame is told by its rails: it is made by means of this module
+        # frames are recognized by their attribute, because their module imports this module
         for plate in getattr(holder, "rails", (holder,)):
             if isinstance(plate, BasePlate) and not plate.glued:
                 yield plate
 
 
 def held_shapes(placed: Sequence[Placed], holders: Iterable[object] = ()) -> tuple[HeldShape, ...]:
-    """The shape of each strip as it is made and held; ends without a holder are held as designed.
+    """Return the shape of each strip as made and held; ends without a holder are held as designed.
 
     Raises
     ------
     NotConvergedError
-        A strip finds no rest.
+        A strip has no equilibrium.
     """
     found = []
     for shape in hold_each(placed, holders):
@@ -112,7 +112,7 @@ def held_shapes(placed: Sequence[Placed], holders: Iterable[object] = ()) -> tup
 def hold_each(
     placed: Sequence[Placed], holders: Iterable[object] = ()
 ) -> Iterator[HeldShape | NotConvergedError]:
-    """Hold the strips one by one, with the reason where a strip finds no rest; strips held alike are bent once."""
+    """Yield the held shape of each strip, or the error if it has no equilibrium; equal cases are computed once."""
     placed = require_placed(placed)
     seats, known = tab_seats(holders), dict[object, HeldShape | NotConvergedError]()
     for one in placed:
@@ -127,19 +127,19 @@ def hold_each(
 
 
 def _seat_of(seats: Mapping[Key, TabSeat], one: Placed, end: StripEnd) -> TabSeat | None:
-    """Seat of an end of a placed strip; None where nothing holds it."""
+    """Return the seat of an end of a placed strip, or None if the end has no holder."""
     return seats.get(PlacedTab.of(one.strip, end, one.frame).key)
 
 
 ROCKING_RAD = np.radians(3.0)
-"""A tab that can turn farther than this in its holder is reported as rocking; it moves the shape by percents."""
+"""Largest rotation of a tab in its holder that is not reported; a larger one changes the shape by percents."""
 
 NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
-"""Largest play that is reported as none."""
+"""Largest play that is reported as no play, mm and degrees."""
 
 
 def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
-    """A sentence for every holder: how far its tabs shift across and turn in it at most, before they jam."""
+    """Return one sentence for each holder with the largest shift and rotation of its tabs."""
     placed, holders, told = require_placed(placed), _require_holders(holders), []
     for name, held in _by_holder(placed, holders).items():
         turn = max(np.degrees(np.ptp(seat.turning)) for _, _, seat in held)
@@ -165,12 +165,12 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
 
 
 def _lies_on(holder: object) -> TypeGuard[Ring]:
-    """Whether this is a ring on which tabs lie."""
+    """Return True if the holder is a ring with tabs on its face."""
     return isinstance(holder, Ring) and bool(holder.seats)
 
 
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
-    """A sentence for every holder in which tabs rock: the one that rocks most, its shape, and a cure."""
+    """Return one sentence for each holder with rocking tabs: the worst tab, its strip's shape, and a suggestion."""
     placed, holders, told = require_placed(placed), _require_holders(holders), []
     names = dict(zip(map(id, placed), distinct_names(placed), strict=True))
     for holder, held in _by_holder(placed, holders).items():
@@ -188,7 +188,7 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
 
 
 def _tipping(one: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float]:
-    """How far, in degrees, a strip can tip in a seat towards its other end and away from it."""
+    """Return the angles, degrees, by which a strip can tip in a seat towards its other end and away from it."""
     own, other = (PlacedTab.of(one.strip, k, one.frame).frame for k in sorted(ENDS, key=lambda k: k != end))
     right, left = np.abs(np.degrees(seat.turning))
     # where the tab turns to the left of the curve, the strip before it turns to the right, which is its z axis
@@ -199,7 +199,7 @@ def _tipping(one: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float]:
 def _by_holder(
     placed: Sequence[Placed], holders: Iterable[object]
 ) -> dict[str, list[tuple[Placed, StripEnd, TabSeat]]]:
-    """Strips, ends and seats by what holds them."""
+    """Return strips, ends and seats by the name of their holder."""
     seats, found = tab_seats(holders), dict[str, list[tuple[Placed, StripEnd, TabSeat]]]()
     for one in placed:
         for end in ENDS:
@@ -210,7 +210,7 @@ def _by_holder(
 
 
 def _shape(one: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
-    """Sentence about a strip in its seats."""
+    """Return a sentence about the shape of a strip in its seats."""
     try:
         strayed = one.strip.held(*(_seat_of(seats, one, end) for end in ENDS)).deviation
     except NotConvergedError:
@@ -223,7 +223,7 @@ def _shape(one: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
 
 
 def _cure(one: Placed, end: StripEnd, holders: Sequence[object]) -> str:
-    """Suggest what would hold a tab: two plates instead of one, or another fixture."""
+    """Return a suggestion for holding a tab: two plates instead of a single plate, or another fixture."""
     key = PlacedTab.of(one.strip, end, one.frame).key
     others = note("end fixtures or feet ({field} = 10) glued at its angle", field=FieldName("feet"))
     lengths = [

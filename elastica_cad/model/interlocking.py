@@ -24,29 +24,30 @@ MOST_STEPS = 30
 """Largest number of Newton steps with the slopes at the centre line."""
 
 CLOSE_MM = 1e-6
-"""Accuracy with which the faces meet, mm: that of files."""
+"""Accuracy of the meeting faces, mm, equal to the accuracy of files."""
 
 
 def _bent_slot_width(
     own: RuledStrip, other: RuledStrip, rows: FloatArray, mates: FloatArray, *, thickness: tuple[float, float]
 ) -> FloatArray:
-    """Widths (n,), mm, that let the faces of another strip through those of this one, half to either side.
+    """Return the widths (n,), mm, of a slot in strip `own` that lets the faces of strip `other` through.
 
-    Where flat sheets meet it is `slot_width` without clearance. Bent ones fall away from each other to the sides of
-    the line on which their middles meet, by (w / 2)^2 kappa / 2, and shift what goes through by cot(phi) of that.
+    Half the width is on either side of the centre line. For flat sheets it is `slot_width` without clearance.
+    Bent sheets curve away from the line on which their middle surfaces meet, by (w / 2)^2 kappa / 2. This shifts
+    the other strip by that amount times cot(phi).
 
     Parameters
     ----------
     own, other : RuledStrip
     rows, mates : (n, 2) array
-        The centre line of the slot in both flat patterns, mm.
+        Centre line of the slot in both flat patterns, mm.
     thickness : (own, other)
         mm.
 
     Returns
     -------
     (n,) array
-        0 where the faces do not meet: strips that bend away from each other beside a shallow crossing.
+        0 where the faces do not meet, because the strips curve away from each other beside a shallow crossing.
     """
     along = np.gradient(rows, np.arange(len(rows)), axis=0, edge_order=2)
     along /= np.hypot(*along.T)[:, None]
@@ -84,20 +85,19 @@ Fit = Literal["exact", "paper"]
 Member = TypeVar("Member")
 
 SHALLOW_RAD = np.radians(15.0)
-"""Angle between two strips, rad, below which a warning is given: a slot is then over 7 times as wide as the
-sheet is thick."""
+"""Largest angle between two strips, rad, with a warning; the slot is then over 7 sheet thicknesses wide."""
 
 TOUCHING_RAD = np.radians(1.0)
-"""Below this angle strips touch rather than cross: a slot would be over 100 times as wide as the sheet."""
+"""Largest angle, rad, of strips that touch rather than cross; a slot would be over 100 sheet thicknesses wide."""
 
 FORCED_SHARE = 0.5
-"""A strip is cut from the other side only where that costs less than this share of the crossing's length more."""
+"""Largest difference in cost, as a fraction of the crossing's length, for which the preferred side is used."""
 
 PLACE_DIGITS, TURN_DIGITS = 9, 12
-"""Decimals of mm and of unit vectors to which pairs of strips are placed alike: copies differ by rounding."""
+"""Decimals of mm and of unit vectors for comparing the placements of pairs, because copies differ by rounding."""
 
 PITCH_MM = 1.5
-"""Largest distance of the points along a slot's centre line: enough for the curves that crossings are."""
+"""Largest distance of points along a slot's centre line, mm; it resolves the curves of crossings."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,15 +107,15 @@ class Joint:
     Attributes
     ----------
     members : (int, int)
-        Places of the strips in the model.
+        Indices of the strips in the model.
     slots : (Slot, Slot)
-        In the same order.
+        Slots of the strips, in the same order.
     angle : (float, float)
         Smallest and largest angle between the strips along the crossing, rad.
     position : (3,) array
-        Where the two slots end against each other, mm.
+        Common inner end of both slots, mm.
     fit : "exact" or "paper"
-        How wide the slots are.
+        Formula for the width of the slots.
     """
 
     members: tuple[int, int]
@@ -128,10 +128,10 @@ class Joint:
 def slot_width(
     angle: FloatArray, *, own: float, other: float, clearance: float, fit: Fit = "exact"
 ) -> FloatArray:
-    """Width of a slot through a sheet of thickness `own` for one of thickness `other` at an angle, mm.
+    """Return the width, mm, of a slot in a sheet of thickness `own` for a sheet of thickness `other` at an angle.
 
-    h_other / sin(phi) + h_own |cot(phi)| + clearance: a cut square to the sheet also lets the other strip pass
-    obliquely through the thickness. `fit="paper"` leaves the second term out (paper, section 9.1).
+    The width is h_other / sin(phi) + h_own |cot(phi)| + clearance. The second term lets the other strip pass
+    obliquely through a cut perpendicular to the sheet; `fit="paper"` omits it (paper, section 9.1).
     """
     angle = numbers(angle, "slot angle")
     for what, size in (("own", own), ("other", other), ("clearance", clearance)):
@@ -164,35 +164,35 @@ def interlock(
         ArrayLike | None, Asked("From where strips are pushed on.", written=tuple[float, float, float])
     ] = None,
 ) -> InterlockedStrips:
-    """Slots wherever two bent strips cross, cut half way into each from opposite sides.
+    """Cut slots where bent strips cross, half way into each strip and from opposite sides.
 
-    The strips are taken as ruled surfaces, and their crossings are exact. A slot is as wide as the angle
-    between the strips asks for, point by point. Each strip is cut from the side on which it ends; where
-    both sides would do, the earlier of two strips opens towards `above`, so that the later one is pushed on
-    from there. Both slots end half way, without room: there the strips sit on each other, which places them along
-    their rulings. Only the strips between their tabs are searched: keep tabs clear of other strips. A crossing
-    that leaves a strip through its end, not its edge, leaves no way to push it on and is refused.
+    The strips are taken as ruled surfaces, and their crossings are exact. The width of a slot follows the angle
+    between the strips along the crossing. Each strip is cut from the edge that the crossing reaches. If both edges
+    are possible, the slot of the earlier strip opens towards `above`, and the later strip is pushed on from there.
+    Both slots end half way without clearance, so that the strips rest on each other and are located along their
+    rulings. Tabs are not searched, so keep them clear of other strips. A crossing that reaches the end of a strip
+    instead of an edge is an error.
 
     Parameters
     ----------
     placed : sequence of Placed
         In the order of assembly.
     clearance : float
-        Added to the width of every slot, mm.
+        Amount added to the width of every slot, mm.
     fit : "exact" or "paper"
         "paper" is the narrower h / sin(phi), too narrow below 60 degrees.
     relief : "square" or "round"
-        Inner ends of the slots.
+        Shape of the inner ends of the slots.
     pairs : iterable of (int, int), optional
-        Which strips may be slotted, by their places; all that cross if not given.
+        Pairs of strips to slot, by index; by default all strips that cross.
     above : (3,) array_like, optional
-        A direction; the earlier strip's own rulings if not given.
+        Direction in space; by default the direction of the earlier strip's rulings.
 
     Raises
     ------
     InputError
-        Strips that touch along a line or cross where one of them ends, slots that meet, a clearance larger
-        than a strip.
+        Strips touch along a line or cross at the end of a strip, slots meet, or the clearance is larger than a
+        strip.
     """
     require_declared(interlock, locals())
     placed = require_placed(placed)
@@ -218,15 +218,14 @@ def interlock(
 
 _joined: WeakKeyDictionary[Placed, WeakKeyDictionary[Placed, tuple[object, tuple[Joint, ...]]]]
 _joined = WeakKeyDictionary()
-"""The last joints of two placed strips, and what was asked: where one of many changes, only its own are new."""
+"""Cache of the last joints of two placed strips with their options; a changed strip affects only its own joints."""
 
 _slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDictionary()
-"""Placed strips with their last slots: one whose slots are as before is the same, with all that is known of it."""
+"""Cache of slotted strips by placed strip; an unchanged strip is the same object and keeps its computed results."""
 
 
 def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[Hashable, Strip]) -> Placed:
-    """The placed strip with more slots and the layers of a strip in `drawn` that is cut alike; messages call it by
-    `name`."""
+    """Return the placed strip with more slots; it shares the layers of a strip in `drawn` with the same cut."""
     known, made = _slotted.get(placed, (None, placed))
     if known != slots:
         strip = replace(placed.strip, slots=(*placed.strip.slots, *slots)) if slots else placed.strip
@@ -250,7 +249,7 @@ def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[
 
 
 def place_between(first: Frame, second: Frame) -> tuple[float, ...]:
-    """Place of the second frame in the first, rounded: equal for pairs that are placed alike."""
+    """Return the rounded position of the second frame in the first, for comparing pairs of strips."""
     origin = np.round(first.local(second.origin), PLACE_DIGITS) + 0.0
     axes = np.round(second.axes[:2] @ first.axes.T, TURN_DIGITS) + 0.0
     return (*origin.tolist(), *axes.ravel().tolist())
@@ -258,7 +257,7 @@ def place_between(first: Frame, second: Frame) -> tuple[float, ...]:
 
 @dataclass(frozen=True, eq=False)
 class _Cutter:
-    """Makes slots of crossings."""
+    """Makes slots from crossings."""
 
     strips: tuple[Strip, ...]
     names: tuple[str, ...]
@@ -267,12 +266,12 @@ class _Cutter:
     relief: Relief
     above: FloatArray | None
     crossed: dict[Hashable, tuple[list[Joint], Frame]] = field(default_factory=dict)
-    """Joints of strips made and placed alike, with the frame of the first strip."""
+    """Joints for each relative placement of equal strips, with the frame of the first strip."""
 
     def joints(
         self, members: tuple[int, int], placed: tuple[Placed, Placed], ruled: tuple[RuledStrip, RuledStrip]
     ) -> tuple[Joint, ...]:
-        """All joints of two strips."""
+        """Return all joints of two strips."""
         above = None if self.above is None else tuple(self.above.tolist())
         asked = members, [self.names[i] for i in members], self.clearance, self.fit, self.relief, above
         known = _joined.setdefault(placed[0], WeakKeyDictionary())
@@ -293,7 +292,7 @@ class _Cutter:
         return found
 
     def repeated(self, joint: Joint, members: tuple[int, int], frames: tuple[Frame, Frame]) -> Joint:
-        """The joint of strips that are made and placed alike, from the frame of one first strip to another's."""
+        """Return the joint moved to an equal pair of strips, from the frame of a first strip to another frame."""
         first, second = (
             replace(slot, mate=self.strips[mate].label)
             for slot, mate in zip(joint.slots, members[::-1], strict=True)
@@ -302,7 +301,7 @@ class _Cutter:
         return replace(joint, members=members, slots=(first, second), position=position)
 
     def joint(self, members: tuple[int, int], crossing: Crossing) -> Joint:
-        """Both slots of one crossing, each from the half way point to where its strip ends."""
+        """Return both slots of a crossing, each from the half way point to the edge of its strip."""
         names = [self.names[i] for i in members]
         points = crossing.course[2]
         low, high = float(points.angle.min()), float(points.angle.max())
@@ -336,10 +335,10 @@ class _Cutter:
         return Joint(members, (slots[0], slots[1]), (low, high), middle, self.fit)
 
     def _ends(self, members: tuple[int, int], crossing: Crossing) -> tuple[int, int]:
-        """On which end of the crossing (0 or 1) either strip is cut.
+        """Return, for each strip, the end of the crossing (0 or 1) from which it is cut.
 
-        Each is cut from where it ends anyway; where both ways serve, the earlier strip of the model opens
-        towards `above` (its own rulings' direction).
+        If both ends are possible, the slot of the earlier strip opens towards `above`, by default the direction of
+        its rulings.
         """
         costs = []
         for ends in ((0, 1), (1, 0)):
@@ -406,7 +405,7 @@ def _turned(pair: tuple[Member, Member], which: int) -> tuple[Member, Member]:
 
 
 def _reports(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
-    """Shallow angles, and how the model goes together."""
+    """Return sentences on shallow angles and on the order of assembly."""
     shallow: dict[tuple[int, int], list[Joint]] = {}
     for joint in joints:
         if joint.angle[0] < SHALLOW_RAD:
@@ -429,7 +428,7 @@ def _reports(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
 
 
 def _assembly(names: Sequence[str], joints: list[Joint]) -> str:
-    """Sentence on the order in which the strips go together, and on those that cannot simply be pushed on."""
+    """Return a sentence on the order of assembly and on strips that must be threaded in."""
     sides: dict[int, set[str]] = {}
     for joint in joints:
         sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)
@@ -442,7 +441,7 @@ def _assembly(names: Sequence[str], joints: list[Joint]) -> str:
 
 
 def _refuse_faults(strip: Strip, name: str) -> None:
-    """Draw the outline now, so that slots that meet are found with the part's name."""
+    """Raise InputError with the part's name if slots meet; this draws the outline."""
     try:
         whole = strip.outline.closed
     except InputError as error:

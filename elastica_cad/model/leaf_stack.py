@@ -1,4 +1,4 @@
-"""Glued leaves as they are cut and laid: a list, and one pattern with marks where the next leaf goes."""
+"""Cut list and pattern of a strip of glued plies, with marks for the position of the next ply."""
 
 from dataclasses import dataclass
 
@@ -12,22 +12,22 @@ from elastica_cad.strip.pieces import Piece
 from elastica_cad.strip.strip import Strip
 
 APART_MM = 5.0
-"""Between the leaves of the pattern."""
+"""Distance between the plies in the pattern, mm."""
 
 
 @dataclass(frozen=True, eq=False)
 class LeafStack:
-    """What a workshop makes of a strip of glued leaves.
+    """Workshop documents of a strip of glued plies.
 
     Attributes
     ----------
     strip : Strip
-        Its law is a `LeavesLaw`.
+        Strip with a `LeavesLaw`.
 
     Raises
     ------
     InputError
-        The strip is of something else.
+        The strip does not consist of plies.
     """
 
     strip: Strip
@@ -39,7 +39,7 @@ class LeafStack:
 
     @property
     def cut_list(self) -> CutList:
-        """A row for every leaf, the through one first."""
+        """Cut list with one row for each ply, the full-length ply first."""
         stack, label = self.strip.layout.stack, self.strip.label or "stack"
         assert stack is not None
         layers = zip(self.strip.drawings(), self.strip.layers, stack.names, strict=True)
@@ -48,8 +48,10 @@ class LeafStack:
 
     @property
     def drawing(self) -> Drawing:
-        """Every leaf at full size, where it lies along the stack, one below another; on each a mark across at the
-        ends of the leaves that are glued on it."""
+        """Pattern of the plies at full size, one below another, at their positions along the stack.
+
+        Marks across each ply show the ends of the plies that are glued on it.
+        """
         pitch = float(np.ptp(self.strip.outline.bounds[:, 1])) + APART_MM
         moved = [
             one.transformed(np.array([[1, 0, 0], [0, 1, -i * pitch], [0, 0, 1]]))

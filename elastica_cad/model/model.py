@@ -1,4 +1,4 @@
-"""Models: strips in space and their copies, what holds them and what is cut."""
+"""Models: strips in space and their copies, with holders and pieces to be cut."""
 
 from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -36,21 +36,21 @@ from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_plac
 from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
 FIXTURE_COLOR: Color = (0.30, 0.36, 0.42)
-"""Of printed blocks: dark, unlike any sheet."""
+"""Color of printed blocks, darker than any sheet."""
 
 LEAST_SPREAD = 0.2
-"""Least ratio of the spread of slots across to that along, with which strips hold two plates to each other."""
+"""Least ratio of the smaller to the larger spread of the slots for which strips support a plate without tipping."""
 
 
 @dataclass(frozen=True, eq=False)
 class Stand:
-    """What holds the strips.
+    """Holders of the strips.
 
     Attributes
     ----------
     holders : tuple of BasePlate, Rib or EndFixture
     sentence : str
-        What they are, and where no plates hold all tabs, why.
+        Kind of holders, with the reason if plates cannot hold all tabs.
     """
 
     holders: tuple[BasePlate | Rib | EndFixture, ...]
@@ -65,33 +65,33 @@ def stand(
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> Stand:
-    """Make the simplest holder that takes the tabs of all strips.
+    """Make the simplest holder for the tabs of all strips.
 
-    These are tried in turn, and the first that can be made is taken: one plate, two plates that the strips hold
-    apart, a slotted frame, a printed block for every end.
+    The first possible holder of this list is used: one plate, two plates joined by the strips, a slotted frame, a
+    printed block for every end.
 
     Parameters
     ----------
     placed : sequence of Placed
-        The strips in their places, with tabs.
+        Strips with tabs.
     sheet : Sheet or its name
-        What plates and frames are cut from.
+        Sheet of plates and frames.
     name : str, optional
-        What one plate or two are called; rails, ribs and blocks are called by what they are.
+        Name of a plate or a pair of plates; rails, ribs and blocks are named by their kind.
     shop : FabricationLimits, optional
-        What the workshop can cut; plates beyond it do not count as made.
+        Limits of the workshop; plates beyond them are rejected.
     ignore_limits : bool
-        Accept plates that the workshop cannot cut.
+        Accept plates beyond these limits.
 
     Returns
     -------
     Stand
-        The holders, and a sentence that says which of these they are.
+        The holders, and a sentence with their kind.
 
     Raises
     ------
     InputError
-        Strips without tabs.
+        No strip has a tab.
 
     Examples
     --------
@@ -134,11 +134,11 @@ def stand(
 
 
 def _plates_apart(placed: Sequence[Placed], sheet: Sheet, options: RingOptions) -> tuple[BasePlate, ...]:
-    """Two plates, where strips stand around and so hold them apart."""
+    """Return two plates that strips arranged around keep apart."""
     plates = facing_plates(placed, sheet, options)
     for plate in plates:
         centers = np.array([slot.corners.mean(axis=0) for slot in plate.slots])
-        # one only, of a single slot
+        # a single slot has only one spread
         spreads = np.linalg.svd(centers - centers.mean(axis=0), compute_uv=False)
         if len(plate.slots) < 3 or spreads[1] < LEAST_SPREAD * spreads[0]:
             raise InputError("{name}: the slots lie in a row, so that the plate would tip", name=plate.name)
@@ -148,7 +148,7 @@ def _plates_apart(placed: Sequence[Placed], sheet: Sheet, options: RingOptions) 
 Triple: TypeAlias = tuple[float, float, float]
 
 MOST_PLACED = 100_000
-"""Largest number of strips of one model."""
+"""Largest number of strips of a model."""
 
 
 def mirror(
@@ -158,7 +158,7 @@ def mirror(
     *,
     keep: Annotated[bool, Asked("Keep the original too.")] = True,
 ) -> tuple[Placed, ...]:
-    """The mirror images in the plane through `point` across `normal`, behind the strips themselves if kept."""
+    """Return the mirror images in the plane through `point` with this normal, after the originals if kept."""
     n, p = direction(normal, "the normal of a mirror"), three(point, "the point of a mirror")
     turn = np.eye(3) - 2 * np.outer(n, n)
     images = tuple(one.moved(turn, 2 * (p @ n) * n) for one in placed)
@@ -173,7 +173,7 @@ def rotate(
     point: Annotated[ArrayLike, Asked("A point on the axis.", "mm", written=Triple)] = (0.0, 0.0, 0.0),
     step: Annotated[float | None, Asked("Angle between two; all around unless given.", "rad")] = None,
 ) -> tuple[Placed, ...]:
-    """The strips `count` times about an axis, each `step` rad further; the full turn by `count` unless given."""
+    """Return `count` copies of the strips about an axis, `step` rad apart; by default they fill the full turn."""
     _require_count(count, len(placed))
     require_declared(rotate, {"step": step}, "rotation")
     k, p = direction(axis, "the axis of a rotation"), three(point, "the point of a rotation")
@@ -191,7 +191,7 @@ def repeat(
     count: Annotated[int, Asked("How many in all.", least=1, most=1000)],
     step: Annotated[ArrayLike, Asked("From one to the next.", "mm", written=Triple)],
 ) -> tuple[Placed, ...]:
-    """The strips `count` times, the first where they are, each `step` (3,) mm further."""
+    """Return `count` copies of the strips, `step` (3,) mm apart; the first copy is the original."""
     _require_count(count, len(placed))
     d = three(step, "the step of a pattern")
     return tuple(one.moved(np.eye(3), i * d) for i in range(count) for one in placed)
@@ -214,18 +214,18 @@ class Model:
     placed : sequence of Placed
         In the order of assembly.
     name : str
-        Titles and file names come from it.
+        Name for titles and files.
     reports : tuple of str
-        What was found on the way, one sentence each.
+        Messages about the design, one sentence each.
     joints : tuple of Joint
-        Where strips were slotted into each other by `interlock`.
+        Joints cut by `interlock`.
     plates : tuple of Ring
-        Flat parts that belong to it, in their places: rings and caps of a surface of revolution.
+        Rings and caps of a surface of revolution, in their places.
 
     Raises
     ------
     InputError
-        No strips.
+        There are no strips.
     """
 
     placed: tuple[Placed, ...]
@@ -243,15 +243,15 @@ class Model:
 
     @property
     def strips(self) -> tuple[Strip, ...]:
-        """The strips in order, equal ones repeated."""
+        """Strips in the order of assembly, including equal strips."""
         return tuple(placed.strip for placed in self.placed)
 
     def name_of(self, index: int) -> str:
-        """Name of a strip in messages: its label, or its number counted from 1."""
+        """Return the name of strip `index` in messages: its label, or its number counted from 1."""
         return strip_names(self.placed)[self._place(index)]
 
     def single_name_of(self, index: int) -> str:
-        """Return the name of strip `index`, with its place where other strips have the same label."""
+        """Return the name of strip `index`, with its place if other strips have the same label."""
         return distinct_names(self.placed)[self._place(index)]
 
     def _place(self, index: int) -> int:
@@ -278,16 +278,16 @@ class Model:
 
     @cached_property
     def parts(self) -> tuple[EqualStrips, ...]:
-        """Strips to be cut: equal ones once, with their count; see `group_equal_strips`."""
+        """Strips to be cut, equal strips once with their count; see `group_equal_strips`."""
         return group_equal_strips(self.placed)
 
     @cached_property
     def shape_count(self) -> int:
-        """Number of different shapes of the strips, whatever is engraved on them."""
+        """Number of different shapes of the strips, regardless of engraving."""
         return count_shapes(self.parts)
 
     def with_strips(self, strips: Sequence[Strip]) -> "Model":
-        """The model with other strips in the same places."""
+        """Return the model with other strips in the same places."""
         new = several("strips", strips, Strip, "Strip")
         if len(new) != len(self.placed):
             raise InputError(
@@ -297,9 +297,9 @@ class Model:
         return replace(self, placed=tuple(placed.with_strip(strip) for placed, strip in pairs))
 
     def interlock(self, **options: Any) -> "Model":
-        """The model with slots wherever two bent strips cross, cut half way into each.
+        """Return the model with slots where bent strips cross, cut half way into each strip.
 
-        Options are those of `model.interlock`: clearance, fit, relief, pairs, above; so are the errors.
+        Options and errors are the same as for `model.interlock`: clearance, fit, relief, pairs, above.
         """
         refuse_options_unlike(options, interlock, "interlock")
         found = interlock(self.placed, **options)
@@ -312,55 +312,55 @@ class Model:
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """Drawings of what is cut: as `parts`, with each layer of a laminate as a piece, then the plates."""
+        """Pieces to be cut: those of `parts`, with each layer of a laminate as a piece, then the plates."""
         return (*strip_pieces(self.parts), *(plate.piece for plate in self.plates))
 
     def fixtures(self, *, floor: Frame | None = None, **sizes: Any) -> tuple[EndFixture, ...]:
-        """Printed blocks that hold both ends of every strip; sizes are those of `EndFixture`."""
+        """Return printed blocks for both ends of every strip; sizes as in `EndFixture`."""
         return end_fixtures(self.placed, floor=floor, **sizes)
 
     def base_plate(self, sheet: Sheet | str, **options: Any) -> BasePlate:
-        """One slotted plate for all tabs that stand on it; options: frame, and the fields of `PlateOptions`."""
+        """Return one slotted plate for all tabs; options: frame, and the fields of `PlateOptions`."""
         return base_plate(self.placed, sheet, **options)
 
     def slotted_frame(self, sheet: Sheet | str, **options: Any) -> SlottedFrame:
-        """Rails for the tabs of both ends, joined by ribs; options: see `model.slotted_frame`."""
+        """Return rails for the tabs of both ends, joined by ribs; options: see `model.slotted_frame`."""
         refuse_options_unlike(options, slotted_frame, "a slotted frame")
         return slotted_frame(self.placed, sheet, **options)
 
     def nest(self, *, others: Iterable[Piece] = (), **options: Any) -> tuple[NestedSheet, ...]:
-        """Drawings of all sheets to be cut: the strips and other pieces.
+        """Return drawings of all sheets to be cut, with the model's pieces and other pieces.
 
-        Options are those of `model.nest_pieces`: sheet_size, margin, kerf, name.
+        Options as in `model.nest_pieces`: sheet_size, margin, kerf, name.
         """
         refuse_options_unlike(options, nest_pieces, "a nest")
         more = several("other pieces", others, Piece, "Piece")
         return nest_pieces((*self.pieces, *more), **{"name": f"{self.name}-nest", **options})
 
     def cut_list(self, others: Iterable[Piece] = ()) -> CutList:
-        """Return the list of all pieces, equal ones once with their count."""
+        """Return the list of all pieces; equal pieces are listed once with their count."""
         return cut_list((*self.pieces, *several("other pieces", others, Piece, "Piece")))
 
     def held(self, *holders: object) -> tuple[HeldShape, ...]:
-        """The shape that each strip takes as it is made, in its rings and these holders: see `Strip.held`."""
+        """Return the shape of each strip as made, in its rings and these holders; see `Strip.held`."""
         return held_shapes(self.placed, (*self.plates, *holders))
 
     def mirrored(
         self, point: ArrayLike = (0.0, 0.0, 0.0), normal: ArrayLike = (1.0, 0.0, 0.0), *, keep: bool = True
     ) -> "Model":
-        """The mirror image in the plane through `point` across `normal`, and the strips themselves if kept."""
+        """Return the mirror image in the plane through `point` with this normal, after the originals if kept."""
         return self._arranged(mirror(self.placed, point, normal, keep=keep))
 
     def rotated(self, count: int, **options: Any) -> "Model":
-        """The strips `count` times about an axis, the first where they are.
+        """Return `count` copies of the strips about an axis; the first copy is the original.
 
-        Options: axis (3,), point (3,) and step, rad; about z, one full turn in all, unless given.
+        Options: axis (3,), point (3,) and step, rad. By default the copies fill one full turn about z.
         """
         refuse_options_unlike(options, rotate, "a rotated model")
         return self._arranged(rotate(self.placed, count, **options))
 
     def repeated(self, count: int, step: ArrayLike) -> "Model":
-        """The strips `count` times, the first where they are, each `step` (3,) mm further."""
+        """Return `count` copies of the strips, `step` (3,) mm apart; the first copy is the original."""
         return self._arranged(repeat(self.placed, count, step))
 
     def _arranged(self, placed: tuple[Placed, ...]) -> "Model":
@@ -373,36 +373,37 @@ class Model:
 
 
 LARGEST = 0.15
-"""Largest change of the logarithm of a width. Strips that become wider at their ends are narrower elsewhere."""
+"""Largest change of the logarithm of a width."""
 
 WIDENED, GENTLER = 1.1, 0.7
-"""As much wider a strip becomes at once so that no joint is lost; where that would need more, its largest change is
-made so much smaller instead: a wider strip has wider shoulders beside its tabs, which cost more than is gained."""
+"""Largest widening of a strip in one round to keep its joints, and factor on its largest change of width otherwise.
+
+A much wider strip is no improvement, because its shoulders beside the tabs are wider too."""
 
 ROUNDS, MOST_ROUNDS = 2, 10
-"""Usual and largest number of rounds: wider strips have deeper slots, and joints may be lost."""
+"""Usual and largest number of rounds; more are needed if joints are lost."""
 
 
 def interlock_compensated(model: Model, which: Container[str], **options: Any) -> Model:
-    """The model interlocked, with widths that make up for the slots.
+    """Return the interlocked model, with widths that compensate the slots.
 
-    Strips that would no longer reach each other, narrower as they get, are widened as a whole by as much as they
-    lost there, which changes no shape and is reported; where that is much, less is made up for. What is left is
+    A strip that becomes too narrow to reach its neighbours is widened by a constant factor, which does not change
+    its shape and is reported. If the factor would be large, the slots are compensated less. The remaining error is
     each strip's `held_deviation`.
 
     Parameters
     ----------
     model : Model
-        Not interlocked yet.
+        Model before interlocking.
     which : container of str
         Labels of the strips whose widths may change.
     **options
-        Those of `Model.interlock`, and its errors.
+        Options of `Model.interlock`, which also has the errors.
     """
     first = locked = model.interlock(**options)
     wider, largest, left = [1.0] * len(model.strips), [LARGEST] * len(model.strips), ROUNDS
     for _ in range(MOST_ROUNDS):
-        # slots are cut anew: where widths change, those of the round before need not reach the edge
+        # slots are cut again, because slots of the previous round may not reach the new edges
         known: dict[Any, Strip] = {}
         strips = list(model.strips)
         for k, (one, cut) in enumerate(zip(model.strips, locked.strips, strict=True)):
@@ -440,9 +441,9 @@ def _widened(strip: Strip, scale: float) -> Strip:
 
 
 def _lost(before: Model, after: Model) -> list[tuple[int, float]]:
-    """Strips, and places on them, mm, of joints that are no more.
+    """Return the strips and the places on them, mm, of joints that were lost.
 
-    Two strips may meet more than once: each joint that is left is the nearest one of before.
+    Two strips may have several joints; each remaining joint is matched with the nearest previous joint.
     """
     gone = [(joint.members, [slot.at for slot in joint.slots]) for joint in before.joints]
     for joint in after.joints:
@@ -453,7 +454,7 @@ def _lost(before: Model, after: Model) -> list[tuple[int, float]]:
 
 
 def _narrowed(lost: list[tuple[int, float]], before: Model, after: Model) -> dict[int, float]:
-    """Largest share by which each strip became narrower at the joints that it lost."""
+    """Return the largest ratio of old to new width of each strip at the joints that it lost."""
     found: dict[int, float] = {}
     for k, at in lost:
         narrower = float(before.strips[k].width(at) / after.strips[k].width(at))

@@ -24,7 +24,7 @@ SLACK_MM = 1e-9
 """Tolerance, mm, for a piece as large as its row."""
 
 _TIE_DECIMALS = 6
-"""Decimals of mm to which sizes are compared: pieces of equal size stay in their order."""
+"""Decimals of mm for comparing sizes, so that pieces of equal size stay in their order."""
 
 LEAST_GAP_MM = 0.01
 """Least distance between the paths of the tool, mm; loops that touch cannot be offset by the kerf."""
@@ -32,7 +32,7 @@ LEAST_GAP_MM = 0.01
 
 @dataclass(frozen=True)
 class Nesting:
-    """Sheets that pieces are laid on: (width, height) and least distance, mm."""
+    """Size of the sheets (width, height) and least distance between pieces, mm."""
 
     sheet_size: Annotated[tuple[float, float], Asked("Width and height of the sheets.", "mm", above=0)] = (
         600.0,
@@ -46,22 +46,22 @@ class Nesting:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class NestedSheet(Drawing):
-    """The drawing of one sheet with its pieces and its border; the sheet's lower left corner is the origin.
+    """Drawing of a sheet with its pieces and its border; the sheet's lower left corner is the origin.
 
     Attributes
     ----------
     sheet : Sheet
-        The material.
+        Material of the sheet.
     sheet_size : (width, height)
         mm.
     pieces : tuple of str
-        Names of the pieces, one for each that is cut.
+        Name of each piece.
     used : float
         Area of the rows that hold pieces, margins included, mm2.
     filled : float
         Area of the pieces' bounding boxes, each with its margin, mm2.
     share : float
-        Of the whole sheet, what the pieces themselves take.
+        Area of the pieces as a fraction of the sheet.
     """
 
     sheet: Sheet | None = None
@@ -119,25 +119,25 @@ def nest_pieces(
     kerf: float | None = KERF,
     name: str = "nest",
 ) -> tuple[NestedSheet, ...]:
-    """Lay pieces on as few sheets as rows allow; every material has sheets of its own.
+    """Arrange pieces in rows on as few sheets as possible, separately for each material.
 
-    Rows follow the long or the short side of the sheet, whichever takes fewer sheets, then less of the last
-    one; within a row pieces lie as drawn or, without grain, turned by a quarter. With grain, which runs along
-    the width of the sheet, `Sheet.grain` decides.
+    Rows are parallel to the side of the sheet that needs fewer sheets, or the smaller part of the last sheet.
+    Pieces without grain may be turned by 90 degrees. The grain of a sheet is along its width, and `Sheet.grain`
+    sets the direction of pieces with grain.
 
     Parameters
     ----------
     pieces : iterable of Piece
-        Each is laid `count` times.
+        Each piece is placed `count` times.
     sheet_size : (width, height)
         mm.
     margin : float
         Least distance between pieces, and to the edge of the sheet, mm.
     kerf : float or None
-        What the drawings will be moved by when they are written (`compensate_kerf`), mm; None for each sheet's own.
-        The margin is kept between the loops as the tool runs.
+        Kerf for which the written drawings will be compensated (`compensate_kerf`), mm; None for the kerf of each
+        sheet. The margin is kept between the paths of the tool.
     name : str
-        The drawings are called after it, the material and their number.
+        First part of the names of the drawings, before the material and the number.
 
     Returns
     -------
@@ -147,13 +147,13 @@ def nest_pieces(
     Raises
     ------
     InputError
-        A piece larger than the sheet, a sheet or margin that is not possible.
+        A piece is larger than the sheet, or the sheet size or margin is impossible.
 
     Notes
     -----
-    Best fit of boxes by falling width (shelf packing; Lodi, Martello and Monaci, Two-dimensional packing
-    problems, EJOR 141, 2002). Boxes are the exact bounds of what is cut, so boxes that keep the margin prove
-    that curves keep it.
+    Boxes are placed by best fit in the order of decreasing width (shelf packing; Lodi, Martello and Monaci,
+    Two-dimensional packing problems, EJOR 141, 2002). They are the exact bounds of the cut curves, so the curves
+    also keep the margin.
     """
     asked = Nesting(sheet_size, margin)
     if kerf is not None:
@@ -171,14 +171,14 @@ def nest_pieces(
 
 
 def widened_by(sheet: Sheet, kerf: float | None) -> float:
-    """Amount, mm, by which the path of the tool is wider than a piece; a `kerf` of None is that of the sheet."""
+    """Return the difference in width, mm, between the tool path and a piece; None selects the sheet's kerf."""
     return max(sheet.kerf if kerf is None else kerf, 0.0)
 
 
 def _nested_group(
     sheet: Sheet, pieces: Sequence[Piece], size: tuple[float, float], margin: float, name: str
 ) -> list[NestedSheet]:
-    """All sheets of one material: rows are tried along either side of the sheet."""
+    """Return all sheets of a material, from the better of rows along either side of the sheet."""
     best: tuple[tuple[float, float], bool, list[_Place]] | None = None
     for upright in (False, True):
         room = (size[1] - margin, size[0] - margin) if upright else (size[0] - margin, size[1] - margin)
@@ -208,12 +208,12 @@ def _nested_group(
 
 
 def _turns(piece: Piece) -> tuple[bool, ...]:
-    """May the piece lie as drawn, turned by a quarter? The grain runs along x of the sheet."""
+    """Return the permitted orientations, with True for turned by 90 degrees; the grain of the sheet is along x."""
     return {"along": (False,), "across": (True,)}.get(piece.sheet.grain, (False, True))
 
 
 def _boxes(index: int, piece: Piece, margin: float, room: tuple[float, float], upright: bool) -> list[_Box]:
-    """The ways in which a piece may lie in the rows and fits the sheet."""
+    """Return the orientations in which the piece fits the sheet."""
     x, y = (side + margin for side in piece.size)
     found = []
     for turned in _turns(piece):
@@ -224,7 +224,7 @@ def _boxes(index: int, piece: Piece, margin: float, room: tuple[float, float], u
 
 
 def _packed(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float, float]) -> list[_Place]:
-    """Best fit by falling width: a box goes into the row that it fills best, else into a new one."""
+    """Place boxes in the order of decreasing width, each in the row that it fills best or in a new row."""
     queue = [ways for ways, piece in zip(boxes, pieces, strict=True) for _ in range(piece.count)]
     queue.sort(key=lambda ways: (-_rounded(ways[0].wide), -_rounded(ways[0].long)))
     sheets: list[list[_Row]] = []
@@ -254,7 +254,7 @@ def _packed(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float,
 
 
 def _rounded(size: float) -> float:
-    """The size by which pieces are compared."""
+    """Return the size rounded for comparison."""
     return round(size, _TIE_DECIMALS)
 
 
@@ -272,7 +272,7 @@ def _drawing(
     upright: bool,
     name: str,
 ) -> NestedSheet:
-    """The drawing of one sheet, its pieces in the order of the model."""
+    """Return the drawing of a sheet, with its pieces in the order of the model."""
     room = size[1] - margin if upright else size[0] - margin
     laid = []
     for place in sorted(places, key=lambda place: place.box.piece):
@@ -295,7 +295,7 @@ def _drawing(
 
 
 def _matrix(piece: Piece, turned: bool, x: float, y: float) -> np.ndarray:
-    """Moves the piece, turned by a quarter if asked, so that the corner of its bounds lies at (x, y)."""
+    """Return the matrix that moves the piece, optionally turned by 90 degrees, with its bounds to (x, y)."""
     (x0, y0), (_, y1) = piece.bounds
     if turned:
         return np.array([[0.0, -1.0, x + y1], [1.0, 0.0, y - x0], [0.0, 0.0, 1.0]])
@@ -322,24 +322,24 @@ IN_FILES = {
     "width_mm": "{0.width:.2f}", "count": "{0.count}", "file": "{0.file}", "cut_length_mm": "{0.cut_length:.1f}",
     "mass_g": "{0.mass:.3f}", "grain": "{0.grain}", "same_shape_as": "{0.like}",
 }  # fmt: skip
-"""Columns of the list in a file, with how a row says them."""
+"""Columns of the list in a file, with the format of each value."""
 
 FOR_PEOPLE = {
     "part": "{0.part}", "sheet": "{0.sheet}", "mm": "{0.thickness:g}", "size mm": "{0.length:.1f} x {0.width:.1f}",
     "count": "{0.count}", "cut mm": "{0.cut_length:.0f}", "g": "{0.mass:.2f}", "grain": "{0.grain}",
     "shape as": "{0.like}", "file": "{0.file}",
 }  # fmt: skip
-"""The same of the table."""
+"""Columns of the printed table, with the format of each value."""
 
 SUMMED = ("count", "cut mm", "g")
 
 
 @dataclass(frozen=True)
 class CutListRow:
-    """One line of the list; lengths in mm, masses in g, `cut_length` and `mass` of one piece.
+    """Row of the cut list; lengths in mm, masses in g, `cut_length` and `mass` of one piece.
 
-    `grain` says how `length` lies to the grain of the sheet, empty without one; `like` names the first piece of the
-    same shape, turned about or over, which differs in what is engraved alone.
+    `grain` is the direction of `length` relative to the grain, empty without grain. `like` is the name of the first
+    piece with the same shape, possibly turned or flipped, and different engraving.
     """
 
     part: str
@@ -357,7 +357,7 @@ class CutListRow:
 
 @dataclass(frozen=True)
 class CutList:
-    """What is cut; `csv` for programs, `str()` for people.
+    """List of the pieces to be cut; `csv` is for programs, `str()` for people.
 
     Attributes
     ----------
@@ -373,7 +373,7 @@ class CutList:
 
     @property
     def shapes(self) -> int:
-        """Number of different shapes, whatever is engraved on them."""
+        """Number of different shapes, regardless of engraving."""
         return sum(not row.like for row in self.rows)
 
     @property
@@ -399,7 +399,7 @@ class CutList:
         return stream.getvalue()
 
     def in_files(self, files: Mapping[str, str]) -> "CutList":
-        """The list with the files that hold the parts, by their names; the others keep theirs."""
+        """Return the list with new file names by part name; other parts keep their file names."""
         require_record(files, Mapping, "the names of files", "a mapping from part to file")
         return CutList(tuple(replace(row, file=files.get(row.part, row.file)) for row in self.rows))
 
@@ -411,18 +411,18 @@ class CutList:
 
 
 def _cell(text: str) -> str:
-    """The text, with the mark of one where a spreadsheet would take it for a formula."""
+    """Return the text, after an apostrophe if a spreadsheet would take it for a formula."""
     return f"'{text}" if text[:1] in tuple("=+-@\t\r") else text
 
 
 def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) -> CutList:
-    """The cut list of pieces, in their order.
+    """Return the cut list of pieces, in their order.
 
     Parameters
     ----------
     pieces : iterable of Piece
     files : mapping, optional
-        From a piece's name to its file; `file_stem` with .dxf where not given.
+        File names by the names of pieces; the default is `file_stem` with .dxf.
     """
     rows, pieces = [], several("pieces", pieces, Piece, "Piece")
     seen: list[tuple[FlatShape, str]] = []
@@ -447,9 +447,9 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
 
 
 def _like(piece: Piece, seen: list[tuple[FlatShape, str]]) -> str:
-    """The first piece of the same shape, among those seen; this one joins them where there is none."""
+    """Return the name of the first piece seen with the same shape, or register this piece and return ""."""
     outer = piece.drawing.on(CUT_OUTER)
-    if len(outer) != 1 or piece.worked is not None:  # what the drawing shows does not tell them apart
+    if len(outer) != 1 or piece.worked is not None:  # the drawing alone does not determine the shape
         return ""
     shape = FlatShape((Layer(piece.sheet, outer[0], piece.drawing.on(CUT_INNER)),))
     first = next((name for other, name in seen if other.equals(shape)), "")

@@ -39,7 +39,7 @@ LEAN_ROUNDS = 6
 """Largest number of rounds of moving slots; three are usually enough."""
 
 LEANED_MM = 0.03
-"""Rounds end when they move slots by less than this, mm; each leaves a tenth of what it moved."""
+"""Movement of slots, mm, below which the rounds end; each round moves them a tenth as far as the one before."""
 
 
 def plate_pair(
@@ -50,33 +50,34 @@ def plate_pair(
     frame: Frame | None = None,
     **options: Any,
 ) -> tuple[BasePlate, BasePlate]:
-    """Two plates, one below the other, whose slots hold inclined tabs at their angle.
+    """Return two plates, one below the other, whose slots hold inclined tabs at their angle.
 
-    A slot with vertical walls lets an inclined tab rock; a second one, further along the tab by the gap between the
-    plates and so offset by gap cot(phi), leaves it no angle but its own. Slots are moved a little against the load
-    of their tabs, which take up their play and bend between the plates: bodies of straight tabs run into them.
+    A single slot with vertical walls lets an inclined tab rock. A second slot, offset by gap cot(phi), fixes the
+    angle of the tab. Slots are moved slightly against the load of their tabs, because loaded tabs take up their
+    play and bend between the plates. The solids of straight tabs therefore overlap the plates slightly.
 
     Parameters
     ----------
     placed : sequence of Placed
     sheet : Sheet or its name
-        Of both plates.
+        Sheet of both plates.
     gap : float
-        Between the plates, mm.
+        Distance between the plates, mm.
     frame : Frame, optional
-        The upper plate's upper face, z up.
+        Upper face of the upper plate, z up.
     **options
-        All others of `base_plate`.
+        Other options of `base_plate`.
 
     Returns
     -------
     (BasePlate, BasePlate)
-        The upper and the lower one, called NAME and NAME-lower.
+        The upper and the lower plate, with the names NAME and NAME-lower.
 
     Raises
     ------
     InputError
-        A tab too short for the lower plate, with the length it needs; and as `base_plate`.
+        A tab is too short for the lower plate (the message has the length that it needs); also the errors of
+        `base_plate`.
     """
     sheet = Sheet.of(sheet)
     require_positive(gap, "the gap between two plates")
@@ -94,27 +95,28 @@ def ring_pair(
     middle: float = np.inf,
     **options: Any,
 ) -> tuple[Ring, ...]:
-    """Two rings about the z axis, one behind the other, that hold one end of all strips at its angle.
+    """Return two rings about the z axis, one behind the other, that hold one end of all strips at its angle.
 
-    Tabs that lie on a ring are glued to it: then it is one ring.
+    If the tabs are flat on the ring, they are glued to it and a single ring is returned.
 
     Parameters
     ----------
     placed : sequence of Placed
         All strips of the surface.
     tabs : sequence of PlacedTab
-        Of the same end of every strip.
+        Tabs at the same end of every strip.
     sheet : Sheet
-        Of both rings.
+        Sheet of both rings.
     gap : float
-        Between the rings, mm.
+        Distance between the rings, mm.
     **options
-        All others of `ring_plate`; the second ring is called NAME-outer.
+        Other options of `ring_plate`; the name of the second ring is NAME-outer.
 
     Raises
     ------
     InputError
-        A tab too short for the second ring, with the length it needs; and as `ring_plate`.
+        A tab is too short for the second ring (the message has the length that it needs); also the errors of
+        `ring_plate`.
     """
     require_positive(gap, "the gap between two plates")
     asked = options_by_name(RingOptions, options, "a pair of rings", ("shape", "ends"))
@@ -127,12 +129,12 @@ def ring_pair(
 def _add_second(
     placed: Sequence[Placed], first: Plate, options: PlateOptions, gap: float
 ) -> tuple[Plate, Plate]:
-    """A plate and another of its kind behind it, `gap` mm further along the tabs, both leaned against their loads.
+    """Return the plate and a second plate of the same type `gap` mm behind it, with slots moved for their loads.
 
     Raises
     ------
     InputError
-        A tab too short, with the length it needs.
+        A tab is too short; the message has the length that it needs.
     """
     sheet, ground = first.sheet, first.frame.shifted(z=-first.sheet.thickness - gap)
     tabs = [slot.tab for slot in first.slots if slot.tab is not None]
@@ -152,9 +154,10 @@ def _add_second(
 
 
 def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Plate, Plate]:
-    """The plates with their slots moved so that every loaded tab, play taken up and bent, lies as designed.
+    """Return the plates with moved slots, so that every loaded tab is in its designed position.
 
-    The load is that of the strip as it is made: slots and widths that make up for them change it.
+    The movement compensates play and the bending of tabs. The load is computed for the strip as made, with its
+    slots and corrected widths.
     """
     for _ in range(LEAN_ROUNDS):
         leans = _leans(placed, tab_seats(plates))
@@ -168,7 +171,7 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
 
 
 def _leans(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, Lean]:
-    """Shift of the holder of each tab; ends that are cut and held alike are computed once."""
+    """Return the shift and turn of the holder of each tab; equal ends are computed once."""
     found, known = dict[Key, Lean](), dict[Hashable, Lean]()
     for one in placed:
         cut = cut_key(one.strip)
@@ -185,9 +188,9 @@ def _leans(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, 
 
 
 def _moved(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
-    """The slots of a plate, each moved within it by what its tab's holder is to be shifted and turned."""
+    """Return the slots of a plate, moved within the plate by the shift and turn for each tab."""
     slots, walls = list(plate.slots), slot_walls(plate)
-    # left of the curve is -z of the tab; its projection is the way within the plate
+    # left of the curve is -z of the tab; its projection is the direction within the plate
     ways = np.array([(tab.frame.x_axis, -tab.frame.z_axis) for _, tab, _ in walls]).reshape(-1, 2, 3)
     for (k, tab, own), (into, left) in zip(walls, (ways @ plate.frame.axes.T)[..., :2], strict=True):
         if (lean := leans.get(tab.key)) is not None:
@@ -196,11 +199,11 @@ def _moved(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
 
 
 def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatArray, lean: Lean) -> TabSlot:
-    """A slot whose walls (2, n, 2) are moved; into the tab and to its left are ways (2,) within the plate."""
+    """Return a slot with moved walls (2, n, 2); `into` and `left` are directions (2,) of the tab in the plate."""
     moves = []
     for wall in walls:
         place, slope = lean.touched(wall)
-        # the tab is bent there: a wall that moves within the plate goes across it and along it
+        # the tab is bent there: a wall that moves within the plate moves across the tab and along it
         across = left - slope * into
         moves.append((lean.shift + lean.turn * place) / float(across @ left) * left)
     first, second = moves
@@ -208,7 +211,7 @@ def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatA
 
 
 LEVEL_GAIN_MM = 0.5
-"""Gain in level, mm, from which on a plate is tilted against the mean direction of the tabs."""
+"""Least gain in level, mm, for which a plate is tilted against the mean direction of the tabs."""
 
 
 def end_plates(
@@ -219,28 +222,27 @@ def end_plates(
     gap: float | None = None,
     **options: Any,
 ) -> tuple[BasePlate, ...]:
-    """A plate for the tabs of each end of any strips, in the plane that suits these tabs.
+    """Return a plate for the tabs at each end of the strips, in the best plane for these tabs.
 
     Parameters
     ----------
     placed : sequence of Placed
     sheet : Sheet or its name
-        Of the plates.
+        Sheet of the plates.
     together : bool
-        One plate for the tabs of all these ends, instead of one for each.
+        Make one plate for all these ends instead of one plate for each end.
     gap : float, optional
-        Two plates instead of each, so far apart, mm, that hold inclined tabs at their angle; the second is called
-        NAME-start-outer and so on.
+        Distance, mm, between two plates that replace each single plate and hold inclined tabs at their angle. The
+        names of the second plates are NAME-start-outer and NAME-end-outer.
     **options
-        Fields of `RingOptions`. The plates are called NAME-start and NAME-end, or NAME where there is one. The
-        shape "ring" is round with a round opening, where the slots are arranged about one; else it is the hull of
-        the slots.
+        Fields of `RingOptions`. The names are NAME-start and NAME-end, or NAME for a single plate. The shape "ring"
+        is round with a round opening if the slots are arranged around one; otherwise it is the hull of the slots.
 
     Raises
     ------
     InputError
-        Tabs that point in too many directions, end before the plate or lie too flat, slots that meet; parts are
-        named. Plates that cannot be cut, without `ignore_limits`.
+        Tabs point in too many directions, end before the plate or are too flat, or slots meet; the message names
+        the parts. A plate cannot be cut, and `ignore_limits` is false.
 
     Examples
     --------
@@ -267,12 +269,12 @@ def end_plates(
 
 
 def facing_plates(placed: Sequence[Placed], sheet: Sheet, options: PlateOptions) -> tuple[BasePlate, ...]:
-    """Two plates: one for all tabs that go out one way, one for those that go out the other, the lower first.
+    """Return two plates, lower plate first, for tabs that point in two opposite directions.
 
     Raises
     ------
     InputError
-        As `end_plates`.
+        As in `end_plates`.
     """
     tabs = tabs_to_hold(placed)
     outs = np.array([tab.frame.x_axis for tab in tabs])
@@ -292,7 +294,7 @@ def _plate(tabs: Sequence[PlacedTab], sheet: Sheet, options: PlateOptions) -> Ba
 def through_slots(
     tabs: Sequence[PlacedTab], frame: Frame, sheet: Sheet, options: PlateOptions
 ) -> list[TabSlot]:
-    """A slot for every tab; one that does not reach half way through the plate is refused."""
+    """Return a slot for every tab, or raise InputError for a tab that ends before the middle of the plate."""
     for tab in tabs:
         tip = float(frame.local(tab.tip)[2])
         if tab.length <= 0 or tip > -0.5 * sheet.thickness:
@@ -307,7 +309,7 @@ def through_slots(
 
 
 def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
-    """The plane that suits the tabs: through the lowest of their origins, z against the way they go."""
+    """Return the best plane for the tabs, through the lowest of their origins, with z against their direction."""
     if not tabs:
         raise InputError(
             "{name}: no tab of these strips can be held: give placed strips with tabs", name=name

@@ -35,16 +35,16 @@ from elastica_cad.strip.uncuttable_parts import (
 )
 
 FLATTEST_RAD = np.radians(15.0)
-"""Tabs at less than this angle to a plate would need slots over four times its thickness wide."""
+"""Least angle of a tab to a plate, rad; flatter tabs need slots over four plate thicknesses wide."""
 
 LEAST_OPENING_SHARE = 0.4
-"""A round plate has an opening only if the opening is larger than this share of it."""
+"""Least radius of the opening of a round plate, as a fraction of the plate's radius."""
 
 LABEL_MM = 4.0
 """Height of engraved names, where there is room."""
 
 BELOW_MM = 1e-6
-"""A tab goes through a plate if it ends farther below its face than this, mm."""
+"""Least depth of the end of a tab below the upper face of its plate, mm."""
 
 Shape = Literal["hull", "rectangle", "ring"]
 
@@ -61,9 +61,9 @@ Name: TypeAlias = Annotated[str, Asked("Name of its files.")]
 class PlateOptions:
     """Options of a plate that holds tabs.
 
-    `shape` is the outline around all slots; "ring" is round, with an opening where that would leave some of the
-    plate. `shop` is the workshop's limits: bridges between slots, the largest sheet. With `ignore_limits` a plate
-    beyond these limits is made, with warnings.
+    `shape` is the outline around all slots; "ring" is round, with an opening if it would be large enough. `shop` is
+    the workshop's limits: bridges between slots, the largest sheet. With `ignore_limits`, a plate beyond these
+    limits is made with warnings.
     """
 
     play: Play = BASE_PLAY
@@ -83,7 +83,7 @@ class PlateOptions:
 
 @dataclass(frozen=True)
 class RingOptions(PlateOptions):
-    """Options of a ring, and of plates in the plane that suits their tabs."""
+    """Options of a ring, and of plates in the best plane for their tabs."""
 
     play: Play = PLAY
     border: Border = BORDER
@@ -110,18 +110,18 @@ def options_by_name(
 
 @dataclass(frozen=True, eq=False)
 class TabSlot:
-    """A slot of a base plate.
+    """Slot of a base plate.
 
     Attributes
     ----------
     corners : (4, 2) array
-        In the plate's frame, anticlockwise, mm; the first side runs across the tab.
+        In the plate's frame, anticlockwise, mm; the first side is across the tab.
     name : str
-        The tab's.
+        Name of the tab.
     through : float
         Thickness of the tab, mm.
     tab : PlacedTab or None
-        What goes through it; None for a tongue of another plate.
+        Tab in the slot; None for a tongue of another plate.
     """
 
     corners: FloatArray
@@ -131,19 +131,19 @@ class TabSlot:
 
     @property
     def path(self) -> Path:
-        """The closed loop to cut."""
+        """Closed loop to cut."""
         return Path.polygon(self.corners)
 
     @property
     def size(self) -> tuple[float, float]:
-        """Across the tab and through it, mm."""
+        """Size across the tab and along its thickness, mm."""
         a, b = np.hypot(*(self.corners[1:3] - self.corners[:2]).T)
         return float(a), float(b)
 
 
 @dataclass(frozen=True, eq=False)
 class BasePlate:
-    """A plate with a slot for every tab.
+    """Plate with a slot for every tab.
 
     Attributes
     ----------
@@ -177,12 +177,13 @@ class BasePlate:
         return (*(slot.path for slot in self.slots), *(() if self.opening is None else (self.opening,)))
 
     def checked(self, options: PlateOptions) -> Self:
-        """The plate with what is to be said of it; one that cannot be cut is refused without `ignore_limits`.
+        """Return the plate with its warnings.
 
         Raises
         ------
         InputError
-            Slots that meet or are far wider than their tabs, thin bridges, a plate larger than the stock.
+            Slots meet. Slots are far wider than their tabs, bridges are thin, or the plate is larger than the
+            sheet, and `ignore_limits` is false.
         """
         require_record(options, PlateOptions, "options", "a PlateOptions")
         _refuse_meetings(self.slots, self.name)
@@ -201,7 +202,7 @@ class BasePlate:
 
     @cached_property
     def drawing(self) -> Drawing:
-        """The cut pattern seen from above, every slot with the name of its tab."""
+        """Cut pattern seen from above, with the name of the tab at every slot."""
         paths = [LayeredPath(CUT_INNER, path) for path in self._inner]
         texts = (*(self._label(slot) for slot in self.slots), *self._name())
         return Drawing(self.name, (*paths, LayeredPath(CUT_OUTER, self.outline)), texts)
@@ -212,7 +213,7 @@ class BasePlate:
         return Piece(self.name, self.drawing, self.sheet)
 
     def _name(self) -> tuple[Text, ...]:
-        """Its name between opening and slots: of two rings that stand together each says which one it is."""
+        """Return the plate's name between opening and slots, which distinguishes the two rings of a pair."""
         if self.opening is None:
             return ()
         center, inner = self.opening.bounds.mean(axis=0), float(np.ptp(self.opening.bounds[:, 0])) / 2
@@ -220,7 +221,7 @@ class BasePlate:
         return _rim_text(self.name, inner + CLEAR_MM, free, center)
 
     def _label(self, slot: TabSlot) -> Text:
-        """The name along the slot, reading upright above it, or below where another slot is in the way."""
+        """Return the tab's name above the slot, or below it if another slot is in the way."""
         a, b, c, _ = slot.corners
         along, off = (b - a) / np.hypot(*(b - a)), (c - b) / np.hypot(*(c - b))
         if along[0] < -1e-9 or (abs(along[0]) <= 1e-9 and along[1] < 0):
@@ -242,27 +243,26 @@ class BasePlate:
 def base_plate(
     placed: Sequence[Placed], sheet: Sheet | str, *, frame: Frame | None = None, **options: Any
 ) -> BasePlate:
-    """One plate with a slot for every tab that stands on it.
+    """Return one plate with a slot for every tab.
 
-    A tab goes on straight through the plate: a slot is as wide as the tab's way between upper and lower face
-    asks for with a vertical cut, h / sin(phi) + H |cot(phi)| + clearance, where phi is the tab's angle to the
-    plate, h its thickness and H the plate's.
+    Tabs are straight in the plate, and cuts are vertical. The width of a slot is h / sin(phi) + H |cot(phi)| +
+    clearance, where phi is the tab's angle to the plate, h the thickness of the tab and H that of the plate.
 
     Parameters
     ----------
     placed : sequence of Placed
     sheet : Sheet or its name
-        Of the plate.
+        Sheet of the plate.
     frame : Frame, optional
-        The plate's upper face, z up; the plane z = 0 unless given.
+        Upper face of the plate, z up; by default the plane z = 0.
     **options
         Fields of `PlateOptions`: play, clearance, slot_width, border, shape, ends, name, shop, ignore_limits.
 
     Raises
     ------
     InputError
-        No tab goes through the plate, one lies too flat, two slots meet, slots far wider than their tabs, bridges
-        too thin to cut, a leaning strip wider than its tab that runs into the plate; the parts are named.
+        No tab reaches through the plate, a tab is too flat, slots meet or are far wider than their tabs, bridges
+        are too thin, or an inclined strip wider than its tab runs into the plate. The message names the parts.
     """
     asked = options_by_name(PlateOptions, options, "a base plate")
     name, ends, sheet = asked.name, asked.ends, Sheet.of(sheet)
@@ -293,7 +293,7 @@ def base_plate(
 
 
 def _shoulder_depth(tab: PlacedTab, wide: float, ground: Frame) -> float:
-    """Depth, mm, to which the end of a strip of width `wide` would reach into the plate where its tab begins."""
+    """Return the depth, mm, by which a strip of width `wide` would overlap the plate at the start of its tab."""
     height = float(ground.local(tab.frame.origin)[2])
     return wide / 2 * abs(float(ground.z_axis @ tab.frame.y_axis)) - height
 
@@ -305,9 +305,7 @@ def plate_with(
     options: PlateOptions,
     kind: "type[Plate]",
 ) -> "Plate":
-    """The plate around slots, or the ring about the axis of its frame; refused where two slots meet, and without
-    `ignore_limits` where it cannot be made.
-    """
+    """Return the plate around slots, or the ring about the axis of its frame; errors as in `BasePlate.checked`."""
     loops = [slot.corners for slot in slots]
     outline, opening = _outline(np.concatenate(loops), options.border, options.shape), None
     if kind is Ring:
@@ -319,27 +317,27 @@ def plate_with(
 
 
 def _round(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[Path, Path | None]:
-    """A rim and an opening about loops (4, 2) with a border, mm; no opening where it would be too small."""
+    """Return rim and opening around loops (4, 2) with a border, mm; None for an opening that is too small."""
     inner, outer = around(loops, center, border)
     opening = Path.circle(center, inner) if inner > LEAST_OPENING_SHARE * outer else None
     return Path.circle(center, outer), opening
 
 
 def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[float, float]:
-    """Radii about a point (2,) that stay `border` mm clear of loops (4, 2), inside and outside of them."""
+    """Return the radii about a point (2,), inside and outside of loops (4, 2), at a distance of `border` mm."""
     points = np.concatenate([(loop + np.roll(loop, shift, axis=0)) / 2 for loop in loops for shift in (0, 1)])
     away = np.hypot(*(points - center).T)
     return float(away.min()) - border, float(away.max()) + border
 
 
 def _stands_in(tab: PlacedTab, ground: Frame) -> bool:
-    """Whether the tab begins on or above a plate's upper face and ends below it."""
+    """Return True if the tab starts on or above a plate's upper face and ends below it."""
     (_, _, start), (_, _, tip) = ground.local([tab.frame.origin, tab.tip])
     return bool(start > -tab.thickness and tip < -BELOW_MM)
 
 
 def tab_slot(tab: PlacedTab, ground: Frame, thickness: float, options: PlateOptions) -> TabSlot:
-    """The rectangle that lets the tab through both faces."""
+    """Return the rectangular slot for the tab through both faces."""
     down = -float(tab.frame.x_axis @ ground.z_axis)
     if down < np.sin(FLATTEST_RAD):
         raise InputError(
@@ -385,9 +383,9 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
 
 
 def _gaps(one: FloatArray, others: FloatArray) -> FloatArray:
-    """Lower bounds (...,) of the distance, mm, of rectangles (..., 4, 2) from others (..., 4, 2).
+    """Return lower bounds (...,) of the distance, mm, between pairs of rectangles (..., 4, 2).
 
-    Exact where a side faces the other.
+    The bound is exact where a side of one rectangle faces the other rectangle.
     """
     own, theirs = _across(one), _across(others)
     return np.asarray(
@@ -396,14 +394,14 @@ def _gaps(one: FloatArray, others: FloatArray) -> FloatArray:
 
 
 def _across(rectangles: FloatArray) -> FloatArray:
-    """Unit normals of the first two sides of rectangles (..., 4, 2), as columns (..., 2, 2)."""
+    """Return unit normals of the first two sides of rectangles (..., 4, 2), as columns (..., 2, 2)."""
     sides = rectangles[..., 1:3, :] - rectangles[..., :2, :]
     normals = np.stack([-sides[..., 1], sides[..., 0]], axis=-2)
     return np.asarray(normals / np.hypot(normals[..., 0, :], normals[..., 1, :])[..., None, :], dtype=float)
 
 
 def _apart(p: FloatArray, q: FloatArray) -> FloatArray:
-    """The larger (...,) of the gaps between places (..., 4, 2) along two ways."""
+    """Return the larger (...,) of the gaps between places (..., 4, 2) along two directions."""
     gaps = np.maximum(q.min(axis=-2) - p.max(axis=-2), p.min(axis=-2) - q.max(axis=-2))
     return np.asarray(gaps.max(axis=-1), dtype=float)
 
@@ -420,7 +418,7 @@ GAP_MM = 20.0
 """Default distance between two plates, mm."""
 
 LYING_RAD = np.radians(5.0)
-"""Tabs at a smaller angle than this to the ring, rad, lie on it; glue fills the wedge."""
+"""Largest angle to the ring, rad, of tabs that are glued flat on it; glue fills the wedge."""
 
 CLEAR_MM = 0.5
 """Distance between a name and slots or rim, mm."""
@@ -429,22 +427,23 @@ TAILS = 1 / 3
 """Depth of letters like g below their line, in heights."""
 
 LEAST_LABEL_MM = 1.5
-"""Smallest names, mm; smaller ones could not be read and are left out."""
+"""Least height of engraved names, mm; smaller names would not be legible and are omitted."""
 
 
 @dataclass(frozen=True, eq=False)
 class Ring(BasePlate):
-    """A flat ring about an axis, or a cap where it has no opening; its frame is the face that looks at the strips,
-    its middle on the axis, z towards them.
+    """Flat ring about an axis, or a cap without an opening.
+
+    The frame is the face towards the strips, with its origin on the axis and z towards the strips.
 
     Attributes
     ----------
     seats : tuple of Path
-        Engraved outlines of tabs that lie on it.
+        Engraved outlines of tabs on the face.
     holes : tuple of Path
-        Of the bolts of such tabs.
+        Holes for the bolts of these tabs.
     seated : tuple of str
-        Names of such tabs.
+        Names of these tabs.
     """
 
     seats: tuple[Path, ...] = ()
@@ -453,7 +452,7 @@ class Ring(BasePlate):
 
     @property
     def radii(self) -> tuple[float, float]:
-        """Of the opening, 0 of a cap, and of the rim, mm."""
+        """Radius of the opening (0 for a cap) and of the rim, mm."""
         return 0.0 if self.opening is None else float(self.opening.bounds[1, 0]), float(
             self.outline.bounds[1, 0]
         )
@@ -464,7 +463,7 @@ class Ring(BasePlate):
 
     @cached_property
     def drawing(self) -> Drawing:
-        """The cut pattern seen from the strips, with its name near the rim where there is room."""
+        """Cut pattern seen from the strips, with its name near the rim if there is room."""
         paths = [LayeredPath(CUT_INNER, path) for path in self._inner]
         paths += [LayeredPath(ENGRAVE, seat) for seat in self.seats]
         paths.append(LayeredPath(CUT_OUTER, self.outline))
@@ -482,11 +481,11 @@ Plate = TypeVar("Plate", bound=BasePlate)
 def _rim_text(
     name: str, inner: float, outer: float, center: Sequence[float] = (0.0, 0.0)
 ) -> tuple[Text, ...]:
-    """The name of a ring engraved above its centre between two radii, as large as fits; none that could be read."""
+    """Return the largest legible name above the centre between two radii, or an empty tuple if none fits."""
     largest = min(LABEL_MM, 0.4 * (outer - inner))
     for height in np.linspace(largest, LEAST_LABEL_MM, 12).tolist() if largest > LEAST_LABEL_MM else ():
         half, below = text_width(name, height) / 2, height * TAILS
-        most = float(np.sqrt(max(outer**2 - half**2, 0.0))) - height  # its upper corners lie on the circle
+        most = float(np.sqrt(max(outer**2 - half**2, 0.0))) - height  # the upper corners are on the circle
         if most >= inner + below:
             low = min(most, (inner + below + outer - height) / 2)
             return (Text((center[0] - half, center[1] + low), name, height, 0.0, ENGRAVE),)
@@ -494,9 +493,10 @@ def _rim_text(
 
 
 def slot_reach(radius: float, angle: float, thickness: float, tab: float) -> float:
-    """Least distance from the axis (mm) of a tab, `tab` mm thick, in a ring, or of the whole where it lies on it.
+    """Return the least distance from the axis, mm, of the slot for a tab, `tab` mm thick, in a ring.
 
-    It begins at a radius and goes out at an angle (rad) against the direction away from the axis.
+    The tab starts at a radius, at an angle (rad) to the outward radial direction. For a tab flat on the ring the
+    result is the radius.
     """
     if abs(np.sin(angle)) < np.sin(FLATTEST_RAD):
         return radius
@@ -507,19 +507,19 @@ def slot_reach(radius: float, angle: float, thickness: float, tab: float) -> flo
 def ring_plate(
     tabs: Sequence[PlacedTab], sheet: Sheet | str, *, middle: float = np.inf, **options: Any
 ) -> Ring:
-    """The ring or cap about the z axis that holds one end of all strips of a surface of revolution.
+    """Return the ring or cap about the z axis that holds one end of all strips of a surface of revolution.
 
-    Tabs that meet its plane at more than 15 degrees go through slots; at less than 5 they lie on its face, on
-    engraved seats, to be glued or bolted through their holes.
+    Tabs at more than 15 degrees to the plane pass through slots. Tabs at less than 5 degrees are glued or bolted to
+    the face, where their outlines are engraved.
 
     Parameters
     ----------
     tabs : sequence of PlacedTab
-        Of the same end of every strip.
+        Tabs at the same end of every strip.
     sheet : Sheet or its name
-        Of the ring.
+        Sheet of the ring.
     middle : float
-        Height of the model's middle, mm: where tabs lie on the ring it keeps to their other side.
+        Height of the model's middle, mm; a ring with flat tabs is on the other side of the tabs.
     **options
         Fields of `RingOptions` without shape and ends: border, play, clearance, slot_width, name, shop,
         ignore_limits.
@@ -527,8 +527,8 @@ def ring_plate(
     Raises
     ------
     InputError
-        Tabs that have no length, lie over each other, or meet the plane at angles between; slots that meet or are
-        far wider than their tabs, bridges too thin to cut.
+        Tabs have no length, overlap, or are at an angle between 5 and 15 degrees; slots meet or are far wider than
+        their tabs, or bridges are too thin to cut.
     """
     sheet, asked = Sheet.of(sheet), options_by_name(RingOptions, options, "a ring", ("shape", "ends"))
     name, tabs = asked.name, several("tabs", tabs, PlacedTab, "PlacedTab")
@@ -570,19 +570,19 @@ def ring_plate(
 
 
 def _facing(height: float, *, up: bool) -> Frame:
-    """The plane across the axis at a height, looking up or down."""
+    """Return the plane perpendicular to the axis at a height, with z up or down."""
     return Frame((0.0, 0.0, height), (1.0, 0.0, 0.0), (0.0, 1.0 if up else -1.0, 0.0))
 
 
 def _seat(tab: PlacedTab, frame: Frame) -> FloatArray:
-    """Corners (4, 2) of a tab that lies on the ring."""
+    """Return the corners (4, 2) of a tab that is flat on the ring."""
     half = tab.width / 2
     corners = [(0.0, -half, 0.0), (tab.length, -half, 0.0), (tab.length, half, 0.0), (0.0, half, 0.0)]
     return frame.local(tab.frame.point(corners))[:, :2]
 
 
 def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) -> None:
-    """Every tab keeps within its share of the full turn."""
+    """Raise InputError if a tab exceeds its sector of the full turn."""
     seat = seats[0]
     out = seat.mean(axis=0)
     out = out / max(float(np.hypot(*out)), 1e-300)
@@ -597,7 +597,7 @@ def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) ->
 
 
 def needed_length(tab: PlacedTab, first: BasePlate, gap: float) -> float:
-    """Length, in whole mm, that a tab needs to reach through a plate and another `gap` mm behind it."""
+    """Return the length, in whole mm, of a tab through a plate and a second plate `gap` mm behind it."""
     back = first.frame.shifted(z=-2 * first.sheet.thickness - gap)
     missing = float(back.local(tab.tip)[2] / -(back.z_axis @ tab.frame.x_axis))
     return float(np.ceil(tab.length + missing))

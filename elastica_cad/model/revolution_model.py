@@ -1,4 +1,4 @@
-"""Models of surfaces of revolution, and widths with which neighbouring strips close gaps."""
+"""Models of surfaces of revolution, and widths for neighbouring strips without gaps."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -34,10 +34,10 @@ WIDTH_MM = 1e-5
 """Largest error of a width, mm."""
 
 PARALLEL = 1e-12
-"""Slopes below this are rounding: two planes are then the same, and two bounds never cross."""
+"""Largest slope that counts as rounding error; two planes are then the same, and two bounds do not cross."""
 
 END_MM = 1e-9
-"""Kinks nearer than this to an end are at the end."""
+"""Largest distance, mm, of a kink that counts as being at an end."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,19 +54,19 @@ class _Bound:
 def touching_widths(
     strips: Sequence[Placed | tuple[PlaneCurve, Frame]], gap: float = 0.0, *, closed: bool = False
 ) -> tuple[Profile, ...]:
-    """Widths at which strips on neighbouring planes meet at the planes that bisect the angle between theirs.
+    """Return widths with which neighbouring strips meet at the planes that bisect the angles between them.
 
-    Half the width is the distance from the curve, along the ruling, to the nearer bisector plane after that was
-    moved towards the curve by the gap (the Flower Pot and the Shell of the paper, section 9).
+    Half the width is the distance from the curve, along the ruling, to the nearer bisector plane. Before that, the
+    plane is moved towards the curve by the gap (the Flower Pot and the Shell of the paper, section 9).
 
     Parameters
     ----------
     strips : sequence of Placed, or of (PlaneCurve, Frame)
-        In order around the surface; the frame is the plane in which the curve is drawn.
+        In order around the surface; the frame is the plane of the curve.
     gap : float
-        Distance that either strip keeps from the bisector plane, mm.
+        Distance of each strip from the bisector plane, mm.
     closed : bool
-        True where the last strip is the first one's neighbour; otherwise both have one neighbour only.
+        True if the last and the first strip are neighbours.
 
     Returns
     -------
@@ -76,7 +76,7 @@ def touching_widths(
     Raises
     ------
     InputError
-        Fewer than two strips, or no width left somewhere.
+        There are fewer than two strips, or a width is not positive.
 
     Examples
     --------
@@ -109,7 +109,7 @@ def touching_widths(
 def _bound(
     own: tuple[PlaneCurve, Frame], other: tuple[PlaneCurve, Frame], gap: float, names: tuple[str, str]
 ) -> _Bound:
-    """The plane between two strips, moved towards the first by the gap, as the first sees it."""
+    """Return the plane between two strips, moved towards the first strip by the gap, in its coordinates."""
     frame, opposite = own[1], other[1]
     middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (own, other)]
     z, r = frame.z_axis, opposite.z_axis
@@ -127,7 +127,7 @@ def _bound(
 
 
 def _width(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -> Profile:
-    """Twice the smaller of the bounds, with a kink where they change places."""
+    """Return twice the smaller of the bounds, with a kink where the bounds cross."""
     breaks = [(b.s, max(b.continuity, 0)) for b in curve.breaks]
     if len(bounds) == 2:
         one, two = bounds
@@ -159,7 +159,7 @@ def _width(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -
 
 
 MOST_STRIPS = 1000
-"""Largest number of strips; those of a sphere of 1 m would be 3 mm wide."""
+"""Largest number of strips; a sphere of 1 m would have strips 3 mm wide."""
 
 BEYOND_MM = 2.0
 """Length of a tab beyond the second of two rings, mm."""
@@ -168,10 +168,10 @@ TAB_GAP_MM = 0.5
 """Least gap between the tabs of neighbours, mm."""
 
 TRIED_RINGS = 60
-"""Number of sizes of rings that are tried where the requested one cannot be made."""
+"""Number of ring sizes that are tried if the requested ring cannot be made."""
 
 BRIDGE_FACTOR = 1.02
-"""Factor on the least material between slots, so that they are not refused because of rounding."""
+"""Factor on the least material between slots, which covers rounding errors."""
 
 
 def revolution(
@@ -191,33 +191,34 @@ def revolution(
     shop: FabricationLimits = DEFAULT_LIMITS,
     ignore_limits: bool = False,
 ) -> Model:
-    """The surface of revolution about z whose meridian has x kappa = a + <b, gamma>, tiled by plain strips.
+    """Return the surface of revolution about z whose meridian has x kappa = a + <b, gamma>, tiled by plain strips.
 
     Parameters
     ----------
     a, b, start, angle, length, ring
         As in `meridian`.
     strips : int
-        How many make the surface.
+        Number of strips.
     sheet : Sheet or str
-        Or its name.
+        Sheet of the strips, or its name.
     ends : pair of Tab, optional
-        Of each strip; 8 mm long, or as two rings need, and so wide that neighbours' tabs keep apart, unless given.
+        Tabs of each strip. By default they are 8 mm long, or as long as two rings need, and narrow enough to keep
+        neighbouring tabs apart.
     rings : Sheet or str, optional
-        Of a ring at each end, or a cap near the pole, which join the model as its `plates`; see `ring_plate`.
+        Sheet of a ring at each end, or of a cap near the pole; they are the model's `plates`. See `ring_plate`.
     gap : float, optional
-        Two rings instead of each where tabs go through, so far apart, mm, that hold the tabs at their angle; see
-        `ring_pair`.
+        Distance, mm, between two rings that replace each single ring with slots and hold the tabs at their angle;
+        see `ring_pair`.
     name : str
     shop : FabricationLimits
-        What the workshop can make.
+        Limits of the workshop.
     ignore_limits : bool
-        Make strips and rings that the workshop cannot, and say so in their warnings.
+        Make strips and rings beyond these limits, and list the faults in their warnings.
 
     Raises
     ------
     InputError, NotConvergedError
-        As `meridian`, fewer than three strips, strips or rings that cannot be cut and handled.
+        As in `meridian`; there are fewer than three strips, or strips or rings cannot be cut and handled.
 
     Examples
     --------
@@ -251,13 +252,13 @@ def revolve(
     shop: FabricationLimits = DEFAULT_LIMITS,
     ignore_limits: bool = False,
 ) -> Model:
-    """A meridian's surface about z, tiled by so many equal plain strips; see `revolution`.
+    """Return the surface of a meridian about z, tiled by equal plain strips; see `revolution`.
 
     Raises
     ------
     InputError
-        Fewer than three strips, an unknown sheet, strips or a ring that cannot be made; at a pole the smallest ring
-        that can be is told.
+        There are fewer than three strips, the sheet is unknown, or strips or a ring cannot be made. At a pole, the
+        message has the smallest possible ring.
 
     Examples
     --------
@@ -303,7 +304,7 @@ class _Asked:
     ignore_limits: bool
 
     def made(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[Ring, ...], tuple[str, ...]]:
-        """All strips about the axis, rings, and what is to be said of strips that cannot be cut."""
+        """Return all strips about the axis, rings, and warnings about strips that cannot be cut."""
         width = 2 * float(np.tan(np.pi / self.strips)) * float(meridian.distance.extremes[1])
         strip = Strip(meridian.rod, self.sheet, max_width=width, ends=self.ends or self._tabs(meridian))
         turn = 2 * np.pi * np.arange(self.strips) / self.strips
@@ -325,9 +326,9 @@ class _Asked:
         return placed, tuple(plates), told
 
     def _tabs(self, meridian: Meridian) -> tuple[Tab, Tab]:
-        """Tabs that go straight on, narrower than the room between the planes to both neighbours.
+        """Return straight tabs, narrower than the space between the planes to both neighbours.
 
-        At a pole, where they would be narrower than the shop can make, strips end as they are.
+        If a tab would be too narrow for the workshop, as at a pole, it has the width of the strip's end.
         """
         ends = meridian.curve.sample(2)
         outward = ends.angle + np.array([np.pi, 0.0])
@@ -342,7 +343,7 @@ class _Asked:
         near = np.minimum(ends.position[:, 0], ends.position[:, 0] + lengths * np.cos(outward))
         gap = TAB_GAP_MM
         if self.rings is not None:
-            # what separates two slots is seen along the sides of either, turned by half the angle between them
+            # the bridge between two slots is measured along their sides, at half the angle between the slots
             gap = (
                 2 * PLAY
                 + BRIDGE_FACTOR * self.shop.bridge_for(self.rings) / float(np.cos(np.pi / self.strips)) ** 2
@@ -361,7 +362,7 @@ class _Asked:
 
 
 def _smallest_ring(meridian: Meridian, asked: _Asked) -> int | None:
-    """The smallest distance from the axis, in whole millimetres, at which strips and rings can be made, if any."""
+    """Return the smallest distance from the axis, in whole mm, at which strips and rings can be made, or None."""
 
     def works(ring: int) -> bool:
         try:

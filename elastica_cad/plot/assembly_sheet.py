@@ -1,4 +1,4 @@
-"""The assembly sheet: an exploded picture with numbered ends, and which strip goes where, in order, as PDF."""
+"""Assembly sheet as PDF: an exploded picture with numbered ends, and the steps of the assembly in order."""
 
 from collections.abc import Iterator, Sequence
 from itertools import groupby
@@ -91,7 +91,7 @@ def _pages(
 
 
 def _rows(steps: Sequence[AssemblyStep]) -> Iterator[tuple[str, ...]]:
-    """A row for each step; steps in turn that read alike, as those of equal strips do, share one."""
+    """Return a row for each step; consecutive steps with equal text, as for equal strips, share a row."""
     for (part, ends, locks), run in groupby(steps, lambda step: (step.part, step.ends, step.locks_into)):
         first, *others = run
         number, strip = str(first.number), first.strip
@@ -110,7 +110,7 @@ def _page(title: str) -> Any:
 
 
 def _tables(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[Any]:
-    """A page for every few rows; columns as wide as their longest words ask for."""
+    """Draw the rows on pages, with columns as wide as their longest words."""
     longest = [max(len(row[k]) for row in [head, *rows]) + 2 for k in range(len(head))]
     left = 0.05 + 0.9 * np.concatenate([[0.0], np.cumsum(longest)[:-1]]) / sum(longest)
     size = min(9.0, 9.0 * 150 / sum(longest))
@@ -143,7 +143,7 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     patches, colors = (np.concatenate(part) for part in zip(*shown, strict=True))
     outlines = list(_outlines([*model.plates, *holders], far))
     depths = [*(patches.mean(axis=1) @ toward), *(float(place @ toward) for _, place, _ in outlines)]
-    # from far to near; runs of patches of one size are made far faster than one polygon after the other
+    # from far to near; runs of equally sized patches are made much faster than single polygons
     order = np.argsort(depths, kind="stable")
     whole = order >= len(patches)
     for run in np.split(order, np.flatnonzero(np.diff(whole)) + 1):
@@ -171,7 +171,7 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
 
 
 def _outlines(holders: Sequence[Holder], far: float) -> Iterator[tuple[FloatArray, FloatArray, str]]:
-    """Loops (n, 3) of plates and blocks, drawn off by `far` mm, the place that tells their depth, their colour."""
+    """Yield loops (n, 3) of plates and blocks, shifted by `far` mm, with the place for depth sorting and colour."""
     for holder in single_holders(holders):
         shift = _shift(holder, far)
         if isinstance(holder, EndFixture):
@@ -188,7 +188,7 @@ def _outlines(holders: Sequence[Holder], far: float) -> Iterator[tuple[FloatArra
 
 
 def _shift(holder: SingleHolder, far: float) -> FloatArray:
-    """Away from the strips; a rib further than the rails that it joins."""
+    """Return the shift of a holder away from the strips; a rib is shifted farther than its rails."""
     if isinstance(holder, EndFixture):
         return 0.5 * far * holder.tab.frame.x_axis
     if isinstance(holder, Rib):
@@ -197,14 +197,14 @@ def _shift(holder: SingleHolder, far: float) -> FloatArray:
 
 
 def _block(tab: PlacedTab) -> FloatArray:
-    """A block's side along the tab, as a rectangle."""
+    """Return the side of a block along the tab, as a rectangle."""
     half, long = tab.width / 2 + 4.0, tab.length + 4.0
     corners = [(0.0, -half, 0.0), (long, -half, 0.0), (long, half, 0.0), (0.0, half, 0.0)]
     return np.asarray(tab.frame.point(corners), dtype=float)
 
 
 def _targets(holders: Sequence[Holder], far: float) -> Iterator[tuple[object, FloatArray]]:
-    """Where each tab goes, as drawn: by the tab's key, as equal strips have one name, else by its name."""
+    """Yield the drawn place of each tab by the tab's key, because equal strips share a name, or by its name."""
     for holder in single_holders(holders):
         shift = _shift(holder, far)
         if isinstance(holder, EndFixture):

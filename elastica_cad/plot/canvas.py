@@ -19,16 +19,16 @@ Figure: TypeAlias = Any
 Axes: TypeAlias = Any
 
 WIDTH_INCHES = 9.0
-"""Of all figures: a page in landscape."""
+"""Width of all figures, that of a page in landscape."""
 
 NOTEBOOK_DPI = 90.0
-"""A page as wide as a notebook's column."""
+"""Resolution at which a page is as wide as a notebook's column."""
 
 RESOLUTION = 150.0
-"""Of PNG files unless told otherwise, dots per inch."""
+"""Default resolution of PNG files, dots per inch."""
 
 MOST_RESOLUTION = 2400.0
-"""Dots per inch: beyond, one picture fills the memory."""
+"""Largest resolution, dots per inch; a higher one would need too much memory."""
 
 PICTURES = ("png", "svg", "pdf")
 
@@ -40,13 +40,13 @@ SEAM_POINTS = 0.3
 TITLE_POINTS = 11
 
 TITLE_INCHES, TITLE_LINE_INCHES = 0.1, 0.19
-"""Above and below a page's title, and each of its lines."""
+"""Space above and below a page's title, and height of each of its lines."""
 
 
 class Panel(NamedTuple):
-    """How tall one drawing of a page is, and the room around it, inches.
+    """Height of a drawing on a page and the space around it, inches.
 
-    `above` holds a title and a legend; `below`, `left` and `right` the numbers and the name of an axis.
+    `above` is for a title and a legend; `below`, `left` and `right` are for the numbers and the name of an axis.
     """
 
     height: float
@@ -59,23 +59,22 @@ class Panel(NamedTuple):
 def save_figure(
     figure: Figure, path: str | PathLike[str], *, force: bool = False, resolution: float = RESOLUTION
 ) -> None:
-    """Write a figure as PNG, SVG or PDF, as the name of the file ends. No file is ever half written.
+    """Write a figure as PNG, SVG or PDF, by the suffix of the file name, completely or not at all.
 
     Parameters
     ----------
     figure : matplotlib.figure.Figure
-        As the functions of `elastica_cad.plot` return it.
+        Figure from a function of `elastica_cad.plot`.
     path : path-like
     force : bool
-        Overwrite a file of that name.
+        Overwrite an existing file.
     resolution : float
         Dots per inch of a PNG.
 
     Raises
     ------
     InputError
-        The file exists (without `force`), its name ends otherwise, it cannot be written, or there is no such
-        resolution.
+        The file exists (without `force`), has another suffix or cannot be written, or the resolution is impossible.
     """
     if not (is_number(resolution) and 1 <= resolution <= MOST_RESOLUTION):
         raise InputError(f"resolution is {resolution!r}: give 1 to {MOST_RESOLUTION:g} dots per inch")
@@ -104,18 +103,18 @@ def write_pages(
     force: bool = False,
     resolution: float = RESOLUTION,
 ) -> None:
-    """Write figures as the pages of one PDF, whole or not at all; its bytes tell no time.
+    """Write figures as the pages of a PDF without time stamps; the file is complete or not written at all.
 
     Parameters
     ----------
     figures : iterable of Figure
-        Drawn as they are asked for: one page is held at a time.
+        The figures are consumed one at a time, so only one page is in memory.
     title : str
-        In the file's properties.
+        Title in the file's properties.
     what : str
-        Which files need matplotlib, should it be missing.
+        Kind of files that need matplotlib, for the message if it is missing.
     resolution : float
-        Of what is painted as pixels, dots per inch.
+        Resolution of pixel images in the file, dots per inch.
 
     Raises
     ------
@@ -136,7 +135,7 @@ def write_pages(
 
 
 def _properties() -> dict[str, str | None]:
-    """Of a PDF: no time, and the command that runs."""
+    """Metadata of a PDF: no time, and the running command."""
     return {"CreationDate": None} | ({"Subject": command} if (command := MADE_BY.get()) else {})
 
 
@@ -146,9 +145,9 @@ def _needs_matplotlib(what: str) -> MissingDependencyError:
 
 
 def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **style: Any) -> None:
-    """Polygons (n, k, 2), or (k, 2) each, one over the other.
+    """Paint polygons (n, k, 2), or (k, 2) each, later polygons on top.
 
-    Their box is told here: matplotlib would look for it polygon by polygon, which takes as long as drawing them.
+    Their bounding box is set here, because matplotlib would compute it polygon by polygon, which is slow.
     """
     from matplotlib.collections import PolyCollection
 
@@ -159,14 +158,14 @@ def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **st
 
 
 def paint_patches(axes: Axes, patches: FloatArray, colors: FloatArray, **style: Any) -> None:
-    """Polygons (n, k, 2) of one colour each (n, 3), one over the other without seams."""
+    """Paint polygons (n, k, 2) with colours (n, 3), later polygons on top, without seams."""
     paint_polygons(axes, patches, facecolors=colors, edgecolors="face", linewidths=SEAM_POINTS, **style)
 
 
 def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axes]]:
-    """Make a figure `WIDTH_INCHES` wide with axes one above the other.
+    """Make a figure `WIDTH_INCHES` wide with axes one above another.
 
-    The room of texts is reckoned: matplotlib's layouts measure every text first, which takes as long as drawing it.
+    The space for text is estimated, because matplotlib's layouts measure every text first, which is slow.
     """
     try:
         from matplotlib.figure import Figure as MatplotlibFigure

@@ -26,17 +26,17 @@ POINTS = 601
 
 GOOD, STRAY = "#2e7d4f", "#c62828"
 ON_THE_LINE = 1e-6
-"""Share of the length by which an inflection may be off its line: less is not seen."""
+"""Largest distance of an inflection from its line, as a fraction of the length, that is not visible."""
 
 LETTERS = 96
 """In a line of the sentence above the picture."""
 
 
 def check(check: EquilibriumCheck) -> Figure:
-    """Draw the curve of a verdict: curvature comb, inflections with their places, inflection line and faults.
+    """Draw the curve of a check: curvature comb, inflections with their places, inflection line and faults.
 
-    Points that it was fitted to and that waver are dots, the one that stands out is ringed. Places are mm along the
-    curve from its start, as in the reasons.
+    Noisy measured points are dots, and an outlier has a ring. Places are mm along the curve from its start, as in
+    the reasons.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def check(check: EquilibriumCheck) -> Figure:
     Raises
     ------
     InputError
-        Something else.
+        `check` is not an EquilibriumCheck.
     MissingDependencyError
         matplotlib is not installed.
     """

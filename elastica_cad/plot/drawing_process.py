@@ -1,4 +1,4 @@
-"""Pictures drawn in a second process, which imports matplotlib while the command computes.
+"""Drawing of pictures in a second process, which imports matplotlib while the command computes.
 
 Importing matplotlib takes as long as computing a strip. If there is no second process, or if it ends early, the
 pictures are drawn in this process.
@@ -68,8 +68,9 @@ class DrawingProcess:
     def drawing(self, files: "Sequence[File]") -> "Iterator[Sequence[File]]":
         """Draw the pictures among the files of a kit, which are to be written in the block.
 
-        Yields the files in an order that lets the process draw while others are written. The writers of pictures
-        wait for the process, and draw here if it has ended. Archives follow, because they read other files.
+        Yields the files in an order that lets the process draw while other files are written. The writers of
+        pictures wait for the process, and draw in this process if it has ended. Archives are last, because they
+        contain the other files.
         """
         pictures = [file for file in files if file.name.endswith((".png", ".pdf"))]
         archives = [file for file in files if file.name.endswith(".zip")]

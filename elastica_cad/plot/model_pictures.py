@@ -29,10 +29,10 @@ from elastica_cad.strip.solids import FlatSolid
 from elastica_cad.strip.strip import Placed
 
 APART_MM = 1e-7
-"""Stations nearer than this are one: slabs between them could not be seen."""
+"""Least distance of stations; nearer stations are merged."""
 
 FEWEST, ROUND = 4, 96
-"""Sides for a curve, and for a whole loop of one."""
+"""Least number of sides of a curve, and number of sides of a loop that is a single curve."""
 
 
 def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> FloatArray:
@@ -45,7 +45,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     stations : (k,) array
         Further places where the trapezoids end, mm.
     step : float
-        Between the corners of the polygons that stand for curved loops, mm.
+        Distance between the corners of the polygons that approximate curved loops, mm.
 
     Returns
     -------
@@ -72,15 +72,15 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     )
     cuts = cuts[np.concatenate([[True], np.diff(cuts) > APART_MM])]
     middles = (cuts[:-1] + cuts[1:]) / 2
-    # each line goes through all slabs from one to another
+    # each line crosses all slabs from its first to its last
     first = np.searchsorted(middles, left[:, 0], side="right")
     count = np.searchsorted(middles, right[:, 0], side="left") - first
     line = np.repeat(np.arange(len(left)), count)
     slab = numbers_in_groups(count) + np.repeat(first, count)
     order = np.lexsort((left[line, 1] + slope[line] * (middles[slab] - left[line, 0]), slab))
-    # loops are closed: every slab has its lines in pairs, below and above what lies inside
+    # loops are closed, so the lines of every slab are in pairs, below and above the inside
     below, above, slab = line[order[0::2]], line[order[1::2]], slab[order[0::2]]
-    # between the same two lines it is one trapezoid, up to the next station
+    # slabs between the same two lines form one trapezoid, up to the next station
     ends_here = np.zeros(len(cuts), dtype=bool)
     ends_here[np.searchsorted(cuts, stations, side="right") - 1] = True
     along = np.lexsort((slab, above, below))
@@ -174,19 +174,19 @@ def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
 
 
 RIM_SHARE, MODEL_RIM_SHARE = 0.035, 0.0015
-"""Of the strip's width, and at most of the model's extent: the dark line along every edge."""
+"""Width of the dark line along edges, as a fraction of the strip's width, at most of the model's extent."""
 
 ROUNDED_MM = 6
-"""Decimals of a height above a face, mm: what has none lies on it."""
+"""Decimals of a height above a face, mm; a patch with height 0.0 is on the face."""
 
 HOLDER_PATCH_SHARE = 0.02
-"""Of the model's extent: patches of what holds it, small enough to be sorted by their depth."""
+"""Size of patches of holders, as a fraction of the model's extent, small enough for sorting by depth."""
 
 NAME_SHARE = 0.045
-"""Of the longest flat part: room for its name."""
+"""Space for the name of a flat part, as a fraction of the longest part."""
 
 STATIONS, CORNERS = 81, 40
-"""Along a strip: where its patches end, and corners of its drawn outline."""
+"""Numbers of patch boundaries along a strip, and of corners of its drawn outline."""
 
 LIGHT = np.array([0.35, -0.45, 0.82])
 """Towards the light: from above, the left and the front."""
@@ -200,11 +200,11 @@ def model(
     azimuth: float = -60.0,
     flat: int = 0,
 ) -> Figure:
-    """Draw the bent strips of a model in the colours of their sheets, from the side that two angles (degrees) give.
+    """Draw the bent strips of a model in the colours of their sheets, viewed from two angles (degrees).
 
-    Tabs, slots and holes are drawn; of a laminate its base. What holds the strips, besides the model's own plates,
-    is drawn with its slots filled. So many different parts are shown as they are cut, in one scale of their own,
-    below: the first, the last, and others between them.
+    Tabs, slots and holes are drawn. Only the base of a laminate is drawn. Holders other than the model's own plates
+    are drawn with filled slots. A number of different flat parts (the first, the last, and some between them) are
+    drawn below at a common scale.
     """
     require_model(model)
     if not (is_whole(flat) and flat >= 0):
@@ -277,10 +277,10 @@ def _seen(
     flat: tuple[Sequence[EqualStrips], float] | None = None,
     faces: Sequence[Frame] = (),
 ) -> Figure:
-    """Patches (n, k, 3) painted from the farthest to the nearest, and flat parts with the longest one's length.
+    """Paint patches (n, k, 3) from the farthest to the nearest, and flat parts with the length of the longest part.
 
-    What lies on the eye's side of a plate's face is painted after all that lies on its other side: sorted by depth
-    alone, tabs would have ragged edges where they go through.
+    Patches on the viewer's side of a plate's face are painted after the patches on its other side. If they were
+    sorted by depth alone, tabs would have ragged edges in their slots.
     """
     toward = look_from(elevation, azimuth)
     plane = patches @ screen_of(elevation, azimuth)
@@ -307,12 +307,12 @@ def _seen(
 
 
 def _flat_height(parts: Sequence[EqualStrips], longest: float) -> float:
-    """Of the flat parts one above the other with their names between them, mm."""
+    """Return the height of the flat parts, one above another with their names between, mm."""
     return sum(float(np.ptp(part.strip.outline.bounds, axis=0)[1]) + NAME_SHARE * longest for part in parts)
 
 
 def _draw_flats(axes: Axes, parts: Sequence[EqualStrips], longest: float) -> None:
-    """Parts as they are cut, one above the other, each named."""
+    """Draw the flat parts with their names, one above another."""
     y = 0.0
     for part in parts:
         strip = part.strip
@@ -371,7 +371,7 @@ def rule_strip(
 ) -> tuple[FloatArray, FloatArray]:
     """Return the strip in space with tabs, slots and holes: patches (n, 4, 3) with dark rims, and colours (n, 3).
 
-    Patches end where the strip goes through one of the `faces`.
+    Patches are split where the strip crosses one of the `faces`.
     """
     strip = placed.strip
     rod = strip.rod
@@ -394,7 +394,7 @@ def rule_strip(
 
 
 def _bent(rod: Rod, x: FloatArray) -> FloatArray:
-    """Where the centre line (..., 2) goes at arc lengths x; tabs go on straight along the end tangents."""
+    """Return the points of the centre line (..., 2) at arc lengths x; tabs are straight along the end tangents."""
     inside = np.clip(x, 0.0, rod.length)
     points = np.stack([np.interp(inside, rod.s, column) for column in rod.position.T], axis=-1)
     angle = np.where(x < 0, rod.angle[0], rod.angle[-1])

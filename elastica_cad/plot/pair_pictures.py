@@ -1,4 +1,4 @@
-"""A part with two states as one picture: as it is cut, in both states, and its force over travel."""
+"""Picture of a part with two states: flat part, both states, and force over travel."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""A strip on one page and on its travel, and drawings in the colours of their layers."""
+"""Pictures of a strip and of its travel, and drawings in the colours of their layers."""
 
 from collections.abc import Sequence
 from textwrap import fill
@@ -36,21 +36,21 @@ STIFFNESS = NUMBERED._replace(height=1.6, above=0.32)
 """K along the strip, under a title."""
 
 WIDE = WIDTH_INCHES - NUMBERED.left - NUMBERED.right
-"""Of the axes of these pages, inches."""
+"""Width of the axes of these pages, inches."""
 
 MARGIN_SHARE = 0.04
-"""Of the flat strip's length: the room beside it."""
+"""Space beside the flat strip, as a fraction of its length."""
 COMB_SHARE = 0.16
-"""Of the curve's extent: the longest tooth of its comb."""
+"""Longest tooth of the curvature comb, as a fraction of the curve's extent."""
 
 SMOOTH_MM = 0.02
-"""How closely polylines follow splines in pictures: less than a printed dot."""
+"""Accuracy of polylines for splines in pictures, less than a printed dot."""
 
 
 def rod(rod: Rod, *, wish: PlaneCurve | None = None) -> Figure:
     """Draw the bent rod with its curvature comb and inflection line, and its stiffness along the strip.
 
-    `wish` is drawn beside it where the rod is the nearest one to a curve that was asked for.
+    `wish` is the requested curve; it is also drawn if the rod is only the nearest possible rod.
     """
     require_record(rod, Rod, "what is drawn", "a Rod")
     figure, (above, below) = new_page([_bent_panel(rod, wish), STIFFNESS])
@@ -90,13 +90,13 @@ def drawing(drawing: Drawing) -> Figure:
 
 
 def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
-    """Draw a page about a strip: the curve that it bends into, its stiffness along it, and its flat pattern.
+    """Draw a page about a strip: its bent curve, its stiffness along the curve, and its flat pattern.
 
     Parameters
     ----------
     strip : Strip
     wish : PlaneCurve, optional
-        The curve that was drawn, where the strip bends into the nearest one that can be made: both are shown.
+        Requested curve, which is also drawn, if the strip bends into the nearest possible curve.
 
     Returns
     -------
@@ -106,7 +106,7 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     Raises
     ------
     InputError
-        What is drawn is no Strip, or `wish` no PlaneCurve.
+        `strip` is not a Strip, or `wish` is not a PlaneCurve.
     MissingDependencyError
         matplotlib is not installed.
     """
@@ -162,7 +162,7 @@ def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ())
 
 
 def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ()) -> None:
-    """The rod as it is bent, its curvature comb and inflection line, how it is held, and the curve asked for."""
+    """Draw the bent rod, its curvature comb, inflection line and supports, and the requested curve."""
     position, tips, turns = rod.position, comb_tips(rod), _inflections(rod)
     paint_comb(axes, position, tips)
     wished = [] if wish is None else [wish.sample(600).position]
@@ -253,7 +253,7 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
 
 
 def _polylines(paths: Sequence[Path]) -> list[FloatArray]:
-    """Points (n, 2) along paths, closed ones back to their start."""
+    """Return points (n, 2) along paths; closed paths end at their start."""
     rows = [path.points(SMOOTH_MM) for path in paths]
     return [
         np.concatenate([row, row[:1]]) if path.closed else row for path, row in zip(paths, rows, strict=True)
@@ -289,7 +289,7 @@ def _inflections(rod: Rod) -> FloatArray:
 
 
 def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
-    """Point and direction of the line on which the moment vanishes (Eq. 3); with weight there is none."""
+    """Return point and direction of the line of zero moment (Eq. 3), or None for a rod with weight."""
     size = float(np.linalg.norm(rod.force[0]))
     if rod.gravity is not None or size == 0.0:
         return None
@@ -299,7 +299,7 @@ def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
 
 
 def clipped(point: FloatArray, direction: FloatArray, low: FloatArray, high: FloatArray) -> FloatArray | None:
-    """Return the part of a line inside a box, as end points (2, 2); None where it misses the box."""
+    """Return the part of a line inside a box, as end points (2, 2), or None if the line misses the box."""
     with np.errstate(divide="ignore", invalid="ignore"):
         t = np.sort(np.array([low - point, high - point]) / direction, axis=0)
     inside = np.all((direction != 0) | ((low <= point) & (point <= high)))
@@ -344,7 +344,7 @@ def finish_axes(axes: Axes, title: str) -> None:
 
 
 def _paint_both_axes(axes: Axes, title: str) -> None:
-    """Numbers along x and y, at one scale, and a title."""
+    """Draw numbers along x and y, at equal scale, and a title."""
     axes.set_aspect("equal")
     axes.set_xlabel("x (mm)")
     axes.set_ylabel("y (mm)")
@@ -353,7 +353,7 @@ def _paint_both_axes(axes: Axes, title: str) -> None:
 
 
 def _entitle(axes: Axes, title: str, pad: float = 6.0) -> None:
-    """Above the axes, at a place that needs no look at what else is drawn."""
+    """Set a title above the axes, at a position that does not depend on other texts."""
     axes.set_title(title, fontsize=10, loc="left", color=INK, pad=pad, y=1.0)
 
 
@@ -363,7 +363,7 @@ def _quiet(axes: Axes) -> None:
 
 
 def _paint_legend(axes: Axes) -> None:
-    """In one line above the axes, below the title."""
+    """Draw the legend in one line above the axes, below the title."""
     axes.legend(
         fontsize=9, frameon=False, loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncols=5, borderpad=0.1
     )
@@ -371,13 +371,14 @@ def _paint_legend(axes: Axes) -> None:
 
 FIRST, LAST, UNSTABLE = "#a9c6e8", "#1d4f8c", "#c2452d"  # shapes from first to last; what snaps away
 SHAPES = Panel(3.2, above=0.3, below=0.52, left=0.8, right=0.8)
-COSTS = SHAPES._replace(height=2.4, above=NUMBERED.above)  # force on one side, energy on the other
+COSTS = SHAPES._replace(height=2.4, above=NUMBERED.above)  # force on the left axis, energy on the right axis
 FORCE, ENERGY = "#1d4f8c", "#e0962b"
 
 
 def travel(moved: Travel) -> Figure:
-    """Draw all shapes of a travel above; below, force along the way and bending energy, and dotted the places that
-    `Travel.warnings` tells of.
+    """Draw all shapes of a travel, and below them the force along the path and the bending energy.
+
+    Dotted lines mark the places of `Travel.warnings`.
 
     Examples
     --------
@@ -433,6 +434,6 @@ def travel(moved: Travel) -> Figure:
 
 
 def _blend(first: str, last: str, count: int) -> list[tuple[float, float, float]]:
-    """Colours from one to another."""
+    """Return a gradient of colours."""
     a, b = (np.array([int(c[i : i + 2], 16) / 255 for i in (1, 3, 5)]) for c in (first, last))
     return [tuple(a + (b - a) * part) for part in np.linspace(0, 1, max(count, 2))][-count:]

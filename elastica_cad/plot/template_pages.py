@@ -27,29 +27,29 @@ CHORD_MM = 0.01  # how closely lines follow splines: a fifth of a printer's dot 
 CROSS_MM = 4.0  # arms of a registration mark
 RULER_MM = 100.0  # of the bar that shows whether the printer scaled
 POINTS_PER_MM = 72 / MM_PER_INCH
-MOST_TILES = 400  # sheets of paper: more are a slip
+MOST_TILES = 400  # sheets of paper; more are probably a mistake
 
 
 def printed_size(paper: str) -> tuple[float, float]:
-    """Width and height, mm, of what home printers print on one of `PAPERS`, upright."""
+    """Return width and height, mm, of the printable area of one of `PAPERS`, upright."""
     wide, high = PAPERS[paper]
     return wide - 2 * MARGIN_MM, high - 2 * MARGIN_MM
 
 
 @dataclass(frozen=True, eq=False)
 class Tiling:
-    """How a drawing lies on pages.
+    """Arrangement of a drawing on pages.
 
     Attributes
     ----------
     page : (float, float)
-        Width and height of the paper as it is used, mm.
+        Width and height of the paper in the used orientation, mm.
     origins : (k, 2) array
         Lower left corner of each printed tile in the drawing, mm.
     names : tuple of str
         "A1" is the lower left tile; letters count to the right, numbers upwards.
     size : (float, float)
-        Of the printed part of a page, mm.
+        Size of the printed part of a page, mm.
     """
 
     page: tuple[float, float]
@@ -59,12 +59,12 @@ class Tiling:
 
 
 def _tile_drawing(drawing: Drawing, paper: str = "A4", *, overlap: float = OVERLAP_MM) -> Tiling:
-    """Tiles that cover a drawing, upright or across, whichever needs fewer pages; empty ones are left out.
+    """Return the tiles that cover a drawing, upright or across, whichever needs fewer pages, without empty tiles.
 
     Raises
     ------
     InputError
-        Unknown paper, an overlap that leaves nothing, or more than 400 pages.
+        The paper is unknown, the overlap is too large, or there are more than 400 pages.
 
     Examples
     --------
@@ -106,7 +106,7 @@ def _tiles(drawing: Drawing, page: tuple[float, float], overlap: float) -> Tilin
 
 
 def _enters(segments: FloatArray, low: FloatArray, high: FloatArray) -> bool:
-    """Does a chord (x, y, x, y) reach into the box?"""
+    """Return True if a chord (x, y, x, y) overlaps the box."""
     inside = np.minimum(segments[:, :2], segments[:, 2:]), np.maximum(segments[:, :2], segments[:, 2:])
     return bool(np.any(np.all((inside[0] < high) & (inside[1] > low), axis=1)))
 
@@ -129,10 +129,10 @@ def save_template(
     overlap: float = OVERLAP_MM,
     force: bool = False,
 ) -> Tiling:
-    """Write a drawing at its true size as PDF, on as many pages as it needs.
+    """Write a drawing at its true size as PDF, on as many pages as necessary.
 
-    Each page has a name, crosses that lie on those of its neighbours when pages are joined, and a bar to measure,
-    which shows whether the printer scaled. Lines follow splines to 0.01 mm.
+    Each page has a name, crosses that coincide with the crosses of its neighbours when pages are joined, and a
+    measuring bar that shows whether the printer scaled the page. Lines follow splines to 0.01 mm.
 
     Parameters
     ----------
@@ -141,14 +141,14 @@ def save_template(
     paper : str
         One of `PAPERS`.
     overlap : float
-        Width that neighbouring pages share, mm.
+        Overlap of neighbouring pages, mm.
     force : bool
-        Overwrite a file of that name.
+        Overwrite an existing file.
 
     Returns
     -------
     Tiling
-        Where the pages lie on the drawing.
+        Position of the pages on the drawing.
 
     Raises
     ------
@@ -170,7 +170,7 @@ def save_templates(
     paper: str = "A4",
     force: bool = False,
 ) -> None:
-    """Write several drawings 1:1 into one PDF, one after the other: see `save_template`."""
+    """Write several drawings 1:1 to one PDF, one after another; see `save_template`."""
     pages = (
         page for drawing in drawings for page in _pages(drawing, _tile_drawing(drawing, paper), OVERLAP_MM)
     )
@@ -202,7 +202,7 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, overlap: f
     for item in drawing.strokes:
         points = item.path.points(CHORD_MM)
         if np.any(points.max(axis=0) < low) or np.any(points.min(axis=0) > high):
-            continue  # on another page: a line that is clipped away costs as much as one that is seen
+            continue  # on another page: an invisible line costs as much as a visible line
         points = np.concatenate([points, points[:1]]) if item.path.closed else points
         axes.plot(*points.T, color=LAYER_COLORS[item.layer], linewidth=0.6, solid_capstyle="butt")[
             0

@@ -1,1 +1,1 @@
-"""The studio: a page on which a curve is drawn while the strip follows, and the server behind it."""
+"""The studio: a web page for drawing curves, which shows the strip at once, and its server."""

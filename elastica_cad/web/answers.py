@@ -1,4 +1,4 @@
-"""What the page asks and what it is answered: records of JSON in and out, one function for each question."""
+"""Requests of the page and their answers: JSON records in and out, one function for each request."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -56,7 +56,7 @@ DRAWN_NODES = 160
 """Nodes of a strip that are sent: more are not seen on a screen."""
 
 CHORD_MM = 0.05
-"""How far lines on the screen may leave the outline that is cut."""
+"""Accuracy of lines on the screen compared with the cut outline, mm."""
 
 DROPPED = (".svg", ".dxf", ".csv", ".txt", ".json", ".toml")
 """Kinds of files that may be dropped on the page."""
@@ -73,13 +73,13 @@ BENT_STEPS, PRESSED_STEPS = 32, 12
 """Shapes from the design to flat, and from the design on as its ends are pressed together."""
 
 SLACK = 5e-3
-"""Share of a limit that a nearest curve keeps off it: drawn as a spline it is made anew, and must not miss it."""
+"""Safety distance of a nearest curve from a limit, as a fraction of the limit; its spline must not exceed it."""
 
 NEARLY_FLAT = 0.9999
-"""Of its length, how far apart the ends of a strip are pulled: exactly straight it has no side to bend to."""
+"""Distance of a strip's ends pulled apart, as a fraction of its length; a straight strip has no side to bend to."""
 
 PRESSED_SHARE = 0.4
-"""Of the distance of its ends, how far they are pressed together at last."""
+"""Largest reduction of the distance between the pressed ends, as a fraction of this distance."""
 
 
 @dataclass(frozen=True)
@@ -91,7 +91,7 @@ class Download:
 
 
 def answer(request: Mapping[str, Any], saved: FilePath | None = None) -> Record | Download:
-    """Return the answer to one question; a refusal is a record too, under "refused".
+    """Return the answer to a request; an error is a record under "refused".
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ def answer(request: Mapping[str, Any], saved: FilePath | None = None) -> Record 
     Raises
     ------
     InputError
-        No question that is known here.
+        The kind of request is unknown.
     """
     asked = QUESTIONS.get(str(request.get("do")))
     if asked is None:
@@ -153,7 +153,7 @@ def asked_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
     Raises
     ------
     InputError
-        No such strip, or what is asked makes no sense.
+        There is no such strip, or the request is invalid.
     """
     strips = design.get("strips")
     if not isinstance(strips, list) or not isinstance(k, int) or not 0 <= k < len(strips):
@@ -167,7 +167,7 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 
 
 def _strip(request: Mapping[str, Any]) -> Record:
-    """Verdict, shape, flat part and numbers of one strip: what is asked at every move of the pointer."""
+    """Return check, shape, flat part and numbers of a strip; requested at every move of the pointer."""
     spec = _spec(request)
     check = spec.rod_spec.check
     told: Record = {"theorem": _theorem(check), "text": str(check)}
@@ -223,7 +223,7 @@ def _shape(made: Strip, rod: Rod | None = None) -> Record:
 
 
 def _numbers(made: Strip, found: Rod | NearestRod) -> Record:
-    """What is to be known of the strip at once."""
+    """Return the numbers of the strip that are shown at once."""
     low, high = made.width.extremes
     forces = made.reactions()
     near = found if isinstance(found, NearestRod) else None
@@ -242,7 +242,7 @@ def _numbers(made: Strip, found: Rod | NearestRod) -> Record:
 
 
 def _steadiness(made: Strip) -> Record:
-    """Whether the strip stays, which is asked once the pointer rests."""
+    """Return the stability of the strip, which is requested when the pointer rests."""
     verdict, warnings = stability(made.rod), list(made.warnings)
     if not verdict.stable:
         warnings.insert(0, note(verdict.meaning))
@@ -252,7 +252,7 @@ def _steadiness(made: Strip) -> Record:
 
 
 def _flat(drawings: Iterable[Drawing]) -> list[Record]:
-    """The loops of each layer that is cut or engraved, mm, one drawing below the other."""
+    """Return the loops of each cut or engraved layer, mm, one drawing below another."""
     drawn: list[Record] = []
     below = 0.0
     for drawing in drawings:
@@ -302,7 +302,7 @@ def _nearest(request: Mapping[str, Any]) -> Record:
 
 
 def _sheets(request: Mapping[str, Any]) -> Record:
-    """What each sheet makes of the strip: the share of what it bears, or why it cannot."""
+    """Return, for each sheet, the strain as a fraction of the limit, or why the strip is impossible."""
     spec, rows = _spec(request), []
     for name in sheet_names():
         row: Record = {"name": name, "fits": False}
@@ -318,7 +318,7 @@ def _sheets(request: Mapping[str, Any]) -> Record:
 
 
 def _bend(request: Mapping[str, Any]) -> Record:
-    """The shapes of the strip from flat to its design and on, with the forces at its end; where it snaps."""
+    """Return the shapes of the strip from flat to its design and beyond, with end forces and snap-through."""
     spec = _spec(request)
     made = spec.make()
     start, end, angles = made.rod.position[0], made.rod.position[-1], made.rod.angle[[0, -1]]
@@ -447,7 +447,7 @@ def _pair_spec(request: Mapping[str, Any]) -> FlexureSpec:
 
 
 def _edit(request: Mapping[str, Any]) -> Record:
-    """The curve of the strip with one control point more, which leaves its shape as it is, or with one less."""
+    """Return the curve of the strip with an added control point and the same shape, or with one point removed."""
     if "pair" in request["design"]:
         spec = _pair_spec(request)
         curve = spec.second if request.get("strip") else spec.first
@@ -460,7 +460,7 @@ def _edit(request: Mapping[str, Any]) -> Record:
 
 
 def with_point_near(curve: PlaneCurve, point: object) -> PlaneCurve:
-    """Return the same curve with one more knot where it passes nearest to a point, and so one more control point.
+    """Return the same curve with an added knot, and thus control point, at its place nearest to a point.
 
     Examples
     --------
@@ -607,10 +607,10 @@ QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
     "open": _open,
     "save": _save,
 }
-"""What the page may ask."""
+"""Functions for the requests of the page, by kind."""
 
 WITH_FILES = (_read, _file)
-"""They are given a folder of their own, and read from nowhere else."""
+"""Requests that get a separate folder and read only from this folder."""
 
 OF_THE_FILE = (_open, _save)
-"""They are given the design file of the studio."""
+"""Requests that get the design file of the studio."""

@@ -24,7 +24,7 @@ MODULES = (
     "channel.js", "colors.js", "design.js", "drawing.js", "flat.js", "forms.js", "vendor/three.module.min.js",
     "space.js", "starts.js", "studio.js",
 )  # fmt: skip
-"""Files of the page, those before that others import."""
+"""Files of the page; imported files are first."""
 
 
 @installed_modules()

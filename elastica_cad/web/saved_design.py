@@ -1,4 +1,4 @@
-"""The one design file that the studio reads and saves, as tables that the page can draw in."""
+"""Design file that the studio reads and saves, as tables for the page."""
 
 from collections.abc import Mapping
 from hashlib import sha256
@@ -19,10 +19,10 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 Tables = dict[str, Any]
 
 OF_MODELS = ("patterns", "interlock", "base", "rings", "frame", "fixtures", "stand", "extras", "revolution")
-"""Tables of a design that one strip alone does not need."""
+"""Tables of a design that a single strip does not need."""
 
 STARTS = ("pavilion", "revolution")
-"""Designs of `elastica new` that need no other file, from which the page can start."""
+"""Designs of `elastica new` without other files, which are templates for the page."""
 
 
 def open_design(path: Path) -> Tables:
@@ -86,7 +86,7 @@ def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:
 
 
 def _is_drawn(curve: object) -> bool:
-    """Is it a spline whose control points are numbers, which can be moved?"""
+    """Return True if the curve is a spline with numbers as control points, which can be moved."""
     points = curve.get("spline") if isinstance(curve, Mapping) and "reshape" not in curve else None
     return isinstance(points, list) and all(
         isinstance(x, int | float) for point in points if isinstance(point, list) for x in point

@@ -36,7 +36,7 @@ from elastica_cad.web.workers import Workers
 HOST = "127.0.0.1"
 
 MOST_BYTES = 16 * 2**20
-"""Of one message: a drawing that is dropped."""
+"""Largest size of a message, such as a dropped drawing."""
 
 POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self' {socket}; "
@@ -60,7 +60,7 @@ class Entrance:
 
     @property
     def cookie(self) -> str:
-        """The cookie's name, which holds the port because ports of one host share their cookies."""
+        """Name of the cookie, with the port, because ports of one host share their cookies."""
         return f"elastica-studio-{self.port}"
 
     def refusal(self, seen: HTTPConnection) -> str:
@@ -76,7 +76,7 @@ class Entrance:
 
 
 class Guard:
-    """Lets in whom the entrance lets in, and gives every answer its policy."""
+    """Checks each request with the entrance and adds the security policy to each response."""
 
     def __init__(self, app: ASGIApp, entrance: Entrance) -> None:
         self.app, self.entrance = app, entrance
@@ -111,13 +111,13 @@ class Guard:
 
 
 class Studio:
-    """The page, its questions, and the one file that it may save.
+    """Server of the page, its requests, and the file that it may save.
 
     Parameters
     ----------
     entrance : Entrance
     path : Path, optional
-        A design file that is opened, and saved where the user asks for it.
+        Design file that is opened, and saved on request of the user.
     """
 
     def __init__(self, entrance: Entrance, path: Path | None = None) -> None:
@@ -148,7 +148,7 @@ class Studio:
         await self._workers.stop()
 
     async def _talk(self, talk: WebSocket) -> None:
-        """Take the questions of one page as they come, and give the answers as they are found."""
+        """Receive the requests of a page and send the answers as they become available."""
         page = next(self._pages)
         await talk.accept()
 
@@ -220,7 +220,7 @@ def _version() -> str:
 
 
 def bound_socket(port: int) -> socket.socket:
-    """Return a socket that only this computer reaches, on the port, or on any free one for 0.
+    """Return a socket for this computer only, on the port, or on any free port for 0.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What the page makes its forms of: fields as they are declared, sheets, and the files that can be made."""
+"""Data for the forms of the page: declared fields, sheets, and file types."""
 
 from importlib.util import find_spec
 from typing import Any

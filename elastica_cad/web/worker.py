@@ -1,7 +1,7 @@
-"""A process that answers questions of the page, one after the other: lines of JSON in, answers out.
+"""Process that answers requests of the page one after another: lines of JSON in, answers out.
 
-An answer is its kind, `text` or `file`, its size in bytes, and then so many bytes. A worker that needs too much
-memory refuses the question; one that takes too long is ended by the server, which starts another.
+An answer is its kind, `text` or `file`, its size in bytes, and its bytes. A worker that needs too much memory
+returns an error. The server replaces a worker that takes too long.
 """
 
 import json
@@ -45,16 +45,16 @@ def read_question(text: str | bytes) -> dict[str, Any]:
 
 
 def _refuse_constant(name: str) -> None:
-    raise ValueError(name)  # NaN and Infinity, which are no JSON
+    raise ValueError(name)  # NaN and Infinity, which are not JSON
 
 
 def head_of(question: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the keys by which the page assigns an answer to its question."""
+    """Return the keys with which the page matches an answer with its request."""
     return {name: question[name] for name in ("id", "do", "kind") if name in question}
 
 
 def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
-    """Return kind and content of the answer to one request; every error becomes a sentence.
+    """Return kind and content of the answer to a request; errors become sentences.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def main() -> None:
     _limit_memory()
     saved = Path(sys.argv[1]) if sys.argv[1:] else None
     out = sys.stdout.buffer
-    sys.stdout = sys.stderr  # what a library prints is no answer
+    sys.stdout = sys.stderr  # the output of a library is not an answer
     for line in sys.stdin.buffer:
         kind, content = reply(line, saved)
         out.write(b"%s %d\n" % (kind, len(content)) + content)

@@ -1,4 +1,4 @@
-"""Processes that answer, and the queue before them: of equal questions of one page only the newest is answered."""
+"""Worker processes and their queue; only the newest of equal requests from a page is answered."""
 
 import asyncio
 import sys
@@ -10,12 +10,12 @@ from typing import Any
 WORKERS = 2
 
 LONGEST_S = {"file": 180.0, "model": 60.0, "nearest": 60.0, "sheets": 60.0, "bend": 30.0}
-"""How long a question may take; all others `USUAL_S`."""
+"""Time limits of kinds of requests; other requests have `USUAL_S`."""
 
 USUAL_S = 15.0
 
 MOST_WAITING = 12
-"""Different questions of one page that wait at once; the page itself asks fewer."""
+"""Largest number of different waiting requests from a page; the page itself sends fewer."""
 
 PACKAGES = Path(__file__).parents[2]
 """Folder of this package, which in a checkout is not among Python's folders."""
@@ -51,9 +51,9 @@ class Workers:
         await asyncio.gather(*self._tasks, return_exceptions=True)
 
     def ask(self, page: int, head: dict[str, Any], line: bytes, send: Send) -> bool:
-        """Queue a question, and drop an equal one of the same page that still waits.
+        """Queue a request, and drop an equal waiting request from the same page.
 
-        Return False if too many others of the page wait.
+        Return False if too many other requests from the page are waiting.
         """
         key = (page, f"{head.get('do')} {head.get('kind', '')}")
         if key not in self._waiting:
