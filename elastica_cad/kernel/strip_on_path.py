@@ -94,9 +94,7 @@ def make_strip_on(
     from elastica_cad.strip.strip_spec import StripSpec, told_in_python
 
     drawn = getattr(path, "line", None)
-    path = (
-        path if drawn is None or callable(drawn) else drawn
-    )  # a line builder is replaced by its line
+    path = path if drawn is None or callable(drawn) else drawn  # a line builder is replaced by its line
     asked = {name: value for name, value in asked.items() if value is not None}
     _refuse_unknown(asked)
     frame = _frame_of(asked.pop("plane")) if "plane" in asked else None
