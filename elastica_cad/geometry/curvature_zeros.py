@@ -13,6 +13,7 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.geometry.polynomials import divide_out_end_root, product, roots, without_end_roots
+from elastica_cad.geometry.splines import sampled
 
 ZeroKind: TypeAlias = Literal["crossing", "touch", "end", "jump", "flat"]
 
@@ -113,7 +114,7 @@ def function_zero_places(
     found: list[tuple[FloatArray, FloatArray]] = []
     while low.size:
         t = low[:, None] + (high - low)[:, None] * (1 + _SITES) / 2
-        values = function(t.ravel()).reshape(t.shape)
+        values = sampled(function, t)
         tail = np.abs(values @ _TO_CHEBYSHEV[-2:].T).max(axis=1)
         done = (
             (tail <= _FOLLOWED * size) | (cuts == _MOST_CUTS) | (np.abs(values).max(axis=1) <= _FLAT * size)

@@ -446,7 +446,7 @@ def adaptive_spline(
         low, widths = edges[:-1], np.diff(edges)
         full = clamped_knots(edges, order, degree)
         x = low[:, None] + widths[:, None] * np.concatenate([(1 + sites) / 2, _PROBES])
-        values = _sampled(function, x)
+        values = sampled(function, x)
         weights = np.sqrt(widths[:, None] * weight)
         spans = bezier_spans(full, degree)
         coefficients = _nearest(spans, x[:, : sites.size], values[:, : sites.size], weights)
@@ -500,7 +500,7 @@ def _first_edges(
     return np.sort(np.concatenate([edges, inside[apart_from > _NARROWEST_SHARE * length]])), order
 
 
-def _sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> FloatArray:
+def sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> FloatArray:
     """Return values (p, k, ...) at places (p, k)."""
     values = numbers(function(x.ravel()), "values of a function")
     if values.shape[:1] != (x.size,):

@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import as_floats, is_one_of, pair, require_flag
+from elastica_cad._values import as_floats, is_one_of, pair, require_flag, require_record
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.loads import Gravity, Supports, require_supports, whole_number
 from elastica_cad.mechanics.newton_continuation import (
@@ -203,6 +203,7 @@ def bend_path(
     >>> len(rods)
     3
     """
+    require_record(rod, Rod, "what is bent", "a Rod, as optimal_rod or Rod.straight makes one")
     rods = [rod]
     steps = as_steps(path)
     for k, step in enumerate(steps):

@@ -7,6 +7,7 @@ import elastica_cad as ec
 from elastica_cad.design import Cutting
 from elastica_cad.errors import InputError
 from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad.mechanics import bend_path
 from elastica_cad.model import BasePlate, PlateOptions, Rib
 from elastica_cad.strip.drawing import ENGRAVE
 from elastica_cad.strip.lettering import Text
@@ -24,6 +25,9 @@ RIB = Rib("rib-1", ec.Sheet.named("mdf-3"), ec.Frame(), SQUARE, Text((0.0, 0.0),
     [
         (lambda: ARCH.at(np.zeros((0, 2))), "arc lengths are an array of 2 dimensions"),
         (lambda: ARCH.zeros_along(None, 1.0), "give a callable"),
+        (lambda: ARCH.zeros_along(ec.ElasticaError, 1.0), "values of a function must be numbers"),
+        (lambda: ARCH.zeros_along(len, 1.0), "a value for each"),
+        (lambda: bend_path("x", np.zeros((0, 2))), "what is bent is a str: give a Rod"),
         (lambda: ARCH.zeros_along(np.sin, -1e-300), "a positive size"),
         (lambda: ARCH.zeros_along(np.sin, 1.0, [0.5]), "a break must be two finite numbers"),
         (lambda: Measuring.of(0), "give a Strip"),
