@@ -3,6 +3,7 @@
 import re
 import tomllib
 from importlib import import_module
+from operator import attrgetter
 from pathlib import Path
 
 import pytest
@@ -79,6 +80,18 @@ def test_no_equation_is_left_out():
     for wanted in ("Eq. 1", "Eq. 2", "Eq. 3", "Eq. 4", "Eq. 5", "Eq. 6", "Eq. 7", "5.3", "6.2", "6.4", "7.1", "7.2",
                    "8.1", "9.4", "Appendix A", "Appendix B", "Appendix C", "Appendix D"):  # fmt: skip
         assert wanted in named
+
+
+def calls():
+    """Module and name of each call in the three ways through the code."""
+    ways = re.findall(r"```text\n(.*?)```", read("docs/architecture.md"), re.DOTALL)
+    return [line.split()[0].split(".", 1) for way in ways for line in way.splitlines()]
+
+
+@pytest.mark.parametrize(("module", "name"), calls())
+def test_calls_of_the_three_ways_exist(module, name):
+    (file,) = (ROOT / "elastica_cad").glob(f"*/{module}.py")
+    attrgetter(name)(import_module(f"elastica_cad.{file.parent.name}.{module}"))
 
 
 def test_the_citation_is_of_this_version():
