@@ -61,13 +61,13 @@ def make_strip(source: Any, edges: tuple[str, ...] = (), *, flat_part: bool = Tr
     from freecad.elastica_wb.features import flat, strip
 
     document = source.Document
-    made = strip.create(document, source, tuple(edges))
+    feature = strip.create(document, source, tuple(edges))
     for name, value in properties.items():
-        if name not in made.PropertiesList:
-            document.removeObject(made.Name)
+        if name not in feature.PropertiesList:
+            document.removeObject(feature.Name)
             raise AttributeError(f"a strip has no property {name}: see its PropertiesList")
-        setattr(made, name, value)
+        setattr(feature, name, value)
     if flat_part:
-        flat.create(document, made)
+        flat.create(document, feature)
     document.recompute()
-    return made
+    return feature

@@ -62,12 +62,12 @@ class ElasticaTest(unittest.TestCase):
     def test_unknown_properties(self) -> None:
         """Check that a misspelt property leaves nothing in the document."""
         sketch = self.draw(ARCH)
-        said = ""
+        message = ""
         try:
             make_strip(sketch, MaxWidht=3)
         except AttributeError as error:
-            said = str(error)
-        assert "MaxWidht" in said
+            message = str(error)
+        assert "MaxWidht" in message
         assert [obj.Name for obj in self.document.Objects] == [sketch.Name]
 
     def test_cutting_files(self) -> None:

@@ -77,7 +77,7 @@ def context_menu() -> list[str]:
     if not Gui.Selection.getSelection():
         return []
     groups = [[c.name for c in group if c.has_subject() and c.IsActive()] for group in (DRAW, STRIPS, MODELS)]
-    found: list[str] = []
+    names: list[str] = []
     for group in filter(None, groups):
-        found += ["Separator", *group] if found else group
-    return found
+        names += ["Separator", *group] if names else group
+    return names

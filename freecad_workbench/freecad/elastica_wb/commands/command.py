@@ -37,11 +37,11 @@ class Command:
 
     def GetResources(self) -> dict[str, str]:
         """Return icon, texts and shortcut. FreeCAD translates the texts in the context of the command's name."""
-        found = {"Pixmap": icon(self.name), "MenuText": self.text, "ToolTip": self.tip}
-        found |= {"WhatsThis": self.name, "StatusTip": self.tip}
+        resources = {"Pixmap": icon(self.name), "MenuText": self.text, "ToolTip": self.tip}
+        resources |= {"WhatsThis": self.name, "StatusTip": self.tip}
         if self.in_sketch:
-            found["CmdType"] = "ForEdit"  # FreeCAD disables all other commands during editing
-        return found | ({"Accel": self.shortcut} if self.shortcut else {})
+            resources["CmdType"] = "ForEdit"  # FreeCAD disables all other commands during editing
+        return resources | ({"Accel": self.shortcut} if self.shortcut else {})
 
     def IsActive(self) -> bool:
         """Return True if the command can be used now. FreeCAD calls this several times a second."""
@@ -87,9 +87,9 @@ def edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
     record_step(App.ActiveDocument, step)  # first, otherwise FreeCAD names the step after closing the sketch
     if edited_sketch() is not None:
         Gui.ActiveDocument.resetEdit()
-    made = recorded(make, App.ActiveDocument, *arguments)
+    feature = recorded(make, App.ActiveDocument, *arguments)
     record_recompute(App.ActiveDocument)
-    show_panel(panel_of, made)
+    show_panel(panel_of, feature)
 
 
 @contextmanager

@@ -43,17 +43,17 @@ class InterlockCommand(Command):
         """Make the model, hide its single strips, and open the panel."""
         strips = chosen_strips(least=2)
         record_step(App.ActiveDocument, self.text)
-        made = recorded(model.create, App.ActiveDocument, strips)
+        feature = recorded(model.create, App.ActiveDocument, strips)
         for part in flat.flats_of(strips):
-            record_value(part, "Model", made)
+            record_value(part, "Model", feature)
         record_recompute(App.ActiveDocument)
-        failed = bool(why_not_made(made))
+        failed = bool(why_not_made(feature))
         for strip in strips:
             if not failed:
                 record_value(strip, "Visibility", False)
             elif strip.Visibility:  # nothing replaces the strip until the model can be made
                 record_value(strip, "ShownByError", True)
-        show_panel(panel_of, made)
+        show_panel(panel_of, feature)
 
 
 class FixturesCommand(OnParts):
@@ -85,13 +85,13 @@ class NestCommand(OnParts):
         """Make the nest in front of all objects."""
         document = App.ActiveDocument
         sources = chosen_sources()
-        failed = [said for said in map(why_not_made, sources) if said]
+        failed = [message for message in map(why_not_made, sources) if message]
         if failed:
             raise InputError("; ".join(failed))
         with undo_step(document, self.text):
-            made = recorded(nest.create, document, sources)
+            feature = recorded(nest.create, document, sources)
             record_recompute(document)
-        if "Invalid" in made.State:  # keep it, because the parts may fit on other sheets
-            tell(made.getStatusString())
-        elif made.LeftOut or made.Reports:
-            tell("\n".join([*made.LeftOut, *made.Reports]))
+        if "Invalid" in feature.State:  # keep it, because the parts may fit on other sheets
+            tell(feature.getStatusString())
+        elif feature.LeftOut or feature.Reports:
+            tell("\n".join([*feature.LeftOut, *feature.Reports]))

@@ -43,26 +43,26 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
     InputError
         No curve is selected, or the selected body has several candidate sketches.
     """
-    found: list[tuple[Any, tuple[str, ...]]] = []
+    curves: list[tuple[Any, tuple[str, ...]]] = []
     meant = _picked()
     for source, names in meant.items():
         edges = tuple(filter(is_edge, names))
         if is_sketch(linked(source)):
-            found.append((source, ()))
+            curves.append((source, ()))
         elif edges:
-            found += [(source, chain) for chain in _chains(source, edges)]
-        elif source.TypeId == BODY and not any(one in source.Group for one in meant):
-            found.append((_sketch_in(source), ()))
+            curves += [(source, chain) for chain in _chains(source, edges)]
+        elif source.TypeId == BODY and not any(obj in source.Group for obj in meant):
+            curves.append((_sketch_in(source), ()))
         elif hasattr(source, "Shape") and _has_curves(source.Shape):
             chains = _chains(source, [f"Edge{i + 1}" for i in range(len(source.Shape.Edges))])
-            found += [(source, chain) for chain in chains] if len(chains) > 1 else [(source, ())]
-    if not found:
-        found = [(sketch, ()) for sketch in (edited_sketch() or _only_sketch(),) if sketch is not None]
-    if not found:
+            curves += [(source, chain) for chain in chains] if len(chains) > 1 else [(source, ())]
+    if not curves:
+        curves = [(sketch, ()) for sketch in (edited_sketch() or _only_sketch(),) if sketch is not None]
+    if not curves:
         raise InputError(
             translate("Elastica", "Select a sketch with a spline, or an edge of an object, first.")
         )
-    if _are_pieces(found):
+    if _are_pieces(curves):
         raise InputError(
             translate(
                 "Elastica",
@@ -70,7 +70,7 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
                 "B-spline through their ends (workbench Draft) and select that.",
             )
         )
-    return found
+    return curves
 
 
 def _picked() -> dict[Any, list[str]]:
@@ -78,34 +78,34 @@ def _picked() -> dict[Any, list[str]]:
 
     A part that is seen through a link belongs to the link.
     """
-    found: dict[Any, list[str]] = {}
+    names: dict[Any, list[str]] = {}
     for choice in Gui.Selection.getSelectionEx("", 0):
         for path in choice.SubElementNames or ("",):
             source, name = picked(choice.Object, path)
-            found.setdefault(source, []).append(name)
-    return found
+            names.setdefault(source, []).append(name)
+    return names
 
 
 def _sketch_in(body: Any) -> Any:
     """Return the only sketch of a body that no other feature uses, preferably without a strip."""
-    drawn = [one for one in body.Group if is_sketch(one)]
-    users = {one: [user for user in one.InList if user is not body] for one in drawn}
-    ours = [one for one in drawn if all(map(is_ours, users[one]))]
-    found = [one for one in ours if not users[one]] or ours
-    if not found:
+    drawn = [sketch for sketch in body.Group if is_sketch(sketch)]
+    users = {sketch: [user for user in sketch.InList if user is not body] for sketch in drawn}
+    ours = [sketch for sketch in drawn if all(map(is_ours, users[sketch]))]
+    candidates = [sketch for sketch in ours if not users[sketch]] or ours
+    if not candidates:
         raise InputError(
             "{body} holds no sketch for a strip: draw a spline in a sketch of its own, or select "
             "the edge that the strip is to follow",
             body=body.Label,
         )
-    if len(found) > 1:
-        names = ", ".join(one.Label for one in found)
+    if len(candidates) > 1:
+        names = ", ".join(sketch.Label for sketch in candidates)
         raise InputError(
             "{body} holds several sketches ({names}): select the one that the strip is to follow",
             body=body.Label,
             names=names,
         )
-    return found[0]
+    return candidates[0]
 
 
 def _are_pieces(curves: Sequence[tuple[Any, tuple[str, ...]]]) -> bool:
@@ -193,14 +193,14 @@ def chosen_sources() -> list[Any]:
     InputError
         No such object is selected, or nothing is selected and the document has several strips.
     """
-    found = _sources(one for obj in Gui.Selection.getSelection() for one in contents(obj))
-    return found or _all_sources() or chosen_strips()
+    sources = _sources(content for obj in Gui.Selection.getSelection() for content in contents(obj))
+    return sources or _all_sources() or chosen_strips()
 
 
 def _sources(objects: Iterable[Any]) -> list[Any]:
     """Return the objects that are cut or that show objects to cut, each once."""
     meant = dict.fromkeys(filter(None, map(cut_for, objects)))
-    return not_repeated(one for one in meant if any(_may_be_cut(own) for own in originals(one)))
+    return not_repeated(obj for obj in meant if any(_may_be_cut(original) for original in originals(obj)))
 
 
 def _may_be_cut(obj: Any) -> bool:
@@ -211,15 +211,17 @@ def _may_be_cut(obj: Any) -> bool:
 def _all_sources() -> list[Any]:
     """Return the models and base plates of the document with the strips on these plates, or else its only strip."""
     objects = App.ActiveDocument.Objects
-    found = _sources(
+    sources = _sources(
         obj for obj in objects if _may_show(obj) and contents(obj) == [obj] and not is_broken_link(obj)
     )
-    made = [one for one in found if not all(is_strip(cut_for(own)) for own in originals(one))]
-    if made:
-        held = [one for plate in made if is_base_plate(plate) for one in plate.Sources]
-        return list(dict.fromkeys([*made, *held]))
-    strips = {cut_for(own) for one in found for own in originals(one)}
-    return found if len(strips) == 1 else []
+    assemblies = [
+        source for source in sources if not all(is_strip(cut_for(original)) for original in originals(source))
+    ]
+    if assemblies:
+        held = [source for plate in assemblies if is_base_plate(plate) for source in plate.Sources]
+        return list(dict.fromkeys([*assemblies, *held]))
+    strips = {cut_for(original) for source in sources for original in originals(source)}
+    return sources if len(strips) == 1 else []
 
 
 def _may_show(obj: Any) -> bool:
@@ -235,17 +237,17 @@ def chosen_strips(*, least: int = 1) -> list[Any]:
     InputError
         There are fewer than `least` strips.
     """
-    shown = [own for obj in Gui.Selection.getSelection() for own in originals(obj)]
-    strips = [one.Strip if is_flat(one) else one for one in shown]
-    found = list(dict.fromkeys(one for one in strips if is_strip(one)))
+    shown = [shape for obj in Gui.Selection.getSelection() for shape in originals(obj)]
+    strips = [original.Strip if is_flat(original) else original for original in shown]
+    chosen = list(dict.fromkeys(original for original in strips if is_strip(original)))
     everything = [obj for obj in App.ActiveDocument.Objects if is_strip(obj)]
-    if not found and least == 1 and len(everything) == 1:
-        found = everything
-    if len(found) < least:
+    if not chosen and least == 1 and len(everything) == 1:
+        chosen = everything
+    if len(chosen) < least:
         wanted = (
             translate("Elastica", "Select a strip first.")
             if least == 1
             else translate("Elastica", "Select two strips or more first.")
         )
         raise InputError(wanted)
-    return found
+    return chosen

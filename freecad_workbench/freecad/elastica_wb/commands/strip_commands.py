@@ -48,12 +48,12 @@ class StripCommand(CurveCommand):
         record_step(App.ActiveDocument, self.text)  # first, else FreeCAD names the step itself
         if edited_sketch() is not None:
             Gui.ActiveDocument.resetEdit()
-        made = [recorded(make_strip, source, edges, flat_part=False) for source, edges in curves]
-        for one in made:
-            _add_flat(one)
+        strips = [recorded(make_strip, source, edges, flat_part=False) for source, edges in curves]
+        for strip in strips:
+            _add_flat(strip)
         for source, _ in curves:
             source.Visibility = True
-        show_panel(panel_of, made[-1], made)
+        show_panel(panel_of, strips[-1], strips)
 
 
 def _add_flat(one: Any, layer: str = "Base") -> None:

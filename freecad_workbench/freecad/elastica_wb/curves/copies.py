@@ -47,9 +47,9 @@ def copies(obj: Any) -> Iterator[Standing]:
     InputError
         An original is scaled, or a link is broken.
     """
-    for one, place in _copies(obj, _place(obj).toMatrix()):
+    for original, place in _copies(obj, _place(obj).toMatrix()):
         is_image = place.determinant() < 0
-        yield one, App.Placement(place * TURNED_OVER if is_image else place), is_image
+        yield original, App.Placement(place * TURNED_OVER if is_image else place), is_image
 
 
 def turned_over(place: App.Placement) -> App.Placement:
@@ -67,7 +67,7 @@ def originals(obj: Any) -> list[Any]:
     parts = _parts(obj)
     if parts is None:
         return [obj]
-    return list(dict.fromkeys(one for part, _ in parts for one in originals(part)))
+    return list(dict.fromkeys(original for part, _ in parts for original in originals(part)))
 
 
 def repeated(obj: Any) -> list[Any]:
@@ -79,7 +79,7 @@ def repeated(obj: Any) -> list[Any]:
 
 def contents(obj: Any) -> list[Any]:
     """Return the objects inside a container, or the object itself. Other kinds of copies are not opened."""
-    return [one for one, _ in _inside(obj)] if _is_container(obj) else [obj]
+    return [content for content, _ in _inside(obj)] if _is_container(obj) else [obj]
 
 
 def not_repeated(objects: Iterable[Any]) -> list[Any]:
@@ -88,11 +88,11 @@ def not_repeated(objects: Iterable[Any]) -> list[Any]:
     Such are the bases of Draft arrays and of bodies, the strips of models, and the members of Part compounds.
     """
     objects = list(objects)
-    shown = [one.Base for one in objects if _is_draft(one, "Array")]
-    shown += [one.BaseFeature for one in objects if one.TypeId == BASE]
-    shown += [held for one in objects if one.TypeId == COMPOUND for held in one.Links]
-    shown += [strip for one in objects for strip in getattr(one, "Strips", ())]
-    return [one for one in objects if one not in shown]
+    shown = [item.Base for item in objects if _is_draft(item, "Array")]
+    shown += [item.BaseFeature for item in objects if item.TypeId == BASE]
+    shown += [held for item in objects if item.TypeId == COMPOUND for held in item.Links]
+    shown += [strip for item in objects for strip in getattr(item, "Strips", ())]
+    return [item for item in objects if item not in shown]
 
 
 def _copies(obj: Any, place: App.Matrix) -> Iterator[Shown]:
@@ -127,7 +127,7 @@ def _parts(obj: Any) -> list[Shown] | None:
     if obj.TypeId == MIRRORING:
         return [(obj.Source, _mirror(obj) * _own(obj.Source).toMatrix())] if obj.Source else None
     placed = _placed_parts(obj)
-    return None if placed is None else [(one, where.toMatrix()) for one, where in placed]
+    return None if placed is None else [(part, where.toMatrix()) for part, where in placed]
 
 
 def _mirror(obj: Any) -> App.Matrix:
@@ -143,16 +143,16 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
     """Return the parts that an object shows unmirrored."""
     if _is_container(obj):
         inside = _inside(obj)
-        kept = not_repeated(one for one, _ in inside)
-        return [(one, where) for one, where in inside if one in kept]
+        kept = not_repeated(part for part, _ in inside)
+        return [(part, where) for part, where in inside if part in kept]
     if _is_draft(obj, "Clone"):
         if len(obj.Objects) == 1:  # a clone of one object ignores its placement
             return [(obj.Objects[0], App.Placement())]
-        return [(one, _own(one)) for one in obj.Objects]
+        return [(part, _own(part)) for part in obj.Objects]
     if obj.TypeId == "App::LinkGroup":
-        return [(one, _own(one)) for one in obj.ElementList]
+        return [(part, _own(part)) for part in obj.ElementList]
     if obj.TypeId == COMPOUND:
-        return [(one, _own(one)) for one in obj.Links]
+        return [(part, _own(part)) for part in obj.Links]
     if obj.TypeId == BASE:
         return [(obj.BaseFeature, App.Placement())] if obj.BaseFeature else None
     is_array = _is_draft(obj, "Array")
@@ -161,22 +161,24 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
         return None
     if is_array and not hasattr(obj, "LinkTransform"):  # this array stores only shapes
         inner = obj.Placement.inverse()
-        return [(shown, inner * one.Placement) for one in obj.Shape.childShapes()]
-    own = shown.Placement if obj.LinkTransform else App.Placement()
-    elements = [one.Placement for one in getattr(obj, "ElementList", ())]
+        return [(shown, inner * part.Placement) for part in obj.Shape.childShapes()]
+    inner_place = shown.Placement if obj.LinkTransform else App.Placement()
+    elements = [part.Placement for part in getattr(obj, "ElementList", ())]
     places = elements or getattr(obj, "PlacementList", ()) or [App.Placement()]
-    return [(shown, place * own) for place in places]
+    return [(shown, place * inner_place) for place in places]
 
 
 def _inside(group: Any) -> list[tuple[Any, App.Placement]]:
     """Return all objects in a container and its containers, with their placements in it."""
-    found: list[tuple[Any, App.Placement]] = []
+    contained: list[tuple[Any, App.Placement]] = []
     for child in group.Group:
-        own = _own(child)
-        found += (
-            [(one, own * where) for one, where in _inside(child)] if _is_container(child) else [(child, own)]
+        place = _own(child)
+        contained += (
+            [(content, place * where) for content, where in _inside(child)]
+            if _is_container(child)
+            else [(child, place)]
         )
-    return found
+    return contained
 
 
 def _size(obj: Any) -> App.Vector:
@@ -191,5 +193,5 @@ def _is_container(obj: Any) -> bool:
 
 def _is_draft(obj: Any, kind: str) -> bool:
     """Return True for a Draft object of a kind. Kinds of arrays end in `Array` (`PathArray`), clones in `Clone`."""
-    found = getattr(getattr(obj, "Proxy", None), "Type", None)
-    return isinstance(found, str) and found.endswith(kind)
+    type_name = getattr(getattr(obj, "Proxy", None), "Type", None)
+    return isinstance(type_name, str) and type_name.endswith(kind)

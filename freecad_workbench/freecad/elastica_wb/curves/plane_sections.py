@@ -122,10 +122,10 @@ def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
     InputError
         There is no such object.
     """
-    found = [obj for obj in objects if _has_triangles(obj) or _has_faces(obj)]
-    if not found:
+    bodies = [obj for obj in objects if _has_triangles(obj) or _has_faces(obj)]
+    if not bodies:
         raise InputError("select a body, a surface or a mesh to cut")
-    return found
+    return bodies
 
 
 def is_path(obj: Any) -> bool:
@@ -182,13 +182,15 @@ def cut(source: Any, family: Family, step: Step | None = None) -> list[PlaneSect
     if mesh is not None:
         frames = [frame for _, frame in planes]
         cut = partial(mesh_sections, *mesh, frames, half=family.half)
-        found = list(in_background(QT_TRANSLATE_NOOP("Elastica", "Cutting the mesh"), cut))
+        sections = list(in_background(QT_TRANSLATE_NOOP("Elastica", "Cutting the mesh"), cut))
     else:
-        shape, found = _shape(source), []
+        shape, sections = _shape(source), []
         for i, (_, frame) in enumerate(planes):
             go_on(step, i, STOPPED)
-            found.append(_shape_section(shape, frame, f"section {i + 1}", family.half))
-    return [_called(section, source.Label, place) for section, (place, _) in zip(found, planes, strict=True)]
+            sections.append(_shape_section(shape, frame, f"section {i + 1}", family.half))
+    return [
+        _called(section, source.Label, place) for section, (place, _) in zip(sections, planes, strict=True)
+    ]
 
 
 def curves_of(
@@ -205,22 +207,22 @@ def curves_of(
     for i, section in enumerate(sections):
         go_on(step, i, STOPPED)
         lines = [part for line in section.lines for part in _opened(line, closed)]
-        made, said = section_curves(
+        smooth, messages = section_curves(
             [replace(section, lines=tuple(lines))], tolerance=tolerance, wavelength=waves
         )
-        curves += made
-        remarks += said
+        curves += smooth
+        remarks += messages
     return curves, remarks
 
 
 def section_sketches(document: Any, source: Any, curves: Sequence[SectionCurve]) -> list[Any]:
     """Make a sketch of every curve, and put several sketches into a group."""
     sketches = []
-    for found in curves:
+    for curve in curves:
         sketch = document.addObject("Sketcher::SketchObject", "Section")
-        sketch.Label = found.name
-        sketch.Placement = placement_of(found.frame)
-        number = sketch.addGeometry(spline_geometry(found.curve), False)
+        sketch.Label = curve.name
+        sketch.Placement = placement_of(curve.frame)
+        number = sketch.addGeometry(spline_geometry(curve.curve), False)
         sketch.exposeInternalGeometry(number)
         sketches.append(sketch)
     if len(sketches) > 1:
@@ -243,13 +245,13 @@ def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
     source = _meshed(obj)
     if source is None:
         return None
-    own, faces = _arrays(source.Document.Name, source.Name, *_state(source))
+    vertices, faces = _arrays(source.Document.Name, source.Name, *_state(source))
     place = container(obj) * obj.Placement
     if source is not obj and getattr(obj, "LinkTransform", False):
         place = place * source.Placement
     matrix = (place * source.Placement.inverse()).toMatrix()
     rows = np.array(matrix.A, dtype=float).reshape(4, 4)
-    return own @ rows[:3, :3].T + rows[:3, 3], faces
+    return vertices @ rows[:3, :3].T + rows[:3, 3], faces
 
 
 def _state(source: Any) -> tuple[float, ...]:

@@ -120,9 +120,9 @@ def picked(root: Any, path: str) -> tuple[Any, str]:
     along = root.getSubObjectList(path)
     # FreeCAD 1.1 adds names by the history of an element (;#14:1;...), which change with the next edit
     names = [name for name in path.split(".") if not name.startswith(";")]
-    for i, one in enumerate(along):
-        if one.TypeId.startswith(LINK):
-            return one, ".".join(names[i:])
+    for i, obj in enumerate(along):
+        if obj.TypeId.startswith(LINK):
+            return obj, ".".join(names[i:])
     return along[-1], names[-1]
 
 

@@ -59,11 +59,11 @@ class NearestFeature(Feature):
             note("{limit} ({given:.3g})", limit=note(b.name), given=b.limit) if b.limit else note(b.name)
             for b in near.binding[:3]
         )
-        said = [
+        reports = [
             note(near.status.value),
             *([note("Held away by: {limits}.", limits=held)] if held else []),
         ]
-        put(obj, Deviation=near.deviation, Ratio=near.rod.ratio, Reports=[worded(line) for line in said])
+        put(obj, Deviation=near.deviation, Ratio=near.rod.ratio, Reports=[worded(line) for line in reports])
 
 
 class BentFeature(Feature):
@@ -90,8 +90,8 @@ class BentFeature(Feature):
         rod = moved(rest, {name: getattr(obj, name).Value for name in MOVES})
         obj.Shape = spline_geometry(rod.curve).toShape()
         obj.Placement = drawn_curve(obj.Strip.Curve, obj).placement
-        told = [worded(line) for line in rod.warnings if line not in rest.warnings]
-        put(obj, LargestMove=largest_move(rest, rod), Margin=stability(rod).margin, Reports=told)
+        reports = [worded(line) for line in rod.warnings if line not in rest.warnings]
+        put(obj, LargestMove=largest_move(rest, rod), Margin=stability(rod).margin, Reports=reports)
 
 
 class SectionFeature(Feature):
@@ -118,8 +118,8 @@ class SectionFeature(Feature):
 
     def make(self, obj: Any) -> None:
         """Cut the sources and smooth the sections."""
-        made, remarks = _sections(obj)
-        curves = [curve for _, found in made for curve in found]
+        sections, remarks = _sections(obj)
+        curves = [curve for _, body_curves in sections for curve in body_curves]
         if not curves and remarks and all(AT_TWO_PLACES in remark.all_changes for remark in remarks):
             raise InputError(
                 "every section is a closed line, and a strip has two ends: choose under Closed lines how "
@@ -129,7 +129,7 @@ class SectionFeature(Feature):
             raise InputError(
                 sentences(remarks) if remarks else "the planes miss the object: move them, or take more"
             )
-        shapes = [spline_geometry(found.curve, found.frame).toShape() for found in curves]
+        shapes = [spline_geometry(curve.curve, curve.frame).toShape() for curve in curves]
         whole = Part.Compound(shapes)
         whole.Placement = container(obj).inverse()
         obj.Shape = whole
@@ -208,21 +208,21 @@ def draw_into(obj: Any) -> None:
 def nearest_sketch(obj: Any) -> None:
     """Replace a nearest curve by an independent sketch, which can be edited."""
     curve, document = _curve_to_drag(obj), obj.Document
-    made = document.addObject("Sketcher::SketchObject", "Nearest")
+    sketch = document.addObject("Sketcher::SketchObject", "Nearest")
     group = obj.getParentGeoFeatureGroup()
     if group is not None:
-        group.addObject(made)
-    made.Label, made.Placement = f"{obj.Label} {translate('Elastica', 'sketch')}", obj.Placement
+        group.addObject(sketch)
+    sketch.Label, sketch.Placement = f"{obj.Label} {translate('Elastica', 'sketch')}", obj.Placement
     document.removeObject(obj.Name)
-    curve_into(made, curve)
+    curve_into(sketch, curve)
 
 
 def section_sketches_of(obj: Any) -> None:
     """Replace sections by independent sketches, which can be edited."""
-    made, _ = _sections(obj)
+    sections, _ = _sections(obj)
     document = obj.Document
     document.removeObject(obj.Name)
-    for body, curves in made:
+    for body, curves in sections:
         section_sketches(document, body, curves)
 
 
@@ -249,18 +249,18 @@ def _sections(obj: Any) -> tuple[list[tuple[Any, list[SectionCurve]]], list[str]
         obj.Sweep.Value,
         path_points(source, [name for name in names if name]) if along else None,
     )
-    made, remarks = [], []
+    sections, remarks = [], []
     with progress(QT_TRANSLATE_NOOP("Elastica", "Cutting"), 2 * obj.Count * len(obj.Sources)) as step:
         for k, body in enumerate(obj.Sources):
             done = 2 * k * obj.Count
             cuts = cut(body, family, lambda i, done=done: step(done + i))
-            curves, said = curves_of(
+            curves, messages = curves_of(
                 cuts,
                 tolerance=obj.Tolerance.Value,
                 waves=obj.Waves.Value,
                 closed=obj.Closed,
                 step=lambda i, done=done + obj.Count: step(done + i),
             )
-            made.append((body, curves))
-            remarks += said
-    return made, remarks
+            sections.append((body, curves))
+            remarks += messages
+    return sections, remarks

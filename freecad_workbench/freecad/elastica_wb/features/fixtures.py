@@ -47,10 +47,10 @@ class FixturesFeature(Feature):
             raise InputError("no strip here has a tab to be held: give the strips tabs")
         inner = container(obj).inverse()
         kept = in_steps(QT_TRANSLATE_NOOP("Elastica", "Making the blocks"), blocks, block_shape)
-        made = [block.copy(False) for block in kept]
-        for block in made:
+        shapes = [block.copy(False) for block in kept]
+        for block in shapes:
             block.Placement = inner * block.Placement
-        obj.Shape = Part.Compound(made)
+        obj.Shape = Part.Compound(shapes)
         tell_plays(obj, model, blocks)
 
 
@@ -60,11 +60,11 @@ def _blocks(obj: Any, model: Model) -> tuple[EndFixture, ...]:
 
 def blocks_for(source: Any) -> list[EndFixture]:
     """Return the blocks of a document that hold the ends of a strip or a model, in their places."""
-    hanging = dict.fromkeys(user for one in (source, *getattr(source, "Strips", ())) for user in one.InList)
-    users = [one for one in hanging if isinstance(getattr(one, "Proxy", None), FixturesFeature)]
-    own = {tab.key for tab in place_tabs(source_model([source]).placed)} if users else set()
-    every = (block for one in users for block in _blocks(one, source_model(one.Sources)))
-    return [block for block in every if block.tab.key in own]
+    hanging = dict.fromkeys(user for obj in (source, *getattr(source, "Strips", ())) for user in obj.InList)
+    users = [obj for obj in hanging if isinstance(getattr(obj, "Proxy", None), FixturesFeature)]
+    tabs = {tab.key for tab in place_tabs(source_model([source]).placed)} if users else set()
+    every = (block for obj in users for block in _blocks(obj, source_model(obj.Sources)))
+    return [block for block in every if block.tab.key in tabs]
 
 
 @remembered

@@ -89,7 +89,7 @@ class ModelFeature(Feature):
 
     def covered(self, obj: Any) -> list[Any]:
         """Return the strips, which are drawn without slots."""
-        return [one for one in obj.Strips if is_strip(one)]
+        return [strip for strip in obj.Strips if is_strip(strip)]
 
 
 def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
@@ -128,7 +128,7 @@ def model_of(obj: Any, *, shown: bool = False) -> Model:
     ElasticaError
         A strip failed, or the strips cannot be slotted.
     """
-    other = next((one for one in obj.Strips if not is_strip(one)), None)
+    other = next((strip for strip in obj.Strips if not is_strip(strip)), None)
     if other is not None:
         raise InputError("{object} is no strip: a model is made of strips", object=other.Label)
     options: tuple[tuple[str, Any], ...] = ()
@@ -166,10 +166,10 @@ def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
 
 def tell_overlaps(obj: Any, found: tuple[str, ...]) -> None:
     """Write into the results which strips of a model intersect."""
-    told = _worded(found)
-    if told and obj.Overlaps != told:
-        report_warning(" ".join(told), obj.Label)
-    put(obj, Overlaps=told)
+    messages = _worded(found)
+    if messages and obj.Overlaps != messages:
+        report_warning(" ".join(messages), obj.Label)
+    put(obj, Overlaps=messages)
 
 
 def _sought(model: Model) -> "Future[tuple[str, ...]]":
@@ -215,17 +215,17 @@ def strips_model(
 def _standing(obj: Any, shown: bool) -> Iterator[tuple[Strip, App.Placement]]:
     """Yield the strips that an object shows, each with the place of its curve in the document."""
     strip_in, model_in = (shown_strip, shown_model) if shown else (strip_of, model_of)
-    found = list(shown_strips(obj))
-    if not any(is_strip(one) or is_model(one) for one, *_ in found):
+    standing = list(shown_strips(obj))
+    if not any(is_strip(original) or is_model(original) for original, *_ in standing):
         raise InputError("{object} is no strip: a model is made of strips", object=obj.Label)
-    for one, place, is_image in found:
-        if is_strip(one):
-            world = drawn_curve(one.Curve, one).world if one is obj else place
-            strip = strip_in(one).mirrored() if is_image else strip_in(one)
-            yield _labelled(strip, one.EngravedText or obj.Label, obj.Name), world
-        elif is_model(one):
-            here = container(one).inverse()
-            for placed in model_in(one).placed:
+    for original, place, is_image in standing:
+        if is_strip(original):
+            world = drawn_curve(original.Curve, original).world if original is obj else place
+            strip = strip_in(original).mirrored() if is_image else strip_in(original)
+            yield _labelled(strip, original.EngravedText or obj.Label, obj.Name), world
+        elif is_model(original):
+            here = container(original).inverse()
+            for placed in model_in(original).placed:
                 strip, inside = placed.strip, here * placement_of(placed.frame)
                 yield (strip.mirrored(), place * turned_over(inside)) if is_image else (strip, place * inside)
 

@@ -60,13 +60,13 @@ def tell_left_out(obj: Any) -> None:
         "tabs, holes), or draw it into the cutting files",
     )
     try:
-        found = {one.Label: later_features(one) for one in counted(obj.Sources)}
+        later_by_label = {original.Label: later_features(original) for original in counted(obj.Sources)}
     except FAILURES:  # the recompute has reported it
         return
-    told = [words.format(strip=label, later=later) for label, later in found.items() if later]
-    if told and obj.LeftOut != told:
-        report_warning(" ".join(told), obj.Label)
-    put(obj, LeftOut=told)
+    messages = [words.format(strip=label, later=later) for label, later in later_by_label.items() if later]
+    if messages and obj.LeftOut != messages:
+        report_warning(" ".join(messages), obj.Label)
+    put(obj, LeftOut=messages)
 
 
 def create(document: Any, sources: list[Any]) -> Any:
@@ -80,7 +80,7 @@ def create(document: Any, sources: list[Any]) -> Any:
 
 def _boxes(document: Any) -> Iterator[App.BoundBox]:
     """Yield the bounding box of each object in the document, in document coordinates."""
-    for one in document.Objects:
-        box = one.Shape.BoundBox if hasattr(one, "Shape") else App.BoundBox()
+    for obj in document.Objects:
+        box = obj.Shape.BoundBox if hasattr(obj, "Shape") else App.BoundBox()
         if is_bounded(box):
-            yield box.transformed(container(one).toMatrix())
+            yield box.transformed(container(obj).toMatrix())

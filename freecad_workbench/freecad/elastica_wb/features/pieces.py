@@ -81,11 +81,11 @@ def counted(sources: Iterable[Any]) -> dict[Any, int]:
     for obj in not_repeated(sources):
         for original, *_ in shown_strips(obj):
             (lying if is_flat(original) else standing)[original] += 1
-    found = {obj: count for obj, count in standing.items() if is_cut(obj)}
+    counts = {obj: count for obj, count in standing.items() if is_cut(obj)}
     for flat, count in lying.items():
         obj = cut_for(flat)
-        found[obj] = max(count, found.get(obj, 0))
-    return found
+        counts[obj] = max(count, counts.get(obj, 0))
+    return counts
 
 
 def cut_for(obj: Any) -> Any:
@@ -105,7 +105,7 @@ def _cuts(obj: Any) -> list[Cut]:
     if is_model(obj):
         model = model_of(obj)
         strips = [part.strip for part in model.parts for _ in part.strip.layers]
-        return [Cut(*found) for found in zip_longest(model.pieces, strips)]
+        return [Cut(*fields) for fields in zip_longest(model.pieces, strips)]
     if is_base_plate(obj):
         return [Cut(replace(plate_of(obj).piece, name=obj.Label))]
     strip, name = strip_of(obj), obj.EngravedText or obj.Label
@@ -119,16 +119,16 @@ def _cuts(obj: Any) -> list[Cut]:
 def later_features(obj: Any) -> str:
     """Return the labels of the features that come after a strip, a model or a plate, or after its flat part."""
     flat = [user for user in obj.InList if is_flat(user)]
-    return ", ".join(dict.fromkeys(label for one in (obj, *flat) for label in _later(one)))
+    return ", ".join(dict.fromkeys(label for shown in (obj, *flat) for label in _later(shown)))
 
 
 def _later(obj: Any) -> Iterator[str]:
     """Yield the labels of the features that change an object's shape, nearest first."""
     todo, seen = [obj], {obj}
     while todo:
-        one = todo.pop(0)
-        for user in one.InList:
-            takes = _takes(user, one)
+        shown = todo.pop(0)
+        for user in shown.InList:
+            takes = _takes(user, shown)
             if user in seen or not (takes or user.TypeId in SHOWN_BY):
                 continue
             seen.add(user)
@@ -143,4 +143,4 @@ def _takes(user: Any, obj: Any) -> bool:
     if user.TypeId.startswith("PartDesign::") and user.TypeId not in SHOWN_BY:
         return getattr(user, "BaseFeature", None) == obj
     kept = (getattr(user, name) for name in CHANGED.get(user.TypeId, ()))
-    return any(obj in one if isinstance(one, list) else obj == one for one in kept)
+    return any(obj in bases if isinstance(bases, list) else obj == bases for bases in kept)

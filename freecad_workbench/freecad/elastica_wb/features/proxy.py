@@ -151,9 +151,9 @@ class Feature(Unsaved):
             self._keep_numbers(obj)
             self.make(obj)
         except FAILURES as error:
-            told = explained(error)
-            self.failed(obj, told)
-            return refused(obj, told)
+            explanation = explained(error)
+            self.failed(obj, explanation)
+            return refused(obj, explanation)
         _show_again(obj)
         return None
 
@@ -192,12 +192,14 @@ def hide(obj: Any) -> None:
     Show the valid features that they cover.
     """
     failed = _with_users(obj)
-    ours = [one for one in failed if is_ours(one)]
-    for one in ours:
-        if one.Visibility:
-            one.HiddenByError = True
-            one.Visibility = False
-    for part in (part for one in ours if one.HiddenByError for part in one.Proxy.covered(one)):
+    ours = [feature for feature in failed if is_ours(feature)]
+    for feature in ours:
+        if feature.Visibility:
+            feature.HiddenByError = True
+            feature.Visibility = False
+    for part in (
+        part for feature in ours if feature.HiddenByError for part in feature.Proxy.covered(feature)
+    ):
         well = part not in failed and "Invalid" not in part.State
         if well and not (part.Visibility or part.ShownByError or _covering(part)):
             part.ShownByError = True
@@ -210,21 +212,25 @@ def give_up(document: Any) -> None:
     This covers failed objects of other workbenches, and our own objects whose formula cannot be computed.
     """
     for source in filter(_failed_unasked, document.Objects):
-        ours = [one for one in _with_users(source) if is_ours(one)]
-        said = why_not_made(source)
-        if any(one.Visibility for one in ours):  # otherwise it was reported
-            names = ", ".join([one.Label for one in ours[:MOST_NAMES]] + ["..."] * (len(ours) > MOST_NAMES))
-            report_error(said, names)
-        for one in ours:
-            one.Proxy.tell_error(one, InputError(said))
+        ours = [feature for feature in _with_users(source) if is_ours(feature)]
+        message = why_not_made(source)
+        if any(feature.Visibility for feature in ours):  # otherwise it was reported
+            names = ", ".join(
+                [feature.Label for feature in ours[:MOST_NAMES]] + ["..."] * (len(ours) > MOST_NAMES)
+            )
+            report_error(message, names)
+        for feature in ours:
+            feature.Proxy.tell_error(feature, InputError(message))
         hide(source)
 
 
 def why_left_out(obj: Any) -> str:
     """Return why FreeCAD skipped the recompute of an object, or "" if it did not."""
-    for one in (obj, *_followed(obj)):
-        sources = [source for source in one.OutList if source not in getattr(one, CONTAINERS.name, ())]
-        for failed in filter(_failed_unasked, (one, *sources)):
+    for followed in (obj, *_followed(obj)):
+        sources = [
+            source for source in followed.OutList if source not in getattr(followed, CONTAINERS.name, ())
+        ]
+        for failed in filter(_failed_unasked, (followed, *sources)):
             return why_not_made(failed)
     return ""
 
@@ -236,18 +242,18 @@ def _failed_unasked(obj: Any) -> bool:
 
 def hide_failed(source: Any) -> None:
     """Hide all features that follow a source and failed."""
-    for one in source.InListRecursive:
-        if is_ours(one) and "Invalid" in one.State:
-            hide(one)
+    for user in source.InListRecursive:
+        if is_ours(user) and "Invalid" in user.State:
+            hide(user)
 
 
 def _with_users(obj: Any) -> list[Any]:
     """Return an object and everything that depends on it. Dependence on a container's placement does not count."""
-    found = [obj]
-    for one in found:
-        users = [user for user in one.InList if one not in getattr(user, CONTAINERS.name, ())]
-        found += [user for user in dict.fromkeys(users) if user not in found]
-    return found
+    affected = [obj]
+    for source in affected:
+        users = [user for user in source.InList if source not in getattr(user, CONTAINERS.name, ())]
+        affected += [user for user in dict.fromkeys(users) if user not in affected]
+    return affected
 
 
 def _show_again(obj: Any) -> None:
@@ -263,17 +269,17 @@ def _show_again(obj: Any) -> None:
 
 def _covering(part: Any) -> list[Any]:
     """Return the visible features that show this feature in its place."""
-    users = (one for one in part.InList if is_ours(one))
-    return [one for one in users if one.Visibility and part in one.Proxy.covered(one)]
+    users = (user for user in part.InList if is_ours(user))
+    return [user for user in users if user.Visibility and part in user.Proxy.covered(user)]
 
 
 def parents(source: Any) -> list[Any]:
     """Return the containers that an object moves with, from the inside out."""
-    found: list[Any] = []
+    containers: list[Any] = []
     while source is not None:
         source = source.getParentGeoFeatureGroup()
-        found.append(source)
-    return found[:-1]
+        containers.append(source)
+    return containers[:-1]
 
 
 def keep_containers(document: Any, moved: Collection[str]) -> None:
@@ -283,12 +289,12 @@ def keep_containers(document: Any, moved: Collection[str]) -> None:
     """
     for obj in document.Objects:
         if is_ours(obj) and CONTAINERS.name in obj.PropertiesList:
-            found = _containers(obj)
-            changes = obj.Containers != found
+            containers = _containers(obj)
+            changes = obj.Containers != containers
             if changes:
-                obj.Containers = found
-            standing = (above for one in (obj, *_followed(obj)) for above in (one, *parents(one)))
-            if changes or any(one.Name in moved for one in standing):
+                obj.Containers = containers
+            standing = (above for source in (obj, *_followed(obj)) for above in (source, *parents(source)))
+            if changes or any(source.Name in moved for source in standing):
                 obj.touch()
 
 
@@ -307,40 +313,42 @@ def keep_places(container: Any) -> None:
     for obj in container.Document.Objects:
         ours = is_ours(obj) and CONTAINERS.name in obj.PropertiesList
         inside = ours and container in parents(obj)
-        if ours and any(inside != (container in parents(one)) for one in _followed(obj)):
+        if ours and any(inside != (container in parents(source)) for source in _followed(obj)):
             obj.touch()
 
 
 def telling(obj: Any, name: str) -> list[Any]:
     """Return the object and the features made from it whose messages mention this name."""
-    ours = (one for one in (obj, *obj.InListRecursive) if is_ours(one))
-    return [one for one in ours if any(name in words for words in _sentences(one))]
+    ours = (feature for feature in (obj, *obj.InListRecursive) if is_ours(feature))
+    return [feature for feature in ours if any(name in words for words in _sentences(feature))]
 
 
 def _sentences(obj: Any) -> Iterator[str]:
-    for name in [one for one in TOLD if one in obj.PropertiesList]:
+    for name in [entry for entry in TOLD if entry in obj.PropertiesList]:
         yield from getattr(obj, name)
     yield str(obj.getStatusString())
 
 
 def _containers(obj: Any) -> list[Any]:
     """Return the containers that move the sources of a feature, except containers that depend on it."""
-    own = [obj, *parents(obj)]
-    found = [one for source in _followed(obj) for one in parents(source) if one not in own]
-    return [one for one in dict.fromkeys(found) if not _hangs_on(one, obj)]
+    ancestors = [obj, *parents(obj)]
+    containers = [
+        container for source in _followed(obj) for container in parents(source) if container not in ancestors
+    ]
+    return [container for container in dict.fromkeys(containers) if not _hangs_on(container, obj)]
 
 
 def _hangs_on(container: Any, obj: Any) -> bool:
     """Return True if a container holds something that depends on an object."""
-    found = [container]
-    for one in found:
-        found += [source for source in dict.fromkeys(one.OutList) if source not in found]
-    return obj in found
+    sources = [container]
+    for user in sources:
+        sources += [source for source in dict.fromkeys(user.OutList) if source not in sources]
+    return obj in sources
 
 
 def _followed(obj: Any) -> Iterator[Any]:
     """Yield the objects that a feature depends on, recursively."""
-    for name in [one for one in FOLLOWED if one in obj.PropertiesList]:
+    for name in [entry for entry in FOLLOWED if entry in obj.PropertiesList]:
         value = getattr(obj, name)
         sources = value if name != "Curve" else value[:1] if value else ()
         for source in sources:

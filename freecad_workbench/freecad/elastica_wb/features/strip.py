@@ -132,7 +132,7 @@ def _recolor(strip: Any, before: str) -> None:
     """Recolour the strip and the objects made from it, except those that the user has coloured."""
     with suppress(InputError):  # the sheet may not exist any more
         old, new = (sheet_color(sheet_called(name)) for name in (before, strip.Sheet))
-        for view in [one.ViewObject for one in (strip, *strip.InList)]:
+        for view in [obj.ViewObject for obj in (strip, *strip.InList)]:
             shown = getattr(view, "ShapeColor", ())[:3]
             if shown and all(abs(a - b) < SAME_COLOR for a, b in zip(shown, old, strict=True)):
                 view.ShapeColor = new
@@ -203,21 +203,23 @@ def tell_held(obj: Any) -> None:
         return
     try:
         held = held_shape(strip_of(obj))
-        said = (
+        message = (
             note("it takes no shape near its design: hold it nearer to its curve")
             if held is None
             else str(held)
         )
     except ElasticaError as error:
-        held, said = None, str(error)
+        held, message = None, str(error)
     far = (0.0, 0.0) if held is None else (held.deviation, held.expected)
-    put(obj, HeldDeviation=far[0], ExpectedDeviation=far[1], Held=worded(said))
+    put(obj, HeldDeviation=far[0], ExpectedDeviation=far[1], Held=worded(message))
 
 
 def is_stale(obj: Any, changed: set[str]) -> bool:
     """Return True if the shape was made from another request. `changed` names the changed objects."""
     source = obj.Curve[0] if obj.Curve else None
-    touched = {one.Name for one in (obj, *parents(obj), source, *parents(source)) if one is not None}
+    touched = {
+        watched.Name for watched in (obj, *parents(obj), source, *parents(source)) if watched is not None
+    }
     if not touched & changed:
         return False
     if "Invalid" in obj.State:  # undo restores the earlier results, but not the state
@@ -241,7 +243,7 @@ def _solids(body: Any) -> bool:
 
 def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float) -> None:
     """Write the results. `changed` and `smoothed` are how far the search and smoothing moved the curve, mm."""
-    rod, found, sideways = strip.rod, judged(strip.rod), strip.sideways
+    rod, stability, sideways = strip.rod, judged(strip.rod), strip.sideways
     faults, bent, refused = list(strip_faults(strip)), is_bent_beforehand(strip), strip.strain_verdict.refused
     notes = [
         *(fault.sentence for fault in faults),
@@ -271,8 +273,10 @@ def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         Reasons=[capital(worded(note)) for note in dict.fromkeys(notes)],
         Fails=[fault.number for fault in faults],
         Ratio=rod.ratio,
-        Margin=0.0 if found is None else found.margin,
-        ConjugatePoint=0.0 if found is None or found.conjugate_point is None else found.conjugate_point,
+        Margin=0.0 if stability is None else stability.margin,
+        ConjugatePoint=0.0
+        if stability is None or stability.conjugate_point is None
+        else stability.conjugate_point,
         LargestStrain=100 * strip.max_strain,
         StrainUse=strip.strain_verdict.percent,
         Deviation=(rod.moved if changed is None else changed) + smoothed,

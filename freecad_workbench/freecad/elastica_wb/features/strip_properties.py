@@ -64,7 +64,7 @@ def _group(path: str) -> str:
 
 
 def _one_to_one() -> Iterator[tuple[str, Field]]:
-    known, of_files = paths_of(StripKeys), {one.name for one in declared(StripKeys)}
+    known, of_files = paths_of(StripKeys), {declared_field.name for declared_field in declared(StripKeys)}
     for path, field in known.items():
         table, _, key = path.rpartition(".")
         if path in OWN_BOXES or key in ("kind", "backing") or (table and table not in OWN_TABLES):

@@ -51,11 +51,11 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
 
 def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
     """Return the request for the nearest rod within the limits, even if the strip follows its curve."""
-    asked = read_fields(Table(table_of(obj, drawn, nearest=True), "", {}), _reader(obj))
-    gravity, _ = pull_in_plane(asked.get("gravity"), _sheet(obj), drawn.plane)
+    fields = read_fields(Table(table_of(obj, drawn, nearest=True), "", {}), _reader(obj))
+    gravity, _ = pull_in_plane(fields.get("gravity"), _sheet(obj), drawn.plane)
     return RodSpec(
-        drawn.curve, gravity, asked.get("supports", Supports()), asked.get("natural_curvature", 0.0),
-        limits=asked["limits"], keep=asked["keep"],
+        drawn.curve, gravity, fields.get("supports", Supports()), fields.get("natural_curvature", 0.0),
+        limits=fields["limits"], keep=fields["keep"],
     )  # fmt: skip
 
 
@@ -204,13 +204,13 @@ def _loads(obj: Any) -> Any:
 
 def _limits(obj: Any) -> dict[str, Any]:
     strain = (obj.StrainLimit / 100 or True) if obj.LimitStrain else None
-    asked = {
+    limits = {
         "margin": obj.MarginLimit if obj.LimitMargin else None,
         "strain": strain,
         "length": _range(obj, "Length"),
         "width": _range(obj, "Width"),
     }
-    return {key: value for key, value in asked.items() if value is not None}
+    return {key: value for key, value in limits.items() if value is not None}
 
 
 def _range(obj: Any, kind: str) -> list[float] | None:
@@ -232,11 +232,11 @@ def _range(obj: Any, kind: str) -> list[float] | None:
 def _keep(obj: Any) -> dict[str, Any]:
     line = list(obj.InflectionLine)
     ends, tangents = BOTH_ENDS[obj.KeepEnds], BOTH_ENDS[obj.TangentEnds] if obj.KeepTangents else False
-    asked: dict[str, Any] = {"ends": ends, "tangents": tangents}
-    asked = {key: value if isinstance(value, bool) else list(value) for key, value in asked.items()}
+    keep: dict[str, Any] = {"ends": ends, "tangents": tangents}
+    keep = {key: value if isinstance(value, bool) else list(value) for key, value in keep.items()}
     if line:
-        return asked | {"line": [line[:2], line[2:]]}
-    return asked | ({"line": True} if obj.KeepLine else {})
+        return keep | {"line": [line[:2], line[2:]]}
+    return keep | ({"line": True} if obj.KeepLine else {})
 
 
 def _ends(obj: Any) -> list[dict[str, Any]] | None:

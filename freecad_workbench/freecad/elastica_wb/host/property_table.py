@@ -43,8 +43,8 @@ class Property:
     @property
     def translated_help(self) -> str:
         """The help of the property in the user's language."""
-        told = worded(str(App.Qt.translate("App::Property", self.help)))
-        return f"{told} {self.example}" if self.example else told
+        text = worded(str(App.Qt.translate("App::Property", self.help)))
+        return f"{text} {self.example}" if self.example else text
 
 
 def result(kind: str, name: str, help: str, **shown: bool) -> Property:

@@ -105,25 +105,25 @@ def why_not_made(obj: Any) -> str:
 
     FreeCAD skips the dependents of a failed object, and they have no error state.
     """
-    failed = [one for one in (obj, *obj.OutListRecursive) if "Invalid" in one.State]
-    first = next((one for one in failed if not set(one.OutListRecursive) & set(failed)), None)
+    failed = [source for source in (obj, *obj.OutListRecursive) if "Invalid" in source.State]
+    first = next((source for source in failed if not set(source.OutListRecursive) & set(failed)), None)
     if first is None:
         return ""
     if not is_ours(first):
         return worded(_why_not_made_by_others(first))
-    said = why_not_computed(first) or str(first.getStatusString())
-    return said if first is obj else f"{first.Label}: {said}"
+    message = why_not_computed(first) or str(first.getStatusString())
+    return message if first is obj else f"{first.Label}: {message}"
 
 
 def why_not_computed(obj: Any) -> str:
     """Return the error of an object's formula, or "" if there is none."""
-    found = FORMULA.fullmatch(str(obj.getStatusString())) if "Invalid" in obj.State else None
-    if found is None:
+    match = FORMULA.fullmatch(str(obj.getStatusString())) if "Invalid" in obj.State else None
+    if match is None:
         return ""
-    reason = " ".join(found[1].split())
+    reason = " ".join(match[1].split())
     return worded(note(
         "the formula of {property} cannot be computed ({reason}): mend it, or take it away",
-        property=found[2], reason=reason,
+        property=match[2], reason=reason,
     ))  # fmt: skip
 
 
@@ -150,8 +150,8 @@ def told_of_broken_link(obj: Any) -> str:
 
 def _why_not_made_by_others(obj: Any) -> str:
     """Return a message for an object of FreeCAD. FreeCAD's text is written for programmers."""
-    said = str(obj.getStatusString())
-    if is_broken_link(obj) or LOST_LINK.search(said):
+    status = str(obj.getStatusString())
+    if is_broken_link(obj) or LOST_LINK.search(status):
         return told_of_broken_link(obj)
     file = getattr(obj, "FileName", "")
     if isinstance(file, str) and file and not os.path.exists(file):
@@ -162,5 +162,5 @@ def _why_not_made_by_others(obj: Any) -> str:
             file=file,
         )
     return note(
-        "{object} cannot be made ({why}): mend it first", object=obj.Label, why=" ".join(said.split())
+        "{object} cannot be made ({why}): mend it first", object=obj.Label, why=" ".join(status.split())
     )

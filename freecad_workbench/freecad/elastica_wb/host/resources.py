@@ -55,12 +55,12 @@ def load_panel(name: str) -> Any:
 def quantities_of(name: str) -> dict[str, float]:
     """Return the values of the quantity boxes in a .ui file. The boxes keep only the digits that they show."""
     tree = ElementTree.parse(RESOURCES / "ui" / f"{name}.ui")
-    found = {}
+    values = {}
     for widget in tree.iter("widget"):
         if widget.get("class") == "Gui::QuantitySpinBox":
             given = widget.findtext("property[@name='rawValue']/double")
-            found[widget.get("name", "")] = float(given or 0.0)
-    return found
+            values[widget.get("name", "")] = float(given or 0.0)
+    return values
 
 
 def _sound(form: Any) -> bool:

@@ -71,15 +71,15 @@ def save_own_sheets(sheets: Iterable[Sheet]) -> None:
 
 def sheet_list() -> list[str]:
     """Return the names of all sheets, the user's own first."""
-    own = list(own_sheets())
-    return own + [name for name in sheet_names() if name not in own]
+    user_sheets = list(own_sheets())
+    return user_sheets + [name for name in sheet_names() if name not in user_sheets]
 
 
 def sheet_called(name: str, kept: str = "") -> Sheet:
     """Return the sheet of that name. If the library has no such sheet, return the copy in the document (TOML)."""
-    own = own_sheets()
-    if name in own:
-        return own[name]
+    user_sheets = own_sheets()
+    if name in user_sheets:
+        return user_sheets[name]
     if name in built_in_figures():  # every recompute calls this, so skip the search for files
         return _built_in(name)
     if name in sheet_names():

@@ -66,9 +66,9 @@ def capital(sentence: str) -> str:
 def together(named: Iterable[tuple[str, str]]) -> list[str]:
     """Return each sentence once, after the names of all its objects. Empty sentences are left out."""
     names: dict[str, list[str]] = {}
-    for name, said in named:
-        names.setdefault(said, []).append(name)
-    return [f"{', '.join(dict.fromkeys(names[said]))}: {said}" for said in names if said]
+    for name, sentence in named:
+        names.setdefault(sentence, []).append(name)
+    return [f"{', '.join(dict.fromkeys(names[sentence]))}: {sentence}" for sentence in names if sentence]
 
 
 def decimal_point() -> str:

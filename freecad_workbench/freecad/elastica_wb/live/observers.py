@@ -100,12 +100,12 @@ class LaterResults:
             return True
         from freecad.elastica_wb.features.model import overlaps_sought, tell_overlaps
 
-        found = self._sought.pop(name, None) or overlaps_sought(obj)
-        if found is not None and not found.done():
-            self._sought[name] = found
+        future = self._sought.pop(name, None) or overlaps_sought(obj)
+        if future is not None and not future.done():
+            self._sought[name] = future
             return False
-        if found is not None:
-            tell_overlaps(obj, found.result())
+        if future is not None:
+            tell_overlaps(obj, future.result())
         return True
 
 
@@ -120,8 +120,8 @@ def install() -> None:
     if not _installed:
         _installed.extend([Edits(), Changes(), LaterResults()])
         Gui.addDocumentObserver(_installed[0])
-        for one in _installed[1:]:
-            App.addDocumentObserver(one)
+        for observer in _installed[1:]:
+            App.addDocumentObserver(observer)
 
 
 def is_on(sketch: Any) -> bool:
@@ -320,9 +320,9 @@ def _renamed(obj: Any, old: str) -> None:
         for user in filter(is_ours, obj.InList):
             if user.Label.startswith(f"{old} "):
                 user.Label = f"{obj.Label}{user.Label[len(old) :]}"
-    told = module.telling(obj, old) if module is not None and old not in ("", obj.Label) else []
-    if told:
-        QtCore.QTimer.singleShot(0, lambda: recompute(told))
+    outdated = module.telling(obj, old) if module is not None and old not in ("", obj.Label) else []
+    if outdated:
+        QtCore.QTimer.singleShot(0, lambda: recompute(outdated))
 
 
 def _proxies() -> Any:
@@ -353,17 +353,17 @@ def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> lis
     from freecad.elastica_wb.features.strip import is_stale
 
     regrouped = any("Group" in names for names in changed.values())
-    asked = set(changed) | ({obj.Name for obj in ours} if regrouped else set())
-    stale = [obj for obj in ours if is_strip(obj) and is_stale(obj, asked)]
+    touched = set(changed) | ({obj.Name for obj in ours} if regrouped else set())
+    stale = [obj for obj in ours if is_strip(obj) and is_stale(obj, touched)]
     # FreeCAD marks restored objects for recompute
     restored = [obj for obj in ours if obj.Name in changed and "Touched" in obj.State and obj not in stale]
     for strip in filter(is_strip, restored):
         strip.purgeTouched()
     names = {*changed, *(obj.Name for obj in stale)}
-    for obj in (one for one in ours if not is_strip(one)):
+    for obj in (feature for feature in ours if not is_strip(feature)):
         follows = any(source.Name in names for source in obj.OutList)
         failed = "Invalid" in obj.State and (follows or obj.Name in changed)
-        stands_elsewhere = regrouped or any(one.Name in changed for one in _containers_of(obj))
+        stands_elsewhere = regrouped or any(feature.Name in changed for feature in _containers_of(obj))
         if failed or (follows and is_curve(obj)) or obj.Name in half or stands_elsewhere or obj in restored:
             stale.append(obj)
     users = {user for obj in stale for user in obj.InListRecursive}
@@ -372,13 +372,13 @@ def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> lis
 
 def _names(objects: list[Any]) -> set[str]:
     """Return names, because the objects may be deleted before use. FreeCAD lists an object in deletion as None."""
-    return {one.Name for one in objects if one is not None}
+    return {obj.Name for obj in objects if obj is not None}
 
 
 def _containers_of(obj: Any) -> list[Any]:
     """Return the container of a feature, and the containers that move only its sources."""
-    own = obj.getParentGeoFeatureGroup()
-    return [*([own] if own is not None else []), *getattr(obj, "Containers", ())]
+    parent = obj.getParentGeoFeatureGroup()
+    return [*([parent] if parent is not None else []), *getattr(obj, "Containers", ())]
 
 
 def _is_half_undone(obj: Any, changed: dict[str, set[str]]) -> bool:
@@ -387,7 +387,7 @@ def _is_half_undone(obj: Any, changed: dict[str, set[str]]) -> bool:
     FreeCAD makes the recompute at the closing of a sketch a separate step.
     """
     results = {entry.name for entry in obj.Proxy.properties if entry.result}
-    own = changed.get(obj.Name, set())
-    asked = own - results - {"Shape"}
+    properties = changed.get(obj.Name, set())
+    inputs = properties - results - {"Shape"}
     followed = any(source.Name in changed for source in obj.OutList)
-    return bool(asked or followed) != ("Shape" in own)
+    return bool(inputs or followed) != ("Shape" in properties)

@@ -229,13 +229,13 @@ class Session:
         if self._asked.exception() is not None:
             return
         near = self._asked.result()
-        told = note(near.status.value)
+        message = note(near.status.value)
         if near.met:
             self.near = near
             self.overlay.show_nearest(near.rod.position)
-            told = note("The nearest curve is {far} away.", far=Length(near.deviation))
+            message = note("The nearest curve is {far} away.", far=Length(near.deviation))
             self.card.offer(translate("Elastica", "Use the nearest curve"))
-        self._say(replace(self.card.answer, sentence=sentences([self.card.answer.sentence, told], "\n")))
+        self._say(replace(self.card.answer, sentence=sentences([self.card.answer.sentence, message], "\n")))
 
     def _forget_nearest(self) -> None:
         self.near = None

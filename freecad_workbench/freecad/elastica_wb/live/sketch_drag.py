@@ -93,10 +93,10 @@ class Dragged:
                 if self._construction[i] and i not in taken and isinstance(g, Part.Circle)
             }
             near = min(circles, default=SOLVED_MM)
-            found = circles[near] if near < SOLVED_MM else None
-            shown.append(found)
-            if found is not None:
-                taken.add(found)
+            circle = circles[near] if near < SOLVED_MM else None
+            shown.append(circle)
+            if circle is not None:
+                taken.add(circle)
         return shown
 
     def _fits(self, points: Sequence[Sequence[float]], shift: int) -> bool:

@@ -66,9 +66,9 @@ def strip_answer(strip: Strip) -> Answer:
 def _failing(faults: list[Fault]) -> Answer:
     return Answer(
         Verdict.BREAKS,
-        sentences((one.words for one in faults), "; "),
-        sentences((one.sentence for one in faults), "\n"),
-        any(one.curve_helps for one in faults),
+        sentences((fault.words for fault in faults), "; "),
+        sentences((fault.sentence for fault in faults), "\n"),
+        any(fault.curve_helps for fault in faults),
     )
 
 

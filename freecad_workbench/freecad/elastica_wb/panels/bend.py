@@ -99,11 +99,11 @@ class BendPanel(Panel):
 
     def _show(self, rod: Rod) -> None:
         self._draw(rod)
-        found = stability(rod)
+        state = stability(rod)
         words = note(
-            "It moves by {far:.2f} at most and stays; its stability margin is {margin:.3g}." if found.stable else
+            "It moves by {far:.2f} at most and stays; its stability margin is {margin:.3g}." if state.stable else
             "It moves by {far:.2f} at most and does not stay; its stability margin is {margin:.3g}.",
-            far=Length(largest_move(self.rest, rod)), margin=found.margin,
+            far=Length(largest_move(self.rest, rod)), margin=state.margin,
         )  # fmt: skip
         fresh = [warning for warning in rod.warnings if warning not in self.rest.warnings]
         tips = strip_sideways(rod, self.strip.layout)

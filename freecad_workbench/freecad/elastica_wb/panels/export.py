@@ -57,8 +57,8 @@ class ExportPanel(Panel):
         form.folder.setText(_usual_folder(strips[0].Document))
         form.browse.clicked.connect(self.browse)
         cut = counted(strips)
-        words = [said for obj in cut for said in tell_later_features(obj)]
-        words += [said for obj in cut if is_model(obj) for said in overlaps_of(obj)]
+        words = [message for obj in cut for message in tell_later_features(obj)]
+        words += [message for obj in cut if is_model(obj) for message in overlaps_of(obj)]
         words += told_blanks_of(cuts)
         words += map(_listed, self.pieces)
         if find_spec("ezdxf") is None:

@@ -27,7 +27,7 @@ class FixturesPanel(Panel):
     def __init__(self, sources: list[Any]) -> None:
         """Open the panel for sources. If all are base plates, take the strips on them."""
         super().__init__(sources[0].Document, sources)
-        held = [one for obj in sources if baseplate.is_base_plate(obj) for one in obj.Sources]
+        held = [source for obj in sources if baseplate.is_base_plate(obj) for source in obj.Sources]
         self.sources = [obj for obj in sources if not baseplate.is_base_plate(obj)] or list(
             dict.fromkeys(held)
         )
@@ -40,19 +40,19 @@ class FixturesPanel(Panel):
         form = self.form
         if not (form.plate.isChecked() or form.blocks.isChecked()):
             raise InputError(translate("Elastica", "tick what is to be made"))
-        made = []
+        holders = []
         if form.plate.isChecked():  # first, because its errors should not wait for the blocks
-            made.append(recorded(baseplate.create, self.document, self.sources))
-            record_value(made[-1], "Sheet", form.sheet.currentText())
-            record_value(made[-1], "Placement.Base.z", self.value("plateHeight"))
+            holders.append(recorded(baseplate.create, self.document, self.sources))
+            record_value(holders[-1], "Sheet", form.sheet.currentText())
+            record_value(holders[-1], "Placement.Base.z", self.value("plateHeight"))
             for name, field in (("Play", "play"), ("Clearance", "slot"), ("Border", "border")):
-                record_value(made[-1], name, self.value(field))
-            self._make(made)
+                record_value(holders[-1], name, self.value(field))
+            self._make(holders)
         if form.blocks.isChecked():
-            made.append(recorded(fixtures.create, self.document, self.sources))
+            holders.append(recorded(fixtures.create, self.document, self.sources))
             for name in ("Clearance", "Wall", "Foot", "Screw"):
-                record_value(made[-1], name, self.value(name.lower()))
-            self._make(made)
+                record_value(holders[-1], name, self.value(name.lower()))
+            self._make(holders)
 
     def _make(self, made: list[Any]) -> None:
         self.document.recompute()

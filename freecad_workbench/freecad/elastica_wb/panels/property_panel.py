@@ -235,14 +235,14 @@ class PropertyPanel(Panel):
             for widget in widgets:
                 widget.setVisible(counts)
         failed = bool(why_not_made(obj))
-        told = () if failed else layout.told(obj)
+        numbers = () if failed else layout.told(obj)
         rows = "".join(
             f"<tr><td>{name}&nbsp;&nbsp;</td><td{FAILING if entry in getattr(obj, 'Fails', ()) else ''}>"
             f"<b>{worded(note('{given}', given=value))}</b></td></tr>"
-            for name, value, entry in told
+            for name, value, entry in numbers
         )
         helps = {entry.name: entry.translated_help for entry in layout.table}
-        self.form.numbers.setToolTip("\n".join(f"{name}: {helps[entry]}" for name, _, entry in told))
+        self.form.numbers.setToolTip("\n".join(f"{name}: {helps[entry]}" for name, _, entry in numbers))
         self.form.numbers.setText(f"<table>{rows}</table>" if rows else "")
         self.form.numbers.setVisible(bool(rows))
         self.form.useNearest.setVisible(
@@ -262,8 +262,8 @@ class PropertyPanel(Panel):
     def _words(self) -> str:
         obj = self.object
         if len(self.objects) > 1:
-            said = [(one.Label, words) for one in self.objects for words in _verdict_of(one)]
-            return "\n".join(together(said))
+            verdicts = [(feature.Label, words) for feature in self.objects for words in _verdict_of(feature)]
+            return "\n".join(together(verdicts))
         if hasattr(obj, "Verdict"):
             return "\n".join(_verdict_of(obj))
         return why_not_made(obj) or "\n".join(getattr(obj, "Reports", []))

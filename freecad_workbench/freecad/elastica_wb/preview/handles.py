@@ -204,10 +204,10 @@ class Handles:
         start, end = (
             np.array(tuple(back.multVec(p))) for p in self._view.projectPointToLine(*map(int, pixel))
         )
-        way = end - start
-        if abs(way[2]) <= EDGE_ON_SINE * np.linalg.norm(way):
+        direction = end - start
+        if abs(direction[2]) <= EDGE_ON_SINE * np.linalg.norm(direction):
             return None
-        return np.asarray((start - way * (start[2] / way[2]))[:2])
+        return np.asarray((start - direction * (start[2] / direction[2]))[:2])
 
 
 def _put(coordinates: Any, rows: FloatArray) -> FloatArray:

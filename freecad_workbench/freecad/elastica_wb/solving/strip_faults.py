@@ -44,14 +44,14 @@ def strip_faults(strip: Strip) -> Iterator[Fault]:
         yield wide
     if not strip.strain_verdict.allowed:
         yield Fault(strain_words(strip.strain_verdict), strip.strain_warnings[0], "LargestStrain")
-    found = judged(strip.rod)
-    if found is not None and not found.stable:
+    stability = judged(strip.rod)
+    if stability is not None and not stability.stable:
         sentence = note(
             "it does not stay in this shape: the stability margin is {margin:.3g}"
-            if found.conjugate_point is None else
+            if stability.conjugate_point is None else
             "it does not stay in this shape: the stability margin is {margin:.3g} (conjugate point {s} from "
             "its start)",
-            margin=found.margin, s=Length(found.conjugate_point or 0.0),
+            margin=stability.margin, s=Length(stability.conjugate_point or 0.0),
         )  # fmt: skip
         yield Fault(note("snaps into another shape"), sentence, "Margin")
     if strip.sideways.word == "unstable":
