@@ -200,7 +200,7 @@ def solids_of(model: Model, place: App.Placement) -> list[Any]:
 def strips_model(
     strips: list[Any], *, name: str, options: tuple[tuple[str, Any], ...] = (), shown: bool = False
 ) -> Model:
-    """Return the model of strips and models of a document, in their places. Options add slots.
+    """Return a model of the strips and models of a document, in their places. `options` request slots.
 
     Copies, such as links and arrays, count too. `shown` takes the strips as their shapes show them.
     """

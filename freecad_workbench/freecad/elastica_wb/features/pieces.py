@@ -75,7 +75,7 @@ def cuts_of(sources: Iterable[Any]) -> list[Cut]:
 
 
 def counted(sources: Iterable[Any]) -> dict[Any, int]:
-    """Count the copies of each strip, model and base plate among the sources, if they are cut."""
+    """Return the number of copies to cut of each strip, model and base plate among the sources."""
     standing: Counter[Any] = Counter()
     lying: Counter[Any] = Counter()
     for obj in not_repeated(sources):

@@ -37,7 +37,7 @@ class Panel:
     opened: "Panel | None" = None
 
     def __init__(self, document: Any = None, subjects: Iterable[Any] = ()) -> None:
-        """Open the panel. `document` is changed; the panel closes with an error if `subjects` were deleted."""
+        """Open the panel. It changes `document`, and it needs the objects `subjects`."""
         Panel.opened = self
         self.subjects = list(subjects)
         _watch_documents()
