@@ -8,7 +8,8 @@ import inspect
 import re
 from collections.abc import Callable, Mapping, Sequence, Sized
 from dataclasses import MISSING, dataclass, fields, is_dataclass, replace
-from functools import cache
+from functools import cache, cached_property
+from pkgutil import resolve_name
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, TypeAlias, Union, cast, get_args, get_origin, get_type_hints
 
@@ -52,8 +53,9 @@ class Asked:
         Heading in the lists of front ends.
     common : bool
         True for a separate option and input field; other fields are set by name (`--set`, the property editor).
-    written : type, optional
-        Type of the value in files and options, if the field has a wider type.
+    written : type or str, optional
+        Type of the value in files and options, if the field has a wider type. For a table also "module:name" of
+        its record, which is imported when the table is read or described.
     """
 
     help: str
@@ -96,15 +98,20 @@ class Kind:
         Size of a list; None for any size.
     choices : tuple of str
         Values of a choice.
-    record : callable or None
-        Class or function that makes a record from a table.
+    source : callable, str or None
+        Class or function that makes a record from a table, or its "module:name".
     """
 
     name: Literal["number", "count", "flag", "text", "choice", "names", "list", "table", "either"]
     of: tuple["Kind", ...] = ()
     size: int | None = None
     choices: tuple[str, ...] = ()
-    record: Record | None = None
+    source: Record | str | None = None
+
+    @cached_property
+    def record(self) -> Record | None:
+        """The record that a table makes."""
+        return resolve_name(self.source) if isinstance(self.source, str) else self.source
 
     @property
     def alternatives(self) -> tuple["Kind", ...]:
@@ -277,9 +284,9 @@ def kind_of(hint: Any) -> Kind:
     if origin is dict:
         return Kind("names", (kind_of(inner[1]),))
     plain = _PLAIN.get(hint)
-    if plain is None and not callable(hint):
+    if plain is None and not (callable(hint) or isinstance(hint, str)):
         raise TypeError(f"{hint!r} cannot be declared: say what stands in files with Asked(written=...)")
-    return plain or Kind("table", record=hint)
+    return plain or Kind("table", source=hint)
 
 
 def name_of(record: Record) -> str:

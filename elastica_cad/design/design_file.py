@@ -19,8 +19,6 @@ from elastica_cad._values import several, value_key
 from elastica_cad.design.kit_spec import KitSpec
 from elastica_cad.design.model_tables import PATTERNS, DesignKeys, read_kit
 from elastica_cad.design.records import CurveReader, Reader, names_of
-from elastica_cad.design.revolution_table import INHERITED, RevolutionTable, read_revolution
-from elastica_cad.design.sections_table import read_sections
 from elastica_cad.design.strip_table import StripEntry, StripKeys, read_strip
 from elastica_cad.design.tables import Slips, Table, merged
 from elastica_cad.errors import (
@@ -41,6 +39,7 @@ from elastica_cad.refusals import note
 from elastica_cad.strip.strip import Placed, Strip
 
 if TYPE_CHECKING:
+    from elastica_cad.design.revolution_table import RevolutionTable
     from elastica_cad.formats.mesh_files import SurfaceReader
     from elastica_cad.forming.section_lines import SectionCurve
     from elastica_cad.model.plates import Ring
@@ -75,7 +74,7 @@ class Design:
     interlock: dict[str, Any] | None = None
     kit: KitSpec = field(default_factory=KitSpec)
     reports: tuple[str, ...] = ()
-    revolution: RevolutionTable | None = None
+    revolution: "RevolutionTable | None" = None
 
     def with_limits_ignored(self) -> "Design":
         """Return the design with `ignore_limits`: parts that cannot be cut or handled are made, with a warning."""
@@ -267,10 +266,12 @@ def parse_design(path: Path) -> dict[str, Any]:
         ) from error
 
 
-def _read_revolution(top: Table, reader: Reader) -> RevolutionTable | None:
+def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
     """The surface of revolution, where the design has one; keys that it leaves out are those of the design."""
     if not top.has("revolution"):
         return None
+    from elastica_cad.design.revolution_table import INHERITED, read_revolution
+
     table = top.table("revolution")
     table.defaults = Table({key: top.raw(key) for key in INHERITED if top.has(key)}, top.where, top.scope)
     return read_revolution(table, reader)
@@ -314,6 +315,8 @@ def _read_strips(
         with slips.gathering():
             table.only(*names_of(StripKeys))
             if table.has("sections"):
+                from elastica_cad.design.sections_table import read_sections
+
                 sections, told = read_sections(_only_sections(table), reader, read_surface)
                 reports += told
             else:

@@ -7,7 +7,6 @@ from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 from elastica_cad.declared import Asked, Field, Record
 from elastica_cad.design.kit_spec import Cutting, HolderKind, HolderSpec, KitSpec
 from elastica_cad.design.records import Reader, fields_of
-from elastica_cad.design.revolution_table import RevolutionTable
 from elastica_cad.design.strip_table import SharedKeys, StripKeys
 from elastica_cad.design.tables import Table
 from elastica_cad.geometry.frame import Frame
@@ -18,7 +17,6 @@ from elastica_cad.model.interlocking import interlock as slots_at_crossings
 from elastica_cad.model.model import mirror, repeat, rotate
 from elastica_cad.model.nesting import Nesting
 from elastica_cad.model.plates import PlateOptions, RingOptions
-from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.strip.outline import StripEnd
 
 Pair: TypeAlias = tuple[float, float]
@@ -159,13 +157,22 @@ class DesignKeys(SharedKeys):
     sheets: Annotated[dict[str, OwnSheet] | None, Asked("Sheets of your own, [sheets.NAME].")] = None
     sheets_file: Annotated[str | None, Asked("A file with sheets of your own.")] = None
     strips: Annotated[tuple[StripKeys, ...], Asked("One or several strips each.")] = ()
-    revolution: Annotated[RevolutionTable | None, Asked("A surface about z, tiled by equal strips.")] = None
+    revolution: Annotated[
+        Any,
+        Asked(
+            "A surface about z, tiled by equal strips.",
+            written="elastica_cad.design.revolution_table:RevolutionTable",
+        ),
+    ] = None
     patterns: Annotated[
         tuple[MirrorPattern | RotatePattern | RepeatPattern, ...], Asked("Copies of all strips, in order.")
     ] = ()
     pair: Annotated[
-        FlexureSpec | None,
-        Asked("A part that rests in two curves: `elastica pair` makes it, alone in its file."),
+        Any,
+        Asked(
+            "A part that rests in two curves: `elastica pair` makes it, alone in its file.",
+            written="elastica_cad.pairs.flexure_spec:FlexureSpec",
+        ),
     ] = None
     interlock: Annotated[Any, Asked("Slots wherever two strips cross.", written=slots_at_crossings)] = None
     base: Annotated[Any, Asked("A plate with a slot for every tab.", written=Base | tuple[Base, ...])] = None

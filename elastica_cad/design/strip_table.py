@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias
 from elastica_cad.declared import Asked, Record
 from elastica_cad.design.drawn_curves import read_drawn_curve
 from elastica_cad.design.records import Reader, fields_of
-from elastica_cad.design.sections_table import SectionsTable
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import Keep, Limits
@@ -48,7 +47,11 @@ class StripKeys(SharedKeys):
     count: Annotated[int, Asked("So many strips, i = 1, 2, ...", least=1)] = 1
     let: Annotated[dict[str, float] | None, Asked("Names for formulae of this strip.")] = None
     sections: Annotated[
-        SectionsTable | None, Asked("In place of the curve: a strip for every section of a surface.")
+        Any,
+        Asked(
+            "In place of the curve: a strip for every section of a surface.",
+            written="elastica_cad.design.sections_table:SectionsTable",
+        ),
     ] = None
     origin: Annotated[
         Triple, Asked("Where the origin of the drawing lies in space.", "mm", group="weight")

@@ -10,7 +10,6 @@ from elastica_cad.errors import Change, InputError, NotMetError, rounded_up
 from elastica_cad.forming.fairing_request import Smoothing, check_smooth
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest_record import NearestRod, Status
-from elastica_cad.forming.nearest_task import NearestRequest
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.equilibrium_check import examine
@@ -162,6 +161,7 @@ class RodSpec(EqualByValue):
         """
         if self.may_change:
             from elastica_cad.forming.nearest_search import find_nearest
+            from elastica_cad.forming.nearest_task import NearestRequest
 
             return find_nearest(NearestRequest(
                 self.smoothing.curve, self.limits or Limits(), self.keep or Keep(), self.gravity, self.supports,

@@ -15,12 +15,10 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, save_solid
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import Stability, stability
-from elastica_cad.model.batten import bench_csv, bench_drawing
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.holding_template import holding_template
 from elastica_cad.strip.makeable_strip import spliced
 from elastica_cad.strip.slots import Cuts, end_numbers
-from elastica_cad.strip.solids import BentSolid
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
@@ -102,6 +100,8 @@ class StripResult:
         if not strip.is_closed:
             files += self._drawn("holding", holding_template, asked, pdf=bool(asked.paper) or looked_at)
         if strip.layout.size is not None:
+            from elastica_cad.model.batten import bench_csv, bench_drawing
+
             files.append(
                 File(f"{name}-bench.csv", lambda path: write_text(path, bench_csv(strip)), "bench csv")
             )
@@ -110,7 +110,7 @@ class StripResult:
             "png": (pictures, self._picture()),
             "pdf": (asked.paper, partial(self._draw_template, str(asked.paper))),
             "step": (asked.step and not step_trouble(), self._write_step),
-            "stl": (asked.stl, lambda path: save_solid(BentSolid.layers(strip)[0], path)),
+            "stl": (asked.stl, self._write_stl),
             "glb": (asked.glb, self._write_glb),
         }
         files += [File(f"{name}.{kind}", write, kind) for kind, (wanted, write) in more.items() if wanted]
@@ -183,8 +183,17 @@ class StripResult:
     def _draw_template(self, paper: str, path: Path) -> None:
         from elastica_cad.plot.template_pages import save_template
 
-        drawing = bench_drawing(self.strip) if self.strip.layout.stack else self.patterns[0]
+        drawing = self.patterns[0]
+        if self.strip.layout.stack:
+            from elastica_cad.model.batten import bench_drawing
+
+            drawing = bench_drawing(self.strip)
         save_template(drawing, path, paper=paper)
+
+    def _write_stl(self, path: Path) -> None:
+        from elastica_cad.strip.solids import BentSolid
+
+        save_solid(BentSolid.layers(self.strip)[0], path)
 
     def _write_step(self, path: Path) -> None:
         from elastica_cad.kernel.step_files import write_strip_step
