@@ -1,4 +1,4 @@
-"""Compiled parts of scipy (LAPACK, Brent's method, convex hulls) without their packages.
+"""Compiled parts of scipy (LAPACK, Brent's method) without their packages.
 
 `scipy.linalg` and `scipy.optimize` import some hundred modules before the first call, which takes a fifth and a
 third of a second. The functions used here are compiled in a single file each, which loads in milliseconds.
@@ -58,16 +58,6 @@ def crossing(
 def _brent() -> Any:
     alone = _alone("optimize", "_zeros", "_brentq") or import_module("scipy.optimize._zeros")
     return alone._brentq
-
-
-def convex_hull(points: FloatArray) -> Any:
-    """The `scipy.spatial.ConvexHull` of points (n, k)."""
-    return _spatial().ConvexHull(points)
-
-
-@cache
-def _spatial() -> Any:
-    return _alone("spatial", "_qhull", "ConvexHull") or import_module("scipy.spatial")
 
 
 def _alone(package: str, name: str, needed: str) -> Any | None:

@@ -170,4 +170,4 @@ def distinct(values: FloatArray) -> FloatArray:
     [0.5, 2.0]
     """
     ordered = np.sort(values)
-    return np.asarray(ordered[np.append(True, ordered[1:] != ordered[:-1])])
+    return np.asarray(ordered[np.diff(ordered, prepend=np.nan) != 0])

@@ -11,7 +11,7 @@ from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad._values import as_floats, is_number, is_whole, numbers, require_positive
 from elastica_cad.errors import InputError, NotConvergedError, quoted
-from elastica_cad.geometry.plane_points import lengths_along, numbers_in_groups
+from elastica_cad.geometry.plane_points import distinct, lengths_along, numbers_in_groups
 from elastica_cad.geometry.polynomials import bernstein_values, gauss_rule
 from elastica_cad.refusals import Length, Point, note
 
@@ -495,7 +495,7 @@ def _first_edges(
             order[place] = continuity
             latest = place
     edges = np.array([first, *sorted(order), last])
-    inside = np.unique(knots[(knots > first) & (knots < last)])
+    inside = distinct(knots[(knots > first) & (knots < last)])
     apart_from = np.abs(inside[:, None] - edges).min(axis=1, initial=np.inf)
     return np.sort(np.concatenate([edges, inside[apart_from > _NARROWEST_SHARE * length]])), order
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
-from elastica_cad.geometry.splines import elevate_degree
+from elastica_cad.geometry.splines import elevate_degree, knot_runs
 
 ANYWAY = 1e-9
 """Smallest angle of a corner that is removed, rad."""
@@ -133,9 +133,9 @@ def heal_tangents(
 
 def _nodes(knots: FloatArray, degree: int) -> IntArray:
     """Return the indices of control points that are on the curve, at inner knots of full multiplicity."""
-    values, first, counts = np.unique(knots, return_index=True, return_counts=True)
+    values, counts = knot_runs(knots)
     inner = (counts >= degree) & (values > knots[degree]) & (values < knots[-degree - 1])
-    return np.asarray(first[inner] - 1, dtype=int)
+    return np.asarray((np.cumsum(counts) - counts)[inner] - 1, dtype=int)
 
 
 def _handles(points: FloatArray, node: int, degree: int) -> tuple[FloatArray, FloatArray, int, int]:

@@ -757,7 +757,7 @@ def _slopes(excess: ExcessCurvature, zeros: Sequence[CurvatureZero]) -> list[flo
     t = np.array([zero.t for zero in zeros])
     low, high = excess.curve.domain
     knots = excess.curve.bezier_table[0]
-    if not isinstance(excess.rest, RestCurvature) and not np.isin(t, knots[1:-1]).any():
+    if not isinstance(excess.rest, RestCurvature) and not (t[:, None] == knots[1:-1]).any():
         return list(map(float, np.abs(excess.slope_at(t))))
     before, after = (np.abs(excess.slope_at(t, left=left)) for left in (True, False))
     least = np.where(t <= low, after, np.where(t >= high, before, np.minimum(before, after)))

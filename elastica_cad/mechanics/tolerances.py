@@ -448,7 +448,9 @@ _CAUSES: dict[str, dict[str, str]] = {
 }
 
 
-def _drawn(ranges: ToleranceRanges, cause: str, rng: np.random.Generator, samples: int) -> list[Imperfection]:
+def _drawn(
+    ranges: ToleranceRanges, cause: str, rng: "np.random.Generator", samples: int
+) -> list[Imperfection]:
     fields = _CAUSES[cause]
     share = rng.random((samples, len(fields)))
     columns = [_between(getattr(ranges, source), share[:, i]) for i, source in enumerate(fields.values())]

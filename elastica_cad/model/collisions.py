@@ -122,8 +122,8 @@ class Body:
         line = self.ruled.in_plane(stations)[0]
         i, k = near_pairs(points, line, reach + float(np.diff(stations).max()))
         order = np.lexsort((np.hypot(*(points[i] - line[k]).T), i))
-        near, first = np.unique(i[order], return_index=True)
-        return near, stations[k[order[first]]]
+        first = order[np.diff(i[order], prepend=-1) > 0]
+        return i[first], stations[k[first]]
 
     def nearest(self, points: FloatArray, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Return the arc lengths (n,), near s, nearest to points (n, 2), with the curve's points and tangents."""

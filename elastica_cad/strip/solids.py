@@ -8,7 +8,6 @@ from typing import TypeAlias
 
 import numpy as np
 
-from elastica_cad._compiled_scipy import convex_hull
 from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers, require_positive, require_record, several
 from elastica_cad.errors import InputError
@@ -26,6 +25,9 @@ from elastica_cad.strip.flat_pattern import CutPattern, cut_across, in_smooth_pi
 from elastica_cad.strip.outline import Tab, close_chain, fix_tab_widths
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.tapered_solids import RoundSolid, side_view
+
+FLAT_CORNER = 1e-14
+"""Twice the least area of a corner of a convex outline, as a fraction of the square of the largest extent."""
 
 
 def centred_thickness(strip: Strip) -> float:
@@ -481,5 +483,17 @@ def convex_corners(points: FloatArray) -> FloatArray:
     >>> convex_corners(np.array([[0.0, 0.0], [1.0, 0.5], [2.0, 0.0], [1.0, 0.0], [1.0, 2.0]])).tolist()
     [[0.0, 0.0], [2.0, 0.0], [1.0, 2.0]]
     """
-    corners = np.asarray(points, dtype=float)[convex_hull(points).vertices]
-    return np.roll(corners, -int(np.lexsort(corners.T[::-1])[0]), axis=0)
+    in_order = np.asarray(points, dtype=float)[np.lexsort(np.transpose(points)[::-1])]
+    least = FLAT_CORNER * float(np.ptp(in_order, axis=0).max()) ** 2
+    corners: list[list[float]] = []
+    for row in (in_order.tolist(), in_order[::-1].tolist()):
+        corners = corners[:-1]
+        first = len(corners)
+        for x, y in row:
+            while len(corners) > first + 1:
+                (x0, y0), (x1, y1) = corners[-2:]
+                if (x1 - x0) * (y - y1) - (y1 - y0) * (x - x1) > least:
+                    break
+                corners.pop()
+            corners.append([x, y])
+    return np.array(corners[:-1])

@@ -241,35 +241,32 @@ def _widths_across(
         i, j, width = i[facing], j[facing], width[facing]
         narrowest = _narrowest(i, width)
         pairs.append((i[narrowest], j[narrowest], width[narrowest]))
-        searching = np.setdiff1d(searching, i)
+        wider = np.ones(len(points), dtype=bool)
+        wider[i] = False
+        searching = searching[wider[searching]]
     i, j, width = (np.concatenate(column) for column in zip(*pairs, strict=True))
     i, j = np.minimum(i, j), np.maximum(i, j)
-    once = np.unique(np.column_stack([i, j]), axis=0, return_index=True)[1]
+    once = _narrowest(i * len(points) + j, width)
     return i[once], j[once], width[once]
-
-
-def _near_pairs(points: FloatArray, reach: float) -> IntArray:
-    """Return the pairs (2, k) of points (n, 2) at most `reach` apart, with the smaller number first."""
-    pairs = np.array(near_pairs(points, points, reach))
-    return pairs[:, pairs[0] < pairs[1]]
 
 
 def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:
     """Return the narrowest place of each group of places (k, 2) that are linked by distances below `least`."""
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
-
-    near = _near_pairs(middle, least)
-    links = coo_matrix((np.ones(near.shape[1], dtype=bool), near), shape=(width.size, width.size))
-    group = connected_components(links, directed=False)[1]
     order = np.argsort(width, kind="stable")
-    return order[np.unique(group[order], return_index=True)[1]]
+    i, j = near_pairs(middle[order], middle[order], least)
+    ranks = np.arange(order.size)
+    thinnest, known = ranks.copy(), None  # rank of the thinnest place of each group, as far as known
+    while known is None or not np.array_equal(thinnest, known):
+        known = thinnest.copy()
+        np.minimum.at(thinnest, i, known[j])
+        thinnest = thinnest[thinnest]
+    return np.asarray(order[thinnest == ranks])
 
 
 def _narrowest(point: IntArray, width: FloatArray) -> IntArray:
     """Return the index of the least of all widths (k,) across each point."""
     order = np.lexsort((width, point))
-    return order[np.unique(point[order], return_index=True)[1]]
+    return order[np.diff(point[order], prepend=-1) > 0]
 
 
 @dataclass(frozen=True, eq=False)

@@ -19,6 +19,15 @@ STRIP = (
     "--no-pictures",
     "-o",
 )
+PAVILION = (
+    "model",
+    "examples/pavilion/pavilion.toml",
+    "--no-step",
+    "--no-parts",
+    "--no-effects",
+    "--no-pictures",
+    "-o",
+)
 
 
 def test_import_needs_numpy_only(project_root):
@@ -37,8 +46,23 @@ COMPILED = {"scipy.linalg._flapack", "scipy.optimize._zeros"}
 """Files of scipy that are loaded without their packages."""
 
 
-@pytest.mark.parametrize("command", [("check", ARCH), STRIP], ids=lambda words: words[0])
-def test_check_and_strip_load_no_package_of_scipy(command, project_root, tmp_path):
+HEAVY = (
+    "scipy",
+    "numpy.ma.",
+    "numpy.random.",
+    "matplotlib",
+    "trimesh",
+    "elastica_cad.design.revolution_table",
+    "elastica_cad.design.sections_table",
+    "elastica_cad.forming.nearest_task",
+    "elastica_cad.model.batten",
+    "elastica_cad.pairs",
+    "elastica_cad.published",
+)
+
+
+@pytest.mark.parametrize("command", [("check", ARCH), STRIP, PAVILION], ids=lambda words: words[0])
+def test_commands_load_no_module_of_other_requests(command, project_root, tmp_path):
     code = (
         "import sys\n"
         "from elastica_cad.cli.commands import elastica\n"
@@ -52,5 +76,4 @@ def test_check_and_strip_load_no_package_of_scipy(command, project_root, tmp_pat
     assert result.returncode == 0, result.stderr
     loaded = set(result.stdout.splitlines()[-1].split()) - COMPILED
     assert "ezdxf" in loaded
-    heavy = ("scipy", "matplotlib", "trimesh", "elastica_cad.pairs", "elastica_cad.published")
-    assert [name for name in sorted(loaded) if name.startswith(heavy)] == []
+    assert [name for name in sorted(loaded) if name.startswith(HEAVY)] == []
