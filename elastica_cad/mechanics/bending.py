@@ -73,19 +73,19 @@ def bend(
         New supports; by default those of the rod.
     force : (2,) array_like, optional
         Dead force over the least bending stiffness, 1/mm2 (F / B with F in N, B in N mm2), in the
-        direction of x and y; each component acts at the end that leaves this coordinate free. None keeps
-        what the rod carries.
+        direction of x and y; each component acts at the end where its coordinate is free. None keeps the present
+        force.
     moment : float or pair of float, optional
-        Moment over the least bending stiffness, 1/mm, counterclockwise positive, applied at the end whose
-        angle is free (a pair for start and end). None keeps what the rod carries.
+        Moment over the least bending stiffness, 1/mm, counterclockwise positive, applied at the end with a free
+        angle (a pair for start and end). None keeps the present moment.
     guess : Rod or array_like, optional
-        Another shape to start from: a rod, or angles at the n nodes or n-1 edges.
+        Initial shape: a rod, or angles at the n nodes or n-1 edges.
     side : {+1, -1}, optional
-        Where a straight state branches: the side, left (+1) or right of the direction of travel, to which
-        the first bulge goes. A straight rod whose ends are pushed together goes left unless told; one that
-        can stay straight under its dead load stays straight unless told.
+        Side of the first bulge of a straight rod that buckles: left (+1) or right (-1) of the direction from start
+        to end. By default, a straight rod whose ends are pushed together bends to the left, and a straight rod
+        under a dead load stays straight if it can.
     mode : int
-        Buckling mode to leave the straight state in; modes above 1 are unstable as a rule.
+        Buckling mode of a straight rod; modes above 1 are usually unstable.
     samples : int, optional
         Number of nodes; by default that of the rod.
     settle : bool
@@ -156,7 +156,7 @@ def _tell_snap(percent: float) -> Refusal:
 
 
 def has_snapped(rod: Rod) -> bool:
-    """Did `bend` find this shape beyond the end of its branch, where it came to rest after a jump?"""
+    """Return True if the rod snapped: `bend` found the shape after a jump beyond the end of its branch."""
     return any(warning.startswith("the rod snaps ") for warning in rod.warnings)
 
 
@@ -267,7 +267,7 @@ class Movement:
 
 
 def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, Any]]:
-    """A path as keywords of `bend`: mappings as they are, rows of two numbers as positions of the end."""
+    """Return a path as keywords of `bend`; rows of two numbers are positions of the end."""
     if isinstance(path, Sequence) and path and all(isinstance(step, Mapping) for step in path):
         steps = [dict(step) for step in path if isinstance(step, Mapping)]
         known = {"start", "end", "angles", "gravity", "force", "moment", "supports"}
@@ -295,7 +295,7 @@ def system_of(
     force: ArrayLike | None = None,
     moment: float | tuple[float, float] | None = None,
 ) -> RodSystem:
-    """The equations of `rod` (stiffness, weight, supports); what is not given is kept from `present`."""
+    """Return the equations of `rod` (stiffness, weight, supports); other data are those of `present`."""
     if rod.s.size < 4:
         raise InputError(f"a rod of {rod.s.size} nodes cannot be bent: use samples=4 or more")
     system = RodSystem(
@@ -318,14 +318,14 @@ def system_of(
 
 
 def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, float]]:
-    """The force and both moments on a rod's free ends, as `bend` takes them, times a factor."""
+    """Return the force and both moments on free ends, as arguments of `bend`, times a factor."""
     loads = system_of(rod, rod)
     first, last = (times * loads.moments).tolist()
     return times * loads.force, (first, last)
 
 
 def state_of(rod: Rod, system: RodSystem) -> RodState:
-    """Edge angles and reactions of a rod's present shape as a first state of `system`."""
+    """Return the present shape of a rod as the first state of `system`."""
     extra = (rod.discrete.force - system.given_force).mean(axis=0)
     return system.state(rod.discrete.angles, extra[list(system.held)])
 
@@ -347,7 +347,7 @@ def reach(state: RodState, side: int | None, mode: int) -> Reached:
 
 
 def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
-    """Edge angles from a guess, with the reactions that balance it best."""
+    """Return the state of guessed angles, with the reactions of least imbalance."""
     n = system.edges
     if isinstance(guess, Rod):
         edges = guess.discrete.angles
@@ -393,7 +393,7 @@ def _end_angles(
 
 
 def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> FloatArray:
-    """Dead force at the ends that are free along x and along y."""
+    """Return the dead force at ends that are free along x and along y."""
     both = np.array(supports.transmits_force)
     if force is not None:
         given = pair(force, "force")
@@ -416,7 +416,7 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
 
 
 def _end_moments(moment: float | tuple[float, float] | None, supports: Supports, present: Rod) -> FloatArray:
-    """Counterclockwise moments at the ends whose angle is free."""
+    """Return counterclockwise moments at ends with a free angle."""
     before, now = present.supports.ends, supports.ends
     free = [not end.angle for end in now]
     own = np.zeros(2)

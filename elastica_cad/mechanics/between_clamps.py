@@ -48,7 +48,7 @@ class ElasticaBetween:
 
     @property
     def curve(self) -> PlaneCurve:
-        """The shape as a smooth spline of degree 5, with as much curvature as the rod has moment."""
+        """Shape as a smooth spline of degree 5, with the curvature that corresponds to the moment."""
         return self.rod.curve
 
     @property
@@ -185,14 +185,14 @@ def _led_by_loads(
     side: int,
     mode: int,
 ) -> Rod:
-    """A straight rod with a free end under its loads: a great force is raised step by step."""
+    """Load a straight rod with a free end; a large force is increased in steps."""
     load = np.zeros(2) if force is None else _pair(force)
     if load is None:
         raise InputError(f"force must be two numbers, 1/mm2, got {force!r}")
     angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
     bent = rod
     for share in _load_shares(float(np.hypot(*load)) * rod.length**2):
-        # a push along the strip leaves it straight, which would settle on either side
+        # a push along the strip leaves it straight; it could settle on either side
         settle = is_one_of(mode, [1]) and bool(np.ptp(bent.angle) > 0)
         step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)
         found = step()
@@ -202,14 +202,13 @@ def _led_by_loads(
         bent = found
     if np.ptp(bent.angle) > 0:
         return bent
-    with suppress(InputError):  # a push that buckles no straight rod
+    with suppress(InputError):  # a push that does not buckle a straight rod
         return bend(bent, angles=angles, gravity=gravity, force=load, side=side, mode=mode)
     return bent
 
 
 def _load_shares(load: float) -> list[float]:
-    """Shares of a load (force times length^2 / stiffness) from small to 1, close together where slender strips
-    buckle."""
+    """Return increasing fractions of a load (force length^2 / stiffness), closely spaced near buckling."""
     steps = list(np.arange(FIRST_LOAD, min(load, LAST_EVEN_LOAD), FIRST_LOAD))
     grown = LAST_EVEN_LOAD
     while grown < load:
@@ -226,7 +225,7 @@ def _point(point: object, name: str) -> FloatArray:
 
 
 def _pair(point: object) -> FloatArray | None:
-    """Two numbers, or a point of a CAD library that has no z."""
+    """Return the coordinates of a pair or of a point of a CAD library with z = 0, or None."""
     given = point.toTuple() if hasattr(point, "toTuple") else point
     try:
         place = np.array(list(given) if is_series(given) else (), dtype=float)

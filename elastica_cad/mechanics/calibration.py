@@ -55,7 +55,7 @@ class Calibration:
     youngs_modulus_uncertainty: float | None = None
 
     def gravity(self, direction: ArrayLike = (0.0, -1.0)) -> Gravity:
-        """The weight of a plain strip of this sheet."""
+        """Return the weight of a plain strip of this sheet."""
         x, y = np.asarray(direction, dtype=float)
         return Gravity(self.elasto_gravity_length, (float(x), float(y)))
 
@@ -115,7 +115,7 @@ class Calibration:
         )
 
     def __str__(self) -> str:
-        """The numbers, with their uncertainty."""
+        """Return the results with their uncertainty."""
         length, off = self.elasto_gravity_length, Length(self.uncertainty)
         lines = [note("elasto-gravity length {length:.2f} +- {off:.2f}", length=length, off=off)]
         if len(self.readings) > 1:
@@ -157,7 +157,7 @@ def calibrate_cantilever(
     thickness_error: float = 0.0,
     density_error: float = 0.0,
 ) -> Calibration:
-    """Elasto-gravity length from the droop of a rectangular strip that hangs, clamped level, over an edge.
+    """Return the elasto-gravity length from the droop of a rectangular strip, clamped horizontally.
 
     Readings with either face up belong together: their mean cancels a strip's own curl to first order.
 
@@ -258,7 +258,7 @@ def _readings(overhang: ArrayLike, droop: ArrayLike) -> tuple[FloatArray, FloatA
 
 
 def _fit(overhang: float, droop: float) -> tuple[float, float]:
-    """l_eg, mm, and the length of its gradient with respect to overhang and droop."""
+    """Return l_eg, mm, and the norm of its gradient with respect to overhang and droop."""
     part = droop / overhang
     value = overhang * _length_for(part)
     step = 1e-3 * min(part, 1 - part)
@@ -268,7 +268,7 @@ def _fit(overhang: float, droop: float) -> tuple[float, float]:
 
 
 def _length_for(part: float) -> float:
-    """l_eg of a strip of overhang 1 that drops by `part`."""
+    """Return l_eg of a strip of overhang 1 that drops by `part`."""
     from scipy.optimize import brentq
 
     def excess(log_load: float) -> float:

@@ -67,8 +67,8 @@ class Creep:
         return stability(self.later)
 
     def released(self) -> Rod:
-        """The strip just after its ends are let go in the long run, weight left out, its start where it was."""
-        rod = self.later  # what has crept is a share of the bend that it has come to
+        """Return the strip just after release of its ends in the long run, without weight, from the same start."""
+        rod = self.later  # the creep strain is a fraction of the present bend
         start = rod.position[0]
         free = Rod.straight(
             rod.length, rod.profile, samples=rod.s.size, start=(float(start[0]), float(start[1])),
@@ -79,7 +79,7 @@ class Creep:
         return bend(replace(free, natural_curvature=kept), guess=turned)
 
     def __str__(self) -> str:
-        """One or two sentences."""
+        """Return a summary of one or two sentences."""
         said = note(
             "In the long run (exactly, for a linear homogeneous sheet), with a creep factor of {factor:g}: "
             "it sags by {sag}, keeps {force:.0f} % of its stiffness, and let go it keeps {bend:.0f} % of "
@@ -154,7 +154,7 @@ def creep(rod: Rod, factor: float) -> Creep:
 
 
 def require_creep(factor: object) -> float:
-    """A creep factor, checked.
+    """Return the creep factor, or refuse an invalid one.
 
     Raises
     ------
@@ -176,7 +176,7 @@ def _is_linear(law: MaterialLaw | None) -> bool:
 
 
 def _softened(rod: Rod, times: float) -> Rod:
-    """The rod with its modulus divided, its weight kept."""
+    """Return the rod with a smaller modulus and the same weight."""
     softer = rod if rod.gravity is None else replace(rod, gravity=rod.gravity.scaled(times))
     if rod.bending_stiffness is None:
         return softer

@@ -55,7 +55,7 @@ def solve_bordered(
     right : (n,) array
     below : (k,) array
     columns : (n, k) array, optional
-        The transposed rows unless given.
+        Columns; by default the transposed rows.
 
     Returns
     -------
@@ -76,7 +76,7 @@ def solve_bordered(
 
 
 def orthonormal_rows(rows: FloatArray) -> FloatArray:
-    """An orthonormal basis (r, n) of the span of `rows` (k, n), rank found."""
+    """Return an orthonormal basis (r, n) of the span of `rows` (k, n) of rank r."""
     basis: list[FloatArray] = []
     for row in rows:
         size = float(np.linalg.norm(row))
@@ -93,7 +93,7 @@ def orthonormal_rows(rows: FloatArray) -> FloatArray:
 
 
 def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) -> int:
-    """Number of eigenvalues at or below `shift` of the symmetric tridiagonal matrix (Sturm count)."""
+    """Count the eigenvalues at or below `shift` of the symmetric tridiagonal matrix (Sturm count)."""
     if diagonal.size == 1:
         return int(diagonal[0] <= shift)
     reach = _reach(diagonal, off)
@@ -108,7 +108,7 @@ def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) ->
 
 
 def constrained_inertia(diagonal: FloatArray, off: FloatArray, rows: FloatArray, shift: float = 0.0) -> int:
-    """Number of eigenvalues below `shift` of the tridiagonal matrix A on the null space of `rows` (k, n).
+    """Count the eigenvalues below `shift` of the tridiagonal matrix A on the null space of `rows` (k, n).
 
     Sylvester's law on the bordered matrix: neg = neg(A - shift) + pos(S) - rank, S = C (A - shift)^-1 C^t.
     """
@@ -223,7 +223,7 @@ def lowest_weighted(
 
 @lru_cache(maxsize=4)
 def _polynomials(n: int) -> FloatArray:
-    """Orthonormal polynomials (n, _SMOOTH) on n equal steps; kept, as they take as long as the mode itself."""
+    """Return orthonormal polynomials (n, _SMOOTH) on n equal steps; cached, because they are expensive."""
     powers = np.polynomial.legendre.legvander(np.linspace(-1, 1, n), _SMOOTH - 1)
     return np.asarray(np.linalg.qr(powers)[0])
 
@@ -318,7 +318,7 @@ def _shoot_in_python(
 
 
 def tangents(angles: FloatArray) -> FloatArray:
-    """Unit tangents T(alpha) = (cos alpha, sin alpha), (n, 2)."""
+    """Return the unit tangents T(alpha) = (cos alpha, sin alpha), (n, 2)."""
     T = np.empty((angles.size, 2))
     np.cos(angles, out=T[:, 0])
     np.sin(angles, out=T[:, 1])
@@ -326,7 +326,7 @@ def tangents(angles: FloatArray) -> FloatArray:
 
 
 def node_weights(edge_length: float | FloatArray, edges: int) -> FloatArray:
-    """Voronoi lengths w (n+1,): half the sum of the incident edge lengths, mm."""
+    """Return Voronoi lengths w (n+1,): half the sum of the incident edge lengths, mm."""
     half = np.empty(edges)
     half[:] = edge_length
     half /= 2
@@ -337,7 +337,7 @@ def node_weights(edge_length: float | FloatArray, edges: int) -> FloatArray:
 
 
 def edge_positions(start: FloatArray, tangents: FloatArray, edge_length: float | FloatArray) -> FloatArray:
-    """Nodes gamma (n+1, 2) of the chain of edges along `tangents` (n, 2) that leaves `start`, mm."""
+    """Return the nodes gamma (n+1, 2) of the chain of edges along `tangents` (n, 2) from `start`, mm."""
     position = np.empty((tangents.shape[0] + 1, 2))
     position[0] = start
     np.cumsum(np.reshape(edge_length, (-1, 1)) * tangents, axis=0, out=position[1:])
@@ -497,7 +497,7 @@ class DiscreteRod:
 
     @cached_property
     def held(self) -> tuple[int, ...]:
-        """The coordinates (0: x, 1: y) that both ends hold."""
+        """Coordinates (0: x, 1: y) that are held at both ends."""
         return tuple(i for i, both in enumerate(self.supports.transmits_force) if both)
 
     @property
@@ -566,7 +566,7 @@ class DiscreteRod:
 
     @property
     def _second_variation(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """The Hessian's diagonal (n,) and off-diagonal (n-1,), and the constraints' rows (p, n)."""
+        """Diagonal (n,) and off-diagonal (n-1,) of the Hessian, and rows (p, n) of the constraints."""
         if _native.compiled is None:
             return *self.hessian, self.constraint_rows
         start, end = self.held_angles
@@ -576,7 +576,7 @@ class DiscreteRod:
         )  # fmt: skip
 
     def moment_imbalance(self, moments: FloatArray) -> FloatArray:
-        """M_{i-1} - M_i + l_i <b_i, T_i> of every edge (n,), 1/mm: the energy's gradient in the edge angles."""
+        """Return M_{i-1} - M_i + l_i <b_i, T_i> of the edges (n,), 1/mm: the gradient of the energy."""
         return np.asarray(moments[:-1] - moments[1:] + self.edge_length * self.shear)
 
     def reversed(self) -> "DiscreteRod":
@@ -588,7 +588,7 @@ class DiscreteRod:
         )  # fmt: skip
 
     def _drop_free(self, per_node: FloatArray) -> None:
-        """Zero at the end nodes whose angle is free."""
+        """Set the values at end nodes with a free angle to zero."""
         for node, held in zip((0, -1), self.held_angles, strict=True):
             if not held:
                 per_node[node] = 0.0

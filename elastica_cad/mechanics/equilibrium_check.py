@@ -101,12 +101,12 @@ def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurv
 
 
 def _thinned(points: FloatArray, step: int) -> FloatArray:
-    """Every `step`-th point and the last."""
+    """Return every `step`-th point and the last point."""
     return np.concatenate([points[:-1:step], points[-1:]])
 
 
 def _distance(points: MeasuredPoints, curve: PlaneCurve) -> float:
-    """Largest distance of the points from a curve, mm."""
+    """Return the largest distance of the points from a curve, mm."""
     return float(distances(Spline(curve), points.points).max())
 
 
@@ -123,12 +123,12 @@ def check_equilibrium(
     Condition (2): the curvature changes sign at each zero with a finite slope. A pinned end must have no curvature,
     so the line passes through it too. If an end is free to slide along x (y), the line is vertical (horizontal). If
     the ends carry no force, no line exists. A natural curvature is subtracted from the curvature. A closed curve is
-    held by its own other end. If it begins at an inflection, its start is moved (`curve`) and a warning is added.
+    held by its other end. If it begins at an inflection, its start is moved (`curve`) and a warning is added.
 
     Parameters
     ----------
     supports : Supports
-        Clamped at both ends unless given.
+        By default both ends are clamped.
     natural_curvature : float or RestCurvature
         kappa_0, 1/mm, or the curvature of a pre-bent strip.
     tolerance : float
@@ -203,8 +203,8 @@ def _examine_curve(
 UNBENT_SHARE = 1e-12  # of the largest curvature: an end with less is not bent
 
 MEANT_SHARE = 0.01
-"""An end that is free to turn counts as unbent where the curvature vanishes within this share of the length
-from it, also beyond it: a drawing is not more exact."""
+"""Largest distance, as a fraction of the length, between an end that is free to turn and a zero of the curvature,
+also beyond the end, for the end to count as unbent: the accuracy of a drawing."""
 
 
 def _with_unbent_ends(
@@ -238,7 +238,7 @@ def _ends_keep_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature
 
 
 def _largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
-    """Largest distance of points of the same parameter, mm."""
+    """Return the largest distance of points of the same parameter, mm."""
     t = np.linspace(*before.domain, 1001)
     return float(np.hypot(*np.moveaxis(np.asarray(after.evaluate(t)) - before.evaluate(t), -1, 0)).max())
 
@@ -278,7 +278,7 @@ def _unbent(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
 
 
 _SAME_PLACE_SHARE = 1e-6
-"""Places nearer to each other than this share of the length are the same inflection."""
+"""Largest distance of places, as a fraction of the length, that count as the same inflection."""
 
 _WIDEST_RATIO = 1e4
 """Largest stiffness ratio of a realizable curve; above it, rounding would decide the verdict."""
@@ -297,7 +297,7 @@ _TURNS = 67  # of a line about the only inflection, tried
 
 @dataclass(frozen=True)
 class LineMeeting:
-    """A place (mm) where a line meets the curve and must not; kind "crossing", "touch" or "tangent"."""
+    """Inadmissible contact (mm) of a line and the curve; kind "crossing", "touch" or "tangent"."""
 
     s: float
     kind: str
@@ -326,7 +326,7 @@ class SeparatingLine:
 def _check_line(
     check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature, tolerance: float
 ) -> EquilibriumCheck:
-    """The verdict on a curve whose curvature was examined and has zeros: is there a line for its moment?"""
+    """Check that a line for the moment exists, for a curve whose curvature was checked and has zeros."""
     force_x, force_y = supports.transmits_force
     if not (force_x or force_y):
         reason = note(
@@ -342,7 +342,7 @@ def _check_line(
 
 
 def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> EquilibriumCheck:
-    """One zero, any direction: is there a line through it that meets the curve nowhere else?"""
+    """Check that a line through the only zero meets the curve nowhere else."""
     zero = check.zeros[0]
     found = find_separating_line(check.curve, zero, zero.after or -zero.before)
     checked = replace(check, line=found.line, off_line=((zero.s, 0.0),))
@@ -455,7 +455,7 @@ def _refused(check: EquilibriumCheck, reason: str) -> EquilibriumCheck:
 
 
 def fit_inflection_line(points: FloatArray, normal: FloatArray | None = None) -> InflectionLine:
-    """The line nearest to points (k, 2) in least squares; with a given normal only its place is free."""
+    """Return the line of least squares through points (k, 2), with a given normal if there is one."""
     centre = points.mean(axis=0)
     if normal is None:
         _, _, vt = np.linalg.svd(points - centre)
@@ -538,7 +538,7 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
     """Return the lines through the only zero of kappa - kappa_0 that give the moment the sign of the bending.
 
     With p the inflection, M = <b, gamma - p> must have the sign of kappa - kappa_0, so all directions
-    sign(kappa - kappa_0) (gamma - p) must lie in the open half plane <b, .> > 0. Their angle is continuous along
+    sign(kappa - kappa_0) (gamma - p) must be in the open half plane <b, .> > 0. Their angle is continuous along
     the curve (its limit at p is the tangent). Such a b exists if and only if the angle spans less than pi.
 
     Parameters
@@ -617,7 +617,7 @@ def project_inflections(
 def _on_line(
     curve: PlaneCurve, zeros: Sequence[CurvatureZero], line: InflectionLine, kappa_0: float
 ) -> list[Constraint]:
-    """All zeros on the line; those at ends without moment too."""
+    """Return the constraints that all zeros are on the line, also those at ends without moment."""
     inner = np.array([z.t for z in zeros if z.kind != "end"])
     ends = np.array([z.t for z in zeros if z.kind == "end"])
     wanted: list[Constraint] = []
@@ -629,7 +629,7 @@ def _on_line(
 
 
 def _kept_ends(curve: PlaneCurve, zeros: Sequence[CurvatureZero]) -> list[list[Constraint]]:
-    """Constraints to try, the strictest first: positions and tangents of the ends that are not on the line."""
+    """Return lists of constraints to try, the strictest first, for ends that are not on the line."""
     pinned = {z.t for z in zeros if z.kind == "end"}
     place, turn = EndPositions.of(curve), EndTangents.of(curve)
     start, end = (t not in pinned for t in curve.domain)

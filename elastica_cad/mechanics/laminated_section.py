@@ -52,7 +52,7 @@ class LaminatedSection:
     backing: Sheet
 
     def on(self, base_width: ArrayLike) -> "BackingLaw":
-        """The law of the backing's width on a base of given widths (n,), mm."""
+        """Return the law of the backing's width on a base of given widths (n,), mm."""
         return BackingLaw(self, positive(base_width, "base width"))
 
     @property
@@ -61,7 +61,7 @@ class LaminatedSection:
         return self.base.thickness + self.backing.thickness
 
     def bending_stiffness(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """E I (n,), N mm2, of widths (n,), mm."""
+        """Return E I (n,), N mm2, of widths (n,), mm."""
         return self._stiffness(*self._widths(base_width, backing_width))
 
     def backing_width(self, base_width: ArrayLike, bending_stiffness: ArrayLike) -> FloatArray:
@@ -107,16 +107,16 @@ class LaminatedSection:
         return np.asarray(per_width * (h2**2 / 12 + (d * A1 / (A1 + A2)) ** 2))
 
     def neutral_axis(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """Height (n,) of the neutral axis above the free face of the base, mm."""
+        """Return the height (n,) of the neutral axis above the free face of the base, mm."""
         w1, w2 = self._widths(base_width, backing_width)
         A1, A2 = self._axial(w1, w2)
         h1, _, d = self._heights
         return np.asarray(h1 / 2 + d * A2 / (A1 + A2))
 
     def distances(self, base_width: ArrayLike, backing_width: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """Distance (n,) of the outermost fibre of base and backing from the neutral axis, mm.
+        """Return the distance (n,) of the outermost fibre of base and backing from the neutral axis, mm.
 
-        The backing's is 0 where there is none.
+        The distance for the backing is 0 at stations without a backing.
         """
         axis = self.neutral_axis(base_width, backing_width)
         glue = np.abs(axis - self.base.thickness)
@@ -131,7 +131,7 @@ class LaminatedSection:
         *,
         natural_curvature: float = 0.0,
     ) -> tuple[LayerStrain, LayerStrain]:
-        """Strain of base and backing: each from its own distance to the neutral axis, against its own limit.
+        """Return the strains of base and backing by their distances from the neutral axis.
 
         Parameters
         ----------
@@ -147,7 +147,7 @@ class LaminatedSection:
         return layer_strain(self.base, outer, bend), layer_strain(self.backing, inner, bend)
 
     def curvature_limit(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """Largest |kappa - kappa_0| (n,), 1/mm, that both layers bear."""
+        """Return the largest |kappa - kappa_0| (n,), 1/mm, that both layers withstand."""
         outer, inner = self.distances(base_width, backing_width)
         return np.minimum(
             self.base.max_strain / outer,
@@ -155,14 +155,14 @@ class LaminatedSection:
         )
 
     def weight_per_length(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """N/mm (n,) of widths (n,), mm; linear in both, not in E I."""
+        """Return the weights, N/mm (n,), of widths (n,), mm; linear in both widths, not in E I."""
         w1, w2 = self._widths(base_width, backing_width)
         return np.asarray(areal_weight(self.base) * w1 + areal_weight(self.backing) * w2)
 
     def weight(
         self, s: ArrayLike, base_width: ArrayLike, stiffness: ArrayLike, bending_stiffness: float
     ) -> Weight:
-        """The weight law alpha(s) + beta(s) K, exact at the given K and tangent to the true law there.
+        """Return the weight law alpha(s) + beta(s) K, linearised at the given K.
 
         Parameters
         ----------
@@ -188,7 +188,7 @@ class LaminatedSection:
     def scale_range(
         self, base_width: ArrayLike, stiffness: ArrayLike, *, least_backing: float = 0.0
     ) -> ScaleRange:
-        """Scales c for which `least_backing` <= w2 <= w1 everywhere (paper, 8.1, with the exact section).
+        """Return the scales c with `least_backing` <= w2 <= w1 everywhere (paper, 8.1, with the exact section).
 
         Parameters
         ----------
@@ -207,14 +207,14 @@ class LaminatedSection:
     def thickness_ratio(
         self, base_width: ArrayLike, stiffness: ArrayLike, *, least_backing: float = 0.0
     ) -> float:
-        """The largest h1/h2 that can be built with these materials, the base kept as it is.
+        """Return the largest h1/h2 that can be built with these materials and an unchanged base.
 
-        Any smaller ratio (a thicker backing) would do as well; inf when the base needs no backing at all.
+        Any smaller ratio (a thicker backing) is possible too; inf if the base needs no backing.
 
         Raises
         ------
         InputError
-            When no thickness would do, because `least_backing` fills the base where it should stay soft.
+            No thickness is possible, because `least_backing` is too stiff where the base should stay soft.
         """
         K, w1 = positive(stiffness, "stiffness"), positive(base_width, "base width")
 
@@ -246,13 +246,13 @@ class LaminatedSection:
         return self.base.thickness, self.backing.thickness, self.thickness / 2
 
     def _stiffness(self, w1: FloatArray, w2: FloatArray) -> FloatArray:
-        """E I (n,), N mm2, of widths that are known to be good."""
+        """Return E I (n,), N mm2, of valid widths."""
         A1, A2 = self._axial(w1, w2)
         h1, h2, d = self._heights
         return np.asarray((A1 * h1**2 + A2 * h2**2) / 12 + d**2 * A1 * A2 / (A1 + A2))
 
     def _axial(self, w1: FloatArray, w2: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Axial stiffness E w h of both layers, N."""
+        """Return the axial stiffness E w h of both layers, N."""
         return (
             self.base.youngs_modulus * self.base.thickness * w1,
             self.backing.youngs_modulus * self.backing.thickness * w2,
@@ -274,7 +274,7 @@ class LaminatedSection:
 
 @dataclass(frozen=True, eq=False)
 class BackingLaw:
-    """A laminate as a `StiffnessLaw`: the base is given, the backing's width decides.
+    """Laminate as a `StiffnessLaw` of the width of the backing on a given base.
 
     Attributes
     ----------
@@ -293,21 +293,21 @@ class BackingLaw:
     base_width: FloatArray
 
     def bending_stiffness(self, backing_width: ArrayLike) -> FloatArray:
-        """E I (n,), N mm2, of backing widths (n,), mm."""
+        """Return E I (n,), N mm2, of backing widths (n,), mm."""
         return self.section.bending_stiffness(self.base_width, backing_width)
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Backing widths (n,), mm, that give the E I (n,), N mm2."""
+        """Return backing widths (n,), mm, for E I (n,), N mm2."""
         return self.section.backing_width(self.base_width, bending_stiffness)
 
     def weight_per_length(self, backing_width: ArrayLike) -> FloatArray:
-        """N/mm (n,) of backing widths (n,), mm."""
+        """Return the weights, N/mm (n,), of backing widths (n,), mm."""
         return self.section.weight_per_length(self.base_width, backing_width)
 
     def strains(
         self, curvature: ArrayLike, backing_width: ArrayLike, *, natural_curvature: float = 0.0
     ) -> tuple[LayerStrain, ...]:
-        """Strain of base and backing."""
+        """Return the strain of base and backing."""
         return self.section.strains(
             curvature, self.base_width, backing_width, natural_curvature=natural_curvature
         )
@@ -327,11 +327,11 @@ class BoundedBacking(BackingLaw, FixedLaw):
 
     @property
     def quantity(self) -> str:
-        """The backing."""
+        """Quantity of the law: width of the backing."""
         return "backing"
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Backing widths (n,), mm, that give the E I (n,), N mm2, or come nearest within the limits."""
+        """Return the backing widths (n,), mm, for E I (n,), N mm2, clipped to the limits."""
         least, most = self.bending_stiffness(np.array(self.limits))
         return np.clip(super().parameter(np.clip(bending_stiffness, least, most)), *self.limits)
 
@@ -366,7 +366,7 @@ PIECES = 8
 to 1e-4."""
 
 LEAST_SHARE = 2e-3
-"""Narrowest border and backing, as a share of the width."""
+"""Least width of border and backing, as a fraction of the width."""
 
 TERMS, STATIONS = 24, 60
 """Number of terms of the polynomials in curvature, and number of stations at which they are computed."""
@@ -423,7 +423,7 @@ def laminate_factor(
     b2 = np.clip(b2, LEAST_SHARE * b1, (1 - LEAST_SHARE) * b1)
     h1, h2 = section.base.thickness, section.backing.thickness
     base, backing = (section.base, -h1 / 2, h1 / 2), (section.backing, h1 / 2, h1 / 2 + h2)
-    # over kappa - kappa_0, which leaves them finite where that vanishes: w and its slopes, and eps_0
+    # divided by kappa - kappa_0, so that they are finite where it vanishes: w and its slopes, and eps_0
     unknowns = 4 * PIECES + 3
     own = np.column_stack(
         [2 * np.arange(2 * PIECES)[:, None] + np.arange(4), np.full(2 * PIECES, unknowns - 1)]
@@ -434,7 +434,7 @@ def laminate_factor(
         ([base, backing], b2 / 2, own[:PIECES]),
         ([base], (b1 - b2) / 2, own[PIECES:]),
     ):
-        form, (w, curl, weight) = _energy(layers), _hermite(half / PIECES)  # all pieces of a part are alike
+        form, (w, curl, weight) = _energy(layers), _hermite(half / PIECES)  # all pieces of a part are equal
         w, lever = (
             np.concatenate([w * by[:, None, None], np.ones_like(w[:, :1])], axis=1)
             for by in (kappa, kappa - rest)
@@ -461,7 +461,7 @@ def laminate_factor(
 
 
 def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:
-    """Twice the energy per area as a form (3, 3) in strain and curvature along the strip, and w''."""
+    """Return twice the energy per area as a form (3, 3) in strain, curvature along the strip and w''."""
     along, coupled = np.zeros(3), np.zeros(3)
     for sheet, low, high in layers:
         Q, nu = sheet.youngs_modulus / (1 - sheet.poisson_ratio**2), sheet.poisson_ratio
@@ -474,7 +474,7 @@ def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:
 
 
 def _hermite(length: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Cubics and their second derivatives (n, 4, 4) at Gauss points of elements (n,) long, and weights (n, 4)."""
+    """Return cubics and second derivatives (n, 4, 4) at Gauss points of elements (n,), and weights (n, 4)."""
     x, weight = gauss_rule(4)
     t, ones, long = (x + 1) / 2, np.ones((length.size, 1)), length[:, None]
     values = np.stack(
@@ -523,7 +523,7 @@ class LaminateCurl:
         section: LaminatedSection,
         natural_curvature: ArrayLike = 0.0,
     ) -> "LaminateCurl":
-        """For all that a strip of the design may be bent to, whatever the curvature (n,) of this, 1/mm, is."""
+        """Return the polynomials for all bends of a strip with the design curvature `curvature` (n,), 1/mm."""
         kappa, base, backing, rest = np.broadcast_arrays(
             curvature, base_width, backing_width, natural_curvature
         )
@@ -544,6 +544,6 @@ class LaminateCurl:
         return LaminateCurl(self.reach, fine, coefficients)
 
     def __call__(self, curvature: FloatArray) -> FloatArray:
-        """The factor of the nodes (..., n) at their curvatures (..., n), 1/mm."""
+        """Return the factor of the nodes (..., n) at their curvatures (..., n), 1/mm."""
         t = np.clip(np.arcsinh(curvature / self.fine) / np.arcsinh(self.reach / self.fine), -1.0, 1.0)
         return np.asarray(np.polynomial.chebyshev.chebval(t, self.coefficients, tensor=False))

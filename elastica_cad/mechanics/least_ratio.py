@@ -54,7 +54,7 @@ NOISE_TIMES = 4
 """Error of the fit, in multiples of the rounding errors of the stiffness under much weight."""
 
 SAME_PLACE_SHARE = 1e-9
-"""A knot nearer to a zero of the curvature than this share of the length is moved there."""
+"""Largest distance, as a fraction of the length, of a knot that is moved to a zero of the curvature."""
 
 CELLS = 8
 """Number of parts of a panel with a constant density of knots in each."""
@@ -93,7 +93,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
     K = _AlongArc.of(curve, balance, scale)
     half = STEP_LENGTH * length / 2
     feet = [s + side * half for s in steps for side in (-1, 1)]
-    # fitted apart, or the ramp, which weighs nothing, would have to take over its neighbours' errors
+    # fitted separately, because a short ramp would absorb the errors of its neighbours
     breaks += [(s, -1) for s in feet]
 
     def stiffness(s: FloatArray) -> FloatArray:
@@ -224,8 +224,8 @@ def optimal_rod(
         Number of nodes of the rod. Without `largest_stiffness` its ratio is evaluated only there. By default the
         ratio is that of the continuous curve and the rod has 601 nodes.
     weight : Weight, optional
-        Weight in newtons instead of a proportional one; with `own=True` the strip's own weight, which is
-        B / gravity.length^3 per length and stiffness, is added to it.
+        Weight in newtons instead of a proportional weight. With `own=True` the weight of the strip is added, B /
+        gravity.length^3 per length and stiffness.
     bending_stiffness : float, optional
         Lower bound B of the bending stiffness E I, N mm2, under a weight in newtons. By default it is computed: the
         B of least ratio or, if the ratio falls monotonically with B, the least B whose ratio is within 1 % of the
@@ -235,20 +235,20 @@ def optimal_rod(
         result has the least ratio of all such rods. Where a rod so stiff cannot rest in the curve under
         this weight, the largest E I stays below.
     least_stiffness : float, optional
-        Lower bound of E I anywhere, N mm2, beside `largest_stiffness`.
+        Lower bound of E I, N mm2, in addition to `largest_stiffness`.
     law : MaterialLaw, optional
-        Nonlinear material: its effective curvature takes the place of kappa - kappa_0 (Appendix D).
+        Nonlinear material: its effective curvature replaces kappa - kappa_0 (Appendix D).
     section : BoundedLaw, optional
-        What stiffness is made of: a thickness, a diameter, a width that bends as a plate. It is made as large as
-        its limits allow, which settles the bending stiffness; under gravity (of which only the direction counts)
-        the rod carries the section's own weight and the masses of `weight`. Then the program is not linear and
-        the ratio is a local optimum: see `balance_of`.
+        Section of the strip: a thickness, a diameter, or a width that bends as a plate. It is as large as its
+        limits allow, which determines the bending stiffness. Under gravity (only its direction is used) the rod
+        carries the weight of the section and the masses of `weight`. Then the program is not linear and the ratio
+        is a local optimum; see `balance_of`.
     tolerance : float
-        Inflections this near to one line, in lengths of the curve, are moved onto it, and ends that are free to
-        turn and bent by next to nothing are unbent; `Rod.moved` tells how far the curve moved, and `Rod.shape` is
-        the moved curve.
+        Largest distance of inflections from a line, relative to the length; nearer inflections are moved onto it.
+        Almost unbent ends that are free to turn are made straight within the same tolerance. `Rod.moved` is the
+        displacement of the curve, and `Rod.shape` is the moved curve.
     check : EquilibriumCheck, optional
-        Of the same curve and request, where Theorem 1 was examined already.
+        Existing check of the same curve and request.
 
     Returns
     -------
@@ -305,7 +305,7 @@ def optimal_rod(
 
 
 def rod_of_request(request: RodRequest) -> Rod:
-    """The rod of a checked request, as `optimal_rod` returns it."""
+    """Return the rod of a checked request, see `optimal_rod`."""
     check, law = request.check, request.law
     if request.section is not None:
         _check_section(request, request.section)
@@ -435,7 +435,7 @@ def _unbent_rod(asked: RodRequest) -> Rod:
 
 
 def _even_rod(rod: Rod, section: BoundedLaw) -> Rod:
-    """A straight rod with the largest allowed section everywhere."""
+    """Return a straight rod with the largest allowed section everywhere."""
     law = section.bent(0.0)
     size = next(one for one in reversed(section.limits) if np.isfinite(one))
     scale, newtons = float(law.bending_stiffness(size)), float(law.weight_per_length(size))
@@ -498,7 +498,7 @@ _DENSE = 2001  # number of places at which the fit of the backing is checked
 
 @dataclass(frozen=True, eq=False)
 class Laminate:
-    """A rod and the layers that make it.
+    """Rod and its layers.
 
     Attributes
     ----------
@@ -606,7 +606,7 @@ def optimal_laminate(
 
 @dataclass(frozen=True, eq=False)
 class _Base:
-    """The base of a laminate, and the places along it where a backing must fit.
+    """Base of a laminate, and the places along it where a backing must fit.
 
     Attributes
     ----------
@@ -614,11 +614,11 @@ class _Base:
     width : float or Profile
         w1, mm.
     least_backing : float
-        Narrowest backing, mm.
+        Least width of the backing, mm.
     at_nodes : (n,) array
         w1 at the nodes of the rod, mm.
     places, at_places : (m,) arrays
-        Arc lengths where it must fit, and w1 there, mm.
+        Arc lengths where the backing must fit, and w1 there, mm.
     """
 
     section: LaminatedSection
@@ -632,7 +632,7 @@ class _Base:
     def under(
         cls, rod: Rod, section: LaminatedSection, width: "float | Profile", least_backing: float
     ) -> "_Base":
-        """That of a rod of the curve's length."""
+        """Return the base of a rod with the length of the curve."""
         at_nodes = _along(width, rod.s)
         places = np.union1d(np.linspace(0.0, rod.length, _DENSE), rod.s)
         if isinstance(width, Profile):
@@ -640,11 +640,11 @@ class _Base:
         return cls(section, width, least_backing, at_nodes, places, _along(width, places))
 
     def scale(self, rod: Rod) -> float:
-        """The largest c, N mm2, with E I = c K within the base."""
+        """Return the largest c, N mm2, with E I = c K within the base."""
         return _scale(self.section, self.at_places, _stiffness(rod, self.places), self.least_backing)
 
     def laminate(self, rod: Rod, scale: float, rounds: int) -> Laminate:
-        """The record of a rod that is made with this scale."""
+        """Return the laminate of a rod with this scale."""
         K = np.asarray(rod.stiffness)
         return Laminate(
             rod=replace(rod, bending_stiffness=scale),
@@ -710,12 +710,12 @@ def _along(width: float | Profile, s: FloatArray) -> FloatArray:
 
 
 def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
-    """K from the profile, whose own small error must not fall below the least value."""
+    """Return K from the profile, clipped to the least value because of the error of the profile."""
     return np.maximum(rod.profile(s), 1.0)
 
 
 def _filled(section: LaminatedSection, direction: ArrayLike) -> Gravity:
-    """Gravity of the laminate with two full layers, to begin with."""
+    """Return the gravity of the laminate with two full layers, as the first approximation."""
     length = section.bending_stiffness(1.0, 1.0) / section.weight_per_length(1.0, 1.0)
     x, y = point(direction, "direction")
     return Gravity(float(length ** (1 / 3)), (float(x), float(y)))

@@ -72,7 +72,7 @@ class Gravity:
     def in_plane(
         cls, length: float, direction: ArrayLike, x_axis: ArrayLike, y_axis: ArrayLike
     ) -> "Gravity | None":
-        """Gravity of a plane in space: the part of `direction` (3,) within the plane; None when it has none."""
+        """Return gravity in a plane in space, the part of `direction` (3,) within it, or None."""
         d, *axes = (
             numbers(given, name)
             for given, name in ((direction, "gravity direction"), (x_axis, "x axis"), (y_axis, "y axis"))
@@ -91,11 +91,11 @@ class Gravity:
 
     @property
     def e(self) -> FloatArray:
-        """The vector e of Eq. 5, 1/mm3; it points up, as the paper's derivation needs and its text misprints."""
+        """Vector e of Eq. 5, 1/mm3; it points up, as the derivation in the paper needs (misprinted in the text)."""
         return -np.asarray(self.direction) / self.length**3
 
     def scaled(self, factor: float) -> "Gravity":
-        """`factor` times the weight."""
+        """Return `factor` times the weight."""
         require_positive(factor, "the factor of a gravity", "times the weight")
         return Gravity(self.length / factor ** (1 / 3), self.direction)
 
@@ -105,7 +105,7 @@ STANDARD_GRAVITY_M_S2 = 9.80665  # m/s2
 
 @dataclass(frozen=True)
 class PointMass:
-    """A mass hung on the rod: `mass` in g at arc length `at` in mm."""
+    """Point mass on the rod: `mass` in g at arc length `at` in mm."""
 
     at: Annotated[float, Asked("Place along the strip.", "mm")]
     mass: Annotated[float, Asked("Mass that hangs there.", "g", least=0)]
@@ -153,7 +153,7 @@ class Weight:
         return replace(self, alpha=_times(self.alpha, alpha), beta=_times(self.beta, beta))
 
     def along(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """alpha and beta (n,) at arc lengths (n,), N/mm."""
+        """Return alpha and beta (n,) at arc lengths (n,), N/mm."""
         alpha, beta = (
             value(s) if isinstance(value, Profile) else np.full(s.shape, float(value))
             for value in (self.alpha, self.beta)
@@ -161,7 +161,7 @@ class Weight:
         return alpha, beta
 
     def lumped(self, s: FloatArray, stiffness: FloatArray, node_lengths: FloatArray) -> FloatArray:
-        """Weight of each node (n,), N; a point mass is shared by its two neighbours."""
+        """Return the weight of each node (n,), N; a point mass is divided between its two neighbours."""
         if self.own:
             raise InputError(
                 "a strip's own weight has no value before optimal_rod has found it: give beta in N/mm"
@@ -214,7 +214,7 @@ class End:
 
     @classmethod
     def named(cls, name: EndName) -> "End":
-        """The end called `name`: clamped, pinned, slide-x, slide-y (clamped sliders), guided (angle only), free."""
+        """Return the end `name`: clamped, pinned, slide-x, slide-y (clamped sliders), guided (angle only), free."""
         ends = {
             "clamped": cls(),
             "pinned": cls(angle=False),
@@ -279,12 +279,12 @@ class Supports:
 
     @property
     def transmits_force(self) -> tuple[bool, bool]:
-        """Can a constant force along x, along y be carried? Only where both ends hold that coordinate."""
+        """True for x, y if a constant force can be carried: both ends hold the coordinate."""
         a, b = self.ends
         return a.x and b.x, a.y and b.y
 
     def reversed(self) -> "Supports":
-        """The supports of the rod run from its other end."""
+        """Return the supports of the reversed rod."""
         return Supports(self.end, self.start)
 
 
@@ -306,7 +306,7 @@ def require_gravity(gravity: object) -> None:
 
 
 def require_supports(supports: object) -> Supports:
-    """The supports, clamped at both ends for None."""
+    """Return the supports; None means clamped at both ends."""
     if supports is None:
         return Supports()
     if not isinstance(supports, Supports):
@@ -339,7 +339,7 @@ MOST_COUNTED = 1_000_000
 
 
 def whole_number(value: object, name: str, least: int) -> int:
-    """A count of at least `least`; fractions, texts and truth values are none."""
+    """Return a whole number of at least `least`; refuse fractions, texts and booleans."""
     if not is_whole(value) or value < least:
         raise InputError(
             "{name} is {given!r}: it must be a whole number, {least} or more",
@@ -358,8 +358,7 @@ def whole_number(value: object, name: str, least: int) -> int:
 
 
 LENGTHS_APART = 0.01
-"""A natural curvature may be given for a strip that is longer or shorter than the curve by this share; it is
-then scaled."""
+"""Largest relative difference of length between a curve and a natural curvature that is scaled to it."""
 
 BLANK_TOLERANCE = 1e-9
 """Error of the natural curvature, relative to its largest value."""
@@ -370,12 +369,12 @@ _AT_BREAK_SHARE = 1e-9  # of the length: nearer places are on the break
 
 @dataclass(frozen=True, eq=False)
 class RestCurvature(EqualByValue):
-    """The curvature kappa_0 of a strip before it is bent, along its length.
+    """Natural curvature kappa_0 along a strip.
 
     Attributes
     ----------
     profile : Profile
-        kappa_0, 1/mm, over the length of the blank, mm.
+        kappa_0, 1/mm, over the length of the pre-bent strip, mm.
 
     Examples
     --------
@@ -395,7 +394,8 @@ class RestCurvature(EqualByValue):
 
     @classmethod
     def linear(cls, stations: ArrayLike, curvatures: ArrayLike) -> "RestCurvature":
-        """Straight between `curvatures` (n,), 1/mm, at `stations` (n,), mm from 0; a station twice is a step."""
+        """Return a linear interpolation of curvatures (n,), 1/mm, at stations (n,), mm; equal stations are a
+        step."""
         s, kappa_0 = finite("stations", stations), finite("curvatures", curvatures)
         rising = s.ndim == 1 and s.size >= 2 and s[0] == 0 and np.all(np.diff(s) >= 0)
         if s.shape != kappa_0.shape or not rising or np.any(s[2:] == s[:-2]) or s[1] == 0 or s[-1] == s[-2]:
@@ -473,11 +473,11 @@ class CurveOfRest(RestCurvature):
 
     @classmethod
     def of(cls, blank: PlaneCurve) -> "CurveOfRest":
-        """The curvature of a blank: see `RestCurvature.of`."""
+        """Return the curvature of a pre-bent strip; see `RestCurvature.of`."""
         return cls(RestCurvature.of(blank).profile, blank)
 
     def at(self, s: FloatArray, derivative: int = 0, *, left: bool = False) -> FloatArray:
-        """Natural curvature at arc lengths s, or its first derivative, as `RestCurvature.at` gives it."""
+        """Return the natural curvature at arc lengths s, or its first derivative; see `RestCurvature.at`."""
         t = self.blank.parameter(np.clip(s, 0.0, self.blank.length))
         for one in self.blank.breaks:
             t = np.where(np.abs(s - one.s) < _AT_BREAK_SHARE * self.length, one.t, t)
@@ -528,7 +528,7 @@ class ExcessCurvature:
         return isinstance(self.rest, RestCurvature) or self.rest != 0
 
     def at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
-        """kappa - kappa_0, 1/mm, at parameters t."""
+        """Return kappa - kappa_0, 1/mm, at parameters t."""
         return np.asarray(self.curve.curvature_at(t, left=left) - self.rest_at(t, left=left))
 
     def slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
@@ -536,7 +536,7 @@ class ExcessCurvature:
         return np.asarray(self.curve.curvature_slope_at(t, left=left) - self.rest_at(t, 1, left=left))
 
     def rest_at(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray | float:
-        """kappa_0, 1/mm, or its first derivative by arc length, at parameters t."""
+        """Return kappa_0, 1/mm, or its first derivative by arc length, at parameters t."""
         if not isinstance(self.rest, RestCurvature):
             return 0.0 if derivative else self.rest
         s = self.curve.arc_length(t) * self._stretch
@@ -563,7 +563,7 @@ class ExcessCurvature:
         return self.equals(0.0)
 
     def equals(self, level: float) -> tuple[CurvatureZero, ...]:
-        """All places where it is `level`, 1/mm; before, after: signs of it less the level."""
+        """Return all places where the curvature is `level`, 1/mm, with its signs before and after."""
         if not isinstance(self.rest, RestCurvature):
             return self.curve.curvature_equals(self.rest + level)
         breaks = [(t, order >= 0) for t, _, order in self.kinks]

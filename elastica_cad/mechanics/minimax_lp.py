@@ -75,11 +75,11 @@ def minimax_ratio(
     rows : (n, m) array
         Stiffness at sample i is rows[i] @ x + offset[i]; m is small.
     offset : (n,) array, optional
-        Zero unless given.
+        By default zero.
     side_rows : (k, m) array, optional
         Further conditions side_rows @ x + side_offset >= 0.
     side_offset : (k,) array, optional
-        Zero unless given.
+        By default zero.
     Returns
     -------
     MinimaxSolution or None
@@ -123,7 +123,7 @@ def start_rows(count: int) -> list[int]:
 
 
 def unsettled(ratio: float) -> NotConvergedError:
-    """The error of rows that are generated without end."""
+    """Return the error for rows that are generated without end."""
     return NotConvergedError(
         f"the linear program for the stiffness ratio did not settle in {METHOD.most_rounds} "
         f"rounds (ratio {ratio:.6g}): the curve has almost straight places; move its control "
@@ -222,7 +222,7 @@ class MinimaxProgram:
 
 
 def _single(row: FloatArray) -> MinimaxSolution | None:
-    """One unknown is a scale: nothing to optimise."""
+    """Return the ratio of a single unknown, which is only a scale."""
     low, high = row.min(), row.max()
     if low > 0:
         return MinimaxSolution(np.array([1 / low]), float(high / low), row / low)
@@ -232,7 +232,7 @@ def _single(row: FloatArray) -> MinimaxSolution | None:
 
 
 def _conditioned(rows: FloatArray) -> FloatArray:
-    """Columns (m, k) that span the unknowns such that stiffness is of order 1 for coefficients of order 1."""
+    """Return columns (m, k) that scale the unknowns: coefficients of order 1 give stiffnesses of order 1."""
     thinned = rows[:: max(1, len(rows) // 64)]
     _, size, vt = svd(thinned, full_matrices=False)
     keep = size > 1e-13 * size[0] if size[0] > 0 else np.ones(size.size, dtype=bool)
@@ -301,7 +301,7 @@ def least_variation(
     rows, bends = rows @ basis, bends @ basis
     size = np.abs(bends).max() or 1.0
     bends, bend_offset = bends / size, bend_offset / size
-    # the dual program: as many rows as there are numbers, which are the prices of its rows
+    # the dual program has a row for each number; the numbers are its multipliers
     matrix = np.concatenate([bends, -rows, rows]).T
     cost = -np.concatenate([bend_offset, 1 - offset, offset - largest])
     bounds = np.zeros((cost.size, 2))
@@ -330,7 +330,7 @@ def _least_variation_of_one(
 
 
 def largest_number(rows: FloatArray, number: FloatArray, largest: float) -> FloatArray:
-    """The numbers x of the largest number @ x subject to 1 <= rows @ x <= largest."""
+    """Return the x that maximises number @ x subject to 1 <= rows @ x <= largest."""
     from scipy.optimize import linprog
 
     basis = _conditioned(rows)

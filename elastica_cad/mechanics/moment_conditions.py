@@ -148,9 +148,10 @@ def _weightless(panels: Panels) -> MomentRows:
 
 
 def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
-    """The moment at the panel ends less the traces (zero but for rounding) that it has where it must vanish.
+    """Return the moment at the panel ends, with exact zeros instead of rounding errors where it must vanish.
 
-    Taken off linearly between the zeros of kappa - kappa_0: next to a zero the trace would be large beside M.
+    The errors are interpolated linearly between the zeros of kappa - kappa_0 and subtracted, because next to a zero
+    they would be large relative to M.
     """
     vanishes = np.zeros(panels.count + 1, dtype=bool)
     vanishes[:-1] = panels.zero_left
@@ -268,7 +269,7 @@ class StiffnessFamily:
         return int(self.rows.coefficients.shape[2])
 
     def at(self, panel: IntArray, x: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Rows (n, d) and offsets (n,) at places x (n,) of panels (n,)."""
+        """Return rows (n, d) and offsets (n,) at places x (n,) of panels (n,)."""
         offset = np.zeros(len(x)) if self.offset is None else self.offset.at(panel, x)
         return self.rows.at(panel, x), offset
 
@@ -279,7 +280,7 @@ class StiffnessFamily:
         return rows, np.zeros(len(rows)) if self.offset is None else self.offset.dense
 
     def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Rows and offsets where K of the numbers y has its extremes, and at the samples beside them."""
+        """Return rows and offsets at the extremes of K of the numbers y, and at adjacent samples."""
         panel, sample, x = self.stiffness(y).found_extremes
         rows, offset = self.dense
         beside = panel * (DENSE_PARTS + 1) + sample
@@ -289,7 +290,7 @@ class StiffnessFamily:
         return rows, np.concatenate([offset[beside], self.offset.at(panel, x)])
 
     def stiffness(self, y: FloatArray) -> PanelFunction:
-        """K of the numbers y."""
+        """Return K of the numbers y."""
         K = self.rows.combined(y)
         return K if self.offset is None else PanelFunction(K.coefficients + self.offset.coefficients)
 
@@ -297,10 +298,10 @@ class StiffnessFamily:
 def least_ratio(
     family: StiffnessFamily, places: tuple[IntArray, FloatArray] | None = None
 ) -> tuple[FloatArray, float] | None:
-    """The numbers y of least R, or None where no stiffness is positive everywhere.
+    """Return the numbers y of least ratio R, or None if no stiffness is positive everywhere.
 
-    Unless `places` (panel, x) fix the samples, R is judged on the continuous curve: extremes of K between the
-    samples are found on its polynomials and join the program until R settles.
+    By default R is that of the continuous curve, unless `places` (panel, x) fix the samples. Extremes of K between
+    the samples are computed from its polynomials and added to the program until R converges.
     """
     if places is not None:
         solution = _sampled(family, *family.at(*places))
@@ -319,7 +320,7 @@ def _sampled(family: StiffnessFamily, rows: FloatArray, offset: FloatArray) -> M
 
 
 def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | None:
-    """The least R, all local extremes that exceed it being added in each round."""
+    """Return the least R; each iteration adds all local extremes that exceed it."""
     rows, offset = family.dense
     sides = [side.dense for side in family.sides]
     program = MinimaxProgram(
@@ -363,10 +364,10 @@ def _smoothest(
     places: tuple[IntArray, FloatArray] | None = None,
     kept: FloatArray | None = None,
 ) -> FloatArray:
-    """The numbers y of least total variation of K' with K between 1 and `ratio` (paper, section 5.3).
+    """Return the numbers y of least total variation of K' with K between 1 and `ratio` (paper, section 5.3).
 
-    As by `least_ratio`, K is judged on the continuous curve unless `places` (panel, x) fix the samples. Where the K
-    of the numbers `kept` is `ratio`, it stays so.
+    As in `least_ratio`, K is bounded on the continuous curve unless `places` (panel, x) fix the samples. Places
+    where K of the numbers `kept` equals `ratio` keep this value.
     """
     panels = family.panels
     count, order = panels.t.shape
@@ -395,7 +396,7 @@ def _smoothest(
 
 
 def largest_within(family: StiffnessFamily, number: FloatArray, ratio: float) -> FloatArray:
-    """The numbers y of the largest number @ y, of a family without offset, with K between 1 and `ratio`."""
+    """Return the y that maximises number @ y with K between 1 and `ratio`, for a family without offset."""
     return _bounded(family, ratio, lambda rows, _: largest_number(rows, number, ratio))
 
 
@@ -537,7 +538,7 @@ class ConditionedRows:
 
     @property
     def check(self) -> EquilibriumCheck:
-        """The verdict on the curve."""
+        """Verdict of Theorem 1 on the curve."""
         return self.asked.check
 
     @cached_property
@@ -562,7 +563,7 @@ class ConditionedRows:
         return size
 
     def homogeneous(self, count: int) -> StateFamily:
-        """All stiffnesses of the first `count` numbers of the state (3: without dead weight)."""
+        """Return all stiffnesses of the first `count` numbers of the state (3: without dead weight)."""
         basis = np.zeros((self.scale.size, count))
         np.fill_diagonal(basis, self.scale[:count])
         basis = basis @ null_space(self.conditions @ basis)
@@ -574,7 +575,7 @@ class ConditionedRows:
         )
 
     def at_compliance(self, tau: float) -> StateFamily:
-        """All stiffnesses with least bending stiffness 1 / tau."""
+        """Return all stiffnesses with least bending stiffness 1 / tau."""
         size = self.scale
         if size.size == 3:
             return self.homogeneous(3)
@@ -592,7 +593,7 @@ class ConditionedRows:
         )
 
     def ratio(self, numbers: StateFamily) -> tuple[FloatArray, float] | None:
-        """Free numbers of least ratio, and that ratio."""
+        """Return the free numbers of least ratio, and the ratio."""
         if numbers.family.freedom == 0 and numbers.family.offset is None:
             return None
         if numbers.family.freedom > 0:
@@ -626,7 +627,7 @@ class ConditionedRows:
         if self.places is not None or not steps.size or steps.max() < (1 - NO_GAIN_SHARE) * K.max() / K.min():
             return state
         numbers = self.homogeneous(3)
-        with suppress(NotConvergedError):  # any optimum will do
+        with suppress(NotConvergedError):  # any optimum is acceptable
             return numbers.basis @ _smoothest(numbers.family, float(steps.max()) * (1 + NO_GAIN_SHARE))
         return state
 
@@ -642,7 +643,7 @@ class ConditionedRows:
         return np.asarray(numbers.fixed + numbers.basis @ y)
 
     def _offset(self, tau: float) -> FloatArray:
-        """K (N, p) at the nodes of the particular solution with least bending stiffness 1 / tau."""
+        """Return K (N, p) at the nodes of the particular solution with least bending stiffness 1 / tau."""
         return np.asarray(self.rows.stiffness @ self.at_compliance(tau).fixed)
 
     @property
@@ -680,7 +681,7 @@ class ConditionedRows:
         return numbers.fixed + numbers.basis @ y, tau
 
     def balance(self, state: FloatArray) -> BalancedStiffness:
-        """The functions that a state at the curve's end belongs to."""
+        """Return the balance with a given end state."""
         K = self.rows.stiffness @ state
         return BalancedStiffness(
             self.panels,
@@ -714,7 +715,7 @@ class ConditionedRows:
 
 
 def null_space(matrix: FloatArray) -> FloatArray:
-    """Null space (m, d) of matrix (k, m)."""
+    """Return the null space (m, d) of matrix (k, m)."""
     if not len(matrix):
         return np.eye(matrix.shape[1])
     size = np.abs(matrix).max(axis=1)
@@ -723,7 +724,7 @@ def null_space(matrix: FloatArray) -> FloatArray:
 
 
 def _rank(sigma: FloatArray) -> int:
-    """Number of linearly independent conditions, from the singular values in falling order."""
+    """Return the number of linearly independent conditions from the sorted singular values."""
     return int(np.count_nonzero(sigma > RANK_SHARE * max(1.0, sigma[0])))
 
 

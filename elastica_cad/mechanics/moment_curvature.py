@@ -40,7 +40,7 @@ class MaterialLaw(ABC):
 
     @abstractmethod
     def slope(self, curvature: ArrayLike) -> FloatArray:
-        """dm/dkappa (n,); 1 at rest."""
+        """Return dm/dkappa (n,); 1 at rest."""
 
     def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
         """Return m and dm/dkappa (n,) together."""
@@ -84,7 +84,7 @@ class MaterialLaw(ABC):
         self.require_injective(largest_curvature)
 
     def curvature(self, effective: ArrayLike) -> FloatArray:
-        """Inverse of `effective_curvature` (n,) in the range where it is monotonic, by bisection.
+        """Return the inverse of `effective_curvature` (n,) in the range where it is monotonic, by bisection.
 
         Raises
         ------
@@ -228,7 +228,7 @@ class PlasticLaw(_YieldingLaw):
         return ((self.curvature_limit, 0),)
 
     def require_design(self, largest_curvature: float) -> None:
-        """See `MaterialLaw`; every curvature will do, as in the paper."""
+        """See `MaterialLaw`; every curvature is allowed, as in the paper."""
 
 
 @dataclass(frozen=True)
@@ -279,13 +279,13 @@ class ElasticPlasticLaw(_YieldingLaw):
         return ((self.curvature_limit, 1),)
 
     def _core(self, kappa: FloatArray) -> FloatArray:
-        """Part of the thickness that is still elastic."""
+        """Return the elastic fraction of the thickness."""
         return self.curvature_limit / np.maximum(np.abs(kappa), self.curvature_limit)
 
 
 @dataclass(frozen=True, eq=False)
 class TabulatedLaw(MaterialLaw):
-    """A measured moment-curvature table, continued oddly and joined by a shape-preserving cubic.
+    """Measured moment-curvature table, continued as an odd function, with shape-preserving cubics.
 
     Parameters
     ----------
@@ -365,7 +365,7 @@ class TabulatedLaw(MaterialLaw):
         super().require_injective(largest_curvature)
 
     def _split(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """The part of |kappa| within the table, and the part beyond it."""
+        """Return the part of |kappa| within the table, and the part beyond the table."""
         kappa = np.abs(numbers(curvature, "curvature"))
         inside = np.minimum(kappa, self.curvatures[-1])
         return inside, kappa - inside

@@ -37,12 +37,12 @@ class Reached:
 
 
 def is_balanced(state: RodState) -> bool:
-    """True when forces, moments and ends are right to the tolerance."""
+    """Return True if forces, moments and end positions are correct to the tolerance."""
     return state.imbalance <= TOLERANCE and state.gap <= TOLERANCE
 
 
 def _newton_step(state: RodState, residual: Residual) -> Step:
-    """The step that cancels `residual` to first order."""
+    """Return the step that cancels `residual` to first order."""
     rod = state.discrete
     return Step(
         *solve_bordered(*rod.hessian, rod.constraint_rows, right=-residual.imbalance, below=-residual.miss)
@@ -104,10 +104,10 @@ def correct(
 
 
 def follow(state: RodState) -> Reached:
-    """Carry a state over to an equilibrium of its system, keeping its imbalance as a load that fades away.
+    """Continue from a state to an equilibrium, by reducing its imbalance, taken as a load, to zero.
 
-    Ends and angles then move in a straight line from where they are to where they shall be; weight, forces,
-    stiffness and supports change in proportion. Steps adapt; a fold of the branch ends it.
+    End positions and angles change linearly from present to required values; weight, forces, stiffness and supports
+    change in proportion. Steps are adaptive. The continuation ends at a fold of the branch.
     """
     if is_balanced(state):
         return Reached(_polish(state), 1.0, 0)
@@ -170,17 +170,17 @@ def _polish(state: RodState) -> RodState:
 
 
 def relax(state: RodState) -> RodState | None:
-    """Descend the energy to a stable equilibrium, the ends kept in place; None when that fails."""
+    """Minimise the energy to a stable equilibrium with fixed ends; return None if this fails."""
     start = _place_ends(state)
     if start is None:
         return None
     found = _come_to_rest(start, np.inf)
-    # beside a kink, which a material that hardens makes a thousand times as stiff, Newton's steps go astray
+    # near a kink, where a hardening material is a thousand times as stiff, Newton's method may diverge
     return _come_to_rest(start, ASTRAY_RAD) if found is None else found
 
 
 def _come_to_rest(state: RodState, astray: float) -> RodState | None:
-    """The descent, with steps that turn no edge by more than `astray`, before they are shortened."""
+    """Return the result of the descent; steps turn edges by at most `astray` before they are shortened."""
     system = state.system
     softest = 1e-3 * system.edge_length / system.length**2
     for _ in range(MOST_DESCENTS):
@@ -217,7 +217,7 @@ def _downhill(diagonal: FloatArray, off: FloatArray, rows: FloatArray, residual:
 
 
 def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
-    """Backtracking on the energy; the reactions are taken from the step."""
+    """Return the result of backtracking on the energy, with the reactions of the step."""
     least = 1e-12 * (abs(state.energy) + 1 / state.system.length)
     for _ in range(30):
         trial = _place_ends(state.moved(step, factor))
@@ -228,7 +228,7 @@ def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
 
 
 def _place_ends(state: RodState) -> RodState | None:
-    """The nearest angles (least squares) that bring the ends to their places."""
+    """Return the nearest angles (least squares) with correct end positions."""
     for _ in range(60):
         miss = state.residual.miss
         if np.abs(miss).max(initial=0.0) <= 1e-12 * state.system.length:
@@ -248,13 +248,13 @@ def _turned(step: Step) -> float:
 
 
 def _remaining(state: RodState, kept: Residual | None) -> Residual:
-    """The residual without what is kept."""
+    """Return the residual without the kept part."""
     imbalance, miss = state.residual
     return state.residual if kept is None else Residual(imbalance - kept.imbalance, miss - kept.miss)
 
 
 def _size(state: RodState, residual: Residual) -> float:
-    """Imbalance beyond rounding over the moments' size (a bend of 1e-3 rad at least), miss over the length."""
+    """Return the larger of imbalance over moments (at least a bend of 1e-3 rad) and end error over length."""
     length = state.system.length
     unit = max(state.scale, 1e-3 / length)
     imbalance = max(float(np.abs(residual.imbalance).max()) - state.noise, 0.0)
@@ -362,7 +362,7 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
 
 
 def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
-    """The equilibrium under the full dead load that branches off the straight state in mode `mode`.
+    """Return the equilibrium under the full dead load that branches off the straight state in mode `mode`.
 
     Raises
     ------
@@ -402,7 +402,7 @@ def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
 def _reach_amplitude(
     system: RodSystem, straight: RodState, shape: FloatArray, amplitude: float, factor: float
 ) -> tuple[RodState, float] | None:
-    """Equilibrium whose part along `shape` is given, and the load factor that it needs (Newton)."""
+    """Return the equilibrium of given amplitude along `shape`, and its load factor (Newton)."""
     state = straight.moved(Step(shape, np.zeros_like(straight.reactions)), amplitude)
     for _ in range(25):
         now = state.under(system.loaded(factor))

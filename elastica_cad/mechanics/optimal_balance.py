@@ -1,4 +1,4 @@
-"""The stiffness of least ratio on a curve: without weight, with its own, with weights in newtons, of a section."""
+"""Stiffness of least ratio on a curve: without weight, with own weight, with weights in newtons, of a section."""
 
 from dataclasses import dataclass, replace
 from typing import NoReturn
@@ -57,14 +57,14 @@ class OverloadError(InputError):
 
 
 def balance_of(asked: RodRequest) -> BalancedStiffness:
-    """The stiffness of least ratio: of a section, without weight, or with it."""
+    """Return the stiffness of least ratio, with or without weight, or for a section."""
     if asked.section is not None:
         return _with_section(asked, asked.section)
     return balance_without_weight(asked) if asked.gravity is None else _with_weight(asked, asked.gravity)
 
 
 def balance_without_weight(asked: RodRequest) -> BalancedStiffness:
-    """Eq. 4 on the continuous curve, or with its ratio judged at the nodes only."""
+    """Solve Eq. 4 on the continuous curve, or at the nodes only."""
     cut = asked.cut
     problem = ConditionedRows(asked, cut.panels, moment_rows(cut.panels))
     state = problem.least(problem.homogeneous(3), smooth=False)
@@ -72,7 +72,7 @@ def balance_without_weight(asked: RodRequest) -> BalancedStiffness:
 
 
 def _with_weight(asked: RodRequest, gravity: Gravity) -> BalancedStiffness:
-    """Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
+    """Solve Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
     cut, weight = asked.cut, asked.weight
     if weight is None or weight.own:
         cut = cut.for_weight(gravity)
@@ -98,21 +98,21 @@ def _with_weight(asked: RodRequest, gravity: Gravity) -> BalancedStiffness:
 
 
 def carried_weight(weight: Weight, gravity: Gravity, bending_stiffness: float) -> Weight:
-    """The weight with the own weight of a strip of least bending stiffness B, N mm2, if it is requested."""
+    """Return the weight, including that of a strip of least bending stiffness B, N mm2, if requested."""
     step = bending_stiffness / gravity.length**3
     return replace(weight, beta=_raised(weight.beta, step), own=False) if weight.own else weight
 
 
 @dataclass(frozen=True, eq=False)
 class WeightedPanels:
-    """A curve cut into panels, with the weight it is to carry."""
+    """Curve cut into panels, with its weight."""
 
     asked: RodRequest
     panels: Panels
     gravity: Gravity
 
     def against(self, tau: float) -> "ConditionedRows":
-        """The problem with weights in newtons set against B = 1 / tau."""
+        """Return the problem with weights in newtons relative to B = 1 / tau."""
         panels, weight = self.panels, self.asked.weight
         proportional = self.gravity.length**-3
         own = np.full(panels.t.shape, proportional if weight is None or weight.own else 0.0)
@@ -133,7 +133,7 @@ class WeightedPanels:
         return points
 
     def carrying(self, own: FloatArray, dead: FloatArray, points: FloatArray) -> "ConditionedRows":
-        """The problem with weights at the nodes and ends of the panels: see `LineLoad`."""
+        """Return the problem with weights at the nodes and ends of the panels; see `LineLoad`."""
         panels = self.panels
         rows = moment_rows(panels, LineLoad(-np.asarray(self.gravity.direction), own, dead, points))
         if not np.all(np.isfinite(rows.stiffness)):
@@ -148,7 +148,7 @@ class WeightedPanels:
 
 
 def far_too_heavy(gravity: Gravity, length: float) -> str:
-    """Message for a curve of `length` mm whose weight is far too large for its stiffness."""
+    """Return the message for a curve of `length` mm whose weight is far too large for its stiffness."""
     return note(
         "The weight is far too much for the stiffness (a gravity length of {gravity_length} on a curve of "
         "{length}): use a lighter or stiffer sheet, or look at the units (200 gsm card: 96 mm).",
@@ -157,7 +157,7 @@ def far_too_heavy(gravity: Gravity, length: float) -> str:
 
 
 def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """tau = 1 / B of least ratio; where lighter is always better, the largest within 1 % of the best."""
+    """Return tau = 1 / B of least ratio; if lighter is always better, the largest within 1 % of the best."""
     if isinstance(weight.beta, Profile) or weight.beta:
         return _searched_compliance(load, weight)
     problem = load.against(1.0)
@@ -191,7 +191,7 @@ def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
 
 
 def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """The compliance where the own weight in newtons depends on tau too, found by a search along tau."""
+    """Return the compliance if the own weight in newtons depends on tau too, by a search along tau."""
     from scipy.optimize import brentq, minimize_scalar
 
     def ratio(logarithm: float) -> float:
@@ -220,7 +220,7 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
 
 
 def _ratio_at(load: WeightedPanels, tau: float) -> float:
-    """The least ratio of a rod of B = 1 / tau; infinite where none carries the weight."""
+    """Return the least ratio of a rod of B = 1 / tau, or infinity if no rod carries the weight."""
     try:
         problem = load.against(tau)
         found = problem.ratio(problem.at_compliance(tau))
@@ -251,7 +251,7 @@ def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tupl
 
 
 def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most: float) -> OverloadError:
-    """The refusal of a weight that no stiffness from `least` to `most`, N mm2, carries."""
+    """Return the error for a weight that no stiffness from `least` to `most`, N mm2, carries."""
     bound = max(least, LEAST_SHARE * problem.load_stiffness)
     numbers = problem.at_compliance(1 / bound)
     needed = problem.ratio(numbers)
@@ -357,7 +357,7 @@ def _with_section(asked: RodRequest, section: BoundedLaw) -> BalancedStiffness:
 
 
 def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> BoundedLaw:
-    """The law at the nodes of panels."""
+    """Return the law at the nodes of panels."""
     return section.bent(panels.curvature, excess.rest_at(panels.t))
 
 
@@ -370,7 +370,7 @@ class TangentWeight:
 
     @classmethod
     def of(cls, law: StiffnessLaw, bending_stiffness: FloatArray) -> "TangentWeight":
-        """The tangent at E I (n,), N mm2."""
+        """Return the linearisation at E I (n,), N mm2."""
         below, at, above = (
             law.weight_per_length(law.parameter(bending_stiffness * (1 + step)))
             for step in (-TANGENT_STEP, 0.0, TANGENT_STEP)
@@ -380,7 +380,7 @@ class TangentWeight:
 
 
 def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
-    """The fixed point on given panels."""
+    """Return the fixed point on given panels."""
     points = load.points
     own = np.full(load.panels.t.shape, load.gravity.length**-3)
     light = load.carrying(own, np.zeros(own.shape), 0.0 * points)

@@ -94,16 +94,16 @@ class Panels:
         return len(self.t)
 
     def locate(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Panel numbers and places x in [-1, 1] of parameters `t` (n,)."""
+        """Return panel numbers and places x in [-1, 1] of parameters `t` (n,)."""
         return locate_in_panels(self.edges, t)
 
     def dense_places(self, parts: int = DENSE_PARTS) -> tuple[IntArray, FloatArray]:
-        """Panel numbers and places x of a dense sampling, panel ends included, in so many parts a panel."""
+        """Return panel numbers and places x of a dense sampling with panel ends, by parts per panel."""
         x = lobatto_places(parts)
         return np.repeat(np.arange(self.count), x.size), np.tile(x, self.count)
 
     def arc_length(self, panel: IntArray, x: FloatArray) -> FloatArray:
-        """Arc lengths of places x in panels, mm."""
+        """Return arc lengths of places x in panels, mm."""
         return np.asarray(PanelFunction.through(self.s).at(panel, x))
 
 
@@ -174,7 +174,7 @@ def cut_into_panels(
 
 
 def _distances(t: FloatArray, places: list[float]) -> FloatArray:
-    """Distance (n,) of each of t (n,) from the nearest of the places."""
+    """Return the distance (n,) of each of t (n,) from the nearest place."""
     return np.asarray(np.abs(t - np.array(places)[:, None]).min(axis=0, initial=np.inf))
 
 
@@ -198,11 +198,11 @@ class _Cut:
     tail: FloatArray
 
     def chosen(self, which: IntArray, tail: FloatArray) -> "_Cut":
-        """Some of the panels, with what is unresolved of them."""
+        """Return some of the panels, with their unresolved parts."""
         return _Cut(self.left[which], self.right[which], self.zero_left[which], self.zero_right[which], tail)
 
     def into(self, parts: IntArray) -> "_Cut":
-        """Every panel cut into its number of equal parts."""
+        """Cut every panel into its number of equal parts."""
         whole, count, part = (
             np.arange(parts.size).repeat(parts),
             parts.repeat(parts),
@@ -220,7 +220,7 @@ class _Cut:
 
 
 def _parts(tail: FloatArray) -> IntArray:
-    """Number of parts (2, 4 or 8) that a panel needs: each halving divides the last coefficient by about 2^p."""
+    """Return the number of parts (2, 4 or 8) of a panel; a halving divides the last coefficient by about 2^p."""
     halvings = np.ceil(np.log2(np.where(np.isfinite(tail), tail, 1.0) / RESOLVED) / ORDER)
     return np.asarray(2 ** np.minimum(np.maximum(halvings, 1), 3), dtype=int)
 
@@ -238,7 +238,7 @@ class _Nodes:
     curvature: FloatArray
 
     def chosen(self, which: BoolArray | IntArray) -> "_Nodes":
-        """Some of the panels."""
+        """Return some of the panels."""
         return _Nodes(
             self.left[which], self.zero_left[which], self.zero_right[which], self.t[which],
             self.velocity[which], self.stretch[which], self.curvature[which],
@@ -246,7 +246,7 @@ class _Nodes:
 
     @classmethod
     def joined(cls, parts: Sequence["_Nodes"]) -> "_Nodes":
-        """Loose panels in their order along the curve."""
+        """Join panels in their order along the curve."""
         if len(parts) == 1:
             return parts[0]
         nodes = cls(*map(np.concatenate, zip(*(vars(part).values() for part in parts), strict=True)))
@@ -256,7 +256,7 @@ class _Nodes:
 def _evaluated(
     excess: ExcessCurvature, cut: _Cut, zeros: FloatArray, orders: IntArray, law: MaterialLaw | None
 ) -> tuple[_Nodes, FloatArray]:
-    """The panels at their nodes, and how much of each is unresolved.
+    """Return the panels at their nodes, and the unresolved part of each panel.
 
     `zeros` and `orders` (k,) are the parameters of all zeros and their orders.
     """
@@ -354,7 +354,7 @@ class CutCurve:
         law: MaterialLaw | None = None,
         weight: Weight | None = None,
     ) -> "CutCurve":
-        """Cut where the blank, the material law or the load is not smooth."""
+        """Cut where the natural curvature, the material law or the load is not smooth."""
         bend = _bend_kinks(check, natural_curvature, law)
         zeros = np.array([zero.s for zero in check.zeros])
         hung = [(_at_zero(s, zeros, check.length), c) for s, c in _load_kinks(check.length, weight)]
@@ -364,7 +364,7 @@ class CutCurve:
 
     @cached_property
     def panels(self) -> Panels:
-        """The panels."""
+        """Panels of the curve."""
         check = self.check
         return cut_into_panels(
             check.curve, [z.t for z in check.zeros], cuts=list(self.cuts),
@@ -394,7 +394,7 @@ class CutCurve:
 def _bend_kinks(
     check: EquilibriumCheck, natural_curvature: NaturalCurvature, law: MaterialLaw | None
 ) -> list[tuple[float, float, int]]:
-    """(t, s, continuity of K) where the blank or the material law is not smooth."""
+    """Return (t, s, continuity of K) where the natural curvature or the material law is not smooth."""
     excess = ExcessCurvature(check.curve, natural_curvature)
     return [*excess.kinks] + [
         (place.t, place.s, continuity)
@@ -405,7 +405,7 @@ def _bend_kinks(
 
 
 def _at_zero(s: float, zeros: FloatArray, length: float) -> float:
-    """The zero of the curvature next to a place, mm, if they are closer than a step of the stiffness is long."""
+    """Return the zero of the curvature within the length of a step of the stiffness from s, mm, or else s."""
     near = zeros[np.abs(zeros - s) < STEP_LENGTH * length]
     return float(near[0]) if near.size else s
 
@@ -426,7 +426,7 @@ def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
 
 
 def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]:
-    """(s, continuity of K) where the load is not smooth, or a mass hangs."""
+    """Return (s, continuity of K) at masses and where the load is not smooth."""
     if weight is None:
         return []
     kinks: list[tuple[float, int]] = []

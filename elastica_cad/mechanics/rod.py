@@ -1,4 +1,4 @@
-"""The rod in balance as a record, its stiffness at the nodes, and the same rod on other nodes or as it is bent."""
+"""Record of a rod in balance, its stiffness at the nodes, and resampling."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -50,7 +50,7 @@ DUST_SHARE = 1e-12
 
 
 def csv_text(table: Mapping[str, Any]) -> str:
-    """Columns (n,) by name as comma-separated text with a header; names end in their unit.
+    """Return columns (n,) by name as comma-separated text with a header; names end in their unit.
 
     Examples
     --------
@@ -81,10 +81,10 @@ MEAN_POINTS, MEAN_WEIGHTS = np.polynomial.legendre.leggauss(3)
 
 
 def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
-    """K (n,) at uniform arc lengths (n,), mm; a cell that a step divides counts by the mean of its compliance.
+    """Return K (n,) at uniform arc lengths (n,), mm; a cell with a step has its mean compliance.
 
-    Its angle is what it turns by, and that is the integral of M / K. So the shape depends on the place of a step
-    continuously.
+    The turn of the cell is the integral of M / K. Therefore the shape is a continuous function of the place of a
+    step.
 
     Examples
     --------
@@ -111,12 +111,12 @@ def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
 
 
 def scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArray]:
-    """A stiffness and its values at nodes s (n,), mm, over the least of these.
+    """Return a stiffness and its values at nodes s (n,), mm, both over the least value.
 
     Raises
     ------
     InputError
-        It is not positive.
+        The stiffness is not positive.
     """
     if not profile.is_positive:
         raise InputError("rod stiffness must be positive everywhere along the rod")
@@ -204,7 +204,7 @@ class CurlingLaw(MaterialLaw):
         return np.asarray(self.factor(kappa) / self.designed)
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """Effective curvature of all nodes (..., n), as in `MaterialLaw`."""
+        """Return the effective curvature of all nodes (..., n), as in `MaterialLaw`."""
         return np.asarray(self._material(curvature) * self.share(curvature))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
@@ -335,7 +335,7 @@ def _turns(x: FloatArray) -> FloatArray:
 
 
 def _edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:
-    """Angles (n,) of the edges between nodes (n + 1, 2), on the turn of the nodes' angles (n + 1,)."""
+    """Return the angles (n,) of the edges between nodes (n + 1, 2), near the nodal angles (n + 1,)."""
     edge = np.arctan2(*np.diff(position, axis=0).T[::-1])
     middle = (angle[:-1] + angle[1:]) / 2
     return np.asarray(edge + 2 * np.pi * np.round((middle - edge) / (2 * np.pi)))
@@ -516,16 +516,16 @@ class Rod:
         return f"<Rod of {self.length:.4g} mm, ratio {self.ratio:.4g}, {self.s.size} nodes{carries}>"
 
     def _repr_svg_(self) -> str:
-        """The shape between two lines as far apart as it is stiff."""
+        """Return an SVG of the shape in a band whose width is proportional to the stiffness."""
         across = np.column_stack([-np.sin(self.angle), np.cos(self.angle)])
         half = BAND_SHARE * self.length * (self.stiffness / self.stiffness.max())[:, None] * across
         band = np.concatenate([self.position + half, (self.position - half)[::-1]])
         return svg_of_lines([(band, GREY, True), (self.position, BLUE, False)], repr(self))
 
     def table(self) -> dict[str, FloatArray]:
-        """Columns (n,) by name with their unit, for a data frame or a file; force is lambda, moment M.
+        """Return columns (n,) by name with their unit, for a data frame or a file; force is lambda, moment M.
 
-        Times the bending stiffness of a strip (N mm2) they are newtons and N mm: `Strip.table` has those.
+        Multiplied by the bending stiffness of a strip (N mm2) they are in N and N mm, as in `Strip.table`.
         """
         return {
             "s_mm": self.s, "x_mm": self.position[:, 0], "y_mm": self.position[:, 1], "angle_rad": self.angle,
@@ -534,7 +534,7 @@ class Rod:
         }  # fmt: skip
 
     def csv(self) -> str:
-        """The table as comma-separated text with a header."""
+        """Return the table as comma-separated text with a header."""
         return csv_text(self.table())
 
     @property
@@ -597,7 +597,7 @@ class Rod:
         return float(np.sum((density[1:] + density[:-1]) * np.diff(self.s)) / 2)
 
     def bend_at(self, s: FloatArray) -> FloatArray:
-        """kappa - kappa_0 (n,), 1/mm, at arc lengths (n,), mm; of a drawn curve its own."""
+        """Return kappa - kappa_0 (n,), 1/mm, at arc lengths (n,), mm; for a drawn curve that of the curve."""
         s = numbers(s, "arc lengths")
         if self.shape is None:
             return Profile.interpolate(self.s, self.curvature - self.natural_curvature)(s)
@@ -605,7 +605,7 @@ class Rod:
         return np.asarray(curvature - self.rest_at(s))
 
     def rest_at(self, s: FloatArray) -> FloatArray:
-        """kappa_0 (n,), 1/mm, at arc lengths (n,), mm."""
+        """Return kappa_0 (n,), 1/mm, at arc lengths (n,), mm."""
         rest = np.broadcast_to(np.asarray(self.natural_curvature, dtype=float), self.s.shape)
         return np.asarray(np.interp(numbers(s, "arc lengths"), self.s, rest))
 
@@ -722,7 +722,7 @@ PROFILE_SHARE = 1e-6
 
 
 def as_bent(rod: Rod) -> Rod:
-    """A rod in balance with the stiffness that it has in its shape, whose law is the material's alone."""
+    """Return a rod in balance with the stiffness in its present shape, and the law of the material alone."""
     law = rod.law
     if not isinstance(law, CurlingLaw):
         return rod

@@ -19,14 +19,14 @@ ROUNDED_IMBALANCE = (
 
 
 class Step(NamedTuple):
-    """A change of the unknowns: edge angles (n,), rad, and reactions (p,), 1/mm2."""
+    """Change of the unknowns: edge angles (n,), rad, and reactions (p,), 1/mm2."""
 
     angles: FloatArray
     reactions: FloatArray
 
 
 class Residual(NamedTuple):
-    """Moment imbalance of the edges (n,), 1/mm, and by how much the ends miss their places (p,), mm."""
+    """Moment imbalance of the edges (n,), 1/mm, and errors of the end positions (p,), mm."""
 
     imbalance: FloatArray
     miss: FloatArray
@@ -88,7 +88,7 @@ class RodSystem:
 
     @cached_property
     def held(self) -> tuple[int, ...]:
-        """The coordinates (0: x, 1: y) held at both ends."""
+        """Coordinates (0: x, 1: y) held at both ends."""
         return tuple(i for i, both in enumerate(self.supports.transmits_force) if both)
 
     @cached_property
@@ -120,7 +120,7 @@ class RodSystem:
         return np.array([self.end[i] - self.start[i] for i in self.held])
 
     def state(self, angles: FloatArray, reactions: FloatArray | None = None) -> "RodState":
-        """The state with these edge angles (n,), rad, and support reactions (p,), 1/mm2; none unless given."""
+        """Return the state of edge angles (n,), rad, and support reactions (p,), 1/mm2 (by default 0)."""
         return RodState(self, angles, np.zeros(len(self.held)) if reactions is None else reactions)
 
     def loaded(self, factor: float) -> "RodSystem":
@@ -132,7 +132,7 @@ class RodSystem:
 
 @dataclass(frozen=True, eq=False)
 class RodState:
-    """Unknowns of a discrete rod, and what follows from them, each computed once.
+    """Unknowns of a discrete rod; derived quantities are computed once.
 
     Attributes
     ----------
@@ -140,7 +140,7 @@ class RodState:
     angles : (n,) array
         Edge angles, rad.
     reactions : (p,) array
-        What both supports add to lambda along the coordinates that both ends hold, 1/mm2.
+        Contributions of both supports to lambda along the coordinates that both ends hold, 1/mm2.
     """
 
     system: RodSystem
@@ -148,7 +148,7 @@ class RodState:
     reactions: FloatArray
 
     def moved(self, step: Step, factor: float = 1.0) -> "RodState":
-        """The state a `factor` of `step` further."""
+        """Return the state after `factor` times `step`."""
         return RodState(
             self.system, self.angles + factor * step.angles, self.reactions + factor * step.reactions
         )
@@ -159,7 +159,7 @@ class RodState:
 
     @cached_property
     def discrete(self) -> DiscreteRod:
-        """The rod of this shape, with its tangent stiffness and its edge forces."""
+        """Rod of this shape, with its tangent stiffness and its edge forces."""
         system, force = self.system, self.system.given_force.copy()
         for i, value in zip(system.held, self.reactions, strict=True):
             force[:, i] += value
@@ -223,7 +223,7 @@ class RodState:
 
     @cached_property
     def scale(self) -> float:
-        """Size of the moments against which an imbalance is judged, 1/mm."""
+        """Size of the moments to which an imbalance is compared, 1/mm."""
         force = np.abs(self.discrete.force).max(initial=0.0)
         return float(max(np.abs(self.moments).max(), force * self.system.length))
 
@@ -247,7 +247,7 @@ class RodState:
         return float(np.abs(self.residual.miss).max(initial=0.0)) / self.system.length
 
     def rod(self, like: Rod) -> Rod:
-        """The `Rod` record of an equilibrium; profile, weight and names as in `like`."""
+        """Return the `Rod` record of an equilibrium; other fields are those of `like`."""
         return replace(like, **self.record)
 
     @property

@@ -155,17 +155,17 @@ class LayerStrain:
 
     @property
     def name(self) -> str:
-        """The sheet's."""
+        """Name of the sheet."""
         return self.sheet.name
 
     @property
     def limit(self) -> float:
-        """Largest strain that the sheet bears for long."""
+        """Largest long-term strain of the sheet."""
         return self.sheet.max_strain
 
     @cached_property
     def largest(self) -> float:
-        """The largest strain along the strip."""
+        """Largest strain along the strip."""
         return float(self.strain.max())
 
     @property
@@ -174,7 +174,7 @@ class LayerStrain:
         return int(np.argmax(self.strain))
 
     def judged(self, at: float | None = None) -> StrainVerdict:
-        """Apply the strain rule to the largest strain, which is at arc length `at`, mm."""
+        """Apply the strain rule to the largest strain, at arc length `at`, mm."""
         return judge_strain(self.sheet, self.largest, at)
 
 
@@ -197,7 +197,7 @@ class ScaleRange:
 
     @classmethod
     def of(cls, least: ArrayLike, most: ArrayLike, stiffness: ArrayLike) -> "ScaleRange":
-        """The range from the least and most E I (n,), N mm2, that each station can have, and K (n,)."""
+        """Return the range from the least and largest E I (n,), N mm2, of the stations, and K (n,)."""
         K = positive(stiffness, "stiffness")
         low_EI, high_EI, K = matched(
             numbers(least, "least bending stiffness"), numbers(most, "most bending stiffness"), K

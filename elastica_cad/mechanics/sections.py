@@ -91,7 +91,7 @@ def anticlastic_factor(
     matched(w, kappa, rest)
     x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(np.abs(kappa) / h)
     ratio, slope = _curl(x)
-    flat = -x * slope / 2  # of a blank that is flat before
+    flat = -x * slope / 2  # for a strip that is flat before bending
     kept = _kept_of_bent(flat, ratio, kappa, rest, nu) if rest.ndim or rest else flat
     return np.asarray((1 + nu**2 * (kept - 2 * ratio)) / (1 - nu**2))
 
@@ -99,8 +99,8 @@ def anticlastic_factor(
 def _kept_of_bent(
     flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
 ) -> FloatArray:
-    """The counterpart of `flat` for strips with natural curvature kappa_0 (n,)."""
-    # of a strip that is straight in the end x slope vanishes faster than kappa
+    """Return the counterpart of `flat` for strips with natural curvature kappa_0 (n,)."""
+    # for a strip that is finally straight, x slope vanishes faster than kappa
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
     asked = share * flat
     above, below = np.maximum(asked - flat, 0), np.maximum(-asked, 0)
@@ -110,8 +110,7 @@ def _kept_of_bent(
 
 
 def _eased(excess: FloatArray, room: FloatArray) -> FloatArray:
-    """Soften `excess` beyond a range smoothly, so that widths get no corner: unchanged up to half of the room,
-    then less and less."""
+    """Limit `excess` smoothly to `room`, unchanged up to half of it, so that widths have no corner."""
     half = room / 2
     late = np.maximum(excess / half - 1, 0)
     return np.asarray(np.minimum(excess, half) - half * np.expm1(-late))
@@ -125,7 +124,7 @@ def plate_width(
     poisson_ratio: float,
     natural_curvature: ArrayLike = 0.0,
 ) -> FloatArray:
-    """Widths w with w `anticlastic_factor`(w, curvature) = `effective`, the width of a strip that bends with E.
+    """Return widths w with w `anticlastic_factor`(w, curvature) = `effective`, the width if it bent with E.
 
     Examples
     --------
@@ -183,7 +182,7 @@ class SheetCurl:
     natural_curvature: float | FloatArray = 0.0
 
     def __call__(self, curvature: FloatArray) -> FloatArray:
-        """The factor of the stations (..., n) at their curvatures (..., n), 1/mm."""
+        """Return the factors of the stations (..., n) at their curvatures (..., n), 1/mm."""
         return anticlastic_factor(
             self.width, curvature, thickness=self.thickness, poisson_ratio=self.poisson_ratio,
             natural_curvature=self.natural_curvature,
@@ -211,7 +210,7 @@ def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:
 
 
 def _curl(x: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """f/x and its derivative, f = (cosh x - cos x)/(sinh x + sin x); series below 0.3, no overflow above."""
+    """Return f/x and its derivative, f = (cosh x - cos x)/(sinh x + sin x); a series below 0.3."""
     is_small = x < 0.3
     y = np.where(is_small, 1.0, x)
     decay = np.exp(-y)
@@ -286,23 +285,23 @@ class PlainSection:
         return self.sheet.bending_stiffness(1.0)
 
     def bending_stiffness(self, width: ArrayLike) -> FloatArray:
-        """E I (n,), N mm2, of widths (n,), mm."""
+        """Return E I (n,), N mm2, of widths (n,), mm."""
         return self.rigidity * positive(width, "width")
 
     def width(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Width (n,), mm, that gives the E I (n,), N mm2."""
+        """Return the width (n,), mm, for E I (n,), N mm2."""
         return positive(bending_stiffness, "bending stiffness") / self.rigidity
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """The width, as a `StiffnessLaw` names it."""
+        """Return the width, as the parameter of a `StiffnessLaw`."""
         return self.width(bending_stiffness)
 
     def weight_per_length(self, width: ArrayLike) -> FloatArray:
-        """N/mm (n,) of widths (n,), mm."""
+        """Return the weights, N/mm (n,), of widths (n,), mm."""
         return areal_weight(self.sheet) * positive(width, "width")
 
     def weight(self, bending_stiffness: float) -> Weight:
-        """The weight law: beta K with beta = 12 rho g B / (E h^2), whatever the profile.
+        """Return the weight law: beta K with beta = 12 rho g B / (E h^2), whatever the profile.
 
         Parameters
         ----------
@@ -325,7 +324,7 @@ class PlainSection:
 
     @property
     def curvature_limit(self) -> float:
-        """Largest |kappa - kappa_0| the sheet bears, 1/mm: the inverse of the least cold-bend radius."""
+        """Largest |kappa - kappa_0| of the sheet, 1/mm: the inverse of the least cold-bend radius."""
         return 2 * self.sheet.max_strain / self.sheet.thickness
 
 
@@ -352,7 +351,7 @@ class WidthRange:
 
     @property
     def stiffness(self) -> dict[str, float]:
-        """The arguments of `optimal_rod` for these widths, N mm2."""
+        """Arguments of `optimal_rod` for these widths, N mm2."""
         rigidity = PlainSection(self.sheet).rigidity
         if self.largest is None:
             return {"bending_stiffness": rigidity * self.least * (1 + WIDTH_SHARE)}
@@ -389,7 +388,7 @@ class PerforatedSection(PlainSection):
             raise InputError(f"least ligament is {self.least_ligament!r}: it can't be negative, in mm")
 
     def scale_range(self, outer_width: ArrayLike, stiffness: ArrayLike) -> ScaleRange:
-        """Scales for which the ligaments fit the outer width (n,), mm, and none is too narrow; K is (n,)."""
+        """Return scales for which the ligaments fit the outer width (n,), mm, and are wide enough; K is (n,)."""
         least = self.rigidity * self.ligaments * self.least_ligament
         return ScaleRange.of(least, self.bending_stiffness(outer_width), stiffness)
 
@@ -472,7 +471,7 @@ class WidthLaw:
         return plate_width(EI / self.sheet.bending_stiffness(1.0), self.curvature, **self._plate)
 
     def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
-        """N/mm (n,) of widths (n,), mm."""
+        """Return the weights, N/mm (n,), of widths (n,), mm."""
         return areal_weight(self.sheet) * positive(parameter, self.quantity)
 
     def strains(

@@ -62,7 +62,7 @@ PLAUSIBLE: dict[str, tuple[float, float, str]] = {
 
 
 def plausible_number(value: object, key: str, where: str) -> float:
-    """The number, unless it can only have been meant in another unit."""
+    """Return the number, or refuse it if it must be in a wrong unit."""
     number = _finite_number(value, f"{where}: {key}")
     low, high, hint = PLAUSIBLE.get(key.replace("_range", ""), (float("-inf"), float("inf"), ""))
     if not low <= number <= high and number > 0:
@@ -93,7 +93,7 @@ def _advise_key(key: str, keys: Mapping[str, Field]) -> str:
 
 
 def require_printable(text: str, where: str) -> str:
-    """The text, unless it holds signs that break lines, steer a terminal or have no place in files."""
+    """Return the text, or refuse line breaks, control characters and characters that files cannot contain."""
     if not isinstance(text, str):
         raise InputError(f"{where} is {text!r}: give a text")
     if not text.isprintable():
@@ -103,12 +103,12 @@ def require_printable(text: str, where: str) -> str:
 
 
 def even_shear_ratio(poisson_ratio: float) -> float:
-    """G / E of a sheet without grain: 1 / (2 (1 + nu))."""
+    """Return G / E of a sheet without grain, 1 / (2 (1 + nu))."""
     return 1 / (2 * (1 + poisson_ratio))
 
 
 def _finite_number(value: Any, where: str) -> float:
-    """The number, unless it is none or not finite."""
+    """Return the number, or refuse it if it is not finite."""
     if isinstance(value, bool | str | bytes) or value is None:
         raise InputError(f"{where} is {value!r}; it must be a number")
     try:
@@ -121,7 +121,7 @@ def _finite_number(value: Any, where: str) -> float:
 
 
 def toml_text(text: str) -> str:
-    """A TOML basic string."""
+    """Return a TOML basic string."""
     import json
 
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
@@ -135,7 +135,7 @@ def _toml_value(value: str | float | tuple[float, float]) -> str:
 
 
 class NominalRatio(float):
-    """A Poisson's ratio that estimates count with, but that no width is made by: nobody vouches for it.
+    """Poisson's ratio for estimates, but not for widths, because it is not measured.
 
     It computes as the number that it is, and stays nominal wherever it is passed on: by `dataclasses.replace`,
     copies, pickles and files of sheets.
@@ -157,12 +157,12 @@ USUAL_RATIO = NominalRatio(0.3)
 
 
 def _checked_poisson_ratio(value: Any, where: str) -> float:
-    """The ratio, as nominal as it is given.
+    """Return the ratio, nominal if `value` is nominal.
 
     Raises
     ------
     InputError
-        No number from 0 to below 1.
+        The value is not a number from 0 to below 1.
     """
     nu = _finite_number(value, f"{where}: poisson_ratio")
     if not 0 <= nu < 1:
@@ -186,7 +186,7 @@ _FIGURES = {
     "shear_modulus_MPa": ("shear_modulus", "G"),
     "break_strain": ("break_strain", "break"),
 }
-_ESTIMATED = ("shear_modulus_MPa", "break_strain")  # from other figures, where they are not published
+_ESTIMATED = ("shear_modulus_MPa", "break_strain")  # from other properties, if not published
 
 
 LARGEST_FILE = 2**20
@@ -289,7 +289,7 @@ def library_folders() -> tuple[Path, ...]:
 
 
 def library_files() -> tuple[Path, ...]:
-    """The user's files of sheets, in the order of folders and names."""
+    """Return the user's files of sheets, sorted by folder and name."""
     return tuple(
         file
         for place in library_folders()
@@ -298,7 +298,7 @@ def library_files() -> tuple[Path, ...]:
 
 
 def _read_figures(path: str | Path, keys: Mapping[str, Field]) -> dict[str, dict[str, Any]]:
-    """Fields of `Sheet` but for its name, by name, from a user's file: see `load_sheets`.
+    """Return the fields of each `Sheet` except its name, by name, from a user's file; see `load_sheets`.
 
     Raises
     ------
@@ -741,7 +741,7 @@ class Sheet:
 
     @property
     def full_name(self) -> str:
-        """The name in words, "Birch plywood 0.8 mm"; of a user's own sheet its name.
+        """Title, such as "Birch plywood 0.8 mm", or the name of a user's sheet.
 
         Examples
         --------
@@ -752,17 +752,17 @@ class Sheet:
 
     @property
     def least_radius(self) -> float:
-        """Smallest radius that the sheet bends to, mm: h / (2 max_strain), the skin being h/2 off centre."""
+        """Least radius of a bend of the sheet, mm: h / (2 max_strain), because the skin is h/2 off centre."""
         return self.thickness / (2 * self.max_strain)
 
     def bending_stiffness(self, width: float) -> float:
-        """E h^3 w / 12 of a plain strip of `width` mm, N mm2."""
+        """Return E h^3 w / 12 of a plain strip of `width` mm, N mm2."""
         return (
             self.youngs_modulus * self.thickness**3 * require_number(width, "the width of a strip", "mm") / 12
         )
 
     def range_of(self, quantity: str) -> Range:
-        """Lowest and highest `quantity` ("youngs_modulus", "thickness", ...); the number twice if certain."""
+        """Return the range of a quantity ("youngs_modulus", "thickness", ...); twice the value without a range."""
         if not isinstance(quantity, str) or quantity not in UNITS:
             raise InputError(f"a sheet has no range of {quantity!r}: use one of {', '.join(UNITS)}")
         given: Range | None = getattr(self, f"{quantity}_range")
@@ -779,7 +779,7 @@ class Sheet:
         return html_table(f"Sheet {self.name!r}", rows)
 
     def toml(self) -> str:
-        """The sheet as an entry of a sheets file, as `load_sheets` reads it."""
+        """Return the sheet as an entry of a sheets file for `load_sheets`."""
         lines = [f"[sheets.{toml_text(self.name)}]"]
         for key, field_name in ((key, one.name) for key, one in sheet_keys().items()):
             value = getattr(self, field_name)
@@ -907,7 +907,7 @@ def load_sheets(path: str | Path) -> dict[str, Sheet]:
 
 
 def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
-    """Sheets from the parsed table ``sheets`` of a TOML file; `where` names the file in messages.
+    """Return the sheets of the parsed table ``sheets`` of a TOML file; `where` names the file in messages.
 
     Raises
     ------
@@ -918,7 +918,7 @@ def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
 
 
 def _sheets(figures: Mapping[str, Mapping[str, Any]], file: str) -> dict[str, Sheet]:
-    """Sheets of these fields; a complaint names the file."""
+    """Return the sheets of the fields; messages name the file."""
     try:
         return {name: Sheet(name=name, **fields) for name, fields in figures.items()}
     except InputError as error:

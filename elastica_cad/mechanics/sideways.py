@@ -21,7 +21,7 @@ EDGE_LOSS = 0.63
 """Width, in thicknesses, that a rectangle loses in torsion (St Venant): G w h^3/3 (1 - 0.63 h/w)."""
 
 LEAST_TORSION = 0.25
-"""Least share of G w h^3/3 that any rectangle keeps that is bent flat; a square has 0.42."""
+"""Least fraction of G w h^3/3 of a rectangle that is bent about its weak axis; a square has 0.42."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +45,7 @@ class SidewaysSection:
     def rectangle(
         cls, stiffness: FloatArray, width: FloatArray, thickness: FloatArray, shear_ratio: float
     ) -> "SidewaysSection":
-        """A solid strip whose stiffness (n,) of bending in the plane is given; `shear_ratio` is G / E."""
+        """Return the sections of a solid strip of in-plane bending stiffness (n,); `shear_ratio` is G / E."""
         torsion = 4 * shear_ratio * stiffness * _held_back(thickness, width)
         return cls(width, thickness, stiffness * (width / thickness) ** 2, torsion)
 
@@ -106,7 +106,7 @@ class SidewaysSection:
         backing_width: FloatArray,
         section: LaminatedSection,
     ) -> "SidewaysSection":
-        """Two sheets glued back to back.
+        """Return the sections of two sheets glued back to back.
 
         Parameters
         ----------
@@ -120,8 +120,9 @@ class SidewaysSection:
 
         Notes
         -----
-        Free torsion leaves no shear flow anywhere across the strip, so every place twists about its own neutral
-        layer: G1 h1^3/3 beside the backing, 4 (D66 - B66^2/A66) on it. Never less than both sheets unglued.
+        Free torsion has no net shear flow at any place across the strip, so every place twists about its own
+        neutral layer: G1 h1^3/3 beside the backing, 4 (D66 - B66^2/A66) on it. The result is never less than that
+        of both sheets unglued.
         """
         sheets, widths = (section.base, section.backing), (base_width, backing_width)
         h1, h2 = (sheet.thickness for sheet in sheets)
@@ -152,7 +153,7 @@ class SidewaysSection:
 
     @classmethod
     def round(cls, stiffness: FloatArray, diameter: float, shear_ratio: float) -> "SidewaysSection":
-        """A rod or tube, at most `diameter` mm thick: E I all round, and G J = 2 G/E times that."""
+        """Return the sections of a rod or tube, at most `diameter` mm thick: equal E I, and G J = 2 G/E E I."""
         size = np.full(stiffness.size, diameter)
         return cls(size, size, stiffness, 2 * shear_ratio * stiffness)
 
@@ -308,8 +309,8 @@ def sideways_stability(
         int EI2 <phi', N>^2 + GJ <phi', T>^2 - M (phi x phi') + <lambda, N> phi_T phi_N - <lambda, T> phi_N^2 ds
 
     under int phi_N = 0 where both ends are held. Prandtl's lateral buckling (M = 2 pi sqrt(EI2 GJ) / L between
-    clamps), Michell's of a cantilever and Euler's are contained. What the model leaves out: sections that curl or
-    flatten, warping held by the clamps (wide, strongly bent strips: "undecided"), slots, gravity across the plane.
+    clamps), Michell's of a cantilever and Euler's are contained. Not modelled: sections that curl or flatten,
+    warping held by the clamps (wide, strongly bent strips: "undecided"), slots, gravity across the plane.
 
     Examples
     --------
@@ -410,7 +411,7 @@ def _band(
     angle: FloatArray, nodal_angle: FloatArray, force: FloatArray, moment: FloatArray, edge: float,
     edgewise: FloatArray, torsion: FloatArray, free: list[bool],
 ) -> FloatArray:  # fmt: skip
-    """The second variation in the turns (x, y) of every edge, lower band (4, 2 n), symmetric."""
+    """Return the symmetric second variation in the rotations (x, y) of every edge, lower band (4, 2 n)."""
     n = angle.size
     weight = node_weights(edge, n)
     T = tangents(nodal_angle)

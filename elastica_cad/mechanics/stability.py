@@ -1,4 +1,4 @@
-"""Does a rod stay in its shape: its margin, its conjugate points, in words."""
+"""Stability of a rod: its margin, its conjugate points, and a summary in words."""
 
 from dataclasses import dataclass, field
 from typing import Literal
@@ -22,7 +22,7 @@ from elastica_cad.refusals import note
 
 @dataclass(frozen=True, eq=False)
 class Determinant:
-    """The stability determinant along a rod (Fig. 9).
+    """Stability determinant along a rod (Fig. 9).
 
     Attributes
     ----------
@@ -186,7 +186,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
 
 
 def _first_unstable_piece(rod: DiscreteRod) -> int | None:
-    """Least number of leading edges with an unstable mode that respects the constraints; None without any."""
+    """Return the least number of leading edges with an unstable mode under the constraints, or None."""
     (diagonal, off), rows = rod.hessian, rod.constraint_rows
 
     def is_unstable(k: int) -> bool:
@@ -202,7 +202,7 @@ def _first_unstable_piece(rod: DiscreteRod) -> int | None:
 
 
 def _recursion(rod: DiscreteRod) -> FloatArray:
-    """Lower triangular band (3, n+1) of the recursion for zeta_1 .. zeta_{n+1}."""
+    """Return the lower triangular band (3, n+1) of the recursion for zeta_1 .. zeta_{n+1}."""
     spring = rod.stiffness / rod.node_lengths
     if not rod.held_angles[0]:
         spring[0] = 0.0
@@ -224,7 +224,7 @@ def _solve_recursion(band: FloatArray, right: FloatArray, *, transposed: bool = 
 
 
 def _matrices(fields: FloatArray, integrals: FloatArray) -> FloatArray:
-    """Stability matrices (n+1, 1+p, 1+p) at the edges and at the end."""
+    """Return stability matrices (n+1, 1+p, 1+p) at the edges and at the end."""
     n, _, m = integrals.shape
     Z = np.empty((n + 1, m, m))
     Z[:, 0, :] = fields[1:]
@@ -234,7 +234,7 @@ def _matrices(fields: FloatArray, integrals: FloatArray) -> FloatArray:
 
 
 def _cofactors(Z: FloatArray) -> FloatArray:
-    """Cofactor matrices (k, m, m), m <= 3; exact where the determinant vanishes."""
+    """Return cofactor matrices (k, m, m), m <= 3; exact even if the determinant vanishes."""
     m = Z.shape[1]
     if m == 1:
         return np.ones_like(Z)
@@ -252,13 +252,13 @@ def _determinants(Z: FloatArray) -> FloatArray:
 
 
 def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
-    """Cross products (k, 3), faster than numpy's, which takes vectors of any shape."""
+    """Return cross products (k, 3), faster than `numpy.cross`."""
     i, j = [1, 2, 0], [2, 0, 1]
     return np.asarray(u[:, i] * v[:, j] - u[:, j] * v[:, i])
 
 
 def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
-    """Derivatives (n+1, 2) with respect to the nodal loads from those with respect to the edge forces."""
+    """Return derivatives (n+1, 2) by the nodal loads from the derivatives by the edge forces."""
     n = per_force.shape[0]
     per_load = np.zeros((n + 1, 2))
     ends = supports.ends
@@ -323,7 +323,7 @@ class Stability:
 
     @property
     def word(self) -> Literal["unstable", "low", "ample"]:
-        """The margin in a word: below 0, below `SAFE_MARGIN`, above it."""
+        """Rating of the margin in a word, by the limits 0 and `SAFE_MARGIN`."""
         if not self.stable:
             return "unstable"
         return "low" if self.margin < SAFE_MARGIN else "ample"
@@ -406,7 +406,7 @@ def stability(rod: Rod) -> Stability:
 
 
 def _nodal_mode(rod: DiscreteRod) -> FloatArray:
-    """The mode of the margin averaged to the nodes, largest 1; zero at an end that holds the angle."""
+    """Return the mode of the margin averaged to the nodes, largest 1; zero at an end with a held angle."""
     mode = rod.margin.mode
     nodal = np.empty(mode.size + 1)
     nodal[1:-1] = (mode[:-1] + mode[1:]) / 2

@@ -154,7 +154,7 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    """A path as a function from its parameter to the equations of the rod."""
+    """Path as a function from its parameter to the equations of the rod."""
 
     base: Rod
     asked: Callable[[float], dict[str, Any]]
@@ -163,7 +163,7 @@ class Course:
 
     @classmethod
     def of(cls, rod: Rod, path: Path) -> "Course":
-        """From the rod's present state along a path."""
+        """Return the course from the present state of a rod along a path."""
         if callable(path):
             function = path
             return cls(rod, lambda t: _entry(function(t)), 1, 1.0)
@@ -182,18 +182,18 @@ class Course:
         return cls(rod, asked, legs, float(legs))
 
     def clipped(self, t: float, step: float) -> float:
-        """The next parameter, stopping at the corners of the path."""
+        """Return the next parameter; steps stop at corners of the path."""
         corner = min(np.floor(t / self.end * self.legs + 1e-9) + 1, self.legs) * self.end / self.legs
         return float(corner if t + step >= corner * (1 - 1e-12) else t + step)
 
     def around(self, t: float) -> tuple[float, float]:
-        """A piece of the path about t that turns no corner."""
+        """Return a piece of the path around t without a corner."""
         reach_t = 1e-3 * self.end
         a = max(t - reach_t, float(np.floor(t / self.end * self.legs)) * self.end / self.legs)
         return a, min(a + 2 * reach_t, self.end)
 
     def loaded(self, t: float) -> Rod:
-        """The rod with the weight that it carries at t."""
+        """Return the rod with its weight at t."""
         asked = self.asked(t)
         rod = self.base
         if "gravity" in asked:
@@ -201,7 +201,7 @@ class Course:
         return _weighing(rod, asked["load"]) if "load" in asked else rod
 
     def system(self, t: float) -> RodSystem:
-        """The equations at t."""
+        """Return the equations of the rod at t."""
         asked = self.asked(t)
         ends = {name: asked[name] for name in ("start", "end", "angles", "force", "moment") if name in asked}
         system = system_of(self.loaded(t), self.base, **ends)
@@ -210,7 +210,7 @@ class Course:
 
 
 def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, RodState]:
-    """Equilibrium at the start of the path, or a little further where a straight rod has to bend first."""
+    """Return the equilibrium at the start of the path, or slightly later if a straight rod must bend first."""
     for t in (0.0, 1e-3 * course.end):
         reached = reach(state_of(rod, course.system(t)), side if t > 0 else None, 1)
         if not reached.arrived:
@@ -297,7 +297,7 @@ def _entries(path: Any) -> list[dict[str, Any]]:
 
 
 def _entry(step: Any) -> dict[str, Any]:
-    """One entry of a path: a load factor, a position of the end, or keywords of `bend`."""
+    """Return an entry of a path (load factor, position of the end, or keywords of `bend`) as keywords."""
     if isinstance(step, Mapping):
         load = {"load": float(step["load"])} if "load" in step else {}
         rest = {name: value for name, value in step.items() if name != "load"}
@@ -311,7 +311,7 @@ def _entry(step: Any) -> dict[str, Any]:
 
 
 def _present(rod: Rod, names: set[str]) -> dict[str, Any]:
-    """Present values of the quantities that a path changes, by name."""
+    """Return the present values of the quantities that a path changes, by name."""
     system = system_of(rod, rod)
     if "load" in names and not (np.any(system.load) or np.any(system.force) or np.any(system.moments)):
         raise InputError("a path of load factors needs a rod that carries weight, a dead force or a moment")
@@ -324,7 +324,7 @@ def _present(rod: Rod, names: set[str]) -> dict[str, Any]:
 
 
 def _between(a: Any, b: Any, u: float, name: str) -> Any:
-    """The value a share u of the way from a to b."""
+    """Return the linear interpolation between a and b at the fraction u."""
     if name == "gravity":
         zero = np.zeros(2)
         e = (1 - u) * (zero if a is None else a.e) + u * (zero if b is None else b.e)
@@ -343,7 +343,7 @@ def _between(a: Any, b: Any, u: float, name: str) -> Any:
 
 
 def _weighing(rod: Rod, factor: float) -> Rod:
-    """The rod with `factor` times its weight."""
+    """Return the rod with `factor` times its weight."""
     if rod.gravity is None or factor == 1.0:
         return rod
     if rod.weight is None:

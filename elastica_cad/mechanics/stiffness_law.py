@@ -33,7 +33,7 @@ class FixedLaw:
         return None
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> Self:  # noqa: ARG002 - see `follows_bend`
-        """The law itself."""
+        """Return the law itself."""
         return self
 
     def curl(self, parameter: FloatArray) -> None:
@@ -84,18 +84,18 @@ class _PowerLaw(FixedLaw):
         return self.least, self.largest
 
     def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
-        """E I (n,), N mm2, of parameters (n,), mm."""
+        """Return E I (n,), N mm2, of parameters (n,), mm."""
         power, inertia, _ = self._shape
         return np.asarray(self.sheet.youngs_modulus * inertia * positive(parameter, self.quantity) ** power)
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Parameters (n,), mm, that give the E I (n,), N mm2."""
+        """Return parameters (n,), mm, for E I (n,), N mm2."""
         power, inertia, _ = self._shape
         EI = positive(bending_stiffness, "bending stiffness")
         return np.asarray((EI / (self.sheet.youngs_modulus * inertia)) ** (1 / power))
 
     def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
-        """N/mm (n,) of parameters (n,), mm."""
+        """Return the weights, N/mm (n,), of parameters (n,), mm."""
         power, _, area = self._shape
         specific = self.sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2
         return np.asarray(specific * area * positive(parameter, self.quantity) ** (power - 2))
@@ -103,7 +103,7 @@ class _PowerLaw(FixedLaw):
     def strains(
         self, curvature: ArrayLike, parameter: ArrayLike, *, natural_curvature: float = 0.0
     ) -> tuple[LayerStrain, ...]:
-        """Strain p/2 |kappa - kappa_0| of the outermost fibre."""
+        """Return the strain p/2 |kappa - kappa_0| of the outermost fibre."""
         bend = np.abs(numbers(curvature, "curvature") - natural_curvature)
         strain = bend * positive(parameter, self.quantity) / 2
         return (LayerStrain(self.sheet, np.atleast_1d(strain)),)
@@ -148,7 +148,7 @@ class ThicknessLaw(_PowerLaw):
 
 @dataclass(frozen=True)
 class RoundLaw(_PowerLaw):
-    """A round rod of diameter d, or a tube whose bore is a share of it: E I ~ d^4, weight ~ d^2.
+    """Round rod of diameter d, or tube whose bore is a fraction of d: E I ~ d^4, weight ~ d^2.
 
     Parameters
     ----------
@@ -342,22 +342,22 @@ class StiffnessLaw(Protocol):
     """
 
     def bending_stiffness(self, parameter: ArrayLike, /) -> FloatArray:
-        """E I (n,), N mm2, of parameters (n,), mm."""
+        """Return E I (n,), N mm2, of parameters (n,), mm."""
 
     def parameter(self, bending_stiffness: ArrayLike, /) -> FloatArray:
-        """Parameters (n,), mm, that give the E I (n,), N mm2."""
+        """Return parameters (n,), mm, for E I (n,), N mm2."""
 
     def weight_per_length(self, parameter: ArrayLike, /) -> FloatArray:
-        """N/mm (n,) of parameters (n,), mm."""
+        """Return the weights, N/mm (n,), of parameters (n,), mm."""
 
     def strains(
         self, curvature: ArrayLike, parameter: ArrayLike, /, *, natural_curvature: float = 0.0
     ) -> tuple[LayerStrain, ...]:
-        """Strain of each layer's outermost fibre, of curvatures (n,), 1/mm, and parameters (n,), mm."""
+        """Return the strain of each layer's outermost fibre, by curvatures (n,), 1/mm, and parameters (n,), mm."""
 
 
 class BoundedLaw(StiffnessLaw, Protocol):
-    """A law whose parameter has limits: what `optimal_rod` and `nearest_rod` take as `section`."""
+    """Law whose parameter has limits, as `section` of `optimal_rod` and `nearest_rod`."""
 
     @property
     def quantity(self) -> str:

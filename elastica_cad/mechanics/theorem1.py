@@ -49,14 +49,14 @@ class InflectionLine:
         return -float(self.b @ np.asarray(self.point))
 
     def distance(self, position: FloatArray) -> FloatArray:
-        """Signed distances (n,) of points (n, 2), mm."""
+        """Return the signed distances (n,) of points (n, 2), mm."""
         points = numbers(position, "positions")
         if points.shape[-1:] != (2,):
             raise InputError(f"positions are points (n, 2), in mm, not of shape {points.shape}")
         return np.asarray((points - np.asarray(self.point)) @ self.b)
 
     def as_dict(self) -> dict[str, Any]:
-        """For reports."""
+        """Return the line as numbers and lists for a report."""
         return {
             "point": list(self.point),
             "direction": list(self.direction),
@@ -127,7 +127,7 @@ class EquilibriumCheck:
     realizable : bool
         True if a flat strip can take this curve.
     reasons : tuple of str
-        Why not; empty when realizable.
+        Reasons of a negative verdict; empty if realizable.
     warnings : tuple of str
         Warnings to the designer.
     length : float
@@ -223,7 +223,7 @@ class EquilibriumCheck:
         return self._said(said)
 
     def _tell_blank(self) -> str:
-        """Its inflections cannot be seen in the curve: there it is bent as the blank was."""
+        """Return the verdict on a pre-bent strip; it inflects where curve and strip have equal curvature."""
         if not self.realizable:
             return self._said("A strip bent beforehand as asked cannot take this curve of {length}.")
         if self.any_stiffness:
@@ -245,7 +245,7 @@ class EquilibriumCheck:
         return f"<p><b>{verdict}</b>: {html_text(self)}</p>"
 
     def as_dict(self) -> dict[str, Any]:
-        """Numbers, texts and lists for a report."""
+        """Return a dictionary of numbers, texts and lists for a report."""
         return {
             "realizable": self.realizable,
             "any_stiffness": self.any_stiffness,
@@ -267,7 +267,7 @@ class EquilibriumCheck:
 
 @dataclass(frozen=True)
 class PairZero:
-    """A place where two curves are bent alike, so that their moments must be equal too.
+    """Place where two curves have equal curvature, so that their moments must be equal too.
 
     Attributes
     ----------
@@ -276,8 +276,8 @@ class PairZero:
     t : float
         Parameter of the first curve.
     order : int
-        How often the difference of the curvatures vanishes there: 1 where it changes sign, 2 where it only
-        touches zero, 3 where it changes sign without a slope; 0 where it changes sign by a jump.
+        Order of the zero of the difference of curvatures: 1 if it changes sign, 2 if it only touches zero, 3 if it
+        changes sign without a slope, 0 if it changes sign by a jump.
     before, after : int
         Sign of the difference on either side; 0 beyond the ends.
     """
@@ -298,7 +298,7 @@ class PairCheck:
     realizable : bool
         True if a strip, with some natural curvature, can rest in both curves.
     reasons : tuple of str
-        Why not; empty when realizable.
+        Reasons of a negative verdict; empty if realizable.
     length : float
         Length of both curves, mm.
     first, second : PlaneCurve
@@ -350,7 +350,7 @@ class PairCheck:
         return f"<p><b>{'yes' if self.realizable else 'no'}</b>: {html_text(self)}</p>"
 
     def as_dict(self) -> dict[str, Any]:
-        """Numbers, texts and lists for a report."""
+        """Return a dictionary of numbers, texts and lists for a report."""
         return {
             "realizable": self.realizable,
             "reasons": list(self.reasons),
@@ -512,8 +512,7 @@ PLACES = 721
 """Number of places along a curve among which the flattest is chosen."""
 
 CLEAR_SHARE = 0.05
-"""A closed curve does not begin where its curvature is below this share of the largest: an inflection is too
-near."""
+"""Least curvature at the start of a closed curve, relative to the largest; below it an inflection is too near."""
 
 PLACE_DIGITS = 6
 """Number of digits of a rounded place (mm), so that the same curve from two programs begins at the same place."""
@@ -588,7 +587,8 @@ def flattest_place(curve: PlaneCurve) -> float:
 
 
 AT_END_SHARE = 1e-6
-"""A zero of the curvature nearer to an end than this share of the length is at the end."""
+"""Largest distance from an end, as a fraction of the length, of a zero of the curvature that counts as at the
+end."""
 
 SEAM_SHARE = 0.01
 """Least curvature at the start of a closed curve, relative to the largest; otherwise the start is moved."""
@@ -628,7 +628,7 @@ _DIP_SHARE = 0.01  # of the largest curvature: deeper dips are looked at closely
 def examine_curvature(
     curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature = 0.0
 ) -> EquilibriumCheck:
-    """The conditions on the curvature alone: zeros of kappa - kappa_0, jumps, straight pieces, kinks."""
+    """Check the conditions on the curvature: zeros of kappa - kappa_0, jumps, straight pieces, kinks."""
     require_bendable(curve)
     excess = ExcessCurvature(curve, natural_curvature)
     largest = float(np.abs(excess.survey).max())
@@ -692,7 +692,7 @@ def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvatu
 
 
 def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tuple[CurvatureZero, ...]:
-    """Zeros of kappa - kappa_0, those next to an end put there, also from beyond; a pinned end may keep a trace."""
+    """Return the zeros of kappa - kappa_0; zeros near an end, also beyond it, are moved to the end."""
     curve = excess.curve
     low, high = curve.domain
     length, near = curve.length, AT_END_SHARE * curve.length
@@ -724,7 +724,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
 def faint_places(
     excess: ExcessCurvature, largest: float, zeros: Sequence[CurvatureZero], share: float = FAINT_SHARE
 ) -> list[float]:
-    """Arc lengths (mm) where |kappa - kappa_0| dips to a share of the largest, without a zero there."""
+    """Return arc lengths (mm) where |kappa - kappa_0| dips to a fraction of the largest without a zero."""
     curve, felt = excess.curve, excess.survey
     s = curve.survey.s
     bent = np.abs(felt)
@@ -767,7 +767,7 @@ def _slopes(excess: ExcessCurvature, zeros: Sequence[CurvatureZero]) -> list[flo
 def _tell_pinned_ends(
     excess: ExcessCurvature, supports: Supports, zeros: Sequence[CurvatureZero]
 ) -> Iterable[str]:
-    """Ends that turn freely where the curve is bent."""
+    """Describe ends that are free to turn although the curve is bent there."""
     curve = excess.curve
     for name, support, t, s in zip(
         ("start", "end"), supports.ends, curve.domain, (0.0, curve.length), strict=True
@@ -789,7 +789,7 @@ def _tell_pinned_ends(
 def _tell_straight_parts(
     excess: ExcessCurvature, flats: Sequence[CurvatureZero], largest: float
 ) -> Iterable[str]:
-    """Straight parts, at whose ends no stiffness would do."""
+    """Describe straight parts whose ends have no admissible stiffness."""
     curve = excess.curve
     for flat in flats:
         joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))

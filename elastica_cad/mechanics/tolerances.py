@@ -61,7 +61,7 @@ class Imperfection:
 
 
 def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None = None) -> Rod:
-    """The rest shape of a strip that differs from its design.
+    """Return the rest shape of a strip that differs from its design.
 
     Parameters
     ----------
@@ -155,9 +155,9 @@ def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, fl
 def _plate_as_cut(
     rod: Rod, law: CurlingLaw, curl: SheetCurl, stiffer: FloatArray, v: Imperfection
 ) -> tuple[Rod, float]:
-    """The same of a strip that bends as a plate, the more so the wider and the thinner it comes out.
+    """Return the cut rod as `_as_cut` does, for a strip that bends as a plate.
 
-    `stiffer` (n,) is what its range of stiffness makes of K.
+    `stiffer` (n,) is the factor on K by the range of stiffness.
     """
     kappa = np.asarray(rod.curvature)
     asked = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
@@ -176,7 +176,7 @@ def _plate_as_cut(
 
 
 def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
-    """The changed sheet's weight; `width_factor` is what the least bending stiffness lost by width."""
+    """Return the rod with the weight of the changed sheet; `width_factor` is the loss of least E I by width."""
     if rod.gravity is None:
         return rod
     if rod.weight is None:
@@ -200,27 +200,27 @@ SIGNED = ("angle", "width_loss", "thickness_wave", "wave_phase")
 
 @dataclass(frozen=True)
 class ToleranceRanges:
-    """Lowest and highest value of everything that may vary; see `Imperfection` for the meaning.
+    """Ranges of all varied quantities; see `Imperfection` for their meaning.
 
     Parameters
     ----------
     stiffness_range : (low, high)
         Factors m on K - 1.
     youngs_modulus, density, thickness : (low, high)
-        Factors on the sheet's numbers.
+        Factors on the values of the sheet.
     angle : (low, high)
-        rad, for each end on its own.
+        rad, for each end independently.
     yield_curvature : (low, high)
-        1/mm, for the thickness as designed.
+        1/mm, for the design thickness.
     width_loss : (low, high)
         mm.
     thickness_wave, wave_phase : (low, high)
-        Amplitude, as a share, and phase, rad, of a wave of thickness along the strip.
+        Amplitude, as a fraction, and phase, rad, of a wave of thickness along the strip.
 
     Raises
     ------
     InputError
-        A range with its ends exchanged, or factors that are not positive.
+        The ends of a range are exchanged, or factors are not positive.
     """
 
     stiffness_range: Range = (0.9, 1.1)
@@ -322,7 +322,7 @@ class ToleranceStudy:
     seed: int
 
     def __getitem__(self, name: str) -> ToleranceEffect:
-        """The effect called `name`."""
+        """Return the effect `name`."""
         for effect in (*self.effects, self.combined):
             if effect.name == name:
                 return effect
@@ -337,7 +337,7 @@ class ToleranceStudy:
         return sum(effect.failed for effect in (*self.effects, self.combined))
 
     def __str__(self) -> str:
-        """One line a cause: worst and 95 % deviation, mm."""
+        """Return a line for each cause: worst and 95 % deviation, mm."""
         lines = [f"{'deviation, mm':<26}{'95 %':>9}{'worst':>9}"]
         for effect in (*self.effects, self.combined):
             line = f"{effect.name:<26}{effect.percentile_95:>9.3f}{effect.worst:>9.3f}"

@@ -24,9 +24,9 @@ from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
 
 _ALONG = 0.1  # weight of a move along the curve relative to a move across it
-_BEND = 0.005  # a move that changes the curvature by 1 / length counts as this share of the length
-_STRETCH = 0.05  # a move that changes the velocity d/dt by 100 % counts as this share of the length
-_LINE_STEP = 0.02  # moves of the line that count as much as moving the curve by this share of its length
+_BEND = 0.005  # size of a move that changes the curvature by 1 / length, as a fraction of the length
+_STRETCH = 0.05  # size of a move that changes the velocity d/dt by 100 %, as a fraction of the length
+_LINE_STEP = 0.02  # a move of the line counts as a move of the curve by this share of its length
 _RANK = 1e-11  # of the largest singular value: smaller changes are neglected
 
 
@@ -34,14 +34,14 @@ _RANK = 1e-11  # of the largest singular value: smaller changes are neglected
 class CurveChanges:
     """First-order changes of an equilibrium curve of length l in r tangent coordinates u.
 
-    |u| is about the root mean square move of the curve. The scale of the moment is held, so that K moves
-    freely up and down.
+    |u| is about the root mean square move of the curve. The scale of the moment is fixed, so that K can increase or
+    decrease.
 
     Parameters
     ----------
     state : EquilibriumCurve
     constraints : sequence of Constraint
-        What stays, beside the inflections on their line.
+        Constraints in addition to inflections on a line.
     """
 
     state: EquilibriumCurve
@@ -49,14 +49,14 @@ class CurveChanges:
 
     @cached_property
     def _t(self) -> FloatArray:
-        """Gauss nodes: never on an inflection."""
+        """Gauss nodes, which are never on an inflection."""
         return self.state.balance.panels.t.ravel()
 
     @cached_property
     def distance_rows(self) -> FloatArray:
-        """Rows (2 g, 2 m) whose product with a move has as square sum the weighted mean square distance.
+        """Rows (2 g, 2 m); the squared norm of rows @ move is the weighted mean square distance.
 
-        First the moves across the curve at all Gauss nodes, then `_ALONG` times those along it.
+        The first rows are moves across the curve at all Gauss nodes, then `_ALONG` times moves along the curve.
         """
         return self._weighted(self._frame)
 
@@ -76,7 +76,7 @@ class CurveChanges:
         return np.sqrt((panels.stretch * WEIGHTS).ravel() / self.state.curve.length)[:, None]
 
     def offsets(self, target: PlaneCurve) -> FloatArray:
-        """The present distance (2 g,) from a curve with the same parameter, weighted as `distance_rows`."""
+        """Return the weighted distance (2 g,) from a curve of the same parameter; see `distance_rows`."""
         off = self.state.curve.evaluate(self._t) - target.evaluate(self._t)
         return np.concatenate([(off * d * self._root_share).sum(axis=1) for d in self._frame])
 
@@ -153,7 +153,7 @@ class CurveChanges:
         return PanelFunction.through(change.reshape(*panels.t.shape, -1))
 
     def watched(self) -> tuple[FloatArray, FloatArray]:
-        """C = 1/K (n,) at the places of the state, and its changes (n, r)."""
+        """Return C = 1/K (n,) at the places of the state, and its derivatives (n, r)."""
         return 1 / self.state.stiffness, self.compliance.at(*self.state.places)
 
     @cached_property
@@ -201,15 +201,15 @@ class CurveChanges:
 _PRICE = 0.1  # of a broken bound, against half the mean square distance in lengths: far above all multipliers
 _ROW_PRICE = 10.0  # of a row of the step that cannot be met: above every bound's
 _ACCURACY = 1e-12  # of a step, against the price: half a mean square distance of 1e-8 still counts
-_MARGIN_UNIT = 50.0  # a margin missed by so much is badly missed
-_COARSE = 3.0  # a step that takes the ratio this many times above where it is and may be is refused
+_MARGIN_UNIT = 50.0  # typical error of the margin, as its unit
+_COARSE = 3.0  # largest factor of a step on the ratio or its bound; larger steps are refused
 _RATIO_PART, _MARGIN_PART = 0.9, 6.0  # target of a step: fraction of the ratio, increase of the margin
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7  # of the trust region, in lengths of the curve
-_SETTLED = 1e-3  # a step that promises less than this share of the distance ends the search
+_SETTLED = 1e-3  # a step with a smaller predicted gain, as a fraction of the distance, ends the search
 _RESOLUTION = 1e-12  # of half a mean square distance in lengths: smaller gains are rounding
-_INSIDE = 1e-5  # aimed at inside the bounds, so that they hold between the samples too
-_ENFORCED = 1e-11  # constraints missed by less hold, in lengths and radians
-_ROUNDS = 12  # of adding the places where a step would break the bounds
+_INSIDE = 1e-5  # relative distance from the bounds, so that they hold between the samples too
+_ENFORCED = 1e-11  # largest error of a constraint that holds, in lengths and radians
+_ROUNDS = 12  # number of times that places are added where a step would break the bounds
 
 
 @dataclass(frozen=True)
@@ -330,13 +330,13 @@ def _route_step(state: EquilibriumCurve, half_square: float, bounds: Bounds) -> 
 
 
 def _half_square(changes: CurveChanges, target: PlaneCurve) -> float:
-    """Half the mean square distance, in lengths."""
+    """Return half the mean square distance, relative to the length."""
     return 0.5 * float((changes.offsets(target) ** 2).sum()) / changes.state.curve.length**2
 
 
 @dataclass(frozen=True, eq=False)
 class _Step:
-    """A move of the control points (m, 2), mm; its size in lengths; the merit that it promises."""
+    """Move of the control points (m, 2), mm, with its size relative to the length and its predicted merit."""
 
     points: FloatArray
     size: float
@@ -352,7 +352,7 @@ def _started(curve: PlaneCurve, constraints: Sequence[Constraint]) -> Equilibriu
 
 
 def _moved(curve: PlaneCurve, step: _Step, constraints: Sequence[Constraint]) -> EquilibriumCurve | None:
-    """The equilibrium after a step, or None where the step leaves the realizable curves."""
+    """Return the equilibrium after a step, or None if the curve is no longer realizable."""
     try:
         moved = curve.with_control_points(curve.control_points + step.points)
         moved, _ = least_norm_newton(moved, [*constraints, *collinear(moved)], tolerance=_ENFORCED)
@@ -362,7 +362,7 @@ def _moved(curve: PlaneCurve, step: _Step, constraints: Sequence[Constraint]) ->
 
 
 def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float) -> _Step:
-    """The best step to first order.
+    """Return the best step to first order.
 
     Unknowns: coordinates u of the move in lengths; the largest compliance c = 1 / min K; what is left of
     the two bounds.
@@ -380,13 +380,13 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
     upper = np.concatenate([np.full(r, radius), [10.0, 2.0, 1e4]])
 
     def soft(places: IntArray) -> tuple[FloatArray, FloatArray]:
-        """R (C + dC u) - c + R s >= 0."""
+        """Return rows of R (C + dC u) - c + R s >= 0: compliance at least c / R, with slack s."""
         ones = np.ones((places.size, 1))
         rows = np.hstack([aim.ratio * dC[places], -ones, aim.ratio * ones, 0 * ones])
         return rows, -aim.ratio * C[places]
 
     def stiff(places: IntArray) -> tuple[FloatArray, FloatArray]:
-        """c - (C + dC u) >= 0."""
+        """Return rows of c - (C + dC u) >= 0: compliance at most c."""
         ones = np.ones((places.size, 1))
         return np.hstack([-dC[places], ones, 0 * ones, 0 * ones]), C[places]
 
@@ -420,7 +420,7 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
 
 
 def _peaks(values: FloatArray, above: float = -np.inf) -> IntArray:
-    """The highest eight local maxima of values (n,) that are above a level."""
+    """Return the eight highest local maxima of values (n,) above a level."""
     padded = np.concatenate([[-np.inf], values, [-np.inf]])
     found = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]) & (values > above))
     return np.asarray(found[np.argsort(-values[found], kind="stable")[:8]])
@@ -517,5 +517,5 @@ def enforce_constraints(
 
 
 def _crossings(curve: PlaneCurve) -> FloatArray:
-    """Arc lengths (k,) of the inflections, mm."""
+    """Return arc lengths (k,) of the inflections, mm."""
     return np.array([z.s for z in curve.curvature_zeros if z.kind == "crossing"])

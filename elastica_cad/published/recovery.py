@@ -68,13 +68,13 @@ def optimize_ratio(
     Parameters
     ----------
     curve : PlaneCurve
-        One that a strip can take, or nearly so: inflections off the line are brought onto one first.
+        Curve that a strip can take, at least approximately: inflections are first moved onto a line.
     target : float
         Largest ratio, at least 1.
     ends, tangents : bool or (bool, bool)
-        Do end points and end tangents stay as they are drawn? Both, or (start, end).
+        True to keep end points, end tangents as drawn: for both ends, or (start, end).
     length : bool
-        Does the arc length stay?
+        True to keep the arc length.
 
     Raises
     ------
@@ -177,15 +177,15 @@ def recover_stability(
     Parameters
     ----------
     curve : PlaneCurve
-        One that a strip can take, or nearly so: inflections off the line are brought onto one first.
+        Curve that a strip can take, at least approximately: inflections are first moved onto a line.
     R_max : float
         Largest stiffness ratio, at least 1; the bound prevents flat points at inflections.
     margin : float
         Least stability margin; 0 is the limit of stability, 5 is safely stable.
     ends, tangents : bool or (bool, bool)
-        Do end points and end tangents stay as they are drawn? Both, or (start, end).
+        True to keep end points, end tangents as drawn: for both ends, or (start, end).
     length : bool
-        Does the arc length stay?
+        True to keep the arc length.
 
     Raises
     ------
