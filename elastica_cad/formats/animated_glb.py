@@ -14,7 +14,7 @@ GLB_MAGIC, GLB_VERSION, JSON_CHUNK, BINARY_CHUNK = 0x46546C67, 2, 0x4E4F534A, 0x
 FLOAT, UNSIGNED_INT, ARRAY_BUFFER, ELEMENT_BUFFER = 5126, 5125, 34962, 34963
 METRES_PER_MM = 1e-3
 Y_UP = [-np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)]
-"""Quaternion from z up, as bodies are drawn here, to y up, as glTF has it."""
+"""Quaternion from z up, as in this package, to y up, as in glTF."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,7 +25,7 @@ class MovingMesh:
     ----------
     name : str
     color : (red, green, blue)
-        0..1, as on a screen.
+        sRGB, 0..1.
     points, normals : (frames, n, 3) array
         mm, z up; unit vectors.
     triangles : (m, 3) array of int
@@ -40,7 +40,7 @@ class MovingMesh:
 
 
 def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
-    """Encode meshes as a GLB file that plays their frames forth and back in `seconds`, blended in between.
+    """Encode meshes as a GLB file that plays their frames forward and backward in `seconds`, with interpolation.
 
     Examples
     --------
@@ -102,7 +102,7 @@ def _linear(color: tuple[float, float, float]) -> list[float]:
 
 
 class _Buffers:
-    """The binary part of a file under way, and what its pieces are."""
+    """The binary part of an incomplete file, and the records of its pieces."""
 
     def __init__(self) -> None:
         self.binary = bytearray()

@@ -1,6 +1,6 @@
 """Boundary records as OpenCASCADE's binary BREP, which OCP and FreeCAD's Part read.
 
-The bytes hold what the record holds, bit for bit; nothing is projected, fitted or sewn.
+All numbers are exactly those of the record; nothing is projected, fitted or sewn.
 """
 
 from collections.abc import Iterable, Sequence
@@ -31,8 +31,8 @@ from elastica_cad.strip.bent_boundary import (
 )
 from elastica_cad.strip.flat_pattern import on_segment
 
-EDGE_TOLERANCE_MM = 1e-7  # mm: OpenCASCADE's own tolerance of edges and faces
-VERTEX_TOLERANCE_MM = 1e-6  # mm: gap that records may have between edges
+EDGE_TOLERANCE_MM = 1e-7  # mm: default tolerance of edges and faces in OpenCASCADE
+VERTEX_TOLERANCE_MM = 1e-6  # mm: largest gap between edges in records
 
 _HEAD = b"\nOpen CASCADE Topology V3 (c)\n"  # the first version that contains the ends of edges in (u, v)
 _SOLID, _SHELL, _FACE, _WIRE, _EDGE, _VERTEX = range(2, 8)
@@ -55,14 +55,14 @@ _FLAGS = {
 
 @dataclass(frozen=True)
 class BinaryBrep:
-    """A shape in the format of OpenCASCADE's BinTools, whose end FreeCAD writes in another way.
+    """A shape in the format of OpenCASCADE's BinTools; FreeCAD ends the file in a different way.
 
     Attributes
     ----------
     tables : bytes
-        Curves, surfaces and shapes, the whole shape last.
+        Curves, surfaces and shapes; the last shape is the whole.
     count : int
-        How many shapes there are.
+        Number of shapes.
     """
 
     tables: bytes

@@ -23,22 +23,19 @@ from elastica_cad.geometry.tangent_healing import heal_tangents
 from elastica_cad.refusals import Length
 
 JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
-NEAR_MM, NEAR_SHARE = 3.0, 0.1  # ends nearer than both, of the smaller curve, were perhaps meant to meet
-DIGIT_MM, DIGIT_SHARE = 0.5, 0.01  # largest gap by rounding that is closed: in mm, and of the smaller curve
-_ALONGSIDE = np.cos(np.radians(160.0))  # cosine between ends of two curves that run side by side
-HOLE_ASIDE = 0.1  # of its diameter: how far a hole's circle may be drawn off the straight end that it is in
-SAME_POINT = 1e-13  # of the largest coordinate: points nearer than this differ by rounding
-LARGEST_TURN, LEAST_TURN = (
-    50.0,
-    5.0,
-)  # degrees: corners of points always, and of sides that no smooth curve follows
+NEAR_MM, NEAR_SHARE = 3.0, 0.1  # mm, and fraction of the smaller curve: closer ends may belong together
+DIGIT_MM, DIGIT_SHARE = 0.5, 0.01  # largest rounding gap to close: mm, and fraction of the smaller curve
+_ALONGSIDE = np.cos(np.radians(160.0))  # cosine of the turn above which two curves run side by side
+HOLE_ASIDE = 0.1  # largest distance of a hole's centre from its straight end, as a fraction of the diameter
+SAME_POINT = 1e-13  # fraction of the largest coordinate: closer points differ by rounding
+LARGEST_TURN, LEAST_TURN = 50.0, 5.0  # degrees: corners of points, and of sides without a smooth curve
 _STRAIGHT_ON = np.cos(np.radians(1.0))  # cosine of the largest turn at which two ends share a tangent
 _LONG = 20.0  # tolerances: longer sides of a polyline are intended to be straight
 _DIGIT = 1.1 * np.sqrt(
     2.0
 )  # largest error of an end in units of coordinate rounding, with an allowance for angles
-_DENSE = 50  # inner knots: a spline with more was made through points
-_ROUGH = 0.2  # of the largest curvature: second difference from knot to knot above which points are noisy
+_DENSE = 50  # number of inner knots: a spline with more was interpolated through points
+_ROUGH = 0.2  # fraction of the largest curvature: points are noisy if second differences at knots are larger
 _REFINED = 10  # rounds of the search for the nearest point, each four times as fine
 _CROWD = 50  # ends at one point, on all layers: more than this are not joined
 
@@ -84,7 +81,7 @@ def join_runs(
     Parameters
     ----------
     corners : bool
-        Join ends also where the direction turns by more than 1 degree.
+        If True, join ends at which the direction turns by more than 1 degree, too.
     """
     check_tolerance(tolerance, "tolerance for joining")
     long = [tuple(run) for run in runs if sum(e.size for e in run) > tolerance]

@@ -36,11 +36,11 @@ _MOST_POINTS = 1001
 """Largest number of points in a CSV file; shorter curves have a point every mm."""
 
 _WIDTH_PLACES = 401
-"""Places along a strip where widths are compared."""
+"""Number of positions along a strip where widths are compared."""
 
 
 class FitWarning(UserWarning):
-    """Warning that a file holds a curve approximately."""
+    """Warning that a curve in a file is approximate."""
 
 
 def write_curves(
@@ -141,7 +141,7 @@ def _edge(segment: Line | Arc | Spline) -> Edge:
 
 
 def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> Refusal:
-    """Report the distance between a curve and what a file holds of it, and the largest change of width."""
+    """Report the distance between a curve and its copy in a file, and the largest change of width."""
     far = Length(two_sided_distance(drawn, fitted))
     before, after = _widths(drawn), _widths(fitted)
     if before is None or after is None:

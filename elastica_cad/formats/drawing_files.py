@@ -1,4 +1,4 @@
-"""Drawings as files: SVG in mm, and the format by the file name."""
+"""Drawings as files: SVG in mm, and DXF or SVG by the suffix of the file."""
 
 import os
 from collections.abc import Callable, Mapping
@@ -28,8 +28,8 @@ _LETTERS = {2: "Q", 3: "C"}
 
 
 _DECIMALS, _EXACT_DECIMALS = 6, 12
-"""Decimals of mm in a drawing for a machine, and of a curve that is read again: its curvature, and so the width of
-its strip, depends on second differences of its coordinates."""
+"""Decimals of mm in a drawing for a machine, and of a curve that is read again. The curvature, and so the width
+of a strip, depends on second differences of the coordinates."""
 
 
 def path_data(path: Path, origin: FloatArray, decimals: int = _DECIMALS) -> str:
@@ -48,7 +48,7 @@ def path_data(path: Path, origin: FloatArray, decimals: int = _DECIMALS) -> str:
     >>> path_data(Path.rectangle(40, 10), np.array([-1.0, 11.0]))
     'M1,11L41,11L41,1L1,1Z'
     """
-    # the closing line is drawn by Z
+    # Z draws the closing line
     closing = path.closed and isinstance(path.segments[-1], Line)
     drawn = path.segments[:-1] if closing else path.segments
 
@@ -81,10 +81,10 @@ def _stroke(segment: Segment, place: Callable[[FloatArray], str]) -> str:
 
 
 _MARGIN_MM = 1.0
-"""About the drawing, so that a stroke on its border is seen."""
+"""Space around the drawing, mm, so that a stroke on its border is visible."""
 
 _STROKE_MM = 0.1
-"""Hairline: laser programs take thin strokes for cuts."""
+"""Width of strokes, mm; laser programs cut along thin strokes."""
 
 
 def encode_svg(

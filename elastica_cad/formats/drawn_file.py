@@ -22,10 +22,10 @@ from elastica_cad.geometry.plane_curve import PlaneCurve, split_at_corners
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.refusals import Length, Listed, Point, note, sentences
 
-_SLENDER = 12.0  # least ratio of perimeter and width: a stroke is five times as long as it is wide, or longer
+_SLENDER = 12.0  # smallest ratio of perimeter to width; a stroke is at least five times as long as wide
 _MOST_SAMPLES = 8000
-_EACH_SIDE = 4  # samples in a width
-_EVEN = 0.05  # of the width: how much it may differ along a stroke
+_EACH_SIDE = 4  # samples per width
+_EVEN = 0.05  # largest variation of the width along a stroke, as a fraction
 _CAPS = (
     6.0  # widths: length of the outline, at both ends of the stroke together, where no opposite side is near
 )
@@ -68,7 +68,7 @@ EXACT_MM = 1e-3
 
 @dataclass(frozen=True)
 class ReadUnit:
-    """The unit of a drawing, and how it is known.
+    """The unit of a drawing, and its source.
 
     Attributes
     ----------
@@ -77,9 +77,9 @@ class ReadUnit:
     known : str
         "stated" by the file or by an option, "guessed" from the program that wrote the file, or "assumed".
     source : str
-        Where it is stated, such as "$INSUNITS"; empty where it is assumed.
+        Place of the statement, such as "$INSUNITS"; empty if the unit is assumed.
     note : str
-        A sentence on how to change it where it is not stated; else empty.
+        Message on how to change the unit if it is not stated; else empty.
     """
 
     name: str = "mm"
@@ -252,16 +252,16 @@ class DrawnFile:
     path : Path
     curves : sequence of DrawnCurve
     skipped : mapping
-        What was left out, by name, and how often: {"TEXT": 3}.
+        Number of skipped things by name: {"TEXT": 3}.
     unit : ReadUnit
-        Its unit, and how that is known.
+        Its unit and the source of the unit.
     remarks : tuple of str
-        Sentences on curves that were not joined, that the drawing shows otherwise, or that are probably no strips.
+        Messages on curves that were not joined, look different in the drawing, or are probably not strips.
 
     Raises
     ------
     InputError
-        More curves than are worked on.
+        There are too many curves.
     """
 
     path: Path
@@ -281,7 +281,7 @@ class DrawnFile:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Sentences on the unit, on what was skipped, and the remarks."""
+        """Messages on the unit and on what was skipped, and the remarks."""
         left_out = note("left out, for they are no curves: {things}", things=list_things(self.skipped))
         return (*filter(None, [self.unit.note, left_out if self.skipped else ""]), *self.remarks)
 
@@ -352,12 +352,12 @@ class DrawnFile:
 
 
 class CurveList(list[PlaneCurve]):
-    """The curves of a file, and beside them what was left out.
+    """The curves of a file, and what was left out.
 
     Attributes
     ----------
     file : DrawnFile
-        All that the file draws, with numbers, names and layers.
+        All curves of the file, with numbers, names and layers.
     """
 
     def __init__(self, curves: Iterable[PlaneCurve], file: DrawnFile) -> None:
@@ -366,7 +366,7 @@ class CurveList(list[PlaneCurve]):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """The notes of the file, and a sentence on each curve that is not valid."""
+        """The notes of the file, and a message on each curve that is not valid."""
         bad = [
             note("{called} is left out: {problem}", called=one.called, problem=one.problem)
             for one in self.file.bad
@@ -400,7 +400,7 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
     )
 
 
-_MOST_POINTS = 200  # of the drawing, whose distance is measured
+_MOST_POINTS = 200  # largest number of points of the drawing whose distance is measured
 _TURNED = 1e-3  # smallest slope of a drawing's plane that counts as turned
 
 
@@ -550,7 +550,7 @@ def _shape(source: Source) -> str:
     return note("{name} (layer {layer})", name=name, layer=source.layer) if source.layer else name
 
 
-_SHOWN = 6  # curves and kinds named in a sentence
+_SHOWN = 6  # largest number of curves and kinds in a message
 
 
 def _known(curves: Sequence[DrawnCurve]) -> str:

@@ -38,7 +38,7 @@ DEEPEST_BLOCK = 20  # levels of nested blocks; deeper nesting is an error or an 
 ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, AssertionError)
 """Exceptions that ezdxf raises for truncated or corrupt entities."""
 
-MODEL_SPACE = np.eye(4)  # placement of what is in no block
+MODEL_SPACE = np.eye(4)  # placement of entities outside of blocks
 
 _CURVES = {"LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX", "LWPOLYLINE", "POLYLINE"}
 
@@ -47,8 +47,8 @@ FLAT_HELIX = 1e-6  # largest ratio of height and radius of a HELIX that is a fla
 _PLACES = re.compile(rb"^[ \t]*(?:1[0-8]|2[0-8]|40)[ \t]*\r?\n[ \t]*([-+0-9.eE]+)[ \t]*\r?$", re.MULTILINE)
 _UNDECODED = re.compile("[\udc80-\udcff]")
 _SECTION = re.compile(rb"^[ \t]*2[ \t]*\r?\n[ \t]*(BLOCKS|ENTITIES)[ \t]*\r?$", re.MULTILINE)
-_MOST_NUMBERS = 20_000  # whose digits are looked at
-_COUNTLESS = 10**9  # insertions: counting stops there
+_MOST_NUMBERS = 20_000  # largest number of coordinates whose digits are examined
+_COUNTLESS = 10**9  # largest number of insertions that is counted
 
 
 def _dxf_rounding(path: Path) -> float:
@@ -58,7 +58,7 @@ def _dxf_rounding(path: Path) -> float:
         return 0.0
     sections = list(_SECTION.finditer(data))
     found: list[str] = []
-    for section in reversed(sections):  # the entities before the blocks
+    for section in reversed(sections):  # ENTITIES before BLOCKS
         begin, end = section.end(), data.find(b"ENDSEC", section.end())
         for match in _PLACES.finditer(data, begin, len(data) if end < 0 else end):
             found.append(match[1].decode("ascii"))
@@ -111,16 +111,16 @@ _INSUNITS = {
     0: 1.0, 1: 25.4, 2: 304.8, 3: 1609344.0, 4: 1.0, 5: 10.0, 6: 1000.0, 7: 1e6, 8: 25.4e-6, 9: 0.0254, 10: 914.4,
     11: 1e-7, 12: 1e-6, 13: 1e-3, 14: 100.0, 15: 1e4, 16: 1e5, 17: 1e12, 21: 1.2e6 / 3937,
 }  # fmt: skip
-"""Millimetres in the units that $INSUNITS numbers; 0 is "no unit"."""
+"""Millimetres in each unit number of $INSUNITS; 0 is "no unit"."""
 
 _NAMES = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
-"""Usual units that $INSUNITS numbers."""
+"""Names of the usual unit numbers of $INSUNITS."""
 
 _OWN_UNIT = b"all lengths in mm"
-"""The comment at the top of R12 files that this program writes, which have no $INSUNITS."""
+"""Comment at the top of R12 files of this program, which have no $INSUNITS."""
 
 _INCHES_BELOW = 40.0
-"""Drawing units: a smaller drawing of a program that measures in inches is in inches."""
+"""Size in drawing units below which a drawing with $MEASUREMENT = 0 is in inches."""
 
 _ASSUMED = (
     "its unit is assumed: {unit}, because {reason}; if that is wrong, set {field} to the right one, "
@@ -153,9 +153,7 @@ def read_dxf_drawing(
     shown = Provenance(
         place=np.diag([1 / scale, 1 / scale, 1.0]), unit="mm" if scale == 1 else "drawing units"
     )
-    with np.errstate(
-        over="ignore", invalid="ignore"
-    ):  # what is not finite is refused where places are checked
+    with np.errstate(over="ignore", invalid="ignore"):  # check_places refuses values that are not finite
         drawn = collect_curves(
             file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flatten_run,
             nothing="holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
@@ -239,7 +237,7 @@ def _opened(path: Path) -> "Drawing":
     with path.open("rb") as opened:
         if re.match(rb"AC10\d\d", opened.read(6)):
             raise InputError("This is a DWG file, not a DXF file. Save the drawing as DXF.")
-    # what ezdxf meets in a file cut short or overwritten in places
+    # errors of ezdxf in truncated or corrupt files
     damage = (
         DXFError,
         OSError,
@@ -313,7 +311,7 @@ def _unit_code(document: "Drawing") -> int:
 
 @dataclass(frozen=True)
 class _Hidden:
-    """Names of the layers that are not shown, in small letters: those off or frozen, and the frozen alone."""
+    """Lower-case names of hidden layers (off or frozen), and of frozen layers."""
 
     layers: frozenset[str]
     frozen: frozenset[str]
@@ -344,7 +342,7 @@ def _entities(
     """Yield the entities of a layout and of its blocks with their placement (4, 4) and layer.
 
     An entity on layer 0 of a block is on the layer of the insertion. Hidden entities are counted. Placements of
-    nested blocks are multiplied, because unequal scales and rotations make a shear that no insertion can state.
+    nested blocks are multiplied, because unequal scales and rotations make a shear, which an insertion cannot have.
     """
     from ezdxf.lldxf.const import DXFError
 
@@ -438,7 +436,7 @@ def _spline(entity: Any) -> Edge:
     if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):  # knots written with too few decimals
         knots = knots + backwards
     if weights is not None and len(weights) != len(points):
-        return Edge(knots, points, degree, weights)  # refused there
+        return Edge(knots, points, degree, weights)  # Edge refuses these weights
     poles = points if weights is None else np.column_stack([points, weights])
     knots, poles = _without_doubled_poles(*_unwound(knots, poles, degree, entity.closed), degree)
     return Edge(knots, poles[:, :3], degree, None if weights is None else poles[:, 3])

@@ -1,4 +1,4 @@
-"""Drawings as DXF files: R2000 to R2018 through ezdxf, R12 without any library."""
+"""Drawings as DXF files: R2000 to R2018 with ezdxf, R12 without a library."""
 
 import io
 import logging
@@ -39,7 +39,7 @@ _INKS = {
     1: (255, 0, 0), 2: (255, 255, 0), 3: (0, 255, 0), 4: (0, 255, 255), 5: (0, 0, 255), 6: (255, 0, 255),
     7: (0, 0, 0), 8: (128, 128, 128), 9: (192, 192, 192), 30: (255, 127, 0), 140: (0, 191, 255), 200: (191, 0, 255),
 }  # fmt: skip
-"""Some of AutoCAD's colour numbers; 7 is drawn in black on white paper and in white on a black screen."""
+"""Some of AutoCAD's colour numbers; 7 is black on white paper and white on a black screen."""
 
 
 def encode_dxf(
@@ -119,7 +119,7 @@ def _through_ezdxf(
         for layer, style in styles.items():
             row = document.layers.add(style.name, color=_ink(style.rgb))
             row.rgb = style.rgb
-            row.dxf.plot = int(layer != SHEET)  # the border of a sheet is seen, not worked
+            row.dxf.plot = int(layer != SHEET)  # the border of a sheet is visible, but not cut
         space, groups = document.modelspace(), document.rootdict["ACAD_GROUP"]
         for layer, path in paths:
             entities = [*_entities(space, path, {"layer": layer})]
@@ -133,7 +133,7 @@ def _through_ezdxf(
         document.header["$EXTMIN"], document.header["$EXTMAX"] = (left, low, 0.0), (right, high, 0.0)
         height = 1.1 * max(high - low, (right - left) / 2)
         document.set_modelspace_vport(height, ((left + right) / 2, (low + high) / 2))
-        # ezdxf keeps the classes that a version needs in a set, whose order changes with every process
+        # ezdxf stores the classes of a version in a set, whose order differs between processes
         document.classes.add_required_classes(document.dxfversion)
         document.classes.classes = dict(sorted(document.classes.classes.items()))
         stream = io.StringIO("".join(f"999\n{line}\n" for line in _made_by()))
@@ -237,7 +237,7 @@ def _check_old_names(styles: Mapping[str, LayerStyle]) -> None:
             )
 
 
-# --- of both ---
+# --- all versions ---
 
 
 def _circle(path: Path) -> Arc | None:

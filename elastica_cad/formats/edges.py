@@ -1,4 +1,4 @@
-"""A drawn piece as a file holds it: a NURBS of any degree from 1, in the plane or in space."""
+"""A piece of a drawing as in its file: a NURBS of any degree from 1, in the plane or in space."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ class Source:
     Attributes
     ----------
     name : str
-        Its label, id or handle, as the drawing program shows it.
+        Its label, id or handle, as the drawing program displays it.
     layer : str
     rounding : float
         Half a unit of the last digit of its coordinates, mm.
@@ -37,7 +37,7 @@ class Source:
 
 @dataclass(frozen=True, eq=False)
 class Edge:
-    """One line, polyline, arc or spline of a drawing, as a B-spline.
+    """A line, polyline, arc or spline of a drawing, as a B-spline.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ class Edge:
 
     @classmethod
     def bezier(cls, points: ArrayLike) -> "Edge":
-        """Make an edge of one polynomial Bezier piece from its control points (degree + 1, d), mm."""
+        """Make an edge of a polynomial Bezier piece from its control points (degree + 1, d), mm."""
         points = np.asarray(points, dtype=float)
         degree = len(points) - 1
         return cls(np.repeat([0.0, 1.0], degree + 1), points, degree)
@@ -195,14 +195,14 @@ class Edge:
         source = source or self.source
         if not np.isfinite(points).all():
             return Edge(self.knots, points, self.degree, self.weights, source)
-        made = object.__new__(Edge)  # all else was checked
+        made = object.__new__(Edge)  # all other fields are checked
         parts = {"knots": self.knots, "points": points, "degree": self.degree, "weights": self.weights}
         vars(made).update(parts, source=source)
         return made
 
 
 Run = tuple[Edge, ...]
-"""Edges that follow each other end to end."""
+"""Consecutive edges, end to end."""
 
 
 def reverse_run(run: Sequence[Edge]) -> Run:

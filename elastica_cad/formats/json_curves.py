@@ -1,4 +1,4 @@
-"""Curves as JSON, exactly: knots, control points, degree and weights, in mm."""
+"""Exact JSON files of curves: knots, control points, degree and weights, in mm."""
 
 import json
 from collections.abc import Sequence
@@ -51,7 +51,7 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
         data = json.loads(file.read_bytes())
     except RecursionError as error:
         raise InputError("nests lists or records too deep: give a file that elastica wrote") from error
-    except ValueError as error:  # a whole number of thousands of digits too
+    except ValueError as error:  # also an integer of thousands of digits
         raise InputError(
             "is not JSON ({partition}): export it anew", partition=str(error).partition(";")[0]
         ) from error

@@ -1,4 +1,4 @@
-"""Surfaces in files: points and sections of any, and triangle meshes (OBJ, STL, PLY) through trimesh."""
+"""Surface files: points and plane sections, and triangle meshes (OBJ, STL, PLY) read by trimesh."""
 
 from collections.abc import Callable, Sequence
 from io import BytesIO
@@ -80,7 +80,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
                 source = _counted_from_the_start(path.read_bytes()) if suffix == ".obj" else path
                 mesh = load(source, file_type=suffix[1:], force="mesh", process=False)
             vertices, faces = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=int)
-        except Exception as error:  # parsers of trimesh raise errors of any kind
+        except Exception as error:  # parsers of trimesh raise any exception
             raise InputError(
                 "this is no {upper} mesh that can be read: export it anew", upper=suffix[1:].upper()
             ) from error
@@ -139,7 +139,7 @@ LEAST_SIZE_MM, MOST_SIZE_MM = 1.0, 1e6
 
 
 SurfaceReader: TypeAlias = Callable[..., Surface]
-"""`read_surface(path, unit=..., scale=...)`."""
+"""Type of functions such as `read_mesh_surface(path, unit=..., scale=...)`."""
 
 
 def mesh_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Surface:

@@ -1,4 +1,4 @@
-"""Edges in space as plane curves: their plane, and the curve in it."""
+"""Edges in space as plane curves: their plane, and the curve in this plane."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -15,10 +15,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import Length, Point, note
 
-NOISE_MM, NOISE_SHARE = (
-    0.05,
-    1e-3,
-)  # height of a drawing that is meant to be plane, and its fraction of the size
+NOISE_MM, NOISE_SHARE = 0.05, 1e-3  # largest distance of a drawing from its plane: mm, and relative
 HORIZONTAL = np.cos(np.radians(1.0))  # z of the unit normal of a plane that counts as horizontal
 
 
@@ -91,10 +88,10 @@ def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
     return np.array([x_axis, y_axis])
 
 
-JOIN = 1e-4  # mm: ends of edges that are meant to meet
+JOIN = 1e-4  # mm: largest gap between ends of edges that meet
 TANGENT = 1e-3  # rad
-EVEN = 1e-6  # rad: curves that turn by less on the whole turn to neither side
-MEANT = 0.05  # of the extent of all edges: ends farther apart than this are not meant to meet
+EVEN = 1e-6  # rad: curves with a smaller total turn have no side
+MEANT = 0.05  # fraction of the extent of all edges: ends farther apart are not intended to meet
 AS_DRAWN = np.eye(3)
 
 

@@ -1,4 +1,4 @@
-"""Curves from plain numbers: tables of measured points, and control points of a uniform spline."""
+"""Curves from text files of numbers: tables of measured points, and control points of a uniform spline."""
 
 import csv
 import re
@@ -35,10 +35,10 @@ ALONG = ("distance", "station")
 """Names of the common x column in a table of offsets; the first name that is in the heading is used."""
 
 NOTHING = ("", "-", "\u2013", "\u2014")
-"""Cells of a table of offsets where a curve does not reach."""
+"""Cells of a table of offsets outside the range of a curve."""
 
 _MINUS = "\u2212"
-"""The minus of typesetters, which spreadsheets in Nordic languages write."""
+"""Typographic minus sign, which spreadsheets in Nordic languages write."""
 
 _VULGAR = re.compile("[\u00bc-\u00be\u2150-\u215e]")
 """Single characters for fractions, such as five eighths."""
@@ -59,7 +59,7 @@ _SURVEY = {
     **dict.fromkeys(("northing", "north", "n", "hochwert", "nordwert"), "y"),
     **dict.fromkeys(("elevation", "elev", "height", "h\u00f6he"), "z"),
 }
-"""Axes by the names of surveyors."""
+"""Axes by their names in surveying."""
 
 _STATED = re.compile(
     r"""\b(?:units?|einheit(?:en)?)\s*(?:[:=]|are|in)\s*["(\[]?([^\W\d_]+)|
@@ -77,7 +77,7 @@ _APART = re.compile(r"[-+]?[1-9]\d{0,2}(?:([ '\u2019])\d{3})(?:\1\d{3})*(?:[.,]\
 _UNIT_BEHIND = re.compile(rf"({_NUMBER.pattern}|[-+]?\d+[ -]\d+/\d+)\s*([^\W\d_]+\.?)")
 
 Row = tuple[int, list[str]]
-"""The number of a row in its file, and its cells."""
+"""Number of a row in its file, and its cells."""
 
 
 class Column(NamedTuple):
@@ -167,7 +167,7 @@ def _parted(text: str) -> tuple[list[Row], list[str], str]:
     if stated:
         separator = stated[1]
     else:
-        outside = [re.sub('"[^"]*"', "", line) for _, line in kept]  # of quotes
+        outside = [re.sub('"[^"]*"', "", line) for _, line in kept]  # outside of quotes
         often = {sign: sum(sign in line for line in outside) for sign in _SEPARATORS}
         separator = max(often, key=lambda sign: often[sign]) if any(often.values()) else " "
     if separator == " ":
@@ -190,7 +190,7 @@ def _parted(text: str) -> tuple[list[Row], list[str], str]:
 
 
 class _Head(NamedTuple):
-    """A cell of a heading: the axis that it names or "", its name, and what may be a unit in it or ""."""
+    """A cell of a heading: its axis or "", its name, and a possible unit or ""."""
 
     axis: str
     name: str
@@ -275,7 +275,7 @@ class _Layout:
         units = [
             *units,
             *(one for one in said if len(names) < 2 or one not in names),
-        ]  # several names: of curves
+        ]  # several unknown names are names of curves
         if count == 1:
             last = max(curves[0])
             rows = [(n, [cells[k] for k in curves[0]] if len(cells) > last else cells) for n, cells in below]
@@ -496,8 +496,8 @@ def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -
     return values
 
 
-RULER_MM = 0.25  # rounding, mm, as of a ruler with half millimetres: such points were measured by hand
-_DIGITS = 20_000  # numbers whose digits are looked at
+RULER_MM = 0.25  # rounding, mm, of a ruler with half millimetres: such points are measured by hand
+_DIGITS = 20_000  # largest number of numbers whose digits are examined
 
 
 def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
@@ -524,7 +524,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     cells = [cell for column in table.columns for _, row in column.rows for cell in row]
     inches = [cell for cell in cells if is_in_inches(cell)]
     scale = look_up_unit(table.unit or ("in" if inches else "mm"))
-    parts = [int(found[1]) for cell in inches if (found := re.search(r"/(\d+)", cell))]  # of an inch
+    parts = [int(found[1]) for cell in inches if (found := re.search(r"/(\d+)", cell))]  # 1/parts inch
     parts += [8 for cell in inches if cell.count("-") > 1]
     rounded = MM_PER_INCH / max(parts) / 2 if parts else scale * half_last_place(cells[:_DIGITS])
     by_rule = scale == MM_PER_INCH or table.is_offsets or rounded >= RULER_MM

@@ -1,4 +1,4 @@
-"""Files before and while they are read: size, text, and numbers within bounds."""
+"""Checks of files and numbers that are read: size, text, and bounds."""
 
 import os
 import re
@@ -23,7 +23,7 @@ _read: ContextVar[dict[Path, FileMark] | None] = ContextVar("files read", defaul
 _below: ContextVar[tuple[Path, ...]] = ContextVar("folders that may be read", default=())
 
 UNIT = FieldName("unit")
-"""Name of the option and key for the unit of a file, as messages show it."""
+"""Name of the option and key for the unit of a file in messages."""
 
 LARGEST_FILE = 64 * 2**20
 """Largest size of a file of curves, bytes."""
@@ -46,7 +46,7 @@ def require_file(path: str | Path) -> Path:
     if noted is not None:
         noted.setdefault(path.absolute(), mark_file(path))
     require_below(path)
-    if os.path.isdir(path):  # False, not an error, for a name that no disk takes
+    if os.path.isdir(path):  # False, not an error, for invalid names
         raise InputError("{path} is a folder: name one file in it", path=path)
     if os.path.exists(path) and not path.is_file():
         raise InputError("{path} is no file but a device or a pipe: name a file", path=path)
@@ -88,7 +88,7 @@ def require_below(path: Path) -> None:
 
 @contextmanager
 def read_below(*folders: str | os.PathLike[str]) -> Iterator[None]:
-    """Let the block read files in these folders, and below them, only."""
+    """Allow the block to read only files in these folders and their subfolders."""
     token = _below.set(tuple(Path(os.path.realpath(folder)) for folder in folders))
     try:
         yield
@@ -107,7 +107,7 @@ def mark_file(path: Path) -> FileMark:
 
 @contextmanager
 def note_reads() -> Iterator[dict[Path, FileMark]]:
-    """Collect the files that the block requests by `require_file`, with their marks just before they are read."""
+    """Collect the files that the block requests by `require_file`, with fingerprints from just before."""
     noted: dict[Path, FileMark] = {}
     token = _read.set(noted)
     try:
@@ -118,7 +118,7 @@ def note_reads() -> Iterator[dict[Path, FileMark]]:
 
 @contextmanager
 def quiet_log(name: str) -> Iterator[None]:
-    """Keep a library's log off the screen during the block, unless the program handles it."""
+    """Silence a library's log during the block, unless the program handles it."""
     import logging
 
     logger, silence = logging.getLogger(name), logging.NullHandler()
@@ -131,7 +131,7 @@ def quiet_log(name: str) -> Iterator[None]:
 
 @contextmanager
 def name_source(path: str | Path) -> Iterator[Path]:
-    """Check a file as `require_file` does, and name it in every error that the block raises about its contents."""
+    """Check a file as `require_file` does, and add its name to errors of the block about its contents."""
     path = require_file(path)
     try:
         yield path
@@ -167,7 +167,7 @@ MOST_DEGREE = 25
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _WRITTEN = re.compile(r"[-+]?(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")
 _PROGRAMS = 6  # significant digits from which a program may use a fixed number of them instead of decimals
-_EVIDENCE = 2  # number of large numbers that are not multiples of 10 from which their decimals decide
+_EVIDENCE = 2  # number of large numbers that are not multiples of 10 from which their decimals are decisive
 
 
 def check_places(points: FloatArray) -> FloatArray:

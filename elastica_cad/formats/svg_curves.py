@@ -25,15 +25,15 @@ _PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}version"
 _AFFINITY = "xmlns:serif"
 _ILLUSTRATOR = "Generator: Adobe Illustrator"
-_EXPORTED_CLASS = re.compile(r"cls-\d+")  # in what Illustrator exports for screens
+_EXPORTED_CLASS = re.compile(r"cls-\d+")  # class in files that Illustrator exports for screens
 _ZERO = re.compile(r"\s*[+]?(0*\.?0+|0+\.)(e[-+]?\d+)?\s*(%|[a-z]*)\s*", re.IGNORECASE)
 _CLEAR = re.compile(
     r"(rgb|hsl)a?\(([^,]*,){3}\s*0*\.?0*%?\s*\)|(rgb|hsl)a?\([^,]*/\s*0*\.?0*%?\s*\)|#[0-9a-f]{6}00|#[0-9a-f]{3}0"
 )
-"""Colours of opacity 0."""
+"""Colours with opacity 0."""
 
 _LEAST_UNIT = 1e-9  # mm
-_LARGEST = 1e15  # of any number: what comes of two of them is still a number
+_LARGEST = 1e15  # largest number in a file, so that products of two numbers are finite
 
 
 def read_svg_drawing(
@@ -185,7 +185,7 @@ def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
 
 
 class _DrawnShape(NamedTuple):
-    """The subpaths of a shape in its own coordinates, and the map to user units: matrix (2, 2) and offset (2,)."""
+    """The subpaths of a shape in its coordinates, and the map to user units: matrix (2, 2) and offset (2,)."""
 
     runs: Sequence[Run]
     source: Source
@@ -201,7 +201,7 @@ class _Shapes:
     drawn : set of int
         Marks of visible shapes.
     unpainted : set of int
-        Marks of shapes that have neither a stroke nor a fill.
+        Marks of shapes without stroke and fill.
     clipped : dict
         Names of shapes that a clip path or mask may hide in part; the values are None.
     bad : dict
@@ -335,7 +335,7 @@ def _in_user_units(tree: SvgTree) -> bytes:
         root.attrib.pop(name, None)
     root.set("width", size[0])
     root.set("height", size[1])
-    # names of attributes may have letters beyond ASCII
+    # names of attributes may contain non-ASCII letters
     return bytes(ElementTree.tostring(root, encoding="utf-8"))
 
 

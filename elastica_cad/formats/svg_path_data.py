@@ -1,4 +1,4 @@
-"""The path data of SVG: a text of commands and numbers, as edges.
+"""Path data of SVG, a text of commands and numbers, converted to edges.
 
 SVG 2, section 9.3 ("Path data") and appendix B.2 (arcs). https://www.w3.org/TR/SVG2/paths.html
 """
@@ -17,12 +17,12 @@ from elastica_cad.formats.source_file import MOST_PIECES, NUMBER, check_count, h
 _SPACE = re.compile(r"[\s,]*")
 _NUMBER = re.compile(NUMBER)
 _COUNTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
-_MOST_SEGMENTS = 20 * MOST_PIECES  # of a path with all its subpaths
+_MOST_SEGMENTS = 20 * MOST_PIECES  # largest number of commands of a path with all its subpaths
 
 
 @dataclass(frozen=True, eq=False)
 class PathData:
-    """The edges that a path draws, in its own units.
+    """The edges of a path, in its units.
 
     Attributes
     ----------
@@ -217,9 +217,9 @@ def _arc_edge(
     radii : (2,) array
         Semi-axes; if one is 0, the arc is a line.
     turned : float
-        Angle of the first axis, rad.
+        Angle of the first semi-axis, rad.
     large, sweep : bool
-        The flags of SVG.
+        Flags of the SVG arc command.
     """
     if not np.any(start != end):
         return None

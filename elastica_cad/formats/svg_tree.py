@@ -1,4 +1,4 @@
-"""The element tree of an SVG file: bounded, with its styles resolved.
+"""The element tree of an SVG file, limited in size, with resolved styles.
 
 CSS Syntax 3, Cascade 4 and Selectors 3. https://www.w3.org/TR/css-syntax-3/, https://www.w3.org/TR/selectors-3/
 """
@@ -287,7 +287,7 @@ _HELD = ("svg", "symbol")
 
 Box = tuple[float, float, float, float]
 Extent = tuple[float, float]
-Fit = tuple[float, float, float, float]  # scales, then where the origin goes
+Fit = tuple[float, float, float, float]  # scales, then the position of the origin
 
 
 def _fit_views(root: ElementTree.Element) -> None:
@@ -440,21 +440,21 @@ _KIND = re.compile(
     ([ _-]*(copy|kopie|\d+|\(stroke\)|n?w[ef]?\d+))*_?""",
     re.IGNORECASE | re.VERBOSE,
 )
-"""Labels and ids that drawing programs make: the kind of the shape, with numbers ("path37-1-6", "Vector 2")."""
+"""Labels and ids made by drawing programs: the kind of the shape, with numbers ("path37-1-6", "Vector 2")."""
 
 _TOKEN = re.compile(
     r"""_?\d[0-9a-f]*|[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}|(xmlid|svgid)_\d+_|svgjs\w*\d+|id\d+
     |(?-i:(LINE|ARC|CIRCLE|ELLIPSE|SPLINE|(LW)?POLYLINE|HELIX)[ _-]?[0-9A-F]*\d[0-9A-F]*)""",
     re.IGNORECASE | re.VERBOSE,
 )
-"""Ids, but no labels, that programs make: handles of CAD ("2F", "SPLINE_2F"), UUIDs and numbers of libraries."""
+"""Ids, but not labels, made by programs: handles of CAD ("2F", "SPLINE_2F"), UUIDs and numbers of libraries."""
 
-_PACKED = b"\x1f\x8b"  # how gzip begins
-_HEAD = 4096  # bytes that are looked through at a time for where the first element begins
-_LONGEST_ENTITY = 1000  # characters; expat bounds what all references come to
-_DEEPEST = 200  # elements within elements
-_MOST_ELEMENTS = 5 * MOST_SHAPES  # once clones are put in place: groups and texts take time too
-_MOST_TEXT = 64 * 2**20  # characters once clones are put in place
+_PACKED = b"\x1f\x8b"  # first bytes of gzip
+_HEAD = 4096  # bytes read at a time to find the first element
+_LONGEST_ENTITY = 1000  # characters; expat limits the total of all references
+_DEEPEST = 200  # largest depth of nested elements
+_MOST_ELEMENTS = 5 * MOST_SHAPES  # with expanded clones; groups and texts take time too
+_MOST_TEXT = 64 * 2**20  # characters, with expanded clones
 MARK = "data-shape"
 """Attribute with the number of the shape in the tree, for expanded clones."""
 
@@ -472,7 +472,7 @@ class Name:
     Attributes
     ----------
     shown : str
-        Its label, else its id; "" without both.
+        Its label, else its id, else "".
     id : str
     is_chosen : bool
         True if a person chose the label or the id, False if a program made them.
@@ -526,7 +526,7 @@ class Shape:
 
 @dataclass
 class SvgTree:
-    """The tree, its shapes and the names of its clones; path data are taken out of the tree, a mark put in.
+    """The tree, its shapes and the names of its clones; marks in the tree replace path data.
 
     Attributes
     ----------
@@ -535,7 +535,7 @@ class SvgTree:
     head : str
         The comments and namespaces at the top of the file.
     unread : list of str
-        What of its style is not evaluated: selectors of its style sheets, transforms about a box.
+        Parts of its style that are not supported: selectors of its style sheets, transforms about a box.
     """
 
     root: ElementTree.Element
@@ -553,7 +553,7 @@ def svg_tree(path: Path) -> SvgTree:
     Raises
     ------
     InputError
-        No SVG, nested too deep, or more shapes, clones expanded, than are read.
+        The file is not SVG, is nested too deep, or has too many shapes after clones are expanded.
     """
     with _open_svg(path) as file:
         head = _read_head(file)
@@ -630,7 +630,7 @@ def _read_head(file: BinaryIO) -> str:
 def _refuse_bombs(tree: SvgTree) -> None:
     """Count the shapes that clones (`use`) expand to, and remove clones that refer to themselves."""
     order: list[tuple[ElementTree.Element, int]] = [(tree.root, 0)]
-    for element, depth in order:  # grows while it is walked: parents before children
+    for element, depth in order:  # grows during the loop: parents before children
         if depth > _DEEPEST:
             raise InputError(
                 "nests groups more than {deepest} deep: ungroup them before export", deepest=_DEEPEST
@@ -651,7 +651,7 @@ def _refuse_bombs(tree: SvgTree) -> None:
             size = len(element.get("d", "")) + len(element.get("points", ""))
             for one in below:
                 if one is links.get(element) and one in state and not state[one][0]:
-                    unlink(element)  # what it would put in place holds nothing to be read
+                    unlink(element)  # its expansion contains nothing to read
                 elif one in state:
                     shapes, elements, size = (
                         mine + its for mine, its in zip((shapes, elements, size), state[one], strict=True)

@@ -1,4 +1,4 @@
-"""Files that appear whole or not at all, alone or together."""
+"""Atomic writing of files, singly or together."""
 
 import json
 import os
@@ -117,11 +117,11 @@ def write_atomically(
                 else:
                     file.write(content)
                 file.close()
-                check_target(path, force=force)  # another may have come first
+                check_target(path, force=force)  # another process may have written the file
                 os.replace(temporary, target)
             except BaseException:
-                file.close()  # Windows removes no file that is open
-                with suppress(OSError):  # a disk that nobody may write to refuses this too
+                file.close()  # Windows cannot remove an open file
+                with suppress(OSError):  # a read-only disk refuses this too
                     temporary.unlink()
                 raise
     except OSError as error:
@@ -190,9 +190,9 @@ class File:
     Attributes
     ----------
     name : str
-        With / where the file is in a folder of its own.
+        Name of the file, with / if it is in a subfolder.
     write : callable
-        Writes the file to a path.
+        Function that writes the file to a path.
     description : str
         Contents of the file, for lists of files.
     """
@@ -214,7 +214,7 @@ def write_files(
     Parameters
     ----------
     files : sequence of File
-        They are written in this order; a file may read those before it, which are beside it.
+        Written in this order; a file may read the previous files, which are in the same temporary folder.
     folder, force
         As for `write_together`.
     done : callable, optional
@@ -292,7 +292,7 @@ def _workshop(ground: Path, above: Path) -> Iterator[Path]:
 
 
 def _remove(home: Path) -> None:
-    """Remove a temporary folder, its lock file last: what a kill leaves can still be recognized."""
+    """Remove a temporary folder, and its lock file last, so that an interrupted removal can be recognized."""
     shutil.rmtree(home / _FILES, ignore_errors=True)
     with suppress(OSError):  # a user may look into the folder
         (home / _LOCK).unlink(missing_ok=True)
@@ -300,7 +300,7 @@ def _remove(home: Path) -> None:
 
 
 def _remove_stale(home: Path) -> None:
-    """Remove a temporary folder with our name and lock file that is older than a day and whose process is dead."""
+    """Remove a temporary folder with our name and lock file if it is older than a day and its process is dead."""
     lock = home / _LOCK
     if home.is_symlink() or lock.is_symlink() or not re.fullmatch(r"\.elastica-[0-9a-f]{16}", home.name):
         return
@@ -314,11 +314,11 @@ def _remove_stale(home: Path) -> None:
 
 
 def _take(lock: BinaryIO | FileIO) -> None:
-    """Lock an open file until it is closed or its process ends; OSError if another process has it."""
+    """Lock an open file until it is closed or its process ends; raise OSError if another process has locked it."""
     if sys.platform == "win32":
         import msvcrt
 
-        lock.seek(len(_OURS))  # beyond the text, which stays readable
+        lock.seek(len(_OURS))  # after the text, which stays readable
         msvcrt.locking(lock.fileno(), msvcrt.LK_NBLCK, 1)
     else:
         import fcntl
@@ -341,7 +341,7 @@ def _refusals(folder: str | os.PathLike[str]) -> Iterator[None]:
 
 @contextmanager
 def _about_its_own_files(workshop: Path) -> Iterator[None]:
-    """Report errors in the temporary folder without its name, which the user has not chosen."""
+    """Report errors in the temporary folder without its name, which the user does not know."""
     try:
         yield
     except (InputError, OSError) as problem:
@@ -366,7 +366,7 @@ def _places(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool
 
 def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) -> None:
     """Move all files to their folder."""
-    _check(target, names, force=force)  # another may have come first
+    _check(target, names, force=force)  # another process may have written files
     if not target.exists():
         target.parent.mkdir(parents=True, exist_ok=True)
         os.rename(workshop, target)

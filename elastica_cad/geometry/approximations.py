@@ -202,7 +202,7 @@ def as_polyline(path: Path, tolerance: float = 0.02) -> Path:
 def as_arcs(path: Path, tolerance: float = 0.02) -> Path:
     """Return the path with every spline replaced by tangent arcs (biarcs) at most `tolerance` mm away.
 
-    Lines and arcs are kept. Each biarc meets the spline's points and directions at its ends.
+    Lines and arcs are kept. Each biarc has the points and directions of the spline at its ends.
 
     Examples
     --------

@@ -1,7 +1,7 @@
-"""Constraints on the control points of a curve, and the least move that restores them.
+"""Constraints on the control points of a curve, and the least change that satisfies them.
 
 Appendix C of the paper: inflections on a line, end points, end tangents, arc length. Every constraint is an
-equation G(q) = 0 in the control points q (m, 2), read row by row; of a rational curve the weights stay as they are.
+equation G(q) = 0 in the control points q (m, 2), in row order. The weights of a rational curve do not change.
 """
 
 from collections.abc import Sequence

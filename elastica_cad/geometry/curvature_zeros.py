@@ -23,16 +23,15 @@ _DEGREE = 11
 """Degree of the polynomials that approximate a function that is not a polynomial."""
 
 _FOLLOWED = 1e-13
-"""A polynomial follows a function when its last coefficients are this small, relative to the size of the
-function."""
+"""Size of the last coefficients, relative to the size of a function, at which a polynomial approximates it."""
 
 _FOLLOWED_NOISE = 1e-12
 """Size of the curvature polynomials in Bernstein form, in which the zeros are found."""
 
 _FLAT = 1e-7
-"""A function that stays below this share of its size between two places is 0 there."""
+"""Size of a function between two points, relative to its overall size, below which it counts as 0."""
 
-_MOST_CUTS = 12  # of a span in halves: what is not followed then is rounding
+_MOST_CUTS = 12  # largest number of halvings of a span; any remaining error is rounding
 
 _SITES = np.cos(np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1))
 _TO_CHEBYSHEV = np.linalg.inv(np.polynomial.chebyshev.chebvander(_SITES, _DEGREE))
@@ -176,11 +175,11 @@ def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
     centre = bezier[:, :, :2].sum(axis=1) / bezier[:, :, 2:].sum(axis=1)
     step = bezier[:, 1:] - bezier[:, :-1]
     bend = step[:, 1:] - step[:, :-1]
-    if np.ptp(bezier[..., 2]) == 0:  # to 1, so that the second factor of the first term alone is left
+    if np.ptp(bezier[..., 2]) == 0:  # scale weights to 1, so that only one factor of a term remains
         d, e = (v[..., :2].transpose(2, 0, 1) for v in (step[:, :-1], bend))
         first, second = product(d, e[::-1])
         return first - second, _numerator_noise(d, e, centre)
-    # seen from the middle of each piece; rows x w, y w, w
+    # relative to the middle of each piece; rows x w, y w, w
     a, d, e = (
         np.stack([*(v[..., :2] - centre[:, None] * v[..., 2:]).transpose(2, 0, 1), v[..., 2]])
         for v in (bezier[:, :-2], step[:, :-1], bend)

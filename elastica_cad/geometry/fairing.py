@@ -2,7 +2,7 @@
 
 The smooth curve c is the spline of degree 4 with simple knots that minimises
 
-    integral of (n . (c - drawn))^2 ds + l^6 integral of (d kappa / ds)^2 ds,
+    integral of (n . (c - drawn))^2 ds + l^6 integral of (d kappa / ds)^2 ds.
 
 It keeps the ends and end tangents of the drawn curve; on request the curvature is 0 at the ends. The length l
 is the largest for which the curve stays within the tolerance. If the drawn curve is closed, c is periodic. The
@@ -85,19 +85,19 @@ def _distance_from_sides(curve: PlaneCurve, vertices: FloatArray) -> float:
     return float(nearest.max())
 
 
-DEGREE = 4  # whose curvature and its slope are continuous at simple knots
+DEGREE = 4  # the curvature and its slope are continuous at simple knots
 
 USUAL, USUAL_SHARE = 0.1, 5e-4
 """Largest distance by which a curve is smoothed by default: in mm, and as a fraction of its length."""
 
-_EACH = 5  # sites in a span
-_FEWEST, _MOST = 24, 768  # spans
+_EACH = 5  # sites of each span
+_FEWEST, _MOST = 24, 768  # fewest and most spans
 _ROUNDS = 3  # rounds of linearisation
-_HALVINGS = 14  # of the range of smoothing weights
-_USED = 0.96  # of the tolerance at the sites; the distance between sites is measured afterwards
-_SLIDE = 1e4  # weight of sliding along the curve, beside moving across it
-_FINE = 1.5  # spans in the smoothing length l
-_DENSE = 8  # points in a span when the distance is measured
+_HALVINGS = 14  # halvings of the range of smoothing weights
+_USED = 0.96  # fraction of the tolerance at the sites; between sites the distance is measured afterwards
+_SLIDE = 1e4  # weight of motion along the curve, relative to motion normal to it
+_FINE = 1.5  # fewest spans in the smoothing length l
+_DENSE = 8  # points of each span at which the distance is measured
 
 
 @dataclass(frozen=True, eq=False)
@@ -429,7 +429,7 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     healing = _healed(curve, SMOOTHING_SHARE * most)
     if len(healing.healed) < len(corners):
         return None
-    needed = 1.05 * healing.moved / SMOOTHING_SHARE  # the bound of a turn is of sines
+    needed = 1.05 * healing.moved / SMOOTHING_SHARE  # the bound of a turn refers to sines
     offered = max(_one_figure(needed, np.ceil), _one_figure(usual_tolerance(curve), np.floor))
     return offered if offered <= most and not round_corners(curve, offered)[0].has_corners else None
 

@@ -22,12 +22,12 @@ class Frame:
     origin : (3,) array_like
         mm.
     x_axis, y_axis : (3,) array_like
-        Directions at right angles to each other; they are brought to unit length.
+        Directions at right angles to each other; they are normalized.
 
     Raises
     ------
     InputError
-        Numbers that are not finite, or axes that are not at right angles.
+        Numbers are not finite, or the axes are not at right angles.
 
     Examples
     --------
@@ -53,7 +53,7 @@ class Frame:
         self._hold(rows[0], rows[1] / sizes[0], rows[2] / sizes[1])
 
     def _hold(self, *rows: FloatArray) -> None:
-        """Take checked rows: origin and unit axes."""
+        """Create a frame from checked rows: origin and unit axes."""
         for row in rows:
             row.setflags(write=False)
         vars(self).update(zip(_PARTS, rows, strict=True))

@@ -126,7 +126,7 @@ class MeasuredPoints:
     def turns_beside(self, place: FloatArray) -> tuple[float, float, float]:
         """Return by how much the points turn at the point nearest to a place (2,), and at its neighbours, rad.
 
-        Turns to the left are positive. Beside the first and last point they are 0.
+        Turns to the left are positive. At neighbours beyond the ends they are 0.
         """
         step = np.diff(self.points, axis=0)
         heading = np.arctan2(step[:, 1], step[:, 0])
@@ -142,7 +142,7 @@ class MeasuredPoints:
 
     @property
     def told(self) -> str:
-        """The noise, in a sentence without its full stop."""
+        """Message about the noise, without a full stop."""
         return note(
             "the points waver by about {waver}: set {field} to {reach:g} to smooth them",
             waver=self.shown, field=FieldName("smooth"), reach=Length(self.reach),
@@ -224,7 +224,7 @@ class Provenance:
     undecided : tuple of Turn
         Turns of the tangent that are either corners or rounding errors.
     place : (3, 3) array, optional
-        From millimetres to the coordinates that the drawing program shows.
+        Matrix from millimetres to the coordinates displayed by the drawing program.
     unit : str
         Unit of those coordinates: "mm", "user units".
     name, layer : str

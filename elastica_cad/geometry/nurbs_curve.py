@@ -1,4 +1,4 @@
-"""Plane NURBS curves as numbers: construction, evaluation, derivatives, smoothness at knots, maps."""
+"""Plane NURBS curves: construction, evaluation, derivatives, continuity at knots, maps."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
@@ -37,10 +37,10 @@ from elastica_cad.geometry.splines import (
 )
 from elastica_cad.refusals import Length, note
 
-_STANDSTILL_SHARE = 1e-9  # of the largest speed on the span; lower speeds count as zero
-_STILL_SPAN = 1e-14  # of the largest speed of all; a span that is nowhere faster is a point
-_ALONG_SHARE = 1e-9  # of a velocity, that it has along the axis of its cone
-_MOST_HALVINGS = 27  # halvings of a knot span; a direction that still is undecided there is a cusp
+_STANDSTILL_SHARE = 1e-9  # fraction of the largest speed on the span; lower speeds count as zero
+_STILL_SPAN = 1e-14  # fraction of the largest speed of all; a span without higher speeds is a point
+_ALONG_SHARE = 1e-9  # smallest component of a velocity along the axis of its cone, as a fraction
+_MOST_HALVINGS = 27  # halvings of a knot span; if a direction is undecided after them, there is a cusp
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,7 +106,7 @@ def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
     """Return the turning angle of a curve without cusp; at a tangent break it jumps by the exterior angle."""
     first, last = _unit(cones.hodographs[:, [0, -1]].swapaxes(0, 1))
     axis = _unit(first + last)
-    # the velocity runs between its coefficients
+    # the velocity is in the convex hull of its coefficients
     off_axis = turn_between(axis[:, None], cones.hodographs)
     to_start, to_end = off_axis[:, 0], off_axis[:, -1]
     across = turn_between(last[:-1], first[1:])
@@ -177,7 +177,7 @@ class RationalPieces:
     control_points : (m, 3) array
         Rows x w, y w, w.
     rational : bool
-        Do the weights differ?
+        True if the weights differ.
     """
 
     spans: Spans
@@ -258,7 +258,7 @@ class RationalPieces:
             degree, widths = self.spans.degree, self.spans.widths[:, None, None]
             if order > degree:
                 return np.zeros_like(self._local)
-            # derivatives overflow where knots nearly coincide: callers that need them refuse such curves
+            # derivatives overflow if knots nearly coincide; callers that need these derivatives refuse such curves
             with np.errstate(over="ignore", invalid="ignore"):
                 rate = perm(degree, order) / widths**order
                 self._known[order] = _raised(degree, order) @ np.diff(self._local, order, axis=1) * rate
@@ -453,15 +453,15 @@ def _length_until(pieces: RationalPieces, t: float) -> float:
 
 
 SAME_KNOT = 1e-12
-"""A place nearer to a knot than this share of the domain is that knot, so that no span is as short as rounding
-errors."""
+"""Distance from a knot, as a fraction of the domain, below which a parameter equals the knot. Shorter spans
+would be rounding errors."""
 
 FAR_SIZES = 1e6
-"""A curve that is moved farther than this many of its sizes loses digits and is checked again."""
+"""Distance of a move, in sizes of the curve, above which digits are lost and the curve is checked again."""
 
 _AHEAD_SHARE = 1e-6
-"""Steps of a control polygon that advance by more than this share of the chord between the ends count as
-advancing."""
+"""Smallest step of a control polygon along the chord between the ends, as a fraction of the chord, that counts
+as progress."""
 
 MOST_TURNS = 100
 """Largest number of turns of an arc."""
@@ -472,7 +472,7 @@ MOST_UNEVEN = 1e8
 
 @dataclass(frozen=True, eq=False)
 class NurbsCurve:
-    """Knots, control points and weights that make a curve with a tangent everywhere: see `PlaneCurve`."""
+    """Knots, control points and weights of a curve with a tangent everywhere: see `PlaneCurve`."""
 
     knots: FloatArray
     control_points: FloatArray
@@ -637,7 +637,7 @@ class NurbsCurve:
         function : callable
             Maps parameters (k,) between `start` and `end` to points (k, 2), mm.
         breaks : sequence of (parameter, continuity)
-            Places where the function is only `continuity` times differentiable; they become knots.
+            Parameters where the function is only `continuity` times differentiable; they become knots.
 
         Examples
         --------
@@ -707,7 +707,7 @@ class NurbsCurve:
 
     @property
     def bezier_table(self) -> tuple[FloatArray, FloatArray]:
-        """The knot spans' ends (p + 1,) and homogeneous control points (p, degree + 1, 3); not to be written on."""
+        """Ends (p + 1,) and homogeneous control points (p, degree + 1, 3) of the knot spans; do not modify."""
         return self._pieces.edges, self._pieces.bezier
 
     def bezier_pieces(self) -> tuple[tuple[float, float, FloatArray], ...]:

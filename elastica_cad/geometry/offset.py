@@ -1,4 +1,4 @@
-"""Parallel paths: a loop grown or shrunk by a distance, an open path moved sideways."""
+"""Offset paths: a loop grown or shrunk by a distance, or an open path moved sideways."""
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -73,7 +73,7 @@ def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path
 
 @dataclass(frozen=True, eq=False)
 class _Element:
-    """A piece of the raw offset: a moved segment or a rounded corner; `piece` is None where none is left."""
+    """A piece of the raw offset: a moved segment or a rounded corner; `piece` is None if it has vanished."""
 
     piece: Segment | None
     source_length: float

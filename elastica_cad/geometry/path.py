@@ -1,4 +1,4 @@
-"""A path: a chain of lines, arcs and splines, open or closed, and its distance from points."""
+"""Paths: open or closed chains of lines, arcs and splines, and their distance from points."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -29,10 +29,10 @@ _BLOCK = 4096
 """Number of points whose distances from all chords of a spline are in memory at a time (some ten MB)."""
 
 _NEWTON_STEPS = 6
-_ROUNDING_SHARE = 1e-12  # of a length
-_SETTLED = 1e-12  # of the domain: the distance changes with the square of such a step
-_UNSETTLED = 1e-7  # of the domain, after Newton's last step: it has not converged
-_SEARCHES = 20  # each leaves a quarter of the span, or less
+_ROUNDING_SHARE = 1e-12  # fraction of a length
+_SETTLED = 1e-12  # fraction of the domain; the distance changes with the square of such a step
+_UNSETTLED = 1e-7  # fraction of the domain; after larger last steps, Newton's method has not converged
+_SEARCHES = 20  # number of refinements, each to a quarter of the span or less
 
 
 def distances(segment: Segment, points: ArrayLike) -> FloatArray:
@@ -69,7 +69,7 @@ def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
 def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return distances (n, m) of points from chords a[j] b[j], and the nearest positions on the chords (0 to 1)."""
     (x, y), (dx, dy) = a.T, (b - a).T
-    left, down = p[:, :1] - x, p[:, 1:] - y  # x and y apart: sums over an axis of two are slow
+    left, down = p[:, :1] - x, p[:, 1:] - y  # separate, because sums over an axis of length 2 are slow
     square = dx**2 + dy**2
     where = left * dx
     where += down * dy
@@ -152,7 +152,7 @@ class Path:
     segments : sequence of Line, Arc, Spline
         Each segment begins where the previous segment ends.
     closed : bool
-        True where the last segment ends at the start of the first.
+        True if the last segment ends at the start of the first segment.
 
     Raises
     ------
@@ -236,7 +236,7 @@ class Path:
 
     @property
     def widest_gap(self) -> float:
-        """Between the end of a segment and the start of the next, mm: rounding, `JOIN` at most."""
+        """Largest gap between the end of a segment and the start of the next, mm; at most `JOIN`."""
         following = self.segments[1:] + (self.segments[:1] if self.closed else ())
         pairs = zip(self.segments, following, strict=False)
         return max((dist(one.end.tolist(), after.start.tolist()) for one, after in pairs), default=0.0)
@@ -248,7 +248,7 @@ class Path:
 
     @cached_property
     def area(self) -> float:
-        """Area inside a closed path, mm2: positive where it runs anticlockwise, negative clockwise.
+        """Area inside a closed path, mm2: positive if it runs anticlockwise, negative if clockwise.
 
         Raises
         ------
@@ -287,10 +287,10 @@ class Path:
         rows = [chord_points(segment, tolerance)[:-1] for segment in self.segments]
         points = np.concatenate(rows if self.closed else [*rows, self.end[None]])
         if self.closed and len(points) < 3 and not all(isinstance(s, Line) for s in self.segments):
-            return self.points(tolerance / 4)  # a thin lens keeps its inside
+            return self.points(tolerance / 4)  # a thin closed path needs more points to have an area
         return points
 
     @property
     def has_splines(self) -> bool:
-        """True where a segment is a spline."""
+        """True if a segment is a spline."""
         return any(isinstance(segment, Spline) for segment in self.segments)

@@ -20,14 +20,14 @@ from elastica_cad.refusals import Length
 IndexArray: TypeAlias = NDArray[np.intp]
 
 _CHORD_TOLERANCE_MM = 1e-3
-"""Chords this near to a segment (mm) are good enough to start Newton's method from."""
+"""Largest distance of chords from a segment, mm, for starting points of Newton's method."""
 
 
 @dataclass(frozen=True, eq=False)
 class Chords:
-    """Points (n, 2) along a segment at its u (n,), close enough to start Newton's method from.
+    """Points (n, 2) at u (n,) of a segment, close enough to start Newton's method.
 
-    Made once for a segment that is crossed many times.
+    They are computed once for a segment that is crossed many times.
     """
 
     segment: Segment
@@ -183,7 +183,7 @@ def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] |
     for _ in range(30):
         inside_u, inside_v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
         (ax, ay, adx, ady), (bx, by, bdx, bdy) = _motion(a, inside_u), _motion(b, inside_v)
-        # beyond their ends the segments go on straight, so that a step may leave them and come back
+        # extend the segments by their tangents, so that a step may leave them and return
         gx = bx + (v - inside_v) * bdx - ax - (u - inside_u) * adx
         gy = by + (v - inside_v) * bdy - ay - (u - inside_u) * ady
         det = adx * bdy - ady * bdx

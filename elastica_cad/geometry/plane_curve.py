@@ -1,4 +1,4 @@
-"""The drawn curve that a strip is to take: its arc length, tangent, curvature, inflections, corners, crossings."""
+"""The curve of a strip: arc length, tangent, curvature, inflections, corners, crossings."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -74,7 +74,7 @@ class CurvatureZero:
     s, s_end : float
         Arc length, mm; s_end differs from s for a straight piece only.
     t, t_end : float
-        The same places in the curve's parameter.
+        The same points in the curve's parameter.
     kind : str
         "crossing" (sign change), "touch" (none), "end" (at an end of the curve), "jump" (the sign changes by
         a jump at a knot), "flat" (a straight piece s..s_end).
@@ -105,8 +105,8 @@ class Break:
     s, t : float
         Arc length (mm) and parameter.
     continuity : int
-        How many derivatives with respect to arc length are continuous there: 0 tangent break, 1 curvature
-        jump, 2 kink of the curvature, ... (at least; orders above 3 are taken from the knot's multiplicity).
+        Number of continuous derivatives with respect to arc length: 0 tangent break, 1 curvature jump,
+        2 kink of the curvature, ... (at least; orders above 3 follow from the knot's multiplicity).
     """
 
     s: float
@@ -125,15 +125,15 @@ class TangentBreak:
 
 SURVEY_POINTS = 601  # number of points of the sample that all functions share
 
-DRAWN_POINTS = 301  # of a curve in a notebook, a few pixels apart
+DRAWN_POINTS = 301  # number of points of a curve in a notebook, a few pixels apart
 
 CORNER_RAD = 1e-5
 """Smallest jump of the direction, rad, that counts as a corner."""
 
 ROUNDED_ZERO_SHARE = 1e-6
-"""Largest error of a zero of the curvature through rounding, as a share of the length of a piece."""
+"""Largest rounding error of a zero of the curvature, as a fraction of the length of a piece."""
 
-_ROUNDING = 1e-10  # of an angle
+_ROUNDING = 1e-10  # fraction of an angle
 
 
 @dataclass(frozen=True, eq=False)
@@ -216,7 +216,7 @@ class PlaneCurve(NurbsCurve):
 
     @property
     def smooth_panels(self) -> FloatArray:
-        """Parameters, both ends included, between which a Gauss rule of 16 points integrates to rounding."""
+        """Parameters, including both ends, between which a Gauss rule of 16 points is exact to rounding."""
         return self._pieces.arc_length.t
 
     def at(self, s: ArrayLike) -> CurveSamples:
@@ -268,11 +268,11 @@ class PlaneCurve(NurbsCurve):
         Parameters
         ----------
         function : callable
-            Maps parameters (k,) to values (k,); as smooth as the curvature, but at `breaks`.
+            Maps parameters (k,) to values (k,); as smooth as the curvature, except at `breaks`.
         size : float
-            Of the function: values are small beside it.
+            Typical size of the function, to which tolerances are relative.
         breaks : sequence of (parameter, bool)
-            Where it has a kink, and whether it is continuous there.
+            Parameters of its kinks, and True where it is continuous.
         """
         if not callable(function) or not (is_number(size) and size > 0):
             raise InputError(f"zeros of {quoted(function)}, whose size is {quoted(size)}, cannot be found: give a "
@@ -323,7 +323,7 @@ class PlaneCurve(NurbsCurve):
 
     @property
     def seam_turn(self) -> float:
-        """Jump of the direction, rad, where a closed curve closes; 0 for an open curve."""
+        """Jump of the direction, rad, at the seam of a closed curve; 0 for an open curve."""
         return float(self._seam_sides.corners[0]) if self.is_closed else 0.0
 
     @cached_property
@@ -335,7 +335,7 @@ class PlaneCurve(NurbsCurve):
     def is_straight(self) -> bool:
         """True if the whole curve is a straight segment."""
         flats = [(z.kind, z.before, z.after) for z in self.curvature_zeros]
-        return flats == [("flat", 0, 0)] and not self.tangent_breaks  # nothing bends before or after it
+        return flats == [("flat", 0, 0)] and not self.tangent_breaks  # straight everywhere
 
     @cached_property
     def is_closed(self) -> bool:
@@ -461,7 +461,7 @@ def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
     return tuple(curve.trimmed(*ends).drawn_as(drawn) for ends in pairwise(places))
 
 
-DEGREE = 5  # curvature with two derivatives, which checks of equilibrium look at
+DEGREE = 5  # the curvature has two continuous derivatives, which checks of equilibrium use
 
 
 def integrate_tangents(
@@ -494,6 +494,6 @@ def integrate_tangents(
     knots, rows = adaptive_spline(
         tangent, (0.0, length), degree=DEGREE - 1, tolerance=tolerance, breaks=breaks
     )
-    reach = (knots[DEGREE:] - knots[:-DEGREE]) / DEGREE  # of a basis function's integral
+    reach = (knots[DEGREE:] - knots[:-DEGREE]) / DEGREE  # integrals of the basis functions
     points = start + np.pad(np.cumsum(reach[:, None] * rows, axis=0), ((1, 0), (0, 0)))
     return PlaneCurve(np.pad(knots, 1, mode="edge"), points, DEGREE)

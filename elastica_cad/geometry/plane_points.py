@@ -131,7 +131,7 @@ def numbers_in_groups(counts: IntArray) -> IntArray:
 
 
 _ROW, _FINEST_CELL = 2**31, 2.0**-30
-"""Cells of a row, and the width of a cell as a fraction of the extent of all points."""
+"""Number of cells in a row, and width of a cell as a fraction of the extent of all points."""
 
 
 def near_pairs(points: FloatArray, others: FloatArray, reach: float) -> tuple[IntArray, IntArray]:

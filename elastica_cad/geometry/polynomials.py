@@ -139,7 +139,7 @@ class Root:
     u : float
         Position in (0, 1).
     crossing : bool
-        True when the sign changes there, False when the polynomial only touches zero.
+        True if the sign changes, False if the polynomial only touches zero.
     """
 
     piece: int
@@ -303,12 +303,11 @@ DENSE_PARTS = 24
 """Number of parts of each panel at whose ends bounds are checked first."""
 
 EXTREME_STEPS = 2
-"""Steps of Halley's method from the nearest of those places to an extreme; two raise the error to the ninth
-power."""
+"""Steps of Halley's method from the nearest sample to an extreme; two raise the error to the ninth power."""
 
 _REACH = 0.15  # from a sample to the extreme next to it
 _NEAR_SHARE = (
-    0.05  # of all that a function spans: extremes this near to its largest or least value are looked for
+    0.05  # fraction of a function's range: extremes this close to its largest or smallest value are searched
 )
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
@@ -378,7 +377,7 @@ class PanelFunction:
 
     @property
     def where_panels_meet(self) -> tuple[FloatArray, FloatArray]:
-        """Values (N - 1, ...) before and after the places where panels meet."""
+        """Values (N - 1, ...) before and after the edges between panels."""
         at_ends = self.in_every_panel(_ENDS_BASIS)
         return at_ends[:-1, 1], at_ends[1:, 0]
 
@@ -409,7 +408,7 @@ class PanelFunction:
         low, high = table.min(), table.max()
         band = _NEAR_SHARE * (high - low)
         near = extreme & ((table > high - band) | (table < low + band))
-        # the worst samples stay in, ends of panels among them
+        # keep the extreme samples, including ends of panels
         near.flat[[table.argmin(), table.argmax()]] = True
         panel, sample = near.nonzero()
         own, start = self.coefficients[panel], _DENSE[sample]
@@ -419,7 +418,7 @@ class PanelFunction:
             if step:
                 slopes = (legendre_basis(x) @ _ALL_SLOPES).reshape(-1, 3, ORDER)
             first, second, third = (slopes @ own[:, :, None])[:, :, 0].T
-            # Halley's step: Newton's, with the third derivative taken in
+            # Halley's method: Newton's method with the third derivative
             bend = 2 * second * second - first * third
             step_by = np.divide(-2 * first * second, bend, out=np.zeros_like(x), where=bend != 0)
             x = np.minimum(np.maximum(x + step_by, lower), upper)

@@ -1,4 +1,4 @@
-"""A number along the strip (stiffness, width) as a B-spline function of arc length."""
+"""A quantity along the strip (stiffness, width) as a B-spline function of arc length."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ STEP_SHARE = 2e-5
 
 @dataclass(frozen=True, eq=False)
 class Profile:
-    """A spline function of arc length; its graph is a true B-spline curve.
+    """A B-spline function of arc length; its graph is exactly a B-spline curve.
 
     Parameters
     ----------
@@ -108,7 +108,7 @@ class Profile:
             tolerance=tolerance,
             breaks=breaks,
             knots=finite("knots", knots),
-            rounding=1e-9,  # quotients of moment and curvature are rarely known better
+            rounding=1e-9,  # quotients of moment and curvature are rarely more accurate
         )
         return cls(found, coefficients, degree)
 
@@ -140,7 +140,7 @@ class Profile:
 
     @property
     def extremes(self) -> tuple[float, float]:
-        """Smallest and largest value over the domain, both sides of a jump included, to rounding error."""
+        """Smallest and largest value over the domain, including both sides of a jump, to rounding error."""
         (_, low), (_, high) = self._extreme_points
         return low, high
 
@@ -158,8 +158,8 @@ class Profile:
     @cached_property
     def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
         pieces = self._function.pieces
-        at_knots = pieces[:, [0, -1]]  # where the value jumps both sides count
-        # only pieces whose coefficients pass the extremes of the knots can have extremes inside
+        at_knots = pieces[:, [0, -1]]  # both sides of a jump count
+        # only pieces with coefficients beyond the extremes at the knots can have extremes inside
         passing = (pieces.min(axis=1) < at_knots.min()) | (pieces.max(axis=1) > at_knots.max())
         which = passing.nonzero()[0]
         turns = interior_roots(np.diff(pieces[which]))
@@ -173,13 +173,13 @@ class Profile:
 
     @property
     def breaks(self) -> tuple[tuple[float, int], ...]:
-        """Interior knots (s, continuity): how often the value can be differentiated there, -1 at a jump."""
+        """Interior knots (s, continuity), with the number of continuous derivatives; -1 at a jump."""
         knots, counts = knot_runs(self.knots[self.degree + 1 : -self.degree - 1])
         return tuple((float(s), self.degree - int(n)) for s, n in zip(knots, counts, strict=True))
 
     @cached_property
     def steps(self) -> tuple[tuple[float, float], ...]:
-        """Begin and end, mm, of each ramp that represents a step."""
+        """Start and end, mm, of each ramp that represents a step."""
         places = np.array([place for place, _ in self.breaks])
         ends = np.flatnonzero(np.diff(places, append=np.inf) > STEP_SHARE * self.length)
         starts = np.concatenate([[0], ends + 1])[:-1]
@@ -187,7 +187,7 @@ class Profile:
 
     @property
     def greville(self) -> FloatArray:
-        """Greville abscissae (m,): with these as x the graph of the spline is the spline curve itself."""
+        """Greville abscissae (m,): used as x coordinates, the control polygon gives the graph of the spline."""
         return greville(self.knots, self.degree)
 
     def scaled(self, factor: float) -> "Profile":

@@ -1,4 +1,4 @@
-"""Projective maps of the plane: by four handles, and what they make of rational splines."""
+"""Projective maps of the plane: definition by four handles, and images of rational splines."""
 
 from collections.abc import Callable
 from itertools import combinations
@@ -11,11 +11,10 @@ from elastica_cad.geometry.polynomials import subdivide
 from elastica_cad.geometry.splines import finite
 from elastica_cad.refusals import Length
 
-_MOST_HALVINGS = 30  # of a piece, until its weights are even
+_MOST_HALVINGS = 30  # halvings of a piece until its weights are positive
 
 IN_LINE_SHARE = 1e-9
-"""Three points count as collinear when the height of their triangle is below this share of the size of all four
-points."""
+"""Height of a triangle, as a fraction of the size of all four points, below which its corners are collinear."""
 
 
 def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
@@ -53,7 +52,7 @@ def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
     x, y = np.asarray(before, dtype=float)[0]
     matrix = matrix / (matrix[2] @ (x, y, 1.0))
     size = float(np.abs(np.asarray(before, dtype=float)).max())
-    if np.abs(matrix[2, :2]).max() * size < 1e-13:  # rounding only: an affine map leaves a curve polynomial
+    if np.abs(matrix[2, :2]).max() * size < 1e-13:  # rounding; affine maps keep curves polynomial
         matrix[2] = 0.0, 0.0, 1.0
     return np.asarray(matrix)
 
@@ -144,7 +143,7 @@ def map_spline(
     for start, _ in parts[1:]:
         t += [start] * degree
     t += [edges[-1]] * (degree + 1)
-    # neighbours share their end point, so each piece but the first leaves out its first control point
+    # neighbours share an end point, so omit the first control point of all pieces except the first
     points = np.concatenate([parts[0][1], *(p[1:] for _, p in parts[1:])])
     return np.array(t), points[:, :2] / points[:, 2:], np.abs(points[:, 2])
 

@@ -25,13 +25,13 @@ from elastica_cad.geometry.splines import SplineFunction
 from elastica_cad.refusals import Length
 
 _FLATTEST_MM = 1e-7
-"""An arc that rises less than this over its chord (mm) is a line."""
+"""Height of an arc over its chord, mm, below which the arc is a line."""
 
 _FARTHEST_MM = 1e9
-"""An arc of a larger radius (mm) is a line, too: in double precision its ends are not known to 1e-6 mm."""
+"""Radius of an arc, mm, above which the arc is a line, because its ends are not accurate to 1e-6 mm."""
 
 RATIONAL_NODES = 32
-"""Nodes of Gauss's rule for the area beside a rational piece; for a quarter circle it is exact to rounding."""
+"""Number of Gauss nodes for the area swept along a rational piece; a quarter circle is exact to rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,11 +81,11 @@ class Line:
         return np.asarray(self.start * (1 - u) + self.end * u, dtype=float)
 
     def velocity_at(self, u: ArrayLike) -> FloatArray:
-        """Derivative (..., 2) of `at` by u, mm."""
+        """Return the derivative (..., 2) of `at` by u, mm."""
         return np.broadcast_to(self.end - self.start, (*numbers(u, "u").shape, 2)).copy()
 
     def tangent_at(self, u: ArrayLike) -> FloatArray:
-        """Unit tangents (..., 2) at u in [0, 1]."""
+        """Return unit tangents (..., 2) at u in [0, 1]."""
         return np.asarray(self.velocity_at(u) / self.length, dtype=float)
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
@@ -104,7 +104,7 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Arc:
-    """A circular arc, anticlockwise where `end_angle` > `start_angle`; a whole turn is a circle.
+    """A circular arc, anticlockwise if `end_angle` > `start_angle`; a full turn is a circle.
 
     Parameters
     ----------
@@ -156,7 +156,7 @@ class Arc:
         first = atan2(y0 - y, x0 - x)
         radius = dist((x0, y0), (x1, y1)) * (1 + square) / (4 * abs(bulge))
         arc = cls((x, y), radius, first, first + 4 * atan(bulge))
-        vars(arc).update(start=start, end=end)  # to the last digit
+        vars(arc).update(start=start, end=end)  # exact end points
         return arc
 
     @property
@@ -166,12 +166,12 @@ class Arc:
 
     @property
     def bulge(self) -> float:
-        """tan(sweep / 4), as DXF writes arcs of polylines."""
+        """Bulge tan(sweep / 4) of arcs in DXF polylines."""
         return float(np.tan(self.sweep / 4))
 
     @property
     def is_circle(self) -> bool:
-        """True for a whole turn."""
+        """True for a full turn."""
         return abs(abs(self.sweep) - 2 * np.pi) < 1e-12
 
     @cached_property
@@ -204,11 +204,11 @@ class Arc:
         return self._on(self.start_angle + self.sweep * numbers(u, "u"))
 
     def velocity_at(self, u: ArrayLike) -> FloatArray:
-        """Derivative (..., 2) of `at` by u, mm."""
+        """Return the derivative (..., 2) of `at` by u, mm."""
         return np.asarray(self.length * self.tangent_at(u), dtype=float)
 
     def tangent_at(self, u: ArrayLike) -> FloatArray:
-        """Unit tangents (..., 2) at u in [0, 1]."""
+        """Return unit tangents (..., 2) at u in [0, 1]."""
         angle = self.start_angle + self.sweep * numbers(u, "u")
         forward = np.stack([-np.sin(angle), np.cos(angle)], axis=-1)
         return forward if self.sweep > 0 else -forward
@@ -288,7 +288,7 @@ class Spline:
         return np.asarray(self.curve.evaluate(self.parameter(u)), dtype=float)
 
     def velocity_at(self, u: ArrayLike) -> FloatArray:
-        """Derivative (..., 2) of `at` by u, mm."""
+        """Return the derivative (..., 2) of `at` by u, mm."""
         t0, t1 = self.curve.domain
         return np.asarray(self.curve.evaluate(self.parameter(u), 1) * (t1 - t0), dtype=float)
 
@@ -379,7 +379,7 @@ def _swept_by(start: FloatArray, end: FloatArray, radius: ArrayLike, sweep: Arra
 
 
 def _beyond_sine(x: FloatArray) -> FloatArray:
-    """x - sin x without cancellation, so that the segment of a flat arc keeps its digits."""
+    """Return x - sin x without cancellation, for segments of flat arcs."""
     y = x * x
     near = x * y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110))))
     return np.where(np.abs(x) > 0.3, x - np.sin(x), near)
@@ -435,7 +435,7 @@ def _first_places(segment: Segment, tolerance: float) -> FloatArray:
     if isinstance(segment, Line):
         return _ENDS
     if isinstance(segment, Arc):
-        # a third of a turn at most, so that a circle keeps an inside
+        # at most 120 degrees, so that a circle has an inside
         half = acos(min(max(1 - tolerance / segment.radius, 0.5), 1 - 1e-15))
         return np.linspace(0.0, 1.0, ceil(abs(segment.sweep) / (2 * half) - 1e-9) + 1)
     knots, (t0, t1) = segment.curve.knots, segment.curve.domain
@@ -494,7 +494,7 @@ segment."""
 
 
 class SegmentTable:
-    """Segments of any kinds, evaluated together.
+    """Segments of all kinds, evaluated together.
 
     Examples
     --------

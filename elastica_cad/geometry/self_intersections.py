@@ -25,8 +25,8 @@ from elastica_cad.geometry.polynomials import (
 _MOST_HALVINGS = 40
 """Largest number of halvings, which makes a piece as short as rounding errors."""
 
-_NEWTON_SHARE = 1e-4  # of the extent: from here Newton steps find the common point
-_MOST_PAIRS = 1000  # more are overlapping stretches: a tenth of their points is enough
+_NEWTON_SHARE = 1e-4  # fraction of the extent, below which Newton's method starts
+_MOST_PAIRS = 1000  # more pairs mean overlapping stretches, of which a tenth of the points is enough
 
 
 def find_self_intersections(
@@ -121,7 +121,7 @@ def _polished(
         p, v = motion(pairs.T.ravel())
         n = len(pairs)
         gap, v1, v2 = p[n:] - p[:n], v[:n], v[n:]
-        # least squares with a small damping, so that tangent branches do not divide by zero
+        # least squares with a small damping, to avoid division by zero for tangent branches
         a11, a12, a22 = (v1**2).sum(axis=1), -(v1 * v2).sum(axis=1), (v2**2).sum(axis=1)
         r1, r2 = (v1 * gap).sum(axis=1), -(v2 * gap).sum(axis=1)
         determinant = a11 * a22 - a12**2 + 1e-14 * a11 * a22
@@ -147,7 +147,7 @@ def _distinct(pairs: FloatArray, edges: FloatArray) -> FloatArray:
     return np.array(kept).reshape(-1, 2)
 
 
-_AT_KNOT_SHARE = 1e-9  # of a span
+_AT_KNOT_SHARE = 1e-9  # fraction of a span
 
 
 @dataclass(frozen=True)

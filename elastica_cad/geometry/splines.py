@@ -218,7 +218,7 @@ def _spans(written: bytes, degree: int) -> Spans:
 class SplineFunction:
     """A spline function with a full knot vector (m + degree + 1,), clamped, and coefficients (m, ...).
 
-    Importing scipy.interpolate for its `BSpline` takes longer than all that a command computes with it.
+    It replaces scipy's `BSpline`, whose import takes longer than all computations of a command with it.
 
     Examples
     --------
@@ -266,7 +266,7 @@ class SplineFunction:
 
     @cached_property
     def _rows(self) -> FloatArray:
-        """The first coefficients of all pieces, the second coefficients and so on, (degree + 1, p, ...)."""
+        """The first coefficients of all pieces, then the second coefficients and so on, (degree + 1, p, ...)."""
         return np.ascontiguousarray(self.pieces.swapaxes(0, 1))
 
 
@@ -373,12 +373,10 @@ _MOST_SPANS = 3000
 """Largest number of spans; a function that needs more is refused."""
 
 _NARROWEST_SHARE = 1e-9
-"""Narrowest span, as a share of the domain."""
+"""Narrowest span, as a fraction of the domain."""
 
-_SAME_BREAK_SHARE = 1e-10  # of the domain: closer breaks count as one
-_ALIKE = (
-    1e-7  # the same if the slope is continuous at one of the breaks: a span between them cannot be solved for
-)
+_SAME_BREAK_SHARE = 1e-10  # fraction of the domain: closer breaks count as one
+_ALIKE = 1e-7  # the same if the slope is continuous at a break, because the span between is singular
 _WIDER_TIMES = 8.0  # width relative to a bad neighbour from which a span is cut too
 
 _REFINED_SHARE = 0.05
@@ -393,10 +391,10 @@ _MOST_INTERPOLATED = 1000
 """Largest number of points that are interpolated, which is the size of a dense system."""
 
 _STRIDE_SHARE = (
-    0.4  # of the distance to its neighbour by which a point may move if points would change their order
+    0.4  # largest move of a point, as a fraction of its distance from the next, if the order changed
 )
 _LEAST_PENALTY = 1e-11  # penalty that only determines what the data leave undetermined
-_ALLOWED_INCREASE = 1.1  # of the root mean square distance, in exchange for a smoother curve
+_ALLOWED_INCREASE = 1.1  # factor of the root mean square distance that is allowed for a smoother curve
 
 
 def adaptive_spline(
@@ -453,7 +451,7 @@ def adaptive_spline(
         probed = _evaluated(spans, coefficients, x[:, sites.size :])
         error = np.abs(probed - values[:, sites.size :]).reshape(low.size, -1).max(axis=1)
         accepted = max(tolerance, rounding * float(np.abs(values).max()))
-        # a steep place spoils its neighbourhood too: only the worst is refined before the rest is judged
+        # a steep part causes errors beside it, so it is refined before the other spans are judged
         bad = error > max(accepted, _REFINED_SHARE * float(error.max()))
         if not bad.any():
             return full, coefficients
@@ -490,7 +488,7 @@ def _first_edges(
         if before is None or place - latest > apart * length:
             order[place] = continuity
             latest = place
-        elif continuity < before:  # the rougher of the two is where it is
+        elif continuity < before:  # keep the position of the rougher break
             del order[latest]
             order[place] = continuity
             latest = place
@@ -514,7 +512,7 @@ def sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> Floa
 def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArray) -> FloatArray:
     """Return coefficients (m, ...) of the spline nearest in mean square to values (p, k, ...) at places (p, k).
 
-    Importing scipy.interpolate for `make_lsq_spline` takes longer than all fits of a command.
+    It replaces scipy's `make_lsq_spline`, whose import takes longer than all fits of a command.
     """
     basis, index = spans.local_basis(x.ravel())
     first, weight = spans.first[index], weights.ravel()[:, None]

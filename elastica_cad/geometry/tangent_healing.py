@@ -18,9 +18,9 @@ ANYWAY = 1e-9
 SURE = np.radians(5.0)
 """Largest angle of a corner that is removed by default, rad, even if rounding explains larger ones."""
 
-_STRAIGHT = 1e-12  # of the squared chord: control points closer to a line count as on it
-_CLOSED = 1e-9  # of the size: ends closer than this are equal
-_SHORT = 1e-12  # of the longest handle: control points closer than this coincide
+_STRAIGHT = 1e-12  # fraction of the squared chord: control points closer to a line count as on it
+_CLOSED = 1e-9  # fraction of the size: ends closer than this are equal
+_SHORT = 1e-12  # fraction of the longest handle: control points closer than this coincide
 
 
 @dataclass(frozen=True)
