@@ -112,9 +112,9 @@ def _chained(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> tuple[
             continue
         forward = _walk(first, 1, partner, used)
         backward = _walk(first, 0, partner, used)
-        way = [(i, 1 - side) for i, side in reversed(backward)] + [(first, 1)] + forward
-        chains.append(tuple(e for i, side in way for e in (runs[i] if side else reverse_run(runs[i]))))
-        gaps += [dist(ends[i, side], ends[j, 1 - last]) for (i, side), (j, last) in pairwise(way)]
+        walk = [(i, 1 - side) for i, side in reversed(backward)] + [(first, 1)] + forward
+        chains.append(tuple(e for i, side in walk for e in (runs[i] if side else reverse_run(runs[i]))))
+        gaps += [dist(ends[i, side], ends[j, 1 - last]) for (i, side), (j, last) in pairwise(walk)]
     return chains, tuple(gaps)
 
 
@@ -137,17 +137,17 @@ def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
     ]
     if not ended:
         return [*chains], [[] for _ in chains]
-    found: dict[int, list[Run]] = {}
+    circles: dict[int, list[Run]] = {}
     taken = set()
     for i, circle in ((i, _circle(chain)) for i, chain in enumerate(chains)):
         if circle is None:
             continue
         for k in ended:
             if any(_is_on(*circle, edge) for edge in (chains[k][0], chains[k][-1])):
-                found.setdefault(k, []).append(chains[i])
+                circles.setdefault(k, []).append(chains[i])
                 taken.add(i)
     kept = [i for i in range(len(chains)) if i not in taken]
-    return [chains[i] for i in kept], [found.get(i, []) for i in kept]
+    return [chains[i] for i in kept], [circles.get(i, []) for i in kept]
 
 
 def _is_line(edge: Edge) -> bool:
@@ -158,10 +158,10 @@ def _is_on(centre: FloatArray, diameter: float, edge: Edge) -> bool:
     """Return True if the centre of a circle is on a straight edge, and the circle is between its ends."""
     if not _is_line(edge):
         return False
-    way, out = edge.end - edge.start, centre - edge.start
-    length = float(np.linalg.norm(way))
-    along = float(out @ way) / max(length, 1e-300)
-    aside = float(np.linalg.norm(out - along * way / max(length, 1e-300)))
+    chord, out = edge.end - edge.start, centre - edge.start
+    length = float(np.linalg.norm(chord))
+    along = float(out @ chord) / max(length, 1e-300)
+    aside = float(np.linalg.norm(out - along * chord / max(length, 1e-300)))
     return diameter / 2 < along < length - diameter / 2 and aside <= HOLE_ASIDE * diameter
 
 
@@ -189,24 +189,24 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
 
     ends = _ends(chains)
     sizes = [sum(edge.size for edge in chain) for chain in chains]
-    found = []
+    pairs = []
     for a, b in sorted(cKDTree(ends).query_pairs(NEAR_MM)):
         i, j = a // 2, b // 2
         apart = float(np.linalg.norm(ends[a] - ends[b]))
-        one, other = _source_of(chains[i]), _source_of(chains[j])
-        apart_drawn = apart > tolerance or one.is_named or other.is_named
+        source, other = _source_of(chains[i]), _source_of(chains[j])
+        apart_drawn = apart > tolerance or source.is_named or other.is_named
         near = i != j and apart_drawn and apart <= NEAR_SHARE * min(sizes[i], sizes[j])
-        if not near or one.layer != other.layer:
+        if not near or source.layer != other.layer:
             continue
         if apart <= tolerance or _onward(chains, divmod(a, 2), divmod(b, 2)) > _ALONGSIDE:
-            found.append((apart, i, j, ends[a]))
-    return sorted(found, key=lambda one: one[0])
+            pairs.append((apart, i, j, ends[a]))
+    return sorted(pairs, key=lambda pair: pair[0])
 
 
 def _walk(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:
     """Return the runs joined to the end `side` (0 start, 1 end) of `first`, each with the end away from `first`."""
     used[first] = True
-    way: list[tuple[int, int]] = []
+    path: list[tuple[int, int]] = []
     here = (first, side)
     while here in partner:
         i, entered = partner[here]
@@ -214,8 +214,8 @@ def _walk(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tup
             break
         used[i] = True
         here = (i, 1 - entered)
-        way.append(here)
-    return way
+        path.append(here)
+    return path
 
 
 def _source_of(run: Sequence[Edge]) -> Source:
@@ -247,14 +247,14 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Join
         else []
         for k, end in enumerate(ends)
     ]
-    found = {}
+    partners = {}
     for k, group in enumerate(near):
         if len(group) == 2:
             other = group[0] if group[1] == k else group[1]
-            one, two = divmod(k, 2), divmod(other, 2)
-            if len(near[other]) == 2 and one[0] != two[0] and (corners or _goes_on(runs, one, two)):
-                found[one] = two
-    return found
+            end_a, end_b = divmod(k, 2), divmod(other, 2)
+            if len(near[other]) == 2 and end_a[0] != end_b[0] and (corners or _goes_on(runs, end_a, end_b)):
+                partners[end_a] = end_b
+    return partners
 
 
 def _goes_on(runs: Sequence[Run], one: tuple[int, int], other: tuple[int, int]) -> bool:
@@ -338,16 +338,16 @@ def _common_parts(
     run: Run, longer: Run, tolerance: float, least: float
 ) -> list[tuple[int, _Place, FloatArray]]:
     """Return the parts of a run, longer than `least` mm, from an end (0 or 1) to an end of a longer run."""
-    found = []
+    parts = []
     on_run = [(place, end) for end in _ends([longer]) if (place := _place_of(end, run, tolerance))]
     for side in (0, 1):
-        for place, end in sorted(on_run, key=lambda one: one[0], reverse=bool(side)):
+        for place, end in sorted(on_run, key=lambda met: met[0], reverse=bool(side)):
             first, last = _whole(run)
             common = _part(run, place, last) if side else _part(run, first, place)
             if sum(e.size for e in common) > least and _is_on_run(_probes(common), longer, tolerance):
-                found.append((side, place, end))
+                parts.append((side, place, end))
                 break
-    return found
+    return parts
 
 
 def _whole(run: Run) -> tuple[_Place, _Place]:
@@ -456,10 +456,10 @@ def curve_from_run(
     dust = 1e-9 * sum(edge.size for edge in run)
     pieces = [_exact(edge, fit_tolerance) for edge in run if edge.size > dust]
     exact = [part for edge in pieces for part in _with_handles(edge)]
-    one = exact[0] if len(exact) == 1 else _joined(exact, tolerance)
+    whole = exact[0] if len(exact) == 1 else _joined(exact, tolerance)
     if len(exact) == 1:
-        drawn = replace(drawn, measured=_interpolated_points(one, drawn.rounding))
-    healing = heal_tangents(one.knots, one.points, one.degree, one.weights, rounding=drawn.rounding)
+        drawn = replace(drawn, measured=_interpolated_points(whole, drawn.rounding))
+    healing = heal_tangents(whole.knots, whole.points, whole.degree, whole.weights, rounding=drawn.rounding)
     return PlaneCurve(
         healing.knots,
         healing.control_points,
@@ -614,10 +614,10 @@ def _with_handles(edge: Edge) -> list[Edge]:
     toward = third - start
     if not np.array_equal(start, handle) or not toward.any() or np.array_equal(third, end):
         return [edge]
-    way = end - start - 3 * toward
-    aside = abs(float(toward[0] * way[1] - toward[1] * way[0])) / float(np.hypot(*toward))
+    cubic_term = end - start - 3 * toward
+    aside = abs(float(toward[0] * cubic_term[1] - toward[1] * cubic_term[0])) / float(np.hypot(*toward))
     t = min(1.0, np.cbrt(min(_OFF_MM, _OFF_SHARE * edge.size) / max(_AWAY * aside, 1e-300)))
-    joint = start + 3 * t**2 * toward + t**3 * way
+    joint = start + 3 * t**2 * toward + t**3 * cubic_term
     first = replace(Edge.bezier([start, start + t**2 * toward, joint]), source=edge.source)
     if t == 1:
         return [first]
@@ -639,17 +639,17 @@ def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
     degree = max(2, *(edge.degree for edge in edges))
     knots, homogeneous = np.zeros(1), np.empty((0, 3))
     for edge in edges:
-        inner_knots, own = _clamped(edge, degree)
+        inner_knots, rows = _clamped(edge, degree)
         length = float(np.linalg.norm(np.diff(edge.at(edge.stations()), axis=0), axis=1).sum())
         inner_knots = (inner_knots[1:-1] - inner_knots[0]) * (length / np.ptp(inner_knots))
         if len(homogeneous):
             last = homogeneous[-1]
-            own = own * (last[-1] / own[0, -1])
-            gap = (last - own[0])[:-1] / last[-1]
-            own = (own + np.append(gap, 0.0) * own[:, -1:])[1:]
+            rows = rows * (last[-1] / rows[0, -1])
+            gap = (last - rows[0])[:-1] / last[-1]
+            rows = (rows + np.append(gap, 0.0) * rows[:, -1:])[1:]
             inner_knots = inner_knots[degree:]
         knots = np.concatenate([knots, knots[-1] + inner_knots])
-        homogeneous = np.concatenate([homogeneous, own])
+        homogeneous = np.concatenate([homogeneous, rows])
     knots = np.append(knots, knots[-1])
     points, weights = homogeneous[:, :-1] / homogeneous[:, -1:], homogeneous[:, -1]
     if np.linalg.norm(points[-1] - points[0]) <= tolerance:

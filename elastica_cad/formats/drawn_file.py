@@ -288,7 +288,7 @@ class DrawnFile:
     @property
     def bad(self) -> tuple[DrawnCurve, ...]:
         """The curves whose numbers do not define a valid curve, such as a curve without length."""
-        return tuple(one for one in self.curves if one.problem)
+        return tuple(curve for curve in self.curves if curve.problem)
 
     def report(self, curves: Sequence[DrawnCurve] | None = None) -> ReadReport | None:
         """Return the report on some curves (by default all), or None if no curve is valid."""
@@ -296,12 +296,12 @@ class DrawnFile:
 
     def chosen(self, which: str | None = None, layer: str | None = None) -> tuple[DrawnCurve, ...]:
         """Return the curves with that number or id, and on that layer; by default all curves."""
-        found = [one for one in self.curves if layer is None or one.layer == layer]
+        curves = [curve for curve in self.curves if layer is None or curve.layer == layer]
         if which is not None:
-            named = [one for one in found if which and one.name == which]
-            named = named or [one for one in found if which and which in _parts(one)]
-            found = named or [one for one in found if str(one.number) == which.strip()]
-        return tuple(found)
+            named = [curve for curve in curves if which and curve.name == which]
+            named = named or [curve for curve in curves if which and which in _parts(curve)]
+            curves = named or [curve for curve in curves if str(curve.number) == which.strip()]
+        return tuple(curves)
 
     def one(self, which: str | None, layer: str | None, how: str) -> DrawnCurve:
         """Return the single curve that `which` and `layer` select.
@@ -314,27 +314,27 @@ class DrawnFile:
         InputError
             None, or several.
         """
-        found = self.chosen(which, layer)
+        curves = self.chosen(which, layer)
         how = how.format(count=len(self.curves))
-        if not found:
-            asked = " on layer ".join(word for word in (which or "", layer or "") if word)
+        if not curves:
+            selection = " on layer ".join(word for word in (which or "", layer or "") if word)
             raise InputError(
                 "{path} holds {curves}, and {asked} is not among them: choose one with {how}; {known}",
                 path=self.path,
                 curves=counted(len(self.curves), "curve"),
-                asked=asked,
+                asked=selection,
                 how=how,
                 known=_known(self.curves),
             )
-        if len(found) > 1:
+        if len(curves) > 1:
             raise InputError(
                 "{path} holds {count} curves: choose one with {how}; {known}",
                 path=self.path,
-                count=len(found),
+                count=len(curves),
                 how=how,
-                known=_known(found),
+                known=_known(curves),
             )
-        return found[0]
+        return curves[0]
 
     def read(self) -> "CurveList":
         """Return all valid curves of the file.
@@ -344,10 +344,10 @@ class DrawnFile:
         InputError, NotConvergedError
             There is no valid curve; the error is that of the first curve.
         """
-        good = [one for one in self.curves if not one.problem]
+        good = [curve for curve in self.curves if not curve.problem]
         with name_source(self.path):
             return CurveList(
-                [one.curve for one in good or self.curves[:1]], self
+                [curve.curve for curve in good or self.curves[:1]], self
             )  # the first raises its own error
 
 
@@ -368,35 +368,35 @@ class CurveList(list[PlaneCurve]):
     def notes(self) -> tuple[str, ...]:
         """The notes of the file, and a message on each curve that is not valid."""
         bad = [
-            note("{called} is left out: {problem}", called=one.called, problem=one.problem)
-            for one in self.file.bad
+            note("{called} is left out: {problem}", called=curve.called, problem=curve.problem)
+            for curve in self.file.bad
         ]
         return (*self.file.notes, *bad)
 
 
 def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None:
     """Return the report on the valid curves, or None if no curve is valid."""
-    good = [one for one in curves if not one.problem]
+    good = [curve for curve in curves if not curve.problem]
     if not good:
         return None
-    width, height = np.ptp([corner for one in good for corner in one.curve.bounds], axis=0).tolist()
+    width, height = np.ptp([corner for curve in good for corner in curve.curve.bounds], axis=0).tolist()
     kinds: Counter[str] = Counter()
-    found = {"joined": False, "fitted": False, "turned": False, "smoothed": False}
+    operations = {"joined": False, "fitted": False, "turned": False, "smoothed": False}
     distance = 0.0
-    for one in good:
-        kinds.update(one.kinds)
-        drawn, flat = one.curve.provenance, one.chain
-        if one.flatten is not None:
-            flat = one.flatten(one.chain)
-            found["turned"] |= _is_turned(one.chain, flat)
-        away = _distance(one.curve, flat)
-        pointwise = "point" in one.kinds and not one.curve.is_straight
-        found["fitted"] |= pointwise or ("polyline" in one.kinds and away > EXACT_MM)
-        found["joined"] |= len({id(edge.source or edge) for edge in one.chain}) > 1
-        found["smoothed"] |= drawn is not None and drawn.healed > EXACT_MM
+    for curve in good:
+        kinds.update(curve.kinds)
+        drawn, flat = curve.curve.provenance, curve.chain
+        if curve.flatten is not None:
+            flat = curve.flatten(curve.chain)
+            operations["turned"] |= _is_turned(curve.chain, flat)
+        away = _distance(curve.curve, flat)
+        pointwise = "point" in curve.kinds and not curve.curve.is_straight
+        operations["fitted"] |= pointwise or ("polyline" in curve.kinds and away > EXACT_MM)
+        operations["joined"] |= len({id(edge.source or edge) for edge in curve.chain}) > 1
+        operations["smoothed"] |= drawn is not None and drawn.healed > EXACT_MM
         distance = max(distance, away)
     return ReadReport(
-        (width, height), unit, kinds, tuple(name for name, is_so in found.items() if is_so), distance
+        (width, height), unit, kinds, tuple(name for name, is_so in operations.items() if is_so), distance
     )
 
 
@@ -458,8 +458,8 @@ def collect_curves(
     runs = list(runs)
     joined = join_runs((run for run in runs if run), tolerance, corners=corners)
     if not joined.chains:
-        found = dict(sorted(skipped.items())) | ({"of no length": len(runs)} if runs else {})
-        raise InputError(nothing + (f" (found only {list_things(found)})" if found else ""))
+        counts = dict(sorted(skipped.items())) | ({"of no length": len(runs)} if runs else {})
+        raise InputError(nothing + (f" (found only {list_things(counts)})" if counts else ""))
 
     chains, holes = holes_on_chains(joined.chains)
 
@@ -519,8 +519,8 @@ def _joining_notes(joined: JoinedRuns, tolerance: float) -> list[str]:
     notes: list[str] = []
     for kind, text in _OVERLAPS.items():
         pairs = dict.fromkeys(
-            note("{one} on {other}", one=_shape(one), other=_shape(other))
-            for one, other, how in joined.overlaps
+            note("{one} on {other}", one=_shape(shape), other=_shape(other))
+            for shape, other, how in joined.overlaps
             if how == kind
         )
         others = [note("{count} others", count=len(pairs) - _SHOWN)] if len(pairs) > _SHOWN else []
@@ -555,7 +555,7 @@ _SHOWN = 6  # largest number of curves and kinds in a message
 
 def _known(curves: Sequence[DrawnCurve]) -> str:
     """Return a list of the first curves by number, id and layer."""
-    first = ", ".join(one.called.removeprefix("curve ") for one in curves[:_SHOWN])
+    first = ", ".join(curve.called.removeprefix("curve ") for curve in curves[:_SHOWN])
     return f"they are {first}" + (" ..." if len(curves) > _SHOWN else "")
 
 
@@ -573,6 +573,6 @@ def list_things(counted: Mapping[str, int]) -> str:
     ('2 text, 1 image', '1 kind 5, and 34 of other kinds')
     """
     most = len(counted) if len(counted) <= _SHOWN + 1 else _SHOWN
-    told = [f"{count} {kind}" for kind, count in list(counted.items())[:most]]
+    parts = [f"{count} {kind}" for kind, count in list(counted.items())[:most]]
     others = sum(list(counted.values())[most:])
-    return ", ".join(told) + (f", and {others} of other kinds" if others else "")
+    return ", ".join(parts) + (f", and {others} of other kinds" if others else "")

@@ -57,14 +57,14 @@ def _dxf_rounding(path: Path) -> float:
     if data.startswith(b"AutoCAD Binary DXF"):
         return 0.0
     sections = list(_SECTION.finditer(data))
-    found: list[str] = []
+    numbers: list[str] = []
     for section in reversed(sections):  # ENTITIES before BLOCKS
         begin, end = section.end(), data.find(b"ENDSEC", section.end())
         for match in _PLACES.finditer(data, begin, len(data) if end < 0 else end):
-            found.append(match[1].decode("ascii"))
-            if len(found) >= _MOST_NUMBERS:
+            numbers.append(match[1].decode("ascii"))
+            if len(numbers) >= _MOST_NUMBERS:
                 break
-    return half_last_place(found)
+    return half_last_place(numbers)
 
 
 def _refuse_many_inserts(document: "Drawing") -> None:
@@ -266,10 +266,10 @@ def _opened(path: Path) -> "Drawing":
             ) from error
     guessed = [entry for entry in audit.errors if entry.code == AuditError.INVALID_FLOATING_POINT_VALUE]
     if guessed:
-        said = re.sub(
+        message = re.sub(
             '"(.*)"(?= near line)', lambda found: quoted(found[1]), guessed[0].message, flags=re.DOTALL
         )
-        raise InputError("is damaged ({said}): export it anew", said=said)
+        raise InputError("is damaged ({said}): export it anew", said=message)
     return document
 
 
@@ -319,8 +319,8 @@ class _Hidden:
     @classmethod
     def of(cls, document: "Drawing") -> "_Hidden":
         """Return the layers of a drawing."""
-        frozen = frozenset(str(one.dxf.name).lower() for one in document.layers if one.is_frozen())
-        off = (str(one.dxf.name).lower() for one in document.layers if one.is_off())
+        frozen = frozenset(str(layer.dxf.name).lower() for layer in document.layers if layer.is_frozen())
+        off = (str(layer.dxf.name).lower() for layer in document.layers if layer.is_off())
         return cls(frozen.union(off), frozen)
 
     def hides(self, entity: Any, layer: str) -> bool:

@@ -255,7 +255,7 @@ def _angles(arc: Arc) -> tuple[float, float]:
 def _bulges(path: Path) -> list[tuple[float, float, float]]:
     """Return the vertices of a path of lines and arcs as x, y and bulge of the next segment."""
     segments = [piece for segment in path.segments for piece in _up_to_half_turns(segment)]
-    rows = [(*one.start.tolist(), float(one.bulge) if isinstance(one, Arc) else 0.0) for one in segments]
+    rows = [(*part.start.tolist(), float(part.bulge) if isinstance(part, Arc) else 0.0) for part in segments]
     return rows if path.closed else [*rows, (*path.end.tolist(), 0.0)]
 
 

@@ -195,10 +195,10 @@ class Edge:
         source = source or self.source
         if not np.isfinite(points).all():
             return Edge(self.knots, points, self.degree, self.weights, source)
-        made = object.__new__(Edge)  # all other fields are checked
+        edge = object.__new__(Edge)  # all other fields are checked
         parts = {"knots": self.knots, "points": points, "degree": self.degree, "weights": self.weights}
-        vars(made).update(parts, source=source)
-        return made
+        vars(edge).update(parts, source=source)
+        return edge
 
 
 Run = tuple[Edge, ...]

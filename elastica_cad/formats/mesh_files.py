@@ -86,10 +86,10 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
             ) from error
         if not len(faces):
             raise InputError("holds no faces: export a mesh, not points or lines")
-        found = Mesh(vertices * factor, faces)
-        if unit is None and not LIKELY_SIZES_MM[0] <= found.size <= LIKELY_SIZES_MM[1]:
-            raise InputError(_asking(found.size))
-        return found
+        model = Mesh(vertices * factor, faces)
+        if unit is None and not LIKELY_SIZES_MM[0] <= model.size <= LIKELY_SIZES_MM[1]:
+            raise InputError(_asking(model.size))
+        return model
 
 
 _OBJ_LISTS = {b"v": 0, b"vt": 1, b"vn": 2}

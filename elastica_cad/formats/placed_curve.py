@@ -183,7 +183,7 @@ def _why_not_one(runs: Sequence[Run]) -> str:
             "edges that it is to follow",
             place=place,
         )
-    if gap <= MEANT * np.ptp(np.concatenate([edge.points for one in runs for edge in one]), axis=0).max():
+    if gap <= MEANT * np.ptp(np.concatenate([edge.points for part in runs for edge in part]), axis=0).max():
         return note(
             "two edges end {gap} apart at {place}: make their ends meet there, in a sketch by a "
             "coincident constraint",

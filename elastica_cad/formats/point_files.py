@@ -132,8 +132,8 @@ class PointTable:
         units = [unit] if unit else list(dict.fromkeys([*units, *behind]))
         if len(units) > 1:
             raise InputError("it names {names}: give x and y in one unit", names=" and ".join(units))
-        columns, told = _plain_numbers(columns, separator, look_up_unit(units[0] if units else "mm"))
-        return cls(columns, next(iter(units), None), told, layout.is_offsets)
+        columns, message = _plain_numbers(columns, separator, look_up_unit(units[0] if units else "mm"))
+        return cls(columns, next(iter(units), None), message, layout.is_offsets)
 
 
 def read_text(path: Path) -> str:
@@ -199,10 +199,10 @@ class _Head(NamedTuple):
     @classmethod
     def of(cls, cell: str) -> "_Head":
         base, unit = cell, ""
-        if found := _BRACKETS.fullmatch(cell):
-            base, unit = f"{found[1]} {found[3]}".strip(), "" if found[2] in NOTHING else found[2]
-        elif (found := _BEHIND.fullmatch(cell)) and read_unit(found[2] or found[3]):
-            base, unit = re.sub(r"[\s_]+in$", "", found[1]), found[2] or found[3]
+        if match := _BRACKETS.fullmatch(cell):
+            base, unit = f"{match[1]} {match[3]}".strip(), "" if match[2] in NOTHING else match[2]
+        elif (match := _BEHIND.fullmatch(cell)) and read_unit(match[2] or match[3]):
+            base, unit = re.sub(r"[\s_]+in$", "", match[1]), match[2] or match[3]
         base = base.strip(" _-:/,.")
         known = not unit or read_unit(unit) is not None
         if axis := _AXIS.fullmatch(base.lower()):
@@ -247,9 +247,9 @@ class _Layout:
             if along is not None and len(heads) > 1:
                 return cls._of_offsets(heads, names.index(along), below, units, _words(above))
         titles = [cells for _, cells in rows[:first] if cells]
-        said = [_Head.of(cell).unit for cells in titles[-2:] if len(cells) > 1 for cell in cells]
-        said += [cell for cells in titles if all(map(read_unit, cells)) for cell in cells]
-        return cls([Column("", rows[first:])], said, _words(rows[:first]))
+        stated = [_Head.of(cell).unit for cells in titles[-2:] if len(cells) > 1 for cell in cells]
+        stated += [cell for cells in titles if all(map(read_unit, cells)) for cell in cells]
+        return cls([Column("", rows[first:])], stated, _words(rows[:first]))
 
     @classmethod
     def _of_axes(
@@ -258,10 +258,10 @@ class _Layout:
         """Return the layout with a curve for every pair of x and y, and z if there is a z column."""
         places = {axis: [k for k, head in enumerate(heads) if head.axis == axis] for axis in "xyz"}
         count = max(len(places["x"]), len(places["y"]))
-        for axis, found in places.items():
-            if len(found) == 1 and axis != "z":
-                places[axis] = found * count
-            elif len(found) != count and (found or axis != "z"):
+        for axis, indices in places.items():
+            if len(indices) == 1 and axis != "z":
+                places[axis] = indices * count
+            elif len(indices) != count and (indices or axis != "z"):
                 raise InputError(
                     "its heading names x {x} times, y {y} times and z {z} times: give every curve its own columns, "
                     "or one x to all",
@@ -269,12 +269,12 @@ class _Layout:
                     y=len(places["y"]),
                     z=len(places["z"]),
                 )
-        curves = list(zip(*(found for found in places.values() if found), strict=True))
-        said = dict.fromkeys(unit for curve in curves for k in curve if (unit := heads[k].unit))
-        names = [unit for unit in said if read_unit(unit) is None]
+        curves = list(zip(*(indices for indices in places.values() if indices), strict=True))
+        stated = dict.fromkeys(unit for curve in curves for k in curve if (unit := heads[k].unit))
+        names = [unit for unit in stated if read_unit(unit) is None]
         units = [
             *units,
-            *(one for one in said if len(names) < 2 or one not in names),
+            *(unit_name for unit_name in stated if len(names) < 2 or unit_name not in names),
         ]  # several unknown names are names of curves
         if count == 1:
             last = max(curves[0])
@@ -309,8 +309,8 @@ class _Layout:
 
 def _filled(cells: list[str], places: Sequence[int]) -> list[str]:
     """Return the cells of a curve; empty if they are blank or missing."""
-    found = [cells[k] if k < len(cells) else "" for k in places]
-    return found if any(one not in NOTHING for one in found[:2]) else []
+    cells_of_curve = [cells[k] if k < len(cells) else "" for k in places]
+    return cells_of_curve if any(cell not in NOTHING for cell in cells_of_curve[:2]) else []
 
 
 def _words(rows: list[Row]) -> list[str]:
@@ -329,9 +329,9 @@ def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
 
 def _units(said: Sequence[str], titles: Sequence[str]) -> list[str]:
     """Return the units named in the heading, or else in titles and remarks."""
-    stated = [found for title in titles for found in _STATED.finditer(title)]
+    stated = [match for title in titles for match in _STATED.finditer(title)]
     words = [word for word in said if word not in NOTHING] or [
-        found[1] or found[2] for found in stated if found[1] or read_unit(found[2])
+        match[1] or match[2] for match in stated if match[1] or read_unit(match[2])
     ]
     for word in words:
         if read_unit(word) is None:
@@ -353,12 +353,12 @@ def _without_units(columns: list[Column]) -> tuple[list[Column], list[str]]:
     units: dict[str, None] = {}
 
     def bare(cell: str) -> str:
-        found = None if cell[-1:].isdigit() else _UNIT_BEHIND.fullmatch(cell)
-        unit = read_unit(found[2]) if found and read_offset(cell) is None else None
-        if found is None or unit is None:
+        match = None if cell[-1:].isdigit() else _UNIT_BEHIND.fullmatch(cell)
+        unit = read_unit(match[2]) if match and read_offset(cell) is None else None
+        if match is None or unit is None:
             return cell
         units[unit] = None
-        return found[1]
+        return match[1]
 
     return _mapped(columns, bare), list(units)
 
@@ -370,8 +370,8 @@ def _plain_numbers(columns: list[Column], separator: str, scale: float) -> tuple
         lambda cell: _SPACES.sub("", cell) if _SPACES.search(cell) and _APART.fullmatch(cell) else cell,
     )
     cells = [(n, cell) for _, rows in columns for n, row in rows for cell in row]
-    group, told = _group_sign(cells, separator, scale)
-    return _mapped(columns, lambda cell: cell.replace(group, "").replace(",", ".")), told
+    group, message = _group_sign(cells, separator, scale)
+    return _mapped(columns, lambda cell: cell.replace(group, "").replace(",", ".")), message
 
 
 def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) -> tuple[str, str]:
@@ -524,7 +524,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     cells = [cell for column in table.columns for _, row in column.rows for cell in row]
     inches = [cell for cell in cells if is_in_inches(cell)]
     scale = look_up_unit(table.unit or ("in" if inches else "mm"))
-    parts = [int(found[1]) for cell in inches if (found := re.search(r"/(\d+)", cell))]  # 1/parts inch
+    parts = [int(match[1]) for cell in inches if (match := re.search(r"/(\d+)", cell))]  # 1/parts inch
     parts += [8 for cell in inches if cell.count("-") > 1]
     rounded = MM_PER_INCH / max(parts) / 2 if parts else scale * half_last_place(cells[:_DIGITS])
     by_rule = scale == MM_PER_INCH or table.is_offsets or rounded >= RULER_MM
@@ -542,7 +542,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
         makers += [
             (name, len(block), partial(_fitted, block, fit_tolerance, digits, noise)) for block in blocks
         ]
-    told = note(
+    message = note(
         "its numbers were read as inches, with fractions or as feet-inches-eighths: give the unit if they are none"
     )
     curves = [
@@ -552,7 +552,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     if table.unit:
         known = ReadUnit.requested(unit) if unit else ReadUnit(table.unit, "stated", note("the heading"))
     else:
-        known = ReadUnit("in", "guessed", note=told) if inches else ReadUnit("mm")
+        known = ReadUnit("in", "guessed", note=message) if inches else ReadUnit("mm")
     return DrawnFile(file, curves, unit=replace(known, note=table.note or known.note))
 
 

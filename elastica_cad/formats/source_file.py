@@ -99,10 +99,10 @@ def read_below(*folders: str | os.PathLike[str]) -> Iterator[None]:
 def mark_file(path: Path) -> FileMark:
     """Return a mark of the file's contents: equal marks mean equal contents."""
     try:
-        found = path.stat()
+        status = path.stat()
     except OSError:
         return None
-    return found.st_mtime_ns, found.st_size, found.st_ino
+    return status.st_mtime_ns, status.st_size, status.st_ino
 
 
 @contextmanager
@@ -269,15 +269,15 @@ def half_last_place(numbers: Iterable[str]) -> float:
     >>> half_last_place(["12.34", "7.5", "100"]), half_last_place(["123.45678", "0.0012345678"])
     (0.005, 5e-06)
     """
-    found = [one for one in map(_digits, numbers) if one is not None]
-    if not found:
+    rows = [row for row in map(_digits, numbers) if row is not None]
+    if not rows:
         return 0.0
-    largest = max(size for size, _, _ in found)
-    plain = [one for one in found if one[0] > 1e-6 * largest or one[0] == 0]
+    largest = max(size for size, _, _ in rows)
+    plain = [row for row in rows if row[0] > 1e-6 * largest or row[0] == 0]
     decimals = max(places for _, places, _ in plain)
     significant = max(digits for _, _, digits in plain)
     before_point = int(np.floor(np.log10(largest))) + 1 if largest > 0 else 1
-    top = [one for one in plain if one[0] >= 10.0 ** (before_point - 1)]
+    top = [row for row in plain if row[0] >= 10.0 ** (before_point - 1)]
     if significant >= _PROGRAMS or sum(size % 10 != 0 for size, _, _ in top) >= _EVIDENCE:
         decimals = max([places for _, places, _ in top], default=decimals)
         decimals = max(decimals, min(max(places for _, places, _ in plain), significant - before_point))

@@ -158,7 +158,9 @@ def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
     count = 0
     try:
         drawing = SVG.parse(BytesIO(_in_user_units(shapes.tree)), reify=False, on_error="raise")
-        for shape in shapes.painted([one for one in drawing.elements() if isinstance(one, Shape)]):
+        for shape in shapes.painted(
+            [element for element in drawing.elements() if isinstance(element, Shape)]
+        ):
             drawn = shapes.read(shape)
             if drawn is None:
                 continue
@@ -218,11 +220,11 @@ class _Shapes:
 
     def painted(self, shapes: Sequence[Any]) -> Sequence[Any]:
         """Return the shapes of svgelements that have a stroke or a fill, or all where none has."""
-        shown = [one for one in shapes if not _is_hidden(one)]
-        seen = [one for one in shown if any(_paints(one.values, what) for what in _PAINTS)]
+        shown = [shape for shape in shapes if not _is_hidden(shape)]
+        seen = [shape for shape in shown if any(_paints(shape.values, what) for what in _PAINTS)]
         if seen:
-            self.unpainted = {int(one.values[MARK]) for one in shown} - {
-                int(one.values[MARK]) for one in seen
+            self.unpainted = {int(shape.values[MARK]) for shape in shown} - {
+                int(shape.values[MARK]) for shape in seen
             }
         return seen or shapes
 
@@ -330,7 +332,7 @@ def _in_user_units(tree: SvgTree) -> bytes:
     root = tree.root
     box = root.get("viewBox", "").replace(",", " ").split()
     lengths = [read_length(text) for text in tree.size]
-    size = box[2:] if len(box) == 4 else [repr(one[0] / _PX) if one else "100%" for one in lengths]
+    size = box[2:] if len(box) == 4 else [repr(length[0] / _PX) if length else "100%" for length in lengths]
     for name in ("viewBox", "preserveAspectRatio", "x", "y"):
         root.attrib.pop(name, None)
     root.set("width", size[0])

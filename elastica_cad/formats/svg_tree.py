@@ -87,11 +87,11 @@ def _apply_styles(root: Element) -> list[str]:
     for element in tree.elements:
         classes = element.get("class", "").split()
         keys = ["*", _kind(element), f"#{element.get('id')}", *(f".{name}" for name in classes)]
-        found = [rule for key in keys for rule in rules.get(key, ()) if tree.matches(element, rule.steps)]
-        found.append(_Rule([], (1,), _declarations(element.attrib.pop("style", ""))))
+        matching = [rule for key in keys for rule in rules.get(key, ()) if tree.matches(element, rule.steps)]
+        matching.append(_Rule([], (1,), _declarations(element.attrib.pop("style", ""))))
         ranked = [
             (important, rule.weight, name, value)
-            for rule in found
+            for rule in matching
             for name, value, important in rule.declared
         ]
         for _, _, name, value in sorted(ranked, key=lambda one: one[:2]):
@@ -133,13 +133,13 @@ def _holds(queries: str) -> bool | None:
 
 def _declarations(text: str) -> list[tuple[str, str, bool]]:
     """Return the relevant declarations: name, value, and True if it is important."""
-    found = []
+    declarations = []
     for name, written in _DECLARATION.findall(_COMMENT.sub(" ", text)):
         value, _, important = written.partition("!")
         if name.lower() in _PROPERTIES:
             value = re.sub(r"""\s*path\(\s*["'](.*)["']\s*\)""", r"\1", value) if name == "d" else value
-            found.append((name.lower(), value.strip(), bool(important)))
-    return found
+            declarations.append((name.lower(), value.strip(), bool(important)))
+    return declarations
 
 
 def _steps(selector: str) -> _Steps | None:
@@ -193,14 +193,16 @@ class _Tree:
 
     def matches(self, element: Element, steps: _Steps) -> bool:
         """Return True if a selector matches the element."""
-        found, combinator = {element}, None
+        elements, combinator = {element}, None
         for before, parts in reversed(steps):
             if combinator is not None:
-                way = self.before if combinator in ("+", "~") else self.around
-                found = set(self._reached(found, way, once=combinator in (">", "+")))
-            found = {one for one in found if all(self._has(one, part) for part in parts)}
+                relation = self.before if combinator in ("+", "~") else self.around
+                elements = set(self._reached(elements, relation, once=combinator in (">", "+")))
+            elements = {
+                candidate for candidate in elements if all(self._has(candidate, part) for part in parts)
+            }
             combinator = before
-        return bool(found)
+        return bool(elements)
 
     @staticmethod
     def _reached(found: set[Element], way: dict[Element, Element], *, once: bool) -> Iterator[Element]:
@@ -361,11 +363,11 @@ def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) 
     if box is None:
         return 1.0, 1.0, at[0], at[1]
     scales = [side / extent for side, extent in zip(sides, box[2:], strict=True)]
-    asked = view.get("preserveAspectRatio", "")
+    aspect = view.get("preserveAspectRatio", "")
     rest = [0.0, 0.0]
-    if "none" not in asked:
-        scales = [max(scales) if "slice" in asked else min(scales)] * 2
-        places = re.match(r"\s*(?:defer\s+)?x(Min|Mid|Max)Y(Min|Mid|Max)", asked)
+    if "none" not in aspect:
+        scales = [max(scales) if "slice" in aspect else min(scales)] * 2
+        places = re.match(r"\s*(?:defer\s+)?x(Min|Mid|Max)Y(Min|Mid|Max)", aspect)
         shares = [_PLACES[word] for word in (places.groups() if places else ("Mid", "Mid"))]
         rest = [
             share * (side - scale * extent)
@@ -485,12 +487,12 @@ class Name:
     @classmethod
     def of(cls, element: ElementTree.Element) -> "Name":
         """Return the name of an element."""
-        own = element.get("id", "")
+        element_id = element.get("id", "")
         labels = [label for key in _LABELS if (label := element.get(key, "").strip())]
         chosen = [label for label in labels if not _KIND.fullmatch(label)]
-        if own and not (_KIND.fullmatch(own) or _TOKEN.fullmatch(own)):
-            chosen.append(own)
-        return cls(next(iter([*chosen, own, *labels]), ""), own, bool(chosen))
+        if element_id and not (_KIND.fullmatch(element_id) or _TOKEN.fullmatch(element_id)):
+            chosen.append(element_id)
+        return cls(next(iter([*chosen, element_id, *labels]), ""), element_id, bool(chosen))
 
 
 @dataclass(frozen=True)
@@ -599,7 +601,7 @@ def _open_svg(path: Path) -> BinaryIO:
 
 def _read_head(file: BinaryIO) -> str:
     """Return the comments and namespaces before the second element; refuse entities that are not plain text."""
-    parser, elements, found = ParserCreate(), 0, list[str]()
+    parser, elements, texts = ParserCreate(), 0, list[str]()
 
     def declare(name: str, is_parameter: int, text: str | None, *_: object) -> None:
         if is_parameter or text is None or len(text) > _LONGEST_ENTITY or set(text) & set("<&"):
@@ -613,18 +615,18 @@ def _read_head(file: BinaryIO) -> str:
     def begin(_: str, attributes: dict[str, str]) -> None:
         nonlocal elements
         elements += 1
-        found.extend(name for name in attributes if name.startswith("xmlns"))
+        texts.extend(name for name in attributes if name.startswith("xmlns"))
 
     def comment(text: str) -> None:
         if elements < 2:
-            found.append(text)
+            texts.append(text)
 
     parser.EntityDeclHandler, parser.StartElementHandler, parser.CommentHandler = declare, begin, comment
     with suppress(ExpatError, LookupError):  # not XML: the parser of the whole file reports it
         while elements < 2 and (data := file.read(_HEAD)):
             parser.Parse(data)
     file.seek(0)
-    return "\n".join(found)
+    return "\n".join(texts)
 
 
 def _refuse_bombs(tree: SvgTree) -> None:
@@ -649,12 +651,12 @@ def _refuse_bombs(tree: SvgTree) -> None:
             open_now.discard(element)
             shapes, elements = int(tag(element) in _SHAPES), 1
             size = len(element.get("d", "")) + len(element.get("points", ""))
-            for one in below:
-                if one is links.get(element) and one in state and not state[one][0]:
+            for node in below:
+                if node is links.get(element) and node in state and not state[node][0]:
                     unlink(element)  # its expansion contains nothing to read
-                elif one in state:
+                elif node in state:
                     shapes, elements, size = (
-                        mine + its for mine, its in zip((shapes, elements, size), state[one], strict=True)
+                        mine + its for mine, its in zip((shapes, elements, size), state[node], strict=True)
                     )
             check_count(shapes, MOST_SHAPES, "shapes, its clones counted", "leave out clones or unused parts")
             if size > _MOST_TEXT:
@@ -666,12 +668,12 @@ def _refuse_bombs(tree: SvgTree) -> None:
         elif element not in state and element not in open_now:
             open_now.add(element)
             stack.append((element, True))
-            for one in below:
-                if one in open_now:
+            for node in below:
+                if node in open_now:
                     unlink(element)
                     tree.skipped["clone of itself"] += 1
-                elif one not in state:
-                    stack.append((one, False))
+                elif node not in state:
+                    stack.append((node, False))
 
 
 def _cloned(root: ElementTree.Element, wanted: set[str]) -> dict[str, ElementTree.Element]:
@@ -695,7 +697,7 @@ def _mark(tree: SvgTree) -> None:
     while stack:
         element, layer, shown, clips = stack.pop()
         kind = tag(element)
-        clips = tuple((box, f"{way} {element.get('transform', '')}") for box, way in clips)
+        clips = tuple((box, f"{transform} {element.get('transform', '')}") for box, transform in clips)
         for name in _AREAS:
             area = element.get(name, "").strip()
             if _referred(area) in areas or not re.match(r"(url\(|none$|$)", area):

@@ -388,7 +388,7 @@ def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) ->
 def _check(target: Path, names: Iterable[str], *, force: bool) -> None:
     """Refuse existing files, and files in place of folders."""
     for path in (target / name for name in names):
-        files = [one for one in path.parents if one.exists() and not one.is_dir()]
+        files = [parent for parent in path.parents if parent.exists() and not parent.is_dir()]
         if files:
             raise InputError(
                 "{files} is a file, and a folder is to be there: choose another folder", files=files[0]

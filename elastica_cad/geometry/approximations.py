@@ -80,7 +80,8 @@ def as_beziers(path: Path) -> Path:
     if not path.has_splines:
         return path
     segments = [
-        Spline(_joined_beziers(one.curve)) if isinstance(one, Spline) else one for one in path.segments
+        Spline(_joined_beziers(segment.curve)) if isinstance(segment, Spline) else segment
+        for segment in path.segments
     ]
     return Path(segments, path.closed)
 
@@ -227,13 +228,13 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
         a, end = (float(t - t0) / (t1 - t0) for t in (stretch[0], stretch[-1]))
         while a < end:
             start = a, spline.tangent_at(a)
-            b, found = _longest(spline, start, end, tolerance)
+            b, biarc = _longest(spline, start, end, tolerance)
             if end - b < 0.5 * (b - a) and b < end:
                 # two pieces of similar size instead of a very short last piece
                 middle = (a + end) / 2
                 shorter, off = _biarc(spline, start, middle)
-                b, found = (middle, shorter) if off <= _TAKEN * tolerance else (b, found)
-            pieces.extend(found)
+                b, biarc = (middle, shorter) if off <= _TAKEN * tolerance else (b, biarc)
+            pieces.extend(biarc)
             a = b
     return pieces
 

@@ -106,18 +106,18 @@ def arc_length_table(speed: Callable[[IntArray, FloatArray], FloatArray], edges:
     """
     span, low, width = np.arange(edges.size - 1), edges[:-1], np.diff(edges)
     before = np.full(low.shape, np.inf)
-    found: list[tuple[FloatArray, FloatArray]] = []
+    panels: list[tuple[FloatArray, FloatArray]] = []
     while low.size:
         t = low[:, None] + width[:, None] * (1 + _SITES) / 2
         series = speed(span.repeat(_SITES.size), t.ravel()).reshape(t.shape) @ _TO_SERIES
         mean, tail = series[:, 0], np.abs(series[:, -3:]).max(axis=1)
         fine = (tail <= _FINE * mean) | ((tail < _NOISE_SHARE * mean) & (tail > 0.3 * before))
         fine |= width < _NARROWEST * (edges[-1] - edges[0])
-        found.append((low[fine], (series[fine] * width[fine, None] / 2) @ _INTEGRATE))
+        panels.append((low[fine], (series[fine] * width[fine, None] / 2) @ _INTEGRATE))
         span, low, width, before = span[~fine], low[~fine], width[~fine] / 2, tail[~fine]
         span, before, width = np.tile(span, 2), np.tile(before, 2), np.tile(width, 2)
         low = np.concatenate([low, low + width[: low.size]])
-    starts, rows = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    starts, rows = (np.concatenate(parts) for parts in zip(*panels, strict=True))
     order = starts.argsort()
     lengths = rows[order].sum(axis=1)
     return ArcLength(

@@ -97,7 +97,7 @@ class SmoothJoints:
     def of(cls, curve: PlaneCurve) -> "SmoothJoints":
         """Return the constraint for all joints of `curve` except its corners."""
         corners = {corner.t for corner in curve.tangent_breaks}
-        free = [one.t for one in curve.breaks if one.t not in corners]
+        free = [joint.t for joint in curve.breaks if joint.t not in corners]
         first = np.searchsorted(curve.knots, free, side="left")
         ends = np.searchsorted(curve.knots, free, side="right")
         at = (first - 1)[ends - first == curve.degree]
@@ -244,7 +244,9 @@ def least_norm_newton(
     require_positive(tolerance, "the tolerance of constraints", "shares of the size")
     if not (is_whole(max_steps) and max_steps >= 1):
         raise InputError(f"max_steps is {max_steps!r}: allow at least one step")
-    if not isinstance(constraints, Sequence) or not all(hasattr(one, "equations") for one in constraints):
+    if not isinstance(constraints, Sequence) or not all(
+        hasattr(constraint, "equations") for constraint in constraints
+    ):
         raise InputError(
             f"constraints are {quoted(constraints)}: give a list of EndPositions, FixedLength and the like"
         )
@@ -333,15 +335,15 @@ def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> t
 
 def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) -> FloatArray:
     """Return an inflection for each given parameter: in order if the counts agree, else the nearest."""
-    found = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
-    if found.size < near.size:
+    inflections = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
+    if inflections.size < near.size:
         raise NotConvergedError(
-            f"the curve has {found.size} inflections where {near.size} are to be kept: the move is "
+            f"the curve has {inflections.size} inflections where {near.size} are to be kept: the move is "
             "too large or an inflection is too shallow"
         )
-    if found.size == near.size:
-        return np.asarray(found[np.argsort(np.argsort(near))])
-    picked = found[np.abs(found[None, :] - near[:, None]).argmin(axis=1)]
+    if inflections.size == near.size:
+        return np.asarray(inflections[np.argsort(np.argsort(near))])
+    picked = inflections[np.abs(inflections[None, :] - near[:, None]).argmin(axis=1)]
     if np.unique(picked).size < near.size:
         raise NotConvergedError("two inflections to be kept run into the same one: the move is too large")
     return np.asarray(picked)

@@ -110,7 +110,7 @@ def function_zero_places(
         Typical size of the values, to which tolerances are relative.
     """
     low, high, cuts = edges[:-1], edges[1:], np.zeros(edges.size - 1, dtype=int)
-    found: list[tuple[FloatArray, FloatArray]] = []
+    pieces: list[tuple[FloatArray, FloatArray]] = []
     while low.size:
         t = low[:, None] + (high - low)[:, None] * (1 + _SITES) / 2
         values = sampled(function, t)
@@ -118,12 +118,12 @@ def function_zero_places(
         done = (
             (tail <= _FOLLOWED * size) | (cuts == _MOST_CUTS) | (np.abs(values).max(axis=1) <= _FLAT * size)
         )
-        found.append((low[done], values[done]))
+        pieces.append((low[done], values[done]))
         low, high, cuts = low[~done], high[~done], cuts[~done] + 1
         middle = (low + high) / 2
         low, high = np.concatenate([low, middle]), np.concatenate([middle, high])
         cuts = np.concatenate([cuts, cuts])
-    starts, values = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    starts, values = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
     order = np.argsort(starts)
     starts, values = starts[order], values[order]
     flat = np.abs(values).max(axis=1) <= _FLAT * size

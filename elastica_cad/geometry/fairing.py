@@ -78,10 +78,10 @@ def _distance_from_sides(curve: PlaneCurve, vertices: FloatArray) -> float:
     nearest = np.full(count - 2, np.inf)
     for offset in (-1, 0, 1):
         index = np.clip(side + offset, 0, len(places) - 2)
-        start, way = vertices[index], vertices[index + 1] - vertices[index]
+        start, along = vertices[index], vertices[index + 1] - vertices[index]
         out = positions[1:-1] - start
-        fraction = np.clip((out * way).sum(axis=1) / (way**2).sum(axis=1), 0, 1)
-        nearest = np.minimum(nearest, np.linalg.norm(out - fraction[:, None] * way, axis=1))
+        fraction = np.clip((out * along).sum(axis=1) / (along**2).sum(axis=1), 0, 1)
+        nearest = np.minimum(nearest, np.linalg.norm(out - fraction[:, None] * along, axis=1))
     return float(nearest.max())
 
 
@@ -174,12 +174,12 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
     spans = int(np.clip(4 * len(curve.breaks), _FEWEST, _MOST // 4))
     best: Fairing | None = None
     while spans <= _MOST:
-        found, length = _fitted(curve, tolerance, spans, unbent)
-        if found is not None:
-            if best is None or found.moved <= tolerance:
-                best = found
+        fairing, length = _fitted(curve, tolerance, spans, unbent)
+        if fairing is not None:
+            if best is None or fairing.moved <= tolerance:
+                best = fairing
             if length * spans >= _FINE * curve.length:
-                return found
+                return fairing
         spans *= 2
     if best is None:
         raise InputError(
@@ -261,7 +261,7 @@ class _Problem:
     def _hold_ends(self, ends: CurveSamples, unbent: tuple[bool, bool]) -> IntArray:
         """Fix the end control points; return the index of the unknown (m,) of each control point, -1 if fixed."""
         step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
-        first, last = (3 if one else 2 for one in unbent)
+        first, last = (3 if is_unbent else 2 for is_unbent in unbent)
         # control points of a straight line with constant speed
         reach = np.array([0.0, 1.0, 3.0])[:, None]
         self.held[:first] = (ends.position[0] + reach * step[0])[:first]
@@ -329,8 +329,8 @@ class _Problem:
         from scipy.sparse.linalg import spsolve
 
         matrix, right = (data + weight * part for data, part in zip(self.data_part, slope, strict=True))
-        found = spsolve(matrix.tocsc(), right, permc_spec="NATURAL")
-        return np.asarray(self.held + (self.chosen @ found).reshape(-1, 2), dtype=float)
+        unknowns = spsolve(matrix.tocsc(), right, permc_spec="NATURAL")
+        return np.asarray(self.held + (self.chosen @ unknowns).reshape(-1, 2), dtype=float)
 
     def off(self, points: FloatArray) -> float:
         """Return the largest distance normal to the drawn curve at the sites, mm."""
@@ -420,7 +420,7 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
             needed = round_corners(curve, POLYLINE_SHARE * np.ptp(drawn.vertices, axis=0).max())[1]
             return _one_figure(1.01 * needed, np.ceil) if needed else None
         return None
-    corners = [one.angle for one in curve.tangent_breaks]
+    corners = [corner.angle for corner in curve.tangent_breaks]
     if abs(curve.seam_turn) > CORNER_RAD:
         corners.append(curve.seam_turn)
     if not corners or curve.degree < 2 or max(map(abs, corners)) > SURE:

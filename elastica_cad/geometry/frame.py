@@ -88,8 +88,8 @@ class Frame:
             raise InputError(
                 f"local coordinates are rows of two or three numbers, not of shape {local.shape}"
             )
-        found: FloatArray = local @ (self.axes if local.shape[-1] == 3 else self._plane_axes)
-        return found
+        vectors: FloatArray = local @ (self.axes if local.shape[-1] == 3 else self._plane_axes)
+        return vectors
 
     def local(self, points: ArrayLike) -> FloatArray:
         """Return local coordinates (..., 3) of points in space (..., 3), mm."""
@@ -116,9 +116,9 @@ class Frame:
             require_number(shift, f"the shift along {axis}", "mm")
         origin = self.point((x, y, z))
         _require_finite("origin", origin)
-        made = Frame(origin, self.x_axis, self.y_axis)
-        vars(made)["axes"] = self.axes
-        return made
+        frame = Frame(origin, self.x_axis, self.y_axis)
+        vars(frame)["axes"] = self.axes
+        return frame
 
 
 def frame_or_plain(frame: Frame | None, what: str = "the frame") -> Frame:

@@ -110,7 +110,7 @@ class MeasuredPoints:
         if rough.max() <= STRAY_TIMES * max(without[at], self.least):
             return ()
         far, rest = _off_nearest(self.points)[at], _off_nearest(others[at]).max()
-        said = (
+        message = (
             "The point at {place}, number {number} of {count}, is {far:.2g} off the curve of its neighbours, "
             "the others {rest:.2g} at most: measure it again, and the end beside it, which cannot be judged."
             if at in (1, count - 2) else
@@ -118,7 +118,7 @@ class MeasuredPoints:
             "the others {rest:.2g} at most: measure it again."
         )  # fmt: skip
         return (note(
-            said,
+            message,
             place=Point(self.points[at]), number=at + 1, count=count, far=Length(far), rest=Length(rest),
             severity="warning",
         ),)  # fmt: skip

@@ -130,7 +130,7 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
     if stopped.size:
         return TangentCones(edges, part, float(stopped.min()))
     starts: list[FloatArray] = []
-    found: list[FloatArray] = []
+    cones: list[FloatArray] = []
     slowest = _STANDSTILL_SHARE * largest
     for _ in range(_MOST_HALVINGS):
         if not low.size:
@@ -141,7 +141,7 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
         if not starts and decided.all():
             return TangentCones(edges, part)
         starts.append(low[decided])
-        found.append(part[decided])
+        cones.append(part[decided])
         rest = ~decided
         left, right = subdivide(np.swapaxes(part[rest], 1, 2))
         part = np.swapaxes(np.concatenate([left, right]), 1, 2)
@@ -150,7 +150,7 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
         size = np.hypot(part[..., 0], part[..., 1])
     if low.size:
         return TangentCones(edges, part, float((low + width / 2).min()))
-    begin, coefficients = np.concatenate(starts), np.concatenate(found)
+    begin, coefficients = np.concatenate(starts), np.concatenate(cones)
     order = np.argsort(begin, kind="stable")
     return TangentCones(np.append(begin[order], edges[-1]), coefficients[order])
 
@@ -519,18 +519,18 @@ class NurbsCurve:
         provenance: Provenance | None = None,
     ) -> Self:  # fmt: skip
         """Return a curve of this degree that is a part or a moved copy of this curve, without checking it again."""
-        made = object.__new__(type(self))
+        curve = object.__new__(type(self))
         for array in (knots, control_points, weights):
             if array is not None:
                 array.setflags(write=False)
-        vars(made).update(
+        vars(curve).update(
             knots=knots,
             control_points=control_points,
             degree=self.degree,
             weights=weights,
             provenance=provenance,
         )
-        return made
+        return curve
 
     @classmethod
     def spline(cls, control_points: ArrayLike, degree: int = 4) -> Self:

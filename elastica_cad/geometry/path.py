@@ -239,7 +239,7 @@ class Path:
         """Largest gap between the end of a segment and the start of the next, mm; at most `JOIN`."""
         following = self.segments[1:] + (self.segments[:1] if self.closed else ())
         pairs = zip(self.segments, following, strict=False)
-        return max((dist(one.end.tolist(), after.start.tolist()) for one, after in pairs), default=0.0)
+        return max((dist(before.end.tolist(), after.start.tolist()) for before, after in pairs), default=0.0)
 
     @cached_property
     def length(self) -> float:

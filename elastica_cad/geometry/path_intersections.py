@@ -71,12 +71,12 @@ def chord_crossings(
         u, v = (float(x[0]) for x in _line_parameters(a.start[None], a.end[None], b.start[None], b.end[None]))
         return ((u, v),) if 0 <= u <= 1 and 0 <= v <= 1 else ()
     starts = [*([(1.0, 0.0)] if corner else []), *_chord_guesses(first, second)]
-    found: list[tuple[float, float]] = []
+    crossings: list[tuple[float, float]] = []
     for guess in starts:
         pair = _newton(a, b, *guess)
-        if pair is not None and not any(max(abs(pair[0] - u), abs(pair[1] - v)) < 1e-9 for u, v in found):
-            found.append(pair)
-    return tuple(found)
+        if pair is not None and not any(max(abs(pair[0] - u), abs(pair[1] - v)) < 1e-9 for u, v in crossings):
+            crossings.append(pair)
+    return tuple(crossings)
 
 
 def polylines_cross(p: FloatArray, q: FloatArray) -> FloatArray | None:
@@ -271,11 +271,11 @@ def trim_off(path: Path, loops: Sequence[Path]) -> tuple[Path, ...]:
     >>> [round(part.length, 9) for part in parts]
     [10.0, 20.0]
     """
-    met = [one for one in loops if boxes_meet(one.bounds, path.bounds)]
+    met = [loop for loop in loops if boxes_meet(loop.bounds, path.bounds)]
     if not met:
         return (path,)
-    walls = [segment for one in met for segment in one.segments]
-    rims = [one.points(FLAT_MM) for one in met]
+    walls = [segment for loop in met for segment in loop.segments]
+    rims = [loop.points(FLAT_MM) for loop in met]
     kept = _runs(path, walls, lambda place: not any(encloses(rim, place) for rim in rims))
     return tuple(Path(run) for run in kept)
 

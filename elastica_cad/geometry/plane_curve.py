@@ -245,10 +245,10 @@ class PlaneCurve(NurbsCurve):
     @cached_property
     def curvature_zeros(self) -> tuple[CurvatureZero, ...]:
         """All zeros and sign changes of the curvature, in order."""
-        found = zeros.curvature_zero_places(
+        places = zeros.curvature_zero_places(
             self._pieces.bezier, self._pieces.edges, self._curvature_continuous
         )
-        return self._measured(self._polished(found))
+        return self._measured(self._polished(places))
 
     def curvature_equals(self, level: float) -> tuple[CurvatureZero, ...]:
         """Return all points where the curvature is `level` (1/mm), with the signs of curvature - level."""
@@ -281,7 +281,7 @@ class PlaneCurve(NurbsCurve):
         places = dict(
             zip(self._pieces.edges[1:-1].tolist(), self._curvature_continuous.tolist(), strict=True)
         )
-        for t, continuous in (pair(one, "a break") for one in (breaks if is_series(breaks) else [breaks])):
+        for t, continuous in (pair(item, "a break") for item in (breaks if is_series(breaks) else [breaks])):
             near = min(places, key=lambda known: abs(known - t), default=low)
             at = near if abs(near - t) < 1e-9 * (high - low) else t
             if low < at < high:
@@ -432,8 +432,8 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[Curvature
     if normal.shape != (2,) or not normal.any():
         raise InputError(f"the normal of a line must be two numbers, not both zero: {normal.tolist()}")
     edges, bezier = curve.bezier_table
-    found = line_places(bezier, edges, float(constant), normal)
-    return curve._measured(found)
+    crossings = line_places(bezier, edges, float(constant), normal)
+    return curve._measured(crossings)
 
 
 def clamp_ends(curve: PlaneCurve) -> PlaneCurve:

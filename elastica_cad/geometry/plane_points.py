@@ -49,8 +49,8 @@ def similarity_of(matrix: FloatArray) -> tuple[float, float, float]:
     (2.0, 0.0, -1.0)
     """
     (a, b, _), (c, d, _), (_, _, last) = matrix.tolist()
-    way = 1.0 if last > 0 else -1.0
-    return hypot(a, c) / abs(last), atan2(way * c, way * a), 1.0 if a * d > b * c else -1.0
+    hand = 1.0 if last > 0 else -1.0
+    return hypot(a, c) / abs(last), atan2(hand * c, hand * a), 1.0 if a * d > b * c else -1.0
 
 
 def box_about(points: FloatArray) -> FloatArray:

@@ -181,16 +181,16 @@ def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, b
         sign = np.where(np.abs(part) > noise[piece, None], np.sign(part), 0.0)
         some = (sign != 0).any(axis=1)
         changes, blurred = _variations(sign)
-        one = some & (changes == 1) & (sign[:, 0] * sign[:, -1] < 0)
+        single = some & (changes == 1) & (sign[:, 0] * sign[:, -1] < 0)
         none = some & (changes == 0) & ~blurred
-        cluster = ~some if depth < _MOST_HALVINGS else ~(one | none)
-        sharp = _enclosed(part[one], noise[piece[one]])
-        for i, start, end in zip(one.nonzero()[0].tolist(), *sharp, strict=True):
+        cluster = ~some if depth < _MOST_HALVINGS else ~(single | none)
+        sharp = _enclosed(part[single], noise[piece[single]])
+        for i, start, end in zip(single.nonzero()[0].tolist(), *sharp, strict=True):
             place, length = float(low[i]), float(width[i])
             events.append((int(piece[i]), place + length * start, place + length * end, start == end))
         for i in cluster.nonzero()[0].tolist():
             events.append((int(piece[i]), float(low[i]), float(low[i] + width[i]), False))
-        rest = ~(one | none | cluster)
+        rest = ~(single | none | cluster)
         piece, part, low, width = _halved(piece[rest], part[rest], low[rest], width[rest])
     return events
 
@@ -201,8 +201,8 @@ def interior_roots(c: FloatArray) -> list[Root]:
     noise = np.maximum(noise, 1e-15 * np.abs(c).max(initial=0.0))
     c, _ = without_end_roots(c, noise, np.ones(len(c), dtype=bool))
     kept = np.flatnonzero(np.abs(c).max(axis=1) > noise)
-    found = roots(c[kept], noise[kept])
-    return [Root(int(kept[root.piece]), root.u, root.crossing) for root in found]
+    zeros = roots(c[kept], noise[kept])
+    return [Root(int(kept[root.piece]), root.u, root.crossing) for root in zeros]
 
 
 def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
@@ -268,18 +268,18 @@ def _merged(events: list[tuple[int, float, float, bool]]) -> list[tuple[int, flo
 
 
 def _classified(c: FloatArray, events: list[tuple[int, float, float, bool]]) -> list[Root]:
-    found = []
+    zeros = []
     for k, (piece, a, b, sharp) in enumerate(events):
         if sharp:
-            found.append(Root(piece, a, True))
+            zeros.append(Root(piece, a, True))
             continue
         before = events[k - 1][2] if k and events[k - 1][0] == piece else 0.0
         after = events[k + 1][1] if k + 1 < len(events) and events[k + 1][0] == piece else 1.0
         sides = np.array([(before + a) / 2, (b + after) / 2])
         values, _ = value_and_slope(np.tile(c[piece], (2, 1)), sides)
         crossing = bool(values[0] * values[1] < 0)
-        found.append(Root(piece, _multiple_root(c[piece], a, b, crossing=crossing), crossing))
-    return found
+        zeros.append(Root(piece, _multiple_root(c[piece], a, b, crossing=crossing), crossing))
+    return zeros
 
 
 def _multiple_root(c: FloatArray, a: float, b: float, *, crossing: bool) -> float:
@@ -353,9 +353,9 @@ class PanelFunction:
 
     def at(self, panel: IntArray, x: FloatArray) -> FloatArray:
         """Return values (n, ...) at places x (n,) of panels (n,)."""
-        own = self.coefficients[panel].swapaxes(0, 1)
-        places = x.reshape(x.size, *[1] * (own.ndim - 2))
-        return np.asarray(np.polynomial.legendre.legval(places, own, tensor=False))
+        coefficients = self.coefficients[panel].swapaxes(0, 1)
+        places = x.reshape(x.size, *[1] * (coefficients.ndim - 2))
+        return np.asarray(np.polynomial.legendre.legval(places, coefficients, tensor=False))
 
     def in_every_panel(self, basis: FloatArray) -> FloatArray:
         """Return values (N, k, ...) at the same places of every panel, from their `legendre_basis` (k, p)."""
@@ -411,13 +411,13 @@ class PanelFunction:
         # keep the extreme samples, including ends of panels
         near.flat[[table.argmin(), table.argmax()]] = True
         panel, sample = near.nonzero()
-        own, start = self.coefficients[panel], _DENSE[sample]
+        coefficients, start = self.coefficients[panel], _DENSE[sample]
         x, slopes = start, _DENSE_SLOPES[sample]
         lower, upper = np.maximum(start - _REACH, -1.0), np.minimum(start + _REACH, 1.0)
         for step in range(EXTREME_STEPS):
             if step:
                 slopes = (legendre_basis(x) @ _ALL_SLOPES).reshape(-1, 3, ORDER)
-            first, second, third = (slopes @ own[:, :, None])[:, :, 0].T
+            first, second, third = (slopes @ coefficients[:, :, None])[:, :, 0].T
             # Halley's method: Newton's method with the third derivative
             bend = 2 * second * second - first * third
             step_by = np.divide(-2 * first * second, bend, out=np.zeros_like(x), where=bend != 0)

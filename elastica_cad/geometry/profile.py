@@ -101,7 +101,7 @@ class Profile:
         """
         if not (is_number(length) and length > 0):
             raise InputError(f"a profile needs a positive length, not {length!r} mm")
-        found, coefficients = adaptive_spline(
+        spline_knots, coefficients = adaptive_spline(
             function,
             (0.0, float(length)),
             degree=degree,
@@ -110,7 +110,7 @@ class Profile:
             knots=finite("knots", knots),
             rounding=1e-9,  # quotients of moment and curvature are rarely more accurate
         )
-        return cls(found, coefficients, degree)
+        return cls(spline_knots, coefficients, degree)
 
     @classmethod
     def interpolate(cls, s: ArrayLike, values: ArrayLike) -> "Profile":

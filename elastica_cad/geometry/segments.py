@@ -420,8 +420,8 @@ def chords(segment: Segment, tolerance: float) -> tuple[FloatArray, FloatArray]:
     u = _first_places(segment, tolerance)
     if not isinstance(segment, Spline):
         return u, segment.at(u)
-    one = np.zeros(u.size, dtype=int)
-    return _halve_chords(lambda _, u: segment.at(u), one, u, one == 0, tolerance)[1:]
+    which = np.zeros(u.size, dtype=int)
+    return _halve_chords(lambda _, u: segment.at(u), which, u, which == 0, tolerance)[1:]
 
 
 def chord_points(segment: Segment, tolerance: float) -> FloatArray:
@@ -460,7 +460,7 @@ def _halve_chords(
     tolerance : float
         mm.
     """
-    found = [(which, u)]
+    rounds = [(which, u)]
     spans = np.flatnonzero(bent[:-1] & (which[1:] == which[:-1]))
     number, low, high = which[spans], u[spans], u[spans + 1]
     for _ in range(MOST_ROUNDS):
@@ -471,9 +471,9 @@ def _halve_chords(
             break
         number, low, high = number[bad], low[bad], high[bad]
         middle = low + (high - low) / 2
-        found.append((number, middle))
+        rounds.append((number, middle))
         number, low, high = np.tile(number, 2), np.append(low, middle), np.append(middle, high)
-    which, u = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    which, u = (np.concatenate(parts) for parts in zip(*rounds, strict=True))
     order = np.lexsort((u, which))
     return which[order], u[order], at(which[order], u[order])
 
@@ -515,18 +515,18 @@ class SegmentTable:
 
     def at(self, which: IntArray, u: FloatArray, derivative: int = 0) -> FloatArray:
         """Return points (n, 2), or first derivatives by u, mm, at places u (n,) in [0, 1] of segments (n,)."""
-        found, kind = np.empty((which.size, 2)), self._kind[which]
+        points, kind = np.empty((which.size, 2)), self._kind[which]
         for k, motion in enumerate(self._motions):
             here = kind == k
             if here.any():
-                found[here] = motion(self._number[which[here]], u[here], derivative)
-        return found
+                points[here] = motion(self._number[which[here]], u[here], derivative)
+        return points
 
 
 def chords_of_all(segments: Sequence[Segment], tolerance: float) -> tuple[IntArray, FloatArray]:
     """Return the points (n, 2) of `chords` of all segments, and the segment number (n,) of each point."""
     places = [_first_places(segment, tolerance) for segment in segments]
-    which, u = np.repeat(np.arange(len(places)), [one.size for one in places]), np.concatenate(places)
+    which, u = np.repeat(np.arange(len(places)), [row.size for row in places]), np.concatenate(places)
     bent = np.array([isinstance(segment, Spline) for segment in segments])
     return _halve_chords(SegmentTable(segments).at, which, u, bent[which], tolerance)[::2]
 
@@ -553,8 +553,8 @@ def _motion(segments: Sequence[Segment]) -> _Motion:
     if len(splines) == 1:
         return lambda _, u, derivative: first.velocity_at(u) if derivative else first.at(u)
     return _on_splines(
-        [(one.curve.knots - one.curve.knots[0]) / np.ptp(one.curve.knots) for one in splines],
-        [one.curve.control_points for one in splines],
+        [(spline.curve.knots - spline.curve.knots[0]) / np.ptp(spline.curve.knots) for spline in splines],
+        [spline.curve.control_points for spline in splines],
         first.curve.degree,
     )
 
@@ -575,9 +575,9 @@ def _on_circles(arcs: Sequence[Arc]) -> _Motion:
 def _on_splines(knots: Sequence[FloatArray], points: Sequence[FloatArray], degree: int) -> _Motion:
     """Evaluate splines as one B-spline, whose part from 2 i to 2 i + 1 is spline i."""
     nothing = np.zeros((degree + 1, 2))
-    chain = [part for one in points for part in (one, nothing)][:-1]
+    chain = [part for array in points for part in (array, nothing)][:-1]
     joined = SplineFunction(
-        np.concatenate([2 * i + one for i, one in enumerate(knots)]), np.concatenate(chain), degree
+        np.concatenate([2 * i + array for i, array in enumerate(knots)]), np.concatenate(chain), degree
     )
 
     def motion(which: IntArray, u: FloatArray, derivative: int) -> FloatArray:

@@ -48,7 +48,7 @@ def find_self_intersections(
     small = _NEWTON_SHARE * float(np.ptp(points, axis=(0, 1)).max())
     part, low, high = bezier, edges[:-1], edges[1:]
     first, second = np.triu_indices(low.size)
-    found: list[FloatArray] = []
+    guesses: list[FloatArray] = []
     for _ in range(_MOST_HALVINGS):
         first, second = _meeting(part, (low, high), first, second)
         box = _boxes(part)
@@ -58,12 +58,12 @@ def find_self_intersections(
             thinned = np.linspace(0, first.size - 1, _MOST_PAIRS // 10).astype(int)
             first, second, tiny = first[thinned], second[thinned], np.ones(thinned.size, dtype=bool)
         middle = (low + high) / 2
-        found.append(np.column_stack([middle[first], middle[second]])[tiny])
+        guesses.append(np.column_stack([middle[first], middle[second]])[tiny])
         first, second = first[~tiny], second[~tiny]
         if not first.size:
             break
         part, low, high, first, second = _halved(part, low, high, first, second)
-    starts = np.concatenate(found)
+    starts = np.concatenate(guesses)
     return _distinct(_polished(starts, motion, edges, small), edges)
 
 
