@@ -139,7 +139,7 @@ LEAST_SIZE_MM, MOST_SIZE_MM = 1.0, 1e6
 
 
 SurfaceReader: TypeAlias = Callable[..., Surface]
-"""Type of functions such as `read_mesh_surface(path, unit=..., scale=...)`."""
+"""Type of functions `read_surface(path, unit=..., scale=...)`."""
 
 
 def mesh_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Surface:
