@@ -116,7 +116,9 @@ def bend(
         )
     rod = rod.following()
     ends = rod.position[0], rod.position[-1]
-    start, end = (own if given is None else given for given, own in zip((start, end), ends, strict=True))
+    start, end = (
+        present if given is None else given for given, present in zip((start, end), ends, strict=True)
+    )
     if samples is not None and not is_one_of(samples, [rod.s.size]):
         rod = resample(rod, samples)
     if not (gravity is None or isinstance(gravity, Gravity) or is_one_of(gravity, ["keep"])):
@@ -222,9 +224,11 @@ def _snapped_at(rod: Rod, start: float, end: float) -> Rod:
     """Return the rod of one step; if it snapped, its warning states the fraction of the whole movement."""
     if not has_snapped(rod):
         return rod
-    warning = next(one for one in rod.warnings if isinstance(one, Refusal) and "percent" in one.values)
+    warning = next(
+        message for message in rod.warnings if isinstance(message, Refusal) and "percent" in message.values
+    )
     percent = 100 * start + (end - start) * warning.values["percent"]
-    others = [one for one in rod.warnings if one is not warning]
+    others = [message for message in rod.warnings if message is not warning]
     return replace(rod, warnings=(_tell_snap(percent), *others))
 
 

@@ -195,11 +195,11 @@ def _led_by_loads(
         # a push along the strip leaves it straight; it could settle on either side
         settle = is_one_of(mode, [1]) and bool(np.ptp(bent.angle) > 0)
         step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)
-        found = step()
-        if _side(found) * _side(bent) < 0:
+        next_rod = step()
+        if _side(next_rod) * _side(bent) < 0:
             # the shape jumps at the buckling load of a straight strip; mirror it to continue on this side
-            found = step(guess=2 * found.angle[0] - found.angle)
-        bent = found
+            next_rod = step(guess=2 * next_rod.angle[0] - next_rod.angle)
+        bent = next_rod
     if np.ptp(bent.angle) > 0:
         return bent
     with suppress(InputError):  # a push that does not buckle a straight rod

@@ -204,9 +204,9 @@ def lowest_weighted(
     v^t W v = 1, its largest entry positive.
     """
     if _native.compiled is not None and diagonal.size >= _FEW:
-        found = _native.lowest_mode(diagonal, off, lengths, rows, _polynomials(diagonal.size))
-        if found is not None:
-            return ConstrainedMode(*found)
+        lowest = _native.lowest_mode(diagonal, off, lengths, rows, _polynomials(diagonal.size))
+        if lowest is not None:
+            return ConstrainedMode(*lowest)
     root = np.sqrt(lengths)
     values, vectors = lowest_constrained(diagonal / lengths, off / (root[:-1] * root[1:]), rows / root)
     v = vectors[0] / root

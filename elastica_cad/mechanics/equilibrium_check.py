@@ -75,7 +75,7 @@ def _compare_fits(
             if other.realizable != check.realizable:
                 fits = ((check, distance), (other, _distance(points, curve)))
                 return Undecided(points.resolution, *(
-                    FittedVerdict(one.realizable, far, len(one.inflections)) for one, far in fits
+                    FittedVerdict(verdict.realizable, far, len(verdict.inflections)) for verdict, far in fits
                 ))  # fmt: skip
     return None
 
@@ -405,17 +405,17 @@ def _moved_onto(
     if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:  # moving would open it
         return None
 
-    found = check
+    moved_check = check
     for _ in range(2):  # a second time if an inflection was moved to an end
         try:
-            moved = project_inflections(found.curve, found.zeros, line, natural_curvature)
+            moved = project_inflections(moved_check.curve, moved_check.zeros, line, natural_curvature)
         except NotConvergedError:
             return None
-        found = examine_curvature(moved, supports, natural_curvature)
-        if not _ends_keep_bend(found, natural_curvature):
+        moved_check = examine_curvature(moved, supports, natural_curvature)
+        if not _ends_keep_bend(moved_check, natural_curvature):
             break
-    move = check.moved + _largest_move(check.curve, found.curve)
-    return replace(found, line=line, off_line=check.off_line, moved=move)
+    move = check.moved + _largest_move(check.curve, moved_check.curve)
+    return replace(moved_check, line=line, off_line=check.off_line, moved=move)
 
 
 def _off_the_border(

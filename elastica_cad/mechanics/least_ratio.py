@@ -668,14 +668,14 @@ def _by_tangent_laws(
     history: list[float] = []
     change, least = np.inf, 1.0  # the least value of a smoothed stiffness may be above the requested 1
     for rounds in range(2, _MOST_ROUNDS):
-        asked = scale / least
+        target = scale / least
         # an extrapolated scale may require more than two full layers somewhere, or less than the base
         EI = np.clip(scale * _stiffness(rod, stations), *bounds)
-        weight = section.weight(stations, w1, EI / asked, asked)
-        found = solve(weight=Weight(weight.alpha, weight.beta, masses), bending_stiffness=asked)
-        change = float(np.abs(found.stiffness / rod.stiffness - 1).max())
-        rod, got = found, found.bending_stiffness or asked
-        least = got / asked
+        weight = section.weight(stations, w1, EI / target, target)
+        next_rod = solve(weight=Weight(weight.alpha, weight.beta, masses), bending_stiffness=target)
+        change = float(np.abs(next_rod.stiffness / rod.stiffness - 1).max())
+        rod, got = next_rod, next_rod.bending_stiffness or target
+        least = got / target
         scale = base.scale(rod)
         if change < _SETTLED_SHARE and abs(scale / got - 1) < _SETTLED_SHARE:
             return base.laminate(rod, scale, rounds), change

@@ -422,7 +422,7 @@ class RestCurvature(EqualByValue):
             Profile.fit(
                 lambda s: blank.at(s).curvature,
                 blank.length,
-                breaks=[(one.s, one.continuity - 2) for one in blank.breaks],
+                breaks=[(place.s, place.continuity - 2) for place in blank.breaks],
                 tolerance=BLANK_TOLERANCE * size,
                 degree=5,
             )

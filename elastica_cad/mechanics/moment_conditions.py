@@ -665,10 +665,10 @@ class ConditionedRows:
             PanelFunction(-family.rows.coefficients),
             PanelFunction.through(1 + (1 - self._offset(1 / most)) / size),
         )
-        found = least_ratio(turned, self.places)
-        if found is None:
+        solution = least_ratio(turned, self.places)
+        if solution is None:
             return None
-        softest, y = 1 + size * (1 - found[1]), size * found[0]
+        softest, y = 1 + size * (1 - solution[1]), size * solution[0]
         if softest < least / most * (1 - BOUNDED):
             return None
         trade = 1.0

@@ -174,9 +174,9 @@ def relax(state: RodState) -> RodState | None:
     start = _place_ends(state)
     if start is None:
         return None
-    found = _come_to_rest(start, np.inf)
+    rest = _come_to_rest(start, np.inf)
     # near a kink, where a hardening material is a thousand times as stiff, Newton's method may diverge
-    return _come_to_rest(start, ASTRAY_RAD) if found is None else found
+    return _come_to_rest(start, ASTRAY_RAD) if rest is None else rest
 
 
 def _come_to_rest(state: RodState, astray: float) -> RodState | None:
@@ -297,10 +297,10 @@ def leave_straight(state: RodState, side: int | None, mode: int) -> Reached:
             if rest is not None:
                 return Reached(rest, 1.0, arc.steps)
         return follow(_buckle_by_shortening(straight, side or 1, mode).under(system))
-    found = follow(straight)
-    if side is not None and found.arrived and is_straight(found.state):
-        return Reached(_buckle_by_load(found.state, side, mode), 1.0, found.steps)
-    return found
+    reached = follow(straight)
+    if side is not None and reached.arrived and is_straight(reached.state):
+        return Reached(_buckle_by_load(reached.state, side, mode), 1.0, reached.steps)
+    return reached
 
 
 def _direction(state: RodState) -> float:

@@ -463,9 +463,9 @@ def _beside(
     moves = sizes[:, None] * ways / np.sqrt(len(rows))  # of values, in the mean
     for room in reach * np.array([1.0, 4.0, 16.0, 64.0]):
         side = np.concatenate([moves, -moves]), np.concatenate([room - moves @ here, room + moves @ here])
-        found = least_ratio(replace(family, side_rows=side[0], side_offset=side[1]), places)
-        if found is not None:
-            return found[0]
+        solution = least_ratio(replace(family, side_rows=side[0], side_offset=side[1]), places)
+        if solution is not None:
+            return solution[0]
     return None
 
 
@@ -530,15 +530,15 @@ def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiff
     EI = (balance.bending_stiffness or 1.0) * balance.stiffness.nodal
     least, largest = law.limits
     if _spare(law, EI) < 1 - FIT_SHARE:
-        asked = law.parameter(EI)
-        s = float(balance.panels.s.flat[int(asked.argmin())])
+        sizes = law.parameter(EI)
+        s = float(balance.panels.s.flat[int(sizes.argmin())])
         raise InputError(
             "the curve asks for a {quantity} of {given:.4g} at {s:.4g} where its largest is "
             "{largest:g}: the limits allow {least:g} at least; widen them, or ask for the "
             "nearest curve ({field})",
             field=FieldName("limits"),
             quantity=law.quantity,
-            given=Length(float(asked.min())),
+            given=Length(float(sizes.min())),
             s=Length(s),
             largest=Length(largest),
             least=Length(least),

@@ -128,7 +128,7 @@ def thinner_for(sheet: Sheet, strain: float) -> float | None:
     sold = (
         figures["thickness"] for name, figures in built_in_figures().items() if name.startswith(f"{stem}-")
     )
-    for thickness in sorted((one for one in sold if one < sheet.thickness), reverse=True):
+    for thickness in sorted((candidate for candidate in sold if candidate < sheet.thickness), reverse=True):
         thinner = sheet.with_thickness(thickness)
         if judge_strain(thinner, strain * thickness / sheet.thickness).allowed:
             return float(thickness)

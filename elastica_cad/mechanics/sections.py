@@ -102,10 +102,10 @@ def _kept_of_bent(
     """Return the counterpart of `flat` for strips with natural curvature kappa_0 (n,)."""
     # for a strip that is finally straight, x slope vanishes faster than kappa
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
-    asked = share * flat
-    above, below = np.maximum(asked - flat, 0), np.maximum(-asked, 0)
+    scaled = share * flat
+    above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)
     return np.asarray(
-        np.clip(asked, 0, flat) + _eased(above, 1 + 2 * ratio - flat) - _eased(below, 2 - nu**2 - 2 * ratio)
+        np.clip(scaled, 0, flat) + _eased(above, 1 + 2 * ratio - flat) - _eased(below, 2 - nu**2 - 2 * ratio)
     )
 
 

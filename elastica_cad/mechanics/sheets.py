@@ -811,10 +811,10 @@ KINDS = {
 
 def sheets_by_kind() -> dict[str, list[Sheet]]:
     """Return all sheets of `sheet_names`, by the title of their kind."""
-    found: dict[str, list[Sheet]] = {}
-    for one in map(Sheet.named, sheet_names()):
-        found.setdefault(KINDS.get(one.kind, one.kind.capitalize() or "Other"), []).append(one)
-    return found
+    by_kind: dict[str, list[Sheet]] = {}
+    for sheet in map(Sheet.named, sheet_names()):
+        by_kind.setdefault(KINDS.get(sheet.kind, sheet.kind.capitalize() or "Other"), []).append(sheet)
+    return by_kind
 
 
 def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
@@ -823,25 +823,25 @@ def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
     The library is `elastica/sheets` in the user's folder for settings, or the folders in the environment variable
     `ELASTICA_SHEETS`. They contain TOML files for `load_sheets`. Names of built-in sheets are reserved.
     """
-    own: dict[str, Sheet] = {}
+    by_name: dict[str, Sheet] = {}
     problems: list[str] = []
     for file in library_files():
         try:
             state = file.stat()
-            found = _library_file(file, state.st_mtime_ns, state.st_size)
+            loaded = _library_file(file, state.st_mtime_ns, state.st_size)
         except (InputError, OSError) as problem:
             problems.append(str(problem))
             continue
-        for name, sheet in found.items():
-            if name in built_in_figures() or name in own:
+        for name, sheet in loaded.items():
+            if name in built_in_figures() or name in by_name:
                 problems.append(
                     note(
                         "{file}: the name {name!r} is taken: call that sheet otherwise", file=file, name=name
                     )
                 )
             else:
-                own[name] = sheet
-    return own, tuple(problems)
+                by_name[name] = sheet
+    return by_name, tuple(problems)
 
 
 SUFFIXES = {"mm": "_mm", "MPa": "_MPa", "kg/m3": "_kg_m3"}
@@ -851,7 +851,7 @@ SUFFIXES = {"mm": "_mm", "MPa": "_MPa", "kg/m3": "_kg_m3"}
 @cache
 def sheet_keys() -> Mapping[str, Field]:
     """Return the possible keys of a sheet's table, which are fields of `Sheet` with their unit."""
-    known = {one.name + SUFFIXES.get(one.asked.unit, ""): one for one in declared(Sheet)}
+    known = {entry.name + SUFFIXES.get(entry.asked.unit, ""): entry for entry in declared(Sheet)}
     return MappingProxyType(known | {NOMINAL_KEY: known["poisson_ratio"]})
 
 
@@ -865,17 +865,17 @@ def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
     """Return the only sheet of "my.toml", or the sheet NAME of "my.toml:NAME"."""
     stem, sign, wanted = name.partition(".toml:")
     path = (folder or Path()) / (f"{stem}.toml" if sign else name)
-    found = load_sheets(path)
-    if not wanted and len(found) == 1:
-        return next(iter(found.values()))
-    if wanted in found:
-        return found[wanted]
+    sheets = load_sheets(path)
+    if not wanted and len(sheets) == 1:
+        return next(iter(sheets.values()))
+    if wanted in sheets:
+        return sheets[wanted]
     several = (
         note("there is no sheet {wanted!r}", wanted=wanted)
         if wanted
-        else note("there are {count} sheets", count=len(found))
+        else note("there are {count} sheets", count=len(sheets))
     )
-    choices = " or ".join(f"{path.name}:{one}" for one in found)
+    choices = " or ".join(f"{path.name}:{key}" for key in sheets)
     raise InputError(f"{path}: {several}: name one, {choices}")
 
 

@@ -446,14 +446,14 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
     """
     if not np.all(np.isfinite(lower)):
         raise NotConvergedError("no lower bound of the rod's second variation: its entries are not finite")
-    found = lapack().dsbevx(
+    result = lapack().dsbevx(
         lower, 0.0, 0.0, 1, 2, compute_v=0, range=2, lower=1, overwrite_ab=0, abstol=2 * np.finfo(float).tiny
     )
-    if found[-1]:
+    if result[-1]:
         raise NotConvergedError(
             "no lower bound of the rod's second variation: its eigenvalues do not converge"
         )
-    first, second = float(found[0][0]), float(found[0][1])
+    first, second = float(result[0][0]), float(result[0][1])
     if row is None:
         return first
     full = np.zeros((10, lower.shape[1]))  # LAPACK needs three rows more

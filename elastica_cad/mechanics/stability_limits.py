@@ -194,18 +194,18 @@ class Course:
 
     def loaded(self, t: float) -> Rod:
         """Return the rod with its weight at t."""
-        asked = self.asked(t)
+        entry = self.asked(t)
         rod = self.base
-        if "gravity" in asked:
-            rod = replace(rod, gravity=asked["gravity"])
-        return _weighing(rod, asked["load"]) if "load" in asked else rod
+        if "gravity" in entry:
+            rod = replace(rod, gravity=entry["gravity"])
+        return _weighing(rod, entry["load"]) if "load" in entry else rod
 
     def system(self, t: float) -> RodSystem:
         """Return the equations of the rod at t."""
-        asked = self.asked(t)
-        ends = {name: asked[name] for name in ("start", "end", "angles", "force", "moment") if name in asked}
+        entry = self.asked(t)
+        ends = {name: entry[name] for name in ("start", "end", "angles", "force", "moment") if name in entry}
         system = system_of(self.loaded(t), self.base, **ends)
-        factor = asked.get("load", 1.0)
+        factor = entry.get("load", 1.0)
         return replace(system, force=factor * system.force, moments=factor * system.moments)
 
 
@@ -226,8 +226,8 @@ def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, Rod
 
 
 def _advance(system: RodSystem, state: RodState) -> RodState | None:
-    found = correct(state.under(system), turn=LARGEST_TURN_RAD)
-    return None if found is None else found[0]
+    corrected = correct(state.under(system), turn=LARGEST_TURN_RAD)
+    return None if corrected is None else corrected[0]
 
 
 Visit: TypeAlias = tuple[float, RodState, Margin]

@@ -306,11 +306,11 @@ class LaidLeaves(ThicknessLaw):
         """Names of the plies: number, and a letter if the ply is in pieces."""
         numbers = [leaf.number for leaf in self.leaves]
         seen: dict[int, int] = {}
-        found = []
+        labels = []
         for number in numbers:
             piece = seen[number] = seen.get(number, -1) + 1
-            found.append(f"{number}{chr(ord('a') + piece) if numbers.count(number) > 1 else ''}")
-        return tuple(found)
+            labels.append(f"{number}{chr(ord('a') + piece) if numbers.count(number) > 1 else ''}")
+        return tuple(labels)
 
     @property
     def steps(self) -> FloatArray:

@@ -420,8 +420,8 @@ def require_bendable(curve: PlaneCurve) -> None:
     """
     corners = curve.tangent_breaks
     if (corners or curve.has_corners) and (points := measured_points(curve)) is not None:
-        told = next(iter(points.stray), points.told)
-        raise InputError(told, kind="corner", changes=changes_of(curve))
+        message = next(iter(points.stray), points.told)
+        raise InputError(message, kind="corner", changes=changes_of(curve))
     if corners:
         slight = _taken_out(curve)
         apart = Change("split_corners", True), Change("nearest", True)
@@ -683,12 +683,12 @@ def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvatu
     if np.abs(excess.at(np.array(curve.domain))).min() > SEAM_SHARE * largest:
         return excess, ()
     place = flattest_place(curve)
-    told = note(
+    message = note(
         "The curve is closed and begins where it is not bent, so places are counted from {shown}, {s} after "
         "its start.",
         shown=_shown_on(curve, curve.at(np.array([place])).position[0]), s=Length(place), severity="warning",
     )  # fmt: skip
-    return replace(excess, curve=begin_at(curve, place)), (told,)
+    return replace(excess, curve=begin_at(curve, place)), (message,)
 
 
 def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tuple[CurvatureZero, ...]:
@@ -730,7 +730,7 @@ def faint_places(
     bent = np.abs(felt)
     inside = bent[1:-1]
     dips = (inside <= bent[:-2]) & (inside <= bent[2:]) & (inside < _DIP_SHARE * largest)
-    found = []
+    places = []
     for i in np.flatnonzero(dips) + 1:
         low, high = s[i - 1], s[i + 1]
         if any(low <= z.s_end and z.s <= high for z in zeros):
@@ -746,8 +746,8 @@ def faint_places(
             depth, bounds=(low, high), method="bounded", options={"xatol": 1e-7 * curve.length}
         )
         if least.fun <= share * largest:
-            found.append(float(least.x))
-    return found
+            places.append(float(least.x))
+    return places
 
 
 def _slopes(excess: ExcessCurvature, zeros: Sequence[CurvatureZero]) -> list[float]:

@@ -160,8 +160,8 @@ def _plate_as_cut(
     `stiffer` (n,) is the factor on K by the range of stiffness.
     """
     kappa = np.asarray(rod.curvature)
-    asked = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
-    cut = replace(asked, width=asked.width - v.width_loss, thickness=curl.thickness * v.thickness)
+    wanted = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
+    cut = replace(wanted, width=wanted.width - v.width_loss, thickness=curl.thickness * v.thickness)
     narrower, here = cut.width / curl.width, cut(kappa)
     K = rod.stiffness * narrower * here / law.designed
     B = float(K.min())
