@@ -20,7 +20,7 @@ from elastica_cad.strip.drawing import Drawing
 
 @dataclass(frozen=True, eq=False)
 class Kit:
-    """Files that are listed but not yet written, and what the report file among them holds."""
+    """Files that are listed but not yet written, and the contents of the report file among them."""
 
     files: tuple[File, ...]
     report: dict[str, Any]
@@ -46,7 +46,7 @@ def can_draw() -> bool:
 
 def left_out(*, step: bool = True, pictures: bool = True, paper: bool = False) -> tuple[str, ...]:
     """Return a sentence for the files of each package that is missing, with how to install it."""
-    drawn = " and ".join(kind for asked, kind in ((paper, "PDF"), (pictures, "pictures")) if asked)
+    drawn = " and ".join(kind for wanted, kind in ((paper, "PDF"), (pictures, "pictures")) if wanted)
     missing = [(drawn, "" if can_draw() else how_to_install("matplotlib"))]
     missing += [("STEP", step_trouble())] if step else []
     return tuple(f"not written: {kind}; to get it: {cure}" for kind, cure in missing if kind and cure)

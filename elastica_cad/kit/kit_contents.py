@@ -55,7 +55,7 @@ class KitContents:
     @cached_property
     def report(self) -> dict[str, Any]:
         """Report as plain data for JSON, without the list of files."""
-        told = report_model(
+        report = report_model(
             self.model,
             cut_list=self.cut_list,
             nests=self.nests,
@@ -63,7 +63,7 @@ class KitContents:
             held=self.held,
             entries=self.entries,
         )
-        return told | {"reports": [*told["reports"], *self.notes]}
+        return report | {"reports": [*report["reports"], *self.notes]}
 
 
 def kit_contents(
@@ -88,37 +88,37 @@ def kit_contents(
     """
     spec = spec or KitSpec()
     model = _joined(model, spec, entries)
-    told = [*_bent_blanks(model), *_strip_faults(model, spec, entries), *_unstable(model)]
+    messages = [*_bent_blanks(model), *_strip_faults(model, spec, entries), *_unstable(model)]
     holders = list[Holder]()
     joined = _spliced(model, spec, entries)
     strips = strip_pieces(model.parts, numbered=_numbers_ends(model, spec))
     pieces = (*_cut(strips, joined), *(plate.piece for plate in model.plates), *spec.extras(model))
     nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
     shared = dict[tuple[str, Sheet | None, Nesting], list[tuple[str, tuple[Piece, ...]]]]()
-    for asked in spec.holders:
-        made, sentence = asked.made(model, spec.shop, ignore_limits=spec.ignore_limits)
-        plates = [one for one in made if not isinstance(one, EndFixture)]
+    for request in spec.holders:
+        new_holders, sentence = request.made(model, spec.shop, ignore_limits=spec.ignore_limits)
+        plates = [holder for holder in new_holders if not isinstance(holder, EndFixture)]
         often = Counter(plate.name for plate in plates)  # gussets of equal strips share a name
         once = {plate.name: plate.piece for plate in reversed(plates)}
         cut = tuple(
             replace(once[name], name=f"{model.name}-{name}", count=count) for name, count in often.items()
         )
-        shared.setdefault((asked.kind, asked.sheet, asked.nesting), []).append((asked.name, cut))
-        pieces, holders = (*pieces, *cut), [*holders, *made]
-        told += [sentence] if sentence else []
+        shared.setdefault((request.kind, request.sheet, request.nesting), []).append((request.name, cut))
+        pieces, holders = (*pieces, *cut), [*holders, *new_holders]
+        messages += [sentence] if sentence else []
     for (_, _, nesting), parts in shared.items():
         names = "-".join(name for name, _ in parts)
         laid = [piece for _, cut in parts for piece in cut]
         nests += _nest(laid, nesting, spec, f"{model.name}-{names}-nest")
-    told += crowded_blocks([one for one in holders if isinstance(one, EndFixture)], model.placed)
-    told += tell_missing_slots(model.placed, model.joints)
+    messages += crowded_blocks([holder for holder in holders if isinstance(holder, EndFixture)], model.placed)
+    messages += tell_missing_slots(model.placed, model.joints)
     unheld = unheld_ends(model, holders) if model.plates or holders else {}
-    told += _tell_unheld(model, unheld)
+    messages += _tell_unheld(model, unheld)
     held, notes = _held(model, (*model.plates, *holders), unheld) if effects else ({}, ())
-    told += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
-    told += _tell_no_bar(spec)
-    told += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
-    return KitContents(model, spec, pieces, nests, tuple(holders), tuple(entries), held, tuple(told))
+    messages += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
+    messages += _tell_no_bar(spec)
+    messages += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
+    return KitContents(model, spec, pieces, nests, tuple(holders), tuple(entries), held, tuple(messages))
 
 
 def _joined(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> Model:
@@ -131,12 +131,12 @@ def _joined(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> Model
 
 def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict[str, Splice]:
     """Return the spliced strips, by name: those longer than the stock, if the workshop joins pieces."""
-    found = {
+    splices = {
         part.name: spliced(part.strip.labelled(part.name), _shop_of(part.strip, spec, entries))
         for part in model.parts
     }
     ends = ("1", "2") if _numbers_ends(model, spec) else ("", "")
-    return {name: replace(splice, ends=ends) for name, splice in found.items() if splice is not None}
+    return {name: replace(splice, ends=ends) for name, splice in splices.items() if splice is not None}
 
 
 def _numbers_ends(model: Model, spec: KitSpec) -> bool:
@@ -160,27 +160,27 @@ def _cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, 
     parts = {called: layer for splice in joined.values() for called, layer in splice.layer_pieces.items()}
     pieces: list[Piece] = []
     for piece in strips:
-        pieces += [replace(one, count=piece.count) for one in parts.get(piece.name, (piece,))]
+        pieces += [replace(part, count=piece.count) for part in parts.get(piece.name, (piece,))]
     return tuple(pieces)
 
 
 def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> tuple[str, ...]:
     """Return faults that are ignored on request: strips that cannot be cut with the slots for their neighbours."""
-    asked = {entry.label: entry.spec for entry in entries}
-    told: list[str] = []
+    requests = {entry.label: entry.spec for entry in entries}
+    messages: list[str] = []
     clear: set[tuple[int, FabricationLimits]] = set()  # strips that are cut alike share their layers
     for part in model.parts:
-        own = asked.get(part.strip.label)
-        shop, ignore_limits = (spec.shop, False) if own is None else (own.shop, own.ignore_limits)
+        request = requests.get(part.strip.label)
+        shop, ignore_limits = (spec.shop, False) if request is None else (request.shop, request.ignore_limits)
         alike = id(part.strip.layers), shop
         if alike in clear:
             continue
-        found = find_strip_faults(part.strip.labelled(part.name), shop)
-        told += accept_faults(found, ignore_limits or spec.ignore_limits)
-        if not found:
+        faults = find_strip_faults(part.strip.labelled(part.name), shop)
+        messages += accept_faults(faults, ignore_limits or spec.ignore_limits)
+        if not faults:
             clear.add(alike)
     known = {text for strip in model.strips for text in strip.warnings} | {*model.reports}
-    return tuple(text for text in dict.fromkeys(told) if text not in known)
+    return tuple(text for text in dict.fromkeys(messages) if text not in known)
 
 
 def _unstable(model: Model) -> list[str]:
@@ -243,7 +243,7 @@ def _held(
     model: Model, holders: Sequence[Holder], unheld: Mapping[int, object]
 ) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
     """Return the shape as made of every held strip, and notes on tabs that rock and shapes that were not found."""
-    found = dict[str, HeldShape]()
+    held_shapes = dict[str, HeldShape]()
     notes = [*holder_plays(model.placed, holders), *rocking_tabs(model.placed, holders)]
     shapes = zip(distinct_names(model.placed), hold_each(model.placed, holders), strict=True)
     for k, (name, shape) in enumerate(shapes):
@@ -252,8 +252,8 @@ def _held(
         if isinstance(shape, NotConvergedError):
             notes.append(f"{name}: {shape}")
         else:
-            found[name] = shape
-    return found, (*notes, *_strays(model, found))
+            held_shapes[name] = shape
+    return held_shapes, (*notes, *_strays(model, held_shapes))
 
 
 def _strays(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:

@@ -38,7 +38,7 @@ LONGEST_TITLE = 90
 """Largest number of letters of a page title that lists all parts; longer titles name only the first part."""
 
 CUT_FROM = (".dxf", ".svg", ".stl")
-"""Kinds of files that workshops make parts of."""
+"""Kinds of files from which workshops make parts."""
 
 
 @dataclass(frozen=True)
@@ -148,7 +148,7 @@ def model_kit(
 
 
 def left_behind(kit: Kit, folder: str | Path) -> tuple[str, ...]:
-    """Files among the parts and sheets in a folder that are none of the kit written there: an earlier run's."""
+    """List part and sheet files left over from an earlier run."""
     known = {file.name for file in kit.files}
     return tuple(
         name
@@ -238,7 +238,7 @@ def save_model(
 
 
 def _lists(word: str) -> tuple[str, ...]:
-    """The files of every kit: the cut list as a table and as text, the report, the start page."""
+    """Return the files of every kit: the cut list as a table and as text, the report, the start page."""
     return f"{word}-cut-list.csv", f"{word}-cut-list.txt", f"{word}.json", START_PAGE
 
 
@@ -258,11 +258,12 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
     small, drawings = [], []
     for piece in pieces:
         if np.all(np.sort(piece.size) + 2 * margin <= size):
-            small.append(replace(piece, count=1, sheet=replace(piece.sheet, grain="none")))  # none on paper
+            # paper has no grain
+            small.append(replace(piece, count=1, sheet=replace(piece.sheet, grain="none")))
         else:
             drawings.append(replace(piece.drawing, name=called[piece.name]))
     for nest in nest_pieces(small, sheet_size=size, margin=margin, kerf=0.0):
-        cut = tuple(one for one in nest.paths if one.layer != SHEET)
+        cut = tuple(item for item in nest.paths if item.layer != SHEET)
         names = ", ".join(called[name] for name in nest.pieces)
         if len(names) > LONGEST_TITLE:
             names = f"{called[nest.pieces[0]]}{and_more(nest.pieces)}"
@@ -271,10 +272,10 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
 
 
 def _templates(contents: KitContents) -> list[Piece]:
-    """The holding template of each strip of a model that holds none of them, in a frame to cut out."""
+    """Return the holding template of each strip, in a frame to cut out, for a model without holders."""
     if contents.holders or contents.model.plates:
         return []
-    found = []
+    templates = []
     for part in contents.model.parts:
         if part.strip.is_closed:
             continue
@@ -283,8 +284,8 @@ def _templates(contents: KitContents) -> list[Piece]:
         width, height = high - (x, y) + 2 * FRAME_MM
         frame = ClosedPath.rectangle(width, height, corner=(x - FRAME_MM, y - FRAME_MM))
         framed = replace(drawn, paths=(LayeredPath(CUT_OUTER, frame), *drawn.paths))
-        found.append(Piece(drawn.name, framed, replace(part.strip.sheet, name="paper")))
-    return found
+        templates.append(Piece(drawn.name, framed, replace(part.strip.sheet, name="paper")))
+    return templates
 
 
 def _homes(contents: KitContents, *, parts: bool) -> dict[str, str]:
@@ -338,10 +339,10 @@ def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:
 def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]:
     """Return an archive of the files to cut or print, each part in one drawing, and an archive of the rest."""
     names = [file.name for file in files]
-    made = [file for file in names if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
+    cut = [file for file in names if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
     seen = [file for file in names if not file.endswith((".dxf", ".stl"))]
     return (
-        File(f"{name}-cut.zip", partial(_pack, made), "what is cut or printed"),
+        File(f"{name}-cut.zip", partial(_pack, cut), "what is cut or printed"),
         File(f"{name}-look.zip", partial(_pack, seen), "what is looked at"),
     )
 
@@ -351,7 +352,7 @@ def _pack(files: Sequence[str], path: Path) -> None:
     with ZipFile(path, "w") as archive:
         for name in files:
             entry = ZipInfo(name)
-            entry.external_attr = 0o644 << 16  # else nobody but root may read what Unix unpacks
+            entry.external_attr = 0o644 << 16  # else only root may read files unpacked on Unix
             archive.writestr(entry, (path.parent / name).read_bytes(), ZIP_DEFLATED)
 
 

@@ -1,4 +1,4 @@
-"""Strips as flat parts: styles, outlines, slots, drawings, bodies, and whether they can be made."""
+"""Strips as flat parts: styles, outlines, slots, drawings, bodies, and limits of fabrication."""
 
 from elastica_cad._exports import exports
 

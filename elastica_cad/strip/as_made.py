@@ -1,4 +1,4 @@
-"""A strip as it is made: what changes its stiffness, and the shape that it takes in its holders."""
+"""A strip as made: causes that change its stiffness, and its shape in the holders."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -66,13 +66,13 @@ def rod_as_built(rod: Rod, layout: Layout, layers: Sequence[Layer]) -> Rod:
     n, s = rod.s.size, _cell_stations(rod)
     left = [layer.material(s) for layer in layers]
     material = left[0]
-    # as drawn, the backing's edge may pass the base's by the tolerance of the drawing
+    # the drawn edge of the backing may pass the edge of the base by the tolerance of the drawing
     backing = np.minimum(left[1], material) if len(left) > 1 else None
     law = None if layout.section is None else layout.section.bent(rod.bend_at(s), rod.rest_at(s))
     has = layout.stiffness(material, backing) if law is None else law.bending_stiffness(material)
-    asked = rod.profile(s)
-    softer = layout.bending_stiffness * asked / has
-    EI = layout.bending_stiffness * _stiffness_of_cells(rod, asked) / _cell_means(softer, n)
+    wanted = rod.profile(s)
+    softer = layout.bending_stiffness * wanted / has
+    EI = layout.bending_stiffness * _stiffness_of_cells(rod, wanted) / _cell_means(softer, n)
     least = float(EI.min())
     made = replace(rod.with_stiffness(Profile.interpolate(rod.s, EI)), bending_stiffness=least)
     if rod.gravity is None:
@@ -99,13 +99,13 @@ def _stiffness_of_cells(rod: Rod, asked: FloatArray) -> FloatArray:
 
 
 def _cell_stations(rod: Rod) -> FloatArray:
-    """Stations, mm, at the middle of `CUTS` even parts of every edge of a rod."""
+    """Return stations, mm, at the middle of `CUTS` equal parts of every edge of a rod."""
     ends = np.linspace(0.0, rod.length, CUTS * (rod.s.size - 1) + 1)
     return np.asarray((ends[1:] + ends[:-1]) / 2)
 
 
 def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
-    """Mean (n,) over the cell of each node of values at uniform stations, `CUTS` between neighbouring nodes."""
+    """Return the mean (n,) over each node's cell of values at uniform stations, `CUTS` between nodes."""
     halves = values.reshape(2 * (nodes - 1), CUTS // 2).mean(axis=1)
     inner = (halves[1:-1:2] + halves[2::2]) / 2
     return np.concatenate([halves[:1], inner, halves[-1:]])
@@ -187,7 +187,7 @@ def stiffness_shares(
     width, nu = layout.width, min(layout.sheet.poisson_ratio, 0.5)
     grain = float(np.sqrt(even_shear_ratio(nu) / layout.sheet.shear_ratio))
     curl = _curl_of(rod, layout)
-    free = np.zeros(2)  # share of a plate's stiffening that the ends do not have yet
+    free = np.zeros(2)  # fraction of a plate's stiffening that is still missing at the ends
     if curl is not None and layout.backing is None and layout.pattern is None:
         free = 1 / curl.designed[[0, -1]] - 1 + nu**2
     kinks = {
@@ -195,10 +195,10 @@ def stiffness_shares(
         "narrow tabs": _beside_tabs(layout, tab_widths, grain, RESTRAINT * free),
         "steps of width": _beside_steps(layout, STEP * crack_energy(nu, grain)),
     }
-    shares = {cause: _softer(found, rod) for cause, found in kinks.items() if found}
+    shares = {cause: _softer(places, rod) for cause, places in kinks.items() if places}
     s, n = _cell_stations(rod), rod.s.size
     leaning = _leaning(layout, s)
-    if leaning is not None:  # a cell's angle feels the mean compliance
+    if leaning is not None:  # the mean compliance determines the angle of a cell
         shares["leaning ligaments"] = 1 / _cell_means(1 / leaning, n)
     if curl is not None and layout.section is None:
         shares[ANTICLASTIC if layout.backing is None else "borders that curl"] = curl.designed
@@ -274,27 +274,27 @@ def _with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
     """Return a rod with its stiffness changed by factors (n,) and the same weight; out of balance until bent."""
     B, K = built.bending_stiffness or 1.0, built.stiffness
     changed = K * np.prod([np.ones(K.size), *shares], axis=0)
-    made = built.with_stiffness(Profile.interpolate(built.s, changed))
+    changed_rod = built.with_stiffness(Profile.interpolate(built.s, changed))
     if built.bending_stiffness is not None:
-        made = replace(made, bending_stiffness=B * float(changed.min()))
+        changed_rod = replace(changed_rod, bending_stiffness=B * float(changed.min()))
     if built.gravity is None:
-        return made
+        return changed_rod
     weight = built.weight or Weight(beta=B / built.gravity.length**3)
     alpha, beta = weight.along(built.s)
     newtons = Profile.interpolate(built.s, alpha + beta * K)
-    return replace(made, weight=replace(weight, alpha=newtons, beta=0.0))
+    return replace(changed_rod, weight=replace(weight, alpha=newtons, beta=0.0))
 
 
 def _beside_slots(slots: Sequence[Slot], width: Profile, corner: float) -> list[tuple[float, float]]:
     """Return for each cut its place, mm, and the length of strip, mm, that adds the same angle."""
-    found = []
+    places = []
     for slot in slots:
         points, widths = slot.center_line(width)
         at, depth = float(points[:, 0].mean()), abs(float(points[-1, 1] - points[0, 1]))
         wide = float(width(min(max(at, 0.0), width.length)))
         left = max(wide - depth, LEAST_SHARE * wide)
-        found.append((at, corner * depth**2 / wide + float(widths.mean()) * (wide - left) / left))
-    return found
+        places.append((at, corner * depth**2 / wide + float(widths.mean()) * (wide - left) / left))
+    return places
 
 
 def _crowded(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
@@ -326,7 +326,7 @@ def _beside_tabs(
     A tab also keeps the strip from curling across beside it, which takes away a length: `restraint` (2,), of the
     width, at the start and end.
     """
-    found, h = [], layout.sheet.thickness
+    places, h = [], layout.sheet.thickness
     for end, inwards, tab, stiffer in zip(
         (0.0, layout.width.length),
         (TAB_REACH * grain, -TAB_REACH * grain),
@@ -339,8 +339,8 @@ def _beside_tabs(
             added = TAB * crack_energy(0.0, grain) * idle_length(wide, tab, h)
             added -= stiffer * wide * min(1.0, tab / WIDE_TAB / wide) ** 2
             if added > 0:
-                found.append((end + inwards * (wide - tab), added))
-    return found
+                places.append((end + inwards * (wide - tab), added))
+    return places
 
 
 def _beside_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
@@ -350,13 +350,13 @@ def _beside_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
     """
     if layout.pattern is not None or layout.backing is not None or layout.size is not None:
         return []
-    found = []
+    places = []
     for start, end in layout.width.steps:
         before, after = layout.width([start, end]).tolist()
         narrow, wide = sorted((before, after))
         at = start - (wide - narrow) / 4 if before > after else end + (wide - narrow) / 4
-        found.append((at, corner * idle_length(wide, narrow, layout.sheet.thickness)))
-    return found
+        places.append((at, corner * idle_length(wide, narrow, layout.sheet.thickness)))
+    return places
 
 
 def _leaning(layout: Layout, s: FloatArray) -> FloatArray | None:
@@ -454,10 +454,10 @@ class StripAsMade:
     @cached_property
     def rod(self) -> Rod:
         """Rod with all causes together, whose stiffness depends on its bend; out of balance until bent."""
-        made = _with_shares(self.cut, list(self.shares.values()))
+        rod = _with_shares(self.cut, list(self.shares.values()))
         if self.lap is not None:  # stiffer, and partly keeps the shape in which it is glued
-            made = replace(_with_shares(made, [self.lap.share]), natural_curvature=self.lap.rest)
-        return made if self.curl is None else self.curl.on(made)
+            rod = replace(_with_shares(rod, [self.lap.share]), natural_curvature=self.lap.rest)
+        return rod if self.curl is None else self.curl.on(rod)
 
     @property
     def as_plate(self) -> bool:
@@ -533,9 +533,9 @@ class StripAsMade:
 
     def _notes(self, seats: Seats) -> tuple[str, ...]:
         """Return notes on the assumptions of the model."""
-        sheet, found = self.layout.sheet, []
+        sheet, notes = self.layout.sheet, []
         if sheet.grain != "none" and sheet.shear_modulus is None and self.shares.keys() & KINKS:
-            found.append(
+            notes.append(
                 note(
                     "The shear modulus of {sheet} is not known, so it counts as a sheet without grain: beside "
                     "slots, tabs and steps it is softer than that",
@@ -543,7 +543,7 @@ class StripAsMade:
                 )
             )
         if self.approximated and sheet.shear_ratio < LEAST_SHEARING * even_shear_ratio(sheet.poisson_ratio):
-            found.append(
+            notes.append(
                 note(
                     "Holes and layers count as in a sheet without grain: {sheet} shears more easily, and what that "
                     "does is left open",
@@ -551,7 +551,7 @@ class StripAsMade:
                 )
             )
         if self.crowded:
-            found.append(
+            notes.append(
                 note(
                     "The slots at {first} and {second} lie nearer to each other than they are deep: what they do "
                     "together is left open",
@@ -560,8 +560,8 @@ class StripAsMade:
                 )
             )
         if any(seat is not None for seat in seats):
-            found.append(note("Friction in the pockets is not counted"))
-        return tuple(found)
+            notes.append(note("Friction in the pockets is not counted"))
+        return tuple(notes)
 
     @cached_property
     def _leaf_ends(self) -> FloatArray:
@@ -588,7 +588,7 @@ class StripAsMade:
         A cause changes the bend of each node under the designed moment, or moves and turns an end. For a strip that
         bends as a plate, anticlastic bending counts as if the widths did not compensate it.
         """
-        design, made = self.design, self.loaded
+        design, loaded = self.design, self.loaded
         K, elastic, n = design.stiffness, design.moment / design.stiffness, design.s.size
         curl = {ANTICLASTIC: self.curl.designed} if self.as_plate and self.curl is not None else {}
         bends = {cause: elastic * (1 / share - 1) for cause, share in {**self.shares, **curl}.items()}
@@ -597,7 +597,7 @@ class StripAsMade:
             bends["fit of the drawing"] = elastic * (1 / share - 1)
         if self.lap is not None:
             bends["lap joint"] = self.lap.rest - design.natural_curvature + elastic * (1 / self.lap.share - 1)
-        shifts = {cause: np.zeros((2, 2)) for cause in bends}  # of the start and the end
+        shifts = {cause: np.zeros((2, 2)) for cause in bends}  # displacements of the start and the end
         cells = design.discrete.node_lengths
         for k, (seat, pose) in enumerate(zip(seats, poses, strict=True)):
             if seat is not None:
@@ -610,14 +610,14 @@ class StripAsMade:
         )
         if not bends:
             return jumps
-        moments = -made.stiffness[:, None] * np.column_stack([*bends.values()])
+        moments = -loaded.stiffness[:, None] * np.column_stack([*bends.values()])
         ends = np.array([*shifts.values()])
-        moved = ends[None, :, 0] + shape_responses(made, moments, apart=ends[:, 1] - ends[:, 0])
+        moved = ends[None, :, 0] + shape_responses(loaded, moments, apart=ends[:, 1] - ends[:, 0])
         return jumps | {
             cause: strayed(design, design.position + moved[:, k]) for k, cause in enumerate(bends)
         }
 
 
 def _cause(end: int, seat: TabSeat) -> str:
-    """Name of a holder as a cause; the end is 0 or 1."""
+    """Return the name of a holder as a cause; the end is 0 or 1."""
     return f"{('start', 'end')[end]}: {seat.name}"

@@ -42,7 +42,7 @@ class SpaceCurve:
 
 @dataclass(frozen=True, eq=False)
 class PlacedSegment:
-    """A plane segment put into space by a frame.
+    """A plane segment with its frame in space.
 
     Its parameter is the distance from the start on a `Line`, the angle on an `Arc`, the curve's own on a
     `Spline`.
@@ -170,12 +170,12 @@ class Boundary:
             for loop in face.loops:
                 for use in loop:
                     ways[use.edge].append(1 if use.forward == face.outward else -1)
-        return all(sorted(way) == [-1, 1] for way in ways)
+        return all(sorted(directions) == [-1, 1] for directions in ways)
 
 
-DEGREE = 5  # of the bent faces
-POSITION_TOLERANCE = 1e-6  # mm, of the centre line
-SURFACE_TOLERANCE = 5e-8  # mm, of edges drawn on the bent faces
+DEGREE = 5  # degree of the bent faces
+POSITION_TOLERANCE = 1e-6  # error of the centre line, mm
+SURFACE_TOLERANCE = 5e-8  # error of edges on the bent faces, mm
 MOST_SPANS = 4000  # in a face; a curve that needs more cannot be approximated
 PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])  # places in a span where the error is measured
 LEAST_SPANS = 3  # in an edge: kernels step from knot to knot, and fillets of one or two spans fail
@@ -232,7 +232,7 @@ class BentMap:
 
         They are exact if x is linear in the segment's parameter (long sides, lines), else fitted to 5e-8 mm.
         """
-        found = []
+        curves = []
         for segment, first, last in parts:
             even = pace(segment)
 
@@ -246,10 +246,10 @@ class BentMap:
                 knots, degree = self._common_knots(segment, even, (first, last))
                 sites = interpolation_sites(knots, degree)
                 rows = interpolated(sites, values(sites), knots, degree)
-            found.append(
+            curves.append(
                 [SpaceCurve(knots, rows[:, k : k + 3], degree) for k in range(0, 3 * len(heights), 3)]
             )
-        return found
+        return curves
 
     def surface(self, low: float, high: float, up: float) -> SpaceSurface:
         """Return the bent face at the height `up`, from y = `low` to `high`; (u, v) are the flat (x, y)."""
@@ -304,7 +304,7 @@ class BentMap:
 
 
 def _in_thirds(edges: FloatArray, continuity: IntArray, degree: int) -> tuple[FloatArray, IntArray]:
-    """Interior knots with their continuity where every span is cut into three, smoothly."""
+    """Return interior knots with their continuity after every span is cut smoothly into three."""
     thirds = edges[:-1, None] + np.diff(edges)[:, None] * [0, 1 / 3, 2 / 3]
     smoothness = np.full(thirds.shape, degree - 1)
     smoothness[1:, 0] = continuity
@@ -356,7 +356,7 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
 
 
 def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
-    """Position and unit tangent over the rod's arc length, and the breaks of the curve as (s, continuity)."""
+    """Return position and unit tangent over the rod's arc length, and the curve's breaks as (s, continuity)."""
     curve = rod.curve
     scale = curve.length / rod.length
 
@@ -369,7 +369,7 @@ def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
 
 
 def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
-    """Continuity of the shape at a knot, which a curve's parameter may understate (an arc made of pieces)."""
+    """Return the continuity of the shape at a knot; the curve's parameter may have less (an arc of pieces)."""
     if continuity >= 2:
         return continuity
     t0, t1 = curve.domain
@@ -382,7 +382,7 @@ def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
 
 
 def _first_spans(rod: Rod, edges: FloatArray) -> FloatArray:
-    """Every stretch divided so that no span turns by much more than 0.2 rad."""
+    """Return every stretch divided into spans that turn by at most about 0.2 rad."""
     at = np.interp(edges, rod.s, turns_along(rod.angle))
     rows = [
         np.linspace(a, b, 1 + max(2, int(np.ceil((v - u) / FIRST_TURN))))[:-1]
@@ -397,7 +397,7 @@ def _fitted(
     smooth: Mapping[float, int],
     tolerance: FloatArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Knots and coefficients of a degree-5 spline through `function`, spans divided to meet `tolerance`."""
+    """Return knots and coefficients of a degree-5 spline through `function` within `tolerance`."""
     while True:
         knots = clamped_knots(edges, smooth, DEGREE)
         sites = interpolation_sites(knots, DEGREE)
@@ -416,7 +416,7 @@ def _fitted(
                 "there; smooth it",
                 at=Length(at),
             )
-        # the error falls with the power degree + 1 of the width
+        # the error is proportional to the width to the power of degree + 1
         parts = np.where(bad, np.clip(np.ceil(SPARE * excess ** (1 / (DEGREE + 1))), 2, MOST_PARTS), 1)
         edges = _divided(edges, parts.astype(int))
 
@@ -428,7 +428,7 @@ def _divided(edges: FloatArray, parts: IntArray) -> FloatArray:
 
 
 ROUNDED_MM = 1e-12
-"""Difference between the x of both ends of a line across the strip that counts as 0, mm."""
+"""Largest difference, mm, between the x of both ends of a line that counts as across the strip."""
 
 Map: TypeAlias = Frame | BentMap  # tangent plane of a tab, or map of the bent free part
 

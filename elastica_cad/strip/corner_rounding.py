@@ -21,13 +21,13 @@ from elastica_cad.geometry.segments import (
 from elastica_cad.refusals import Length
 
 SMOOTH_RAD = 0.02
-"""Corners that turn by less than this, rad, stay; fitted sides meet with such angles."""
+"""Least turn, rad, of a rounded corner; fitted sides meet at smaller angles."""
 
 MOST_STEPS = 40
 """Largest number of steps of the search for an arc's ends."""
 
 MOST_TURNED_BACK = 6
-"""Number of steps beyond the end of a side that are shortened, before the side counts as too short."""
+"""Largest number of shortened steps beyond the end of a side before the side counts as too short."""
 
 CLOSE_MM = 1e-9
 """Tolerance, mm, between the two centres of the arc."""
@@ -108,7 +108,7 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
             turns = [arcs.get(k) for k in ring.sides]
             if all(_is_inside(arc, gap, segments) for arc, gap in zip(turns, ring.gaps, strict=True)):
                 chain = [one for k, arc in zip(ring.sides, turns, strict=True) for one in (parts[k], arc)]
-                # ends of arcs were found where the sides are left
+                # ends of arcs are places where the sides are left
                 rounded[i] = Path([one for one in chain if one is not None], closed=True)
         left = following
     return rounded
@@ -116,13 +116,13 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
 
 @dataclass(frozen=True)
 class _Ring:
-    """Numbers of the sides of a loop that are left, and of those left out behind each of them."""
+    """Numbers of the remaining sides of a loop, and of the sides omitted after each of them."""
 
     sides: list[int]
     gaps: list[tuple[int, ...]]
 
     def without(self, short: set[int]) -> "_Ring | None":
-        """None where fewer than two are left."""
+        """Return the ring without some sides, or None if fewer than two sides remain."""
         kept = [j for j, k in enumerate(self.sides) if k not in short]
         if len(kept) < 2:
             return None
@@ -144,17 +144,17 @@ def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment])
         return False
     points = np.concatenate([chord_points(segments[k], CLOSE_SHARE * arc.radius) for k in gap])
     chord, bulge = arc.end - arc.start, arc.at(0.5) - arc.start
-    way = np.sign(chord[0] * bulge[1] - chord[1] * bulge[0])
+    sense = np.sign(chord[0] * bulge[1] - chord[1] * bulge[0])
     x, y = (points - arc.start).T
     clear = norm(points - arc.center) >= (1 - CLOSE_SHARE) * arc.radius
-    return bool(np.all(clear & (way * (chord[0] * y - chord[1] * x) > 0)))
+    return bool(np.all(clear & (sense * (chord[0] * y - chord[1] * x) > 0)))
 
 
 @dataclass(frozen=True, eq=False)
 class _Corners:
-    """Sides (k,) that end in a corner, those behind it, where the arc leaves and enters them, and the arcs.
+    """Sides (k,) before and after corners, parameters at which the arcs leave and enter them, and the arcs.
 
-    Where no arc fits, a side that is too short is entered behind its end, or left before its start.
+    If no arc fits, the parameter is beyond the end or before the start of the side that is too short.
     """
 
     before: IntArray
@@ -189,18 +189,18 @@ def _corners(
         gap = _beside(*near, side[open_]) - _beside(*far, side[open_])
         apart = np.abs(gap).max(axis=1) >= CLOSE_MM
         fits[open_[~apart]] = True
-        # the sides bend so little that their tangents serve for the Jacobian
+        # the sides bend so little that their tangents give the Jacobian
         v, w, gap = near[1][apart], far[1][apart], gap[apart]
         open_ = open_[apart]
         determinant = cross(w, v)
         determinant[determinant == 0] = PARALLEL
         step = np.column_stack([cross(gap, w), cross(gap, v)])
-        asked = x[open_] + step / determinant[:, None]
-        outside = (asked < 0) | (asked > 1)
+        wanted = x[open_] + step / determinant[:, None]
+        outside = (wanted < 0) | (wanted > 1)
         turned_back[open_] += outside.any(axis=1)
-        halfway = (x[open_] + np.clip(asked, 0.0, 1.0)) / 2
+        halfway = (x[open_] + np.clip(wanted, 0.0, 1.0)) / 2
         given_up = turned_back[open_] > MOST_TURNED_BACK
-        x[open_] = np.where(outside & ~given_up[:, None], halfway, asked)
+        x[open_] = np.where(outside & ~given_up[:, None], halfway, wanted)
         open_ = open_[~given_up]
         if not open_.size:
             break

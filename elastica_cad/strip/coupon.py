@@ -21,7 +21,7 @@ MOST_OVERHANG_MM = 10_000.0
 """Longest scale, mm."""
 
 EDGE_MM = 0.5
-"""Distance of engraving from the edge, mm, so that no tick is a notch."""
+"""Distance of engraving from the edge, mm, so that a tick is not a notch."""
 
 
 def coupon_overhang(sheet: Sheet, *, max_overhang: float = 400.0) -> float:
@@ -51,19 +51,19 @@ def coupon_drawing(
 ) -> Drawing:
     """Return a rectangular test strip along the grain, whose droop is read when it is clamped level at a tick.
 
-    x = 0 is the tick of the whole overhang; every tick is engraved with the free length it leaves. A second
-    coupon makes the rule that the droop is read on.
+    x = 0 is the tick of the whole overhang; every tick is engraved with its free length. A second coupon serves as
+    the rule for reading the droop.
 
     Parameters
     ----------
     sheet : Sheet
-        What it is cut from; its estimated stiffness sets the overhang.
+        Sheet of the coupon; its estimated stiffness determines the overhang.
     overhang : float, optional
-        Longest free length, mm; `coupon_overhang` unless given.
+        Longest free length, mm; by default `coupon_overhang`.
     width, clamp : float
         Width of the strip and length of the part to be clamped, mm.
     label : str, optional
-        Engraved in the clamped part; the sheet's name unless given, empty for none.
+        Text engraved in the clamped part; by default the sheet's name, empty for none.
 
     Raises
     ------
@@ -168,6 +168,6 @@ def _scale(free: float, width: float) -> tuple[tuple[LayeredPath, ...], tuple[Te
 
 
 def _marks(free: float) -> list[float]:
-    """Free lengths with a tick: the whole, then every full 10 mm below it."""
+    """Return the free lengths with a tick: the whole length, then every full 10 mm below it."""
     below = TICK_MM * np.arange(np.ceil(free / TICK_MM) - 1, 0.0, -1.0)
     return [free, *below.tolist()]

@@ -1,4 +1,4 @@
-"""Drawings: paths and engraved texts on named layers, and what cutters need of them."""
+"""Drawings: paths and engraved texts on named layers, kerf compensation and bridges."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -40,7 +40,7 @@ LAYERS = (SHEET, ENGRAVE, MARK, CUT_INNER, CUT_OUTER)
 SAME_MM = 1e-6
 """Distance, mm, below which paths are the same path, because files have six decimals."""
 
-CHORD_SHARE = 1e-4  # of the diagonal: how closely a notebook's picture follows splines
+CHORD_SHARE = 1e-4  # flatness of splines in a notebook's picture, as a fraction of the diagonal
 LAYER_INK = {CUT_OUTER: RED, CUT_INNER: BLUE, ENGRAVE: INK, MARK: GREY, SHEET: GREY}
 
 
@@ -63,7 +63,7 @@ class Drawing:
     Parameters
     ----------
     name : str
-        What it shows; titles and file names come from it.
+        Name of the contents, for titles and file names.
     paths : sequence of LayeredPath
     texts : sequence of Text
 
@@ -91,24 +91,24 @@ class Drawing:
     def _repr_svg_(self) -> str:
         low, high = self.bounds
         chord = float(np.hypot(*(high - low))) * CHORD_SHARE
-        lines = [(one.path.points(chord), LAYER_INK[one.layer], one.path.closed) for one in self.strokes]
+        lines = [(item.path.points(chord), LAYER_INK[item.layer], item.path.closed) for item in self.strokes]
         return svg_of_lines(lines, repr(self))
 
     @cached_property
     def strokes(self) -> tuple[LayeredPath, ...]:
-        """Everything as paths in working order: texts as strokes, inner cuts before outer, nothing twice."""
+        """All paths in working order: texts as strokes, inner cuts before outer, without duplicates."""
         written = [LayeredPath(text.layer, stroke) for text in self.texts for stroke in text_strokes(text)]
         everything = [*written, *self.paths]
         return _without_twins([item for layer in LAYERS for item in everything if item.layer == layer])
 
     @property
     def layers(self) -> tuple[str, ...]:
-        """The layers that files of it have: all but the sheet's, and that where it is drawn."""
+        """Layers of a file: all except SHEET, which is included only if it is drawn."""
         return LAYERS if self.on(SHEET) else tuple(layer for layer in LAYERS if layer != SHEET)
 
     @cached_property
     def bounds(self) -> FloatArray:
-        """[[x_min, y_min], [x_max, y_max]], mm.
+        """Box [[x_min, y_min], [x_max, y_max]], mm.
 
         Raises
         ------
@@ -120,18 +120,18 @@ class Drawing:
         return box_around(np.array([item.path.bounds for item in self.strokes]))
 
     def on(self, *layers: str) -> tuple[Path, ...]:
-        """The paths (without texts) on the named layers."""
+        """Return the paths (without texts) on the named layers."""
         for layer in layers:
             _check_layer(layer)
         return tuple(item.path for item in self.paths if item.layer in layers)
 
     def only(self, *layers: str) -> "Drawing":
-        """The drawing without paths and texts of other layers."""
+        """Return the drawing without paths and texts of other layers."""
         texts = tuple(text for text in self.texts if text.layer in layers)
         return Drawing(self.name, tuple(item for item in self.paths if item.layer in layers), texts)
 
     def transformed(self, matrix: ArrayLike) -> "Drawing":
-        """The drawing moved by a 3x3 affine matrix; texts that would be mirrored or skewed become paths."""
+        """Return the drawing moved by a 3x3 affine matrix; texts that would be mirrored or skewed become paths."""
         m = numbers(matrix, "the matrix that a drawing is moved by")
         even = is_similarity(m)
         paths = [LayeredPath(item.layer, item.path.transformed(m)) for item in self.paths]
@@ -185,7 +185,7 @@ def _twins(a: LayeredPath, b: LayeredPath) -> bool:
 
 
 FINEST_KERF_MM, COARSEST_KERF_MM = 1e-5, 10.0
-"""Errors of a moved spline, mm: no machine cuts more finely, and no kerf is wider than the coarsest."""
+"""Least and largest error of a moved spline, mm; machines are coarser than the first."""
 
 WIDEST_KERF_MM = 15.0
 """Largest kerf, mm; a router's bit of half an inch is 12.7 mm wide."""
@@ -298,13 +298,13 @@ class HoldingTabs:
     Parameters
     ----------
     width : float
-        Length of cut that each leaves out, mm.
+        Length of a bridge along the cut, mm.
     spacing : float
-        Largest distance between two of them along the cut, mm.
+        Largest distance between two bridges along the cut, mm.
     least : int
-        How many each loop has at least.
+        Least number of bridges in each loop.
     inner : bool
-        Interrupt inner cuts too, those longer than `spacing`.
+        Interrupt inner cuts longer than `spacing` too.
     """
 
     width: Annotated[float, Asked("Width of a bridge.", "mm", above=0)] = 0.5
@@ -342,14 +342,14 @@ def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawi
     require_record(drawing, Drawing, "what gets holding tabs", "a Drawing")
     tabs = HoldingTabs() if tabs is None else tabs
     require_record(tabs, HoldingTabs, "tabs", "a HoldingTabs record")
-    found: list[LayeredPath] = []
+    paths: list[LayeredPath] = []
     for item in drawing.paths:
         inner = item.layer == CUT_INNER and tabs.inner and item.path.length > tabs.spacing
         if item.path.closed and (item.layer == CUT_OUTER or inner):
-            found += [LayeredPath(item.layer, piece) for piece in _Loop(item.path).opened(tabs)]
+            paths += [LayeredPath(item.layer, piece) for piece in _Loop(item.path).opened(tabs)]
         else:
-            found.append(item)
-    return Drawing(drawing.name, tuple(found), drawing.texts)
+            paths.append(item)
+    return Drawing(drawing.name, tuple(paths), drawing.texts)
 
 
 FLAT_MM = 0.02
@@ -393,14 +393,14 @@ def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
     parts = []
     for number, outline in enumerate(outlines, start=1):
         rim = outline.path.points(FLAT_MM)
-        inside = holes if len(outlines) == 1 else [one for one in holes if encloses(rim, one.path.start)]
+        inside = holes if len(outlines) == 1 else [path for path in holes if encloses(rim, path.path.start)]
         name = drawing.name if number == 1 else f"{drawing.name}-{number}"
         parts.append(Drawing(name, (*inside, outline)))
     return tuple(parts)
 
 
 class _Loop:
-    """A closed path by arc length."""
+    """A closed path, parametrized by arc length."""
 
     def __init__(self, path: Path) -> None:
         self.segments = path.segments
@@ -417,7 +417,7 @@ class _Loop:
         )
 
     def opened(self, tabs: HoldingTabs) -> list[Path]:
-        """The cuts between the bridges."""
+        """Return the cuts between the bridges."""
         count = max(tabs.least, int(np.ceil(self.length / tabs.spacing)))
         if self.length < 4 * count * tabs.width:
             raise InputError(
@@ -459,7 +459,7 @@ class _Loop:
 
 
 def _part(segment: Segment, a: float, b: float) -> Segment:
-    """The segment between two of its arc lengths."""
+    """Return the part of a segment between two arc lengths."""
     length = segment.length
     if a <= SAME_PLACE_MM and b >= length - SAME_PLACE_MM:
         return segment

@@ -68,7 +68,7 @@ def _reach(path: Path) -> float:
 
 
 def _kinks(segment: Segment) -> FloatArray:
-    """Parameters (k,) inside a segment where its tangent may turn or its curvature jump."""
+    """Return parameters (k,) inside a segment where its tangent may turn or its curvature may jump."""
     if not isinstance(segment, Spline):
         return np.empty(0)
     curve = segment.curve
@@ -105,14 +105,14 @@ def _smoothed(segment: Segment) -> Segment:
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
-    """A spline, the ranges of its parameter that are kept, and those that the pieces made of them are over."""
+    """A spline, the kept ranges of its parameter, and the parameter ranges of the resulting pieces."""
 
     curve: PlaneCurve
     kept: list[tuple[float, float]]
     over: list[tuple[float, float]] | None
 
     def pieces(self, parts: Sequence[PlaneCurve]) -> list[Segment]:
-        """The trimmed parts, of a graph with lines across in place of ramps."""
+        """Return the trimmed parts; in a graph, lines across replace ramps."""
         if self.over is None:
             return [Spline(part) for part in parts]
         parts = [_extended(part, *ends) for part, ends in zip(parts, self.over, strict=True)]
@@ -143,8 +143,7 @@ def _cut(segment: Segment, ramp: float) -> _Cut | None:
 
 
 def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
-    """Places where smooth parts of a graph meet, each with the end of the part before and the start of the part
-    after."""
+    """Yield places where smooth parts of a graph meet, with the end and the start of the parts beside them."""
     speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:
         first = last = kinks.pop(0)
@@ -154,7 +153,7 @@ def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tupl
 
 
 def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:
-    """A clamped graph with its end spans carried on, or cut back, to a domain that differs a little."""
+    """Return a clamped graph with its end spans extended or cut to a slightly different domain."""
     if (first, last) == curve.domain:
         return curve
     degree, knots = curve.degree, curve.knots.copy()
@@ -207,14 +206,14 @@ class Region:
 
 @dataclass(frozen=True, eq=False)
 class CutPattern:
-    """`points` (k, 2), mm, are the corners that the pieces name by row."""
+    """A flat pattern in regions; pieces refer to the rows of `points` (k, 2), mm, as corners."""
 
     points: FloatArray
     regions: tuple[Region, ...]
 
 
 def on_segment(segment: Segment, t: FloatArray) -> FloatArray:
-    """Points (..., 2) of a segment at its parameters `t` (see `Piece`)."""
+    """Return points (..., 2) of a segment at its parameters `t` (see `Piece`)."""
     if isinstance(segment, Spline):
         return segment.curve.evaluate(t)
     if isinstance(segment, Arc):
@@ -247,7 +246,7 @@ def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) 
 
 @dataclass
 class _Cutter:
-    """Collects loops, then closes each region along the seams."""
+    """Collection of loops that closes each region along the seams."""
 
     stations: list[float]
     points: list[FloatArray] = field(default_factory=list)
@@ -279,7 +278,7 @@ class _Cutter:
             self.chains.setdefault(interval, []).append([piece for _, piece in run])
 
     def result(self) -> CutPattern:
-        """All regions, closed along the seams."""
+        """Return all regions, closed along the seams."""
         on_seam = [self._corners_on(x) for x in self.stations]
         regions: list[Region] = []
         for interval in sorted({*self.loops, *self.chains}):
@@ -297,7 +296,7 @@ class _Cutter:
         return self.count - 1
 
     def _split(self, segment: Segment, alone: bool) -> Iterator[tuple[Segment, float, float, bool]]:
-        """Parameter ranges between the stations, in the loop's direction; a lone segment in two at least."""
+        """Return parameter ranges between the stations in the loop's direction; at least two for a lone segment."""
         forward = True
         if isinstance(segment, Arc):
             forward = segment.sweep > 0
@@ -329,12 +328,12 @@ class _Cutter:
         return bisect_left(stations, middle)
 
     def _corners_on(self, x: float) -> list[int]:
-        """Corners on the line at x, from low y to high y."""
-        found = [i for i, p in enumerate(self.points) if abs(p[0] - x) < ON_SEAM]
-        return sorted(found, key=lambda i: float(self.points[i][1]))
+        """Return the corners on the line at x, from low y to high y."""
+        corners = [i for i, p in enumerate(self.points) if abs(p[0] - x) < ON_SEAM]
+        return sorted(corners, key=lambda i: float(self.points[i][1]))
 
     def _closed(self, interval: int, on_seam: list[list[int]]) -> list[list[Piece]]:
-        """Loops made of the interval's open chains and the seams between them."""
+        """Return the loops of the interval's open chains and the seams between them."""
         chains = list(self.chains.get(interval, []))
         loops: list[list[Piece]] = []
         while chains:
@@ -359,7 +358,7 @@ class _Cutter:
         return loops
 
     def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
-        """Corners on the seam that a chain ends on, and which way along it keeps the region to the left."""
+        """Return the corners on a chain's seam, and the direction with the region on the left."""
         for row, step in ((interval, 1), (interval - 1, -1)):
             if 0 <= row < len(on_seam) and corner in on_seam[row]:
                 return on_seam[row], step
@@ -375,7 +374,7 @@ class _Cutter:
         return Piece(line, 0.0, line.length, upward, start, end, number, seam=True)
 
     def _grouped(self, loops: list[list[Piece]]) -> list[list[list[Piece]]]:
-        """Every outer loop with the holes inside it."""
+        """Return every outer loop with the holes inside it."""
         if len(loops) == 1 and any(piece.number < self.rim for piece in loops[0]):
             return [loops]
         polygons = [_polygon(loop) for loop in loops]
@@ -422,9 +421,9 @@ def _crossings(segment: Segment, x: float) -> list[float]:
         return []
     roots = line_crossings(segment.curve, -x, (1.0, 0.0))
     ends = np.array([segment.start, segment.end])
-    found = [float(root.t) for root in roots if root.kind == "crossing"]
-    points = [on_segment(segment, np.array(t)) for t in found]
-    return [t for t, p in zip(found, points, strict=True) if np.hypot(*(ends - p).T).min() > ON_SEAM]
+    crossings = [float(root.t) for root in roots if root.kind == "crossing"]
+    points = [on_segment(segment, np.array(t)) for t in crossings]
+    return [t for t, p in zip(crossings, points, strict=True) if np.hypot(*(ends - p).T).min() > ON_SEAM]
 
 
 def _polygon(loop: Sequence[Piece]) -> FloatArray:

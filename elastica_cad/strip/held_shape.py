@@ -17,7 +17,7 @@ from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.tab_seats import EndPose, TabSeat
 
 MEETING_SHARE = 1e-4
-"""Ends nearer to each other than this share of the length meet; rods with few nodes close to this accuracy."""
+"""Distance, as a fraction of the length, below which ends meet; rods with few nodes close to this accuracy."""
 
 
 def closes(rod: Rod) -> bool:
@@ -136,24 +136,24 @@ class HeldShape:
         )  # fmt: skip
         if figures[largest] > MOST * self.expected:
             strays = note("{strays}, {most}", strays=strays, most=note(largest))
-        said = note(
+        sentence = note(
             "{strays}: the model says {modelled} and leaves {open} open, and sheet, cut and clamps add {sheet}",
             strays=strays, modelled=about(self.deviation), open=about(self.open),
             sheet=about(self.sheet_adds),
         )  # fmt: skip
-        told = [
+        listed = [
             note("{far:.2g} by {cause}", far=Length(mm), cause=note(cause))
             for cause, mm in sorted(self.parts.items(), key=lambda part: -part[1])
             if mm >= LEAST_TOLD_MM
         ]
-        if told:
+        if listed:
             each = (
                 "{strays}; each cause alone, without its correction: {causes}"
                 if self.corrected
                 else "{strays}; each cause alone: {causes}"
             )
-            said = note(each, strays=said, causes=sentences(told))
-        return sentences((said, *self.notes), ". ")
+            sentence = note(each, strays=sentence, causes=sentences(listed))
+        return sentences((sentence, *self.notes), ". ")
 
 
 def _two_digits(value: float) -> float:
@@ -275,13 +275,13 @@ def open_deviation(
     """
     nu = sheet.poisson_ratio
     shear = even_shear_ratio(nu) / sheet.shear_ratio
-    own = sum(OPEN_SHARES.get(cause, 0.0) * mm for cause, mm in parts.items())
-    own += parts.get("slots", 0.0) * crowded
+    from_causes = sum(OPEN_SHARES.get(cause, 0.0) * mm for cause, mm in parts.items())
+    from_causes += parts.get("slots", 0.0) * crowded
     if approximated:
         grained = OPEN_GRAINED * max(0.0, shear**0.5 - 1)
-        own += (OPEN_BUILT + grained) * length
+        from_causes += (OPEN_BUILT + grained) * length
     every = [OPEN_PLAIN, OPEN_CURLED * (nu / 0.3) ** 2, OPEN_WIDE * shear * (width / length) ** 2]
-    return float(np.linalg.norm([*(length * np.array(every)), own]))
+    return float(np.linalg.norm([*(length * np.array(every)), from_causes]))
 
 
 @dataclass(frozen=True)

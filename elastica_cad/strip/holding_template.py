@@ -63,7 +63,7 @@ class HeldEnd:
 
 
 def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:
-    """Places and directions of both ends of an open strip, in the plane of its curve.
+    """Return places and directions of both ends of an open strip, in the plane of its curve.
 
     Examples
     --------
@@ -87,9 +87,9 @@ def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:
             tab.length,
             thickness,
             tab.holes,
-            way * np.array([np.cos(rod.angle[k]), np.sin(rod.angle[k])]),
+            direction * np.array([np.cos(rod.angle[k]), np.sin(rod.angle[k])]),
         )
-        for k, way, support, tab, thickness in zip(
+        for k, direction, support, tab, thickness in zip(
             (0, -1), (-1, 1), rod.supports.ends, strip.ends, strip.end_thicknesses, strict=True
         )
     )
@@ -97,23 +97,22 @@ def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:
 
 
 def _turned(degrees: float) -> float:
-    """The angle in (-180, 180], without a trace of rounding."""
+    """Return the angle in (-180, 180], without rounding errors."""
     return 180.0 - (180.0 - round(float(degrees), 6)) % 360.0
 
 
 def distance_between(ends: Sequence[HeldEnd]) -> float:
-    """Distance of the two ends, mm."""
+    """Return the distance between the two ends, mm."""
     return float(np.linalg.norm(ends[1].position - ends[0].position))
 
 
 def distance_of_tips(ends: Sequence[HeldEnd]) -> float:
-    """Distance of the end points of both tabs, mm."""
+    """Return the distance between the end points of both tabs, mm."""
     return float(np.linalg.norm(ends[1].tip - ends[0].tip))
 
 
 def hole_places(ends: Sequence[HeldEnd]) -> tuple[FloatArray, FloatArray]:
-    """Middles (n, 2) of the holes of either end, mm, from the start of the line between the ends: along it, and
-    to its left.
+    """Return the middles (n, 2) of the holes at either end, mm, along the line between the ends and to its left.
 
     Examples
     --------
@@ -151,10 +150,10 @@ def tell_ends(strip: Strip) -> Refusal:
 
 
 def holding_template(strip: Strip) -> Drawing:
-    """The side view of a strip at full size: line between the ends, tabs with the axes of their holes, the curve.
+    """Return a full-size side view of a strip: line between the ends, tabs with axes of holes, and the curve.
 
-    Lay it under the strip, or engrave it into the board that the strip is screwed on. The curve and the tabs are
-    drawn on ENGRAVE, what only guides on MARK; nothing is cut.
+    Lay it under the strip, or engrave it into the board for mounting the strip. The curve and the tabs are on the
+    layer ENGRAVE and guide lines on MARK; nothing is cut.
     """
     ends, rod = held_ends(strip), strip.rod
     first, last = ends
@@ -173,7 +172,7 @@ def holding_template(strip: Strip) -> Drawing:
     paths += [LayeredPath(layer, Path([Line(p, q) for p, q in pairwise(points)])) for layer, points in lines]
     low = min(path.path.bounds[0, 1] for path in paths) - 3 * LETTERS_MM
     left = float(min(first.position[0], last.position[0]))
-    told = [
+    drawn_text = [
         f"{engravable(strip.label or 'strip')}: its first letter points to end 1",
         f"bend lines {distance_between(ends):.1f} mm apart, tips {distance_of_tips(ends):.1f} mm",
         *(
@@ -186,7 +185,7 @@ def holding_template(strip: Strip) -> Drawing:
     ]
     texts = [
         Text((left, float(low - 1.8 * LETTERS_MM * row)), line, LETTERS_MM, 0.0, MARK)
-        for row, line in enumerate(told)
+        for row, line in enumerate(drawn_text)
     ]
     texts += [_number(str(name), end) for name, end in zip((1, 2), ends, strict=True)]
     return Drawing(f"{strip.label or 'strip'} template", tuple(paths), tuple(texts))

@@ -1,4 +1,4 @@
-"""Laminated strips: an outline of any width, and a narrower strip glued on that gives it its stiffness."""
+"""Laminated strips: an outline of any width, with a narrower glued strip that determines the stiffness."""
 
 from dataclasses import dataclass
 from typing import Annotated
@@ -95,13 +95,13 @@ class Laminated:
         least = max(self.least_backing, min_width or 0.0)
         scale = self._scale(rod, section, base, least, max_width)
         backing = Backing(self.backing, _backing_width(rod, section, base, scale))
-        told: tuple[str, ...] = ()
+        warnings: tuple[str, ...] = ()
         if rod.gravity is not None and rod.weight is None:
-            told = (
+            warnings = (
                 "the rod was designed for a weight proportional to its stiffness, and a laminate's is not: "
                 "use optimal_laminate, or see how far it strays (deviation_as_built)",
             )
-        return Layout(sheet, base, base, scale, backing=backing, dots=self.dots, warnings=told)
+        return Layout(sheet, base, base, scale, backing=backing, dots=self.dots, warnings=warnings)
 
     def bounded(
         self, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
@@ -198,11 +198,11 @@ def _infeasible(
 
 
 def _backing_width(rod: Rod, section: LaminatedSection, base: Profile, scale: float) -> Profile:
-    """w2 along the free part, with knots where K or the base have less than two derivatives."""
+    """Return w2 along the free part, with knots where K or the base has less than two derivatives."""
 
     def width(s: FloatArray) -> FloatArray:
         return section.backing_width(base(s), scale * rod.profile(s))
 
     breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < 2]
-    # where the backing fills the base its width is cut off there, with a kink too small to be declared
+    # the backing's width is limited to the width of the base, with a kink too small to declare
     return Profile.fit(width, rod.length, breaks=breaks, tolerance=FIT_MM)

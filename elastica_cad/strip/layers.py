@@ -34,8 +34,7 @@ from elastica_cad.strip.slots import (
 from elastica_cad.strip.styles import Layout
 
 TICK_SHARE = 0.3
-"""Length of a mark across, as a share of the width on each side of the middle: it ends before the edges, where
-it would be a notch."""
+"""Length of a mark across on each side of the middle, as a fraction of the width; at an edge it would notch it."""
 
 
 FLAT_MM = 1e-4
@@ -79,17 +78,17 @@ class Layer:
 
     @cached_property
     def rim(self) -> Cut:
-        """The outline as a line that letters avoid."""
+        """Outline as a line that letters avoid."""
         return Cut(self.outline, "outside")
 
     @cached_property
     def area(self) -> float:
-        """mm2."""
+        """Area, mm2."""
         return abs(self.outline.area) - sum(abs(hole.area) for hole in self.holes)
 
     @property
     def mass(self) -> float:
-        """g."""
+        """Mass, g."""
         return self.area * self.sheet.thickness * self.sheet.density * 1e-6
 
     def material(self, s: ArrayLike) -> FloatArray:
@@ -109,7 +108,7 @@ class Layer:
         order = np.argsort(stations, kind="stable")
         at = stations[order]
         loop, (x, y), (x1, y1) = self._chords
-        # which chord meets which of the sorted stations: min <= s < max
+        # sorted stations that each chord meets: min <= s < max
         first = np.searchsorted(at, np.minimum(x, x1), side="left")
         count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
         line = np.repeat(np.arange(x.size), count)
@@ -127,10 +126,10 @@ class Layer:
     def _chords(self) -> tuple[IntArray, FloatArray, FloatArray]:
         """Return chords of all cuts, the outline first: numbers (m,) of their loops, starts and ends (2, m)."""
         loops = self.outline, *self.holes
-        which, points = chords_of_all([one for loop in loops for one in loop.segments], FLAT_MM)
-        # each segment goes on to where the next one starts
+        which, points = chords_of_all([line for loop in loops for line in loop.segments], FLAT_MM)
+        # each segment ends at the start of the next segment
         kept = np.append(which[1:] == which[:-1], False)
-        loop = np.repeat(np.arange(len(loops)), [len(one.segments) for one in loops])[which[kept]]
+        loop = np.repeat(np.arange(len(loops)), [len(line.segments) for line in loops])[which[kept]]
         begins, points = np.searchsorted(loop, np.arange(len(loops))), points[kept]
         ends = np.roll(points, -1, axis=0)
         ends[np.append(begins[1:], loop.size) - 1] = points[begins]
@@ -164,7 +163,7 @@ def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) 
 
 
 def _cut_leaves(section: LaidLeaves, length: float, ends: Ends) -> tuple[Layer, ...]:
-    """Rectangles, the through leaf first; those that reach an end go on through its tab."""
+    """Return rectangles, the through ply first; plies that reach an end continue through its tab."""
     h, half = section.sheet.thickness, section.width / 2
     layers: list[Layer] = []
     for leaf, name in zip(section.leaves, section.names, strict=True):
@@ -187,9 +186,9 @@ def draw_layers(
     *,
     lap: float = 0.0,
 ) -> tuple[Drawing, ...]:
-    """The cut pattern of each layer, called by `name`: engraved text, marks, inner cuts, outer cut.
+    """Return the cut pattern of each layer, called by `name`: engraved text, marks, inner cuts, outer cut.
 
-    `lap` mm from the start a mark is drawn where the lap of a closed strip ends.
+    In a closed strip, a mark `lap` mm from the start shows the end of the lap.
     """
     name = name or "strip"
     drawn = []
@@ -227,17 +226,17 @@ def _off_slots(guides: Sequence[Path], layout: Layout, slots: Sequence[Slot]) ->
 def _leaf_marks(layer: Layer, layers: Sequence[Layer]) -> tuple[Path, ...]:
     """Return lines across a ply where the plies glued on it begin and end."""
     (left, low), (right, high) = layer.outline.bounds
-    above = [one for one in layers if abs(one.low - layer.high) < layer.sheet.thickness / 2]
-    places = [float(x) for one in above for x in one.outline.bounds[:, 0] if left < x < right]
+    above = [ply for ply in layers if abs(ply.low - layer.high) < layer.sheet.thickness / 2]
+    places = [float(x) for ply in above for x in ply.outline.bounds[:, 0] if left < x < right]
     return tuple(Path((Line((x, float(low)), (x, float(high))),)) for x in places)
 
 
 def _leaf_text(name: str, layer: Layer) -> Text:
     """Return the name of a ply and its position along the stack, mm."""
     (left, low), (right, high) = layer.outline.bounds
-    said = f"{layer.called(name)}: {left:.0f} - {right:.0f}"
+    words = f"{layer.called(name)}: {left:.0f} - {right:.0f}"
     return fit_label(
-        said,
+        words,
         ((left + right) / 2, (low + high) / 2),
         angle=0.0,
         room=float(right - left),
@@ -252,7 +251,7 @@ def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
 
 
 def _ticks(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:
-    """Marks across where tabs begin, and the lap; not along the flat ends of the first and last holes."""
+    """Return marks across where tabs and the lap begin; not along the flat ends of the first and last holes."""
     if layout.pattern is not None:
         return ()
     starts = ((0.0, ends[0]), (width.length, ends[1]))
@@ -267,7 +266,7 @@ def _ticks(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path
 def _label_texts(
     label: str, layout: Layout, width: Profile, ends: Ends, layer: Layer, *, slotted: bool
 ) -> tuple[Text, ...]:
-    """The label, off cuts: along the middle; where there are holes across a tab, the first if there is room."""
+    """Return the label, clear of cuts: along the middle or, if there are holes, across a tab with room."""
     if layout.pattern is None:
         return (label_off_cuts(label, width, Cuts(rim=layer.rim if slotted else None)),)
     length = width.length
@@ -313,16 +312,16 @@ class LapJoint:
 
     @classmethod
     def of(cls, rod: Rod, width: FloatArray, length: float, lap_width: float) -> "LapJoint":
-        """The lap of a closed rod.
+        """Return the lap of a closed rod.
 
         Parameters
         ----------
         rod : Rod
             The design.
         width : (n,) array
-            Of the material at its nodes, mm.
+            Width of the material at the nodes, mm.
         length, lap_width : float
-            Of the tab, mm.
+            Length and width of the tab, mm.
         """
         # cells reach half an edge to either side of their node
         edges = np.concatenate([[0.0], (rod.s[1:] + rod.s[:-1]) / 2, [rod.length]])
@@ -363,9 +362,10 @@ class LapPlates:
         )
 
     def stiffening(self, s: FloatArray, layout: Layout, layers: Sequence[Layer]) -> FloatArray:
-        """Factor (n,) on the stiffness of what is cut, in the cell of each of the nodes s (n,), mm.
+        """Return the factor (n,) on the stiffness of the cut strip in the cells of the nodes s (n,), mm.
 
-        Over a plate the strip is a sheet thicker and as stiff as that, but for its ends and over the joint itself.
+        Over a plate the strip has the stiffness of its thickness plus the plate's, except at the plate's ends and
+        over the joint.
         """
         base, *more = layers
         at = np.clip(s, END_MM, layout.width.length - END_MM)

@@ -1,4 +1,4 @@
-"""A single-stroke alphabet for engraving: every letter is a few lines and arcs that the tool runs once."""
+"""A single-stroke alphabet for engraving: every letter consists of a few lines and arcs."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -13,17 +13,17 @@ from elastica_cad._values import is_number, is_series, require_record
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.path import Path
 
-CAP_HEIGHT = 6.0  # of the alphabet as it is drawn, in its own units
-LABEL_MM = 5.0  # height of a strip's label, where there is room
-LABEL_SHARE = 0.4  # of the room across it, at most
-_GAP = 1.6  # between two letters, in the same units
+CAP_HEIGHT = 6.0  # height of capitals in the alphabet's units
+LABEL_MM = 5.0  # height of a strip's label if there is room
+LABEL_SHARE = 0.4  # largest height of a label as a fraction of the room across
+_GAP = 1.6  # gap between two letters in the alphabet's units
 _QUARTER, _EIGHTH = float(np.tan(np.pi / 8)), float(np.tan(np.pi / 16))
 _BULGES = {"q": _QUARTER, "Q": -_QUARTER, "h": 1.0, "H": -1.0, "e": _EIGHTH, "E": -_EIGHTH}
 
 
 @dataclass(frozen=True)
 class Text:
-    """One line of engraved text.
+    """A line of engraved text.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ class Text:
 
     @property
     def length(self) -> float:
-        """Along the base line, mm."""
+        """Length along the base line, mm."""
         widths = [_glyphs()[c][0] for c in self.text]
         return (sum(widths) + _GAP * max(0, len(widths) - 1)) * self.height / CAP_HEIGHT
 
@@ -80,7 +80,7 @@ def require_engravable(text: object) -> None:
 
 
 def engravable(text: str) -> str:
-    """The text in letters that can be engraved: accents are left out, unknown letters become underscores.
+    """Return the text in letters that can be engraved, without accents; unknown letters become underscores.
 
     Examples
     --------
@@ -92,7 +92,7 @@ def engravable(text: str) -> str:
 
 
 def text_width(text: str, height: float) -> float:
-    """Length of a line of text, mm, whose capitals are `height` mm high.
+    """Return the length of a line of text, mm, with capitals `height` mm high.
 
     Examples
     --------
@@ -117,7 +117,7 @@ def text_span(text: str, height: float) -> tuple[float, float]:
 
 
 def text_strokes(text: Text) -> tuple[Path, ...]:
-    """The strokes of a text as open paths of lines and arcs, mm.
+    """Return the strokes of a text as open paths of lines and arcs, mm.
 
     Examples
     --------
@@ -137,7 +137,7 @@ def text_strokes(text: Text) -> tuple[Path, ...]:
 
 
 def fit_label(text: str, center: tuple[float, float], *, angle: float, room: float, across: float) -> Text:
-    """A label about a point, as large as fits up to 5 mm: a share of the `room` along it, and of the width across.
+    """Return a label about a point, up to 5 mm high, that takes a fraction of the `room` and of the width across.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def fit_label(text: str, center: tuple[float, float], *, angle: float, room: flo
     angle : float
         Direction of its base line, rad.
     room, across : float
-        What there is along and across the base line, mm.
+        Room along and across the base line, mm.
 
     Examples
     --------
@@ -161,8 +161,7 @@ def fit_label(text: str, center: tuple[float, float], *, angle: float, room: flo
 def centred_text(
     text: str, center: Sequence[float] | FloatArray, height: float, room: float, *, angle: float = 0.0
 ) -> Text:
-    """A text in letters that can be engraved, about a point (2,), so high, or lower where it would be longer than
-    the room, mm.
+    """Return an engravable text about a point (2,) with the given height, mm, or smaller to fit the room, mm.
 
     Examples
     --------
@@ -180,7 +179,7 @@ def centred_text(
 
 @lru_cache(maxsize=1)
 def _glyphs() -> dict[str, tuple[float, str]]:
-    """Width and code of every letter."""
+    """Return width and code of every letter."""
     import tomllib
 
     text = FilePath(__file__).with_name("glyphs.toml").read_text(encoding="utf-8")
@@ -194,7 +193,7 @@ def _glyph(character: str) -> tuple[Path, ...]:
 
 @lru_cache(maxsize=256)
 def _span(character: str) -> tuple[float, float]:
-    """Least and largest height of a letter's strokes over the base line, in the alphabet's units."""
+    """Return the least and largest height of a letter's strokes over the base line, in the alphabet's units."""
     bounds = [stroke.bounds[:, 1] for stroke in _glyph(character)]
     if not bounds:
         return 0.0, 0.0

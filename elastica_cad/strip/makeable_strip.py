@@ -1,4 +1,4 @@
-"""A strip as a workshop can make it: pieces, lap plates, widths compensated for what makes it softer or stiffer."""
+"""A strip for a workshop: joints between pieces, lap plates and compensated widths."""
 
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -38,11 +38,11 @@ def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
     """Return cubic B-splines (n, m) at even stations s (n,); in a closed strip both ends have the same one."""
     pieces = round(1 / SPACING_SHARE)
     knots = np.concatenate([np.zeros(3), np.linspace(0.0, s[-1], pieces + 1), np.full(3, s[-1])])
-    one = np.eye(pieces + 3)
+    shared = np.eye(pieces + 3)
     if closed:
-        one[0, -1] = 1.0
-        one = one[:, 1:]
-    return np.asarray(bezier_spans(knots, 3).basis(s) @ one)
+        shared[0, -1] = 1.0
+        shared = shared[:, 1:]
+    return np.asarray(bezier_spans(knots, 3).basis(s) @ shared)
 
 
 def _correct_widths(
@@ -74,7 +74,7 @@ def _correct_widths(
         A, left = _without_motion(made.position[1:], A), _without_motion(made.position[1:], left)
     scale = float(np.abs(A).max()) * np.sqrt(len(A))
     one = np.eye(basis.shape[1])
-    # the whole change is to be small and smooth
+    # the whole change must be small and smooth
     whole = scale * np.concatenate([SMOOTHING * np.diff(one, n=2, axis=0), SIZE * one])
     system, wanted = np.concatenate([A, whole]), np.concatenate([-left, -whole @ kept])
     from scipy.optimize import lsq_linear
@@ -83,7 +83,7 @@ def _correct_widths(
 
 
 def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
-    """Moves (2 n, ...) of points (n, 2) without what shifts and turns them all."""
+    """Return displacements (2 n, ...) of points (n, 2) without their rigid motion."""
     x, y = (position - position.mean(axis=0)).T
     one, none = np.ones(x.size), np.zeros(x.size)
     rigid = np.array([np.column_stack(row).ravel() for row in ((one, none), (none, one), (-y, x))])
@@ -148,11 +148,11 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
         drift = best.rod.position - design.position
         wanted = _correct_widths(best.rod, drift, basis, best.coefficients, largest=largest)
         coefficients = best.coefficients + step * (wanted - best.coefficients)
-        found = _held(strip, basis, coefficients)
-        if found is None or found.strayed >= best.strayed:
+        trial = _held(strip, basis, coefficients)
+        if trial is None or trial.strayed >= best.strayed:
             step /= 2
             continue
-        gain, best, step = found.strayed / best.strayed, found, min(1.0, 2 * step)
+        gain, best, step = trial.strayed / best.strayed, trial, min(1.0, 2 * step)
         if gain > LEAST_GAIN:
             break
     gained = np.inf if drawn is None else drawn.strayed - best.strayed
@@ -231,7 +231,7 @@ class Splice:
             whole.append(
                 _Whole(f"{name}-backing", glued, layout.backing.width, marks[1], self.backing_joints)
             )
-        return {one.name: self._cut(one) for one in whole}
+        return {layer.name: self._cut(layer) for layer in whole}
 
     @cached_property
     def drawings(self) -> tuple[Drawing, ...]:
@@ -256,7 +256,7 @@ class Splice:
         return held.deviation if held.corrected else held.parts["plates"]
 
     def __str__(self) -> str:
-        """One sentence."""
+        """Return a sentence on joints, plates and their effect."""
         if len(self.strip.layers) > 1:
             joints = zip(self.layer_pieces, (self.joints, self.backing_joints), strict=True)
             pieces = Listed(
@@ -269,7 +269,7 @@ class Splice:
                 "are stiffer and move the shape by {far:.2g}",
                 pieces=pieces, lap=Mm(self.lap), far=Mm(self.deviation), severity="warning",
             )  # fmt: skip
-        said = (
+        text = (
             "cut in {count} pieces at {places}, joined by plates of {lap:g}, without the {lost} holes that "
             "lie under them; they are stiffer and move the shape by {far:.2g}"
             if (lost := len(self.strip.holes) - len(self._holes))
@@ -278,7 +278,7 @@ class Splice:
         )
         places = Listed(map(Mm, self.joints))
         return note(
-            said,
+            text,
             count=len(self.joints) + 1,
             places=places,
             lap=Mm(self.lap),
@@ -436,7 +436,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
 
 
 def spliced(strip: Strip, shop: FabricationLimits) -> Splice | None:
-    """The strip in pieces, where the shop joins pieces and the strip is longer than its stock."""
+    """Return the strip in pieces, if the shop joins pieces and the strip is longer than its stock."""
     if shop.lap is None:
         return None
     stocks = [shop.stock_for(layer.sheet)[0] for layer in strip.layers]
@@ -503,12 +503,12 @@ def make_within(
         strip = joined_within(strip, shop)
     if compensate:
         strip = compensate_within(strip, shop)
-    told = accept_faults(find_strip_faults(strip, shop, wavers=wavers), ignore_limits)
+    warnings = accept_faults(find_strip_faults(strip, shop, wavers=wavers), ignore_limits)
     joined = spliced(strip, shop)
-    told += () if joined is None else (str(joined),)
-    if not told:
+    warnings += () if joined is None else (str(joined),)
+    if not warnings:
         return strip
-    return replace(strip, rod=replace(strip.rod, warnings=(*strip.rod.warnings, *told)))
+    return replace(strip, rod=replace(strip.rod, warnings=(*strip.rod.warnings, *warnings)))
 
 
 def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
@@ -539,10 +539,10 @@ def compensate_within(strip: Strip, shop: FabricationLimits) -> Strip:
     faults = find_strip_faults(better, shop)
     if not faults or find_strip_faults(strip, shop):
         return better
-    told = note(
+    warning = note(
         "its widths do not make up for how it is made, since it would then be {fault}; give it "
         "tabs as wide as its ends, or shallower slots",
         fault=faults[0].what,
         severity="warning",
     )
-    return replace(strip, rod=replace(strip.rod, warnings=(*strip.rod.warnings, told)))
+    return replace(strip, rod=replace(strip.rod, warnings=(*strip.rod.warnings, warning)))

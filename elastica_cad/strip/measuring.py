@@ -56,7 +56,7 @@ class Measuring:
     expected : mapping of str to float
         "chord", "height_1" to "height_3" in mm, "start_angle" and "end_angle" in degrees.
     uncertain : mapping of str to float
-        What model, sheet, cut and clamps leave open of each.
+        Uncertainty of each value due to model, sheet, cut and clamps.
     causes : mapping of str to tuple of mapping
         Changes of the values due to each of `MEANINGS`: for one degree, millimetre or percent, or in all. A wave
         has two such changes.
@@ -79,7 +79,7 @@ leave open
 
     @classmethod
     def of(cls, strip: Strip) -> "Measuring":
-        """Return what to measure on a strip whose ends are held as designed.
+        """Return the measurements on a strip whose ends are held as designed.
 
         Raises
         ------

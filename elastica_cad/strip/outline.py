@@ -56,18 +56,18 @@ class TSlot:
     Parameters
     ----------
     depth : float
-        From the outer edge inward, mm: the screw's length beyond what it holds.
+        Depth from the outer edge inward, mm: the length of the screw beyond the clamped part.
     screw : float
         Width of the slot, mm; 3.2 for M3.
     nut : (width, height)
-        Of the pocket, across and along the screw, mm; 5.6 by 2.6 for M3.
+        Size of the pocket across and along the screw, mm; 5.6 by 2.6 for M3.
     wall : float
-        Between the outer edge and the nut, mm.
+        Distance between the outer edge and the nut, mm.
 
     Raises
     ------
     InputError
-        Sizes that are not positive, a nut narrower than the screw, a depth that ends before the nut.
+        Sizes are not positive, the nut is narrower than the screw, or the depth ends before the nut.
     """
 
     depth: Annotated[float, Asked("From the outer edge inward.", "mm", above=0)]
@@ -94,7 +94,7 @@ class TSlot:
             )
 
     def side(self, edge: float) -> list[tuple[float, float]]:
-        """Corners (x, y) from the outer edge at x = `edge` inward, at negative y."""
+        """Return corners (x, y) from the outer edge at x = `edge` inward, at negative y."""
         y, n, a = -self.screw / 2, -self.nut[0] / 2, edge - self.wall
         deep = edge - self.depth
         points = [(edge, y), (a, y), (a, n), (a - self.nut[1], n), (a - self.nut[1], y), (deep, y)]
@@ -184,7 +184,7 @@ class Tab:
                 )
 
     def mirrored(self) -> "Tab":
-        """The tab of the strip turned over about its centre line."""
+        """Return the tab of the strip turned over about its centre line."""
         return replace(self, holes=tuple(replace(hole, across=-hole.across) for hole in self.holes))
 
     def corners(self, width: float) -> tuple[Line | Arc, ...]:
@@ -240,7 +240,10 @@ class Tab:
         return [ends[0], *side, *((x, -y) for x, y in reversed(side)), ends[1]]
 
     def depth_at(self, at: float, across: float, width: float) -> float:
-        """Least distance, mm, of a place in the tab from its sides and outer corners; `width` as in `corners`."""
+        """Return the least distance, mm, of a place in the tab from its sides and outer corners.
+
+        `width` is the same as in `corners`.
+        """
         x, y, w = at, abs(across), self.width or width
         near, far = self.length - self.corner_radius, w / 2 - self.corner_radius
         if self.corner_radius and x > near and y > far:
@@ -250,7 +253,7 @@ class Tab:
         return min(side, corner)
 
     def hole_paths(self, width: float) -> tuple[Path, ...]:
-        """The holes as closed circles in the tab's frame; `width` as in `corners`."""
+        """Return the holes as closed circles in the tab's frame; `width` is the same as in `corners`."""
         require_positive(width, "width")
         w = self.width or width
         for hole in self.holes:
@@ -300,18 +303,17 @@ def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
 Ends = tuple[Tab, Tab]
 
 SHOULDER_MM = 1e-3
-"""A tab whose width differs by less is as wide as the strip: no tool cuts such shoulders, and kernels fail on
-them."""
+"""Width, mm, below which a shoulder of a tab is omitted; no tool cuts it, and kernels fail."""
 
 MEETING_MM = 1e-9
-"""Ends nearer to each other than this meet."""
+"""Distance, mm, below which ends meet."""
 
 EVEN = 1e-10
 """Relative deviation from an even x along a spline that counts as rounding."""
 
 
 def flat_rim(width: Profile, ends: Ends) -> Path:
-    """The closed outer loop, anticlockwise, of a strip of full width `width` (mm) with its tabs.
+    """Return the closed outer loop, anticlockwise, of a strip of full width `width` (mm) with its tabs.
 
     Its long sides are B-splines whose x control points are the Greville abscissae of the knots, so that y(x)
     is exactly half the width.
@@ -326,14 +328,14 @@ def flat_rim(width: Profile, ends: Ends) -> Path:
 
 
 def long_sides(width: Profile) -> tuple[list[Spline], list[Spline]]:
-    """The lower and the upper long side from start to end, each in the pieces between the width's jumps."""
+    """Return the lower and the upper long side from start to end, each split at jumps of the width."""
     pieces = _pieces(width)
     lower, upper = ([_side(piece, factor) for piece in pieces] for factor in (-0.5, 0.5))
     return lower, upper
 
 
 def end_holes(width: Profile, ends: Ends) -> tuple[Path, ...]:
-    """The round holes of both tabs as closed loops in the frame of the strip."""
+    """Return the round holes of both tabs as closed loops in the frame of the strip."""
     start, end = _end_widths(width)
     first = [path.transformed(_frame(0.0, -1)) for path in ends[0].hole_paths(start)]
     last = [path.transformed(_frame(width.length, 1)) for path in ends[1].hole_paths(end)]
@@ -341,14 +343,14 @@ def end_holes(width: Profile, ends: Ends) -> tuple[Path, ...]:
 
 
 def fix_tab_widths(width: Profile, ends: Ends) -> Ends:
-    """The tabs with the width that they have on a strip of full width `width`, written into them."""
+    """Return the tabs with explicit widths on a strip of full width `width`."""
     start, end = ends
     first, last = _end_widths(width)
     return replace(start, width=start.width or first), replace(end, width=end.width or last)
 
 
 def add_register_holes(width: Profile, ends: Ends, diameter: float) -> Ends:
-    """The tabs with a hole in the middle of each that has none and is long and wide enough for it."""
+    """Return the tabs with a hole in the middle of each tab that has no hole and enough room."""
     start, end = (
         tab
         if tab.holes or tab.length < 2 * diameter or tab.depth_at(tab.length / 2, 0.0, wide) < diameter
@@ -364,7 +366,7 @@ def graph(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: b
 
 
 def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: bool = False) -> list[Spline]:
-    """The spline functions with these rows (n, m) of coefficients over clamped knots, each as `graph`."""
+    """Return a `graph` for each row (n, m) of coefficients over clamped knots."""
     points = np.empty((*values.shape, 2))
     points[..., 0], points[..., 1] = greville(knots, degree), values
     if backward:
@@ -374,7 +376,7 @@ def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: 
 
 
 def pace(segment: Segment) -> tuple[float, float] | None:
-    """(offset, speed) where x = offset + speed * parameter along the whole segment, else None."""
+    """Return (offset, speed) if x = offset + speed * parameter along the whole segment, else None."""
     if isinstance(segment, Line):
         return float(segment.start[0]), float((segment.end[0] - segment.start[0]) / segment.length)
     if not isinstance(segment, Spline) or segment.curve.is_rational:
@@ -387,7 +389,7 @@ def pace(segment: Segment) -> tuple[float, float] | None:
 
 
 def close_chain(segments: Iterable[Segment]) -> tuple[Segment, ...]:
-    """The closed chain, with a line wherever two neighbours do not meet, as at a step of the width."""
+    """Return the closed chain, with a line between neighbours that do not meet, as at a step of the width."""
     chain: list[Segment] = []
     for segment in segments:
         if chain and not _meet(chain[-1], segment):
@@ -403,7 +405,7 @@ def _meet(before: Segment, after: Segment) -> bool:
 
 
 def _pieces(width: Profile) -> list[Profile]:
-    """The profile cut at its jumps (interior knots of multiplicity degree + 1)."""
+    """Return the profile cut at its jumps (interior knots of multiplicity degree + 1)."""
     k = width.degree
     knots, counts = knot_runs(width.knots)
     cuts = knots[(counts > k) & (knots > knots[0]) & (knots < knots[-1])]

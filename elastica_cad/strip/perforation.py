@@ -117,9 +117,9 @@ class DiamondPattern:
             )
 
     def paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
-        """The holes as closed anticlockwise loops in the order of the strip, clear of tabs and slots.
+        """Return the holes as closed anticlockwise loops in the order of the strip, clear of tabs and slots.
 
-        What a slot leaves of a hole, less than half of it, is not cut where the corner radius does not fit it.
+        If a slot leaves less than half of a hole, the rest is omitted if the corner radius does not fit it.
         """
         cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
         clear = [
@@ -140,7 +140,7 @@ class DiamondPattern:
         return tuple(loops)
 
     def _rows_within(self, ends: Ends) -> list["_Row"]:
-        """Rows of holes between the tabs."""
+        """Return rows of holes between the tabs."""
         length = self.width.length
         within = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
         return [row for whole in self._rows if (row := whole.within(*within)) is not None]
@@ -150,14 +150,14 @@ class DiamondPattern:
         return 0.0 if held and tab.length > 0 else self.clearance
 
     def _clear(self, row: "_Row", j: int, cuts: Sequence[Path]) -> list["_Row"]:
-        """The row for its j-th hole, or what slots leave of it on both sides of them."""
+        """Return the row for its j-th hole, or the parts of the row on both sides of slots."""
         left = [row]
         for cut in cuts:
             left = [part for one in left for part in self._beside(one, j, cut)]
         return left
 
     def _beside(self, row: "_Row", j: int, cut: Path) -> list["_Row"]:
-        """The row where the slot leaves its j-th hole alone, else its parts on both sides."""
+        """Return the row if the slot does not meet its j-th hole, else the parts on both sides."""
         if self._apart(row.loop(j), cut):
             return [row]
         (low, _), (high, _) = cut.bounds
@@ -183,7 +183,7 @@ class DiamondPattern:
         first, last = self.joints[:-1] + self.bridge / 2, self.joints[1:] - self.bridge / 2
         first[0], last[-1] = self.joints[0], self.joints[-1]
         stretches = self._stretches
-        middles = np.array([(one.knots[0] + one.knots[-1]) / 2 for one in stretches])
+        middles = np.array([(stretch.knots[0] + stretch.knots[-1]) / 2 for stretch in stretches])
         begins = np.searchsorted(middles, np.append(first[:1], first), side="right").tolist()
         ends = np.searchsorted(middles, np.append(last, last[-1:]), side="left").tolist()
         return [
@@ -249,7 +249,7 @@ class _Row:
         """Return the part between two stations, or None if it is empty."""
         if low <= self.stretches[0].knots[0] and self.stretches[-1].knots[-1] <= high:
             return self
-        kept = tuple(part for one in self.stretches if (part := one.within(low, high)) is not None)
+        kept = tuple(part for stretch in self.stretches if (part := stretch.within(low, high)) is not None)
         if not kept:
             return None
         lost = self.length - float(kept[-1].knots[-1] - kept[0].knots[0])
@@ -258,7 +258,7 @@ class _Row:
     @cached_property
     def sides(self) -> list[list[tuple[Spline, Spline]]]:
         """Sides of the holes for every stretch: the lower from its start, the upper from its end."""
-        return [one.sides(self.columns, self.across, full=self.full) for one in self.stretches]
+        return [stretch.sides(self.columns, self.across, full=self.full) for stretch in self.stretches]
 
     def loop(self, j: int) -> Path:
         """Return the j-th hole, anticlockwise."""
@@ -400,8 +400,8 @@ class Perforated:
             outer, material, self.columns, rows, self.least_ligament, self.corner_radius, self.least_ligament,
             arcs=None if self.sides == "spline" else 5e-4 * material.extremes[0] / self.ligaments,
         )  # fmt: skip
-        told = self._warnings(pattern, fit.s)
-        return Layout(sheet, outer, material, scale, pattern=pattern, warnings=told)
+        warnings = self._warnings(pattern, fit.s)
+        return Layout(sheet, outer, material, scale, pattern=pattern, warnings=warnings)
 
     def tip_zone(self, layout: Layout) -> float:
         """Return half the length, mm, of the zones about `layout.pattern.joints` with extra material at corners."""
@@ -412,12 +412,12 @@ class Perforated:
         return layout.pattern.bridge / 2 + float(2 * self.corner_radius / layout.pattern.slopes(s).min())
 
     def _warnings(self, pattern: DiamondPattern, s: FloatArray) -> tuple[str, ...]:
-        told = []
+        warnings = []
         slopes = pattern.slopes(s)
         i = int(np.argmax(slopes))
         if slopes[i] > np.tan(STEEP_RAD):
             long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
-            told.append(note(
+            warnings.append(note(
                 "ligaments lean {angle:.0f} degrees off the strip at {s}: use fewer rows, {long} long or "
                 "longer",
                 angle=np.degrees(np.arctan(slopes[i])), s=Mm(s[i]), long=Mm(np.ceil(long)),
@@ -425,13 +425,13 @@ class Perforated:
         missing = self._excess(pattern) / pattern.material(pattern.joints)
         i = int(np.argmax(missing))
         if missing[i] > TIP_SHARE:
-            told.append(note(
+            warnings.append(note(
                 "a corner radius of {radius:g} leaves {percent:.2g} % too much material at the tips at {s}: "
                 "{least:.2g} or less keeps it within {allowed:.0f} %",
                 radius=Mm(self.corner_radius), percent=100 * missing[i], s=Mm(pattern.joints[i]),
                 least=Mm(self.corner_radius * TIP_SHARE / missing[i]), allowed=100 * TIP_SHARE,
             ))  # fmt: skip
-        return tuple(told)
+        return tuple(warnings)
 
     def _excess(self, pattern: DiamondPattern) -> FloatArray:
         """Return the extra width (n,), mm, of rounded tips at the joints, at the worst station beside them.
@@ -483,7 +483,7 @@ class _Fit:
         self.highest = self.by_ligaments.highest
 
     def scale(self, max_width: float | None, min_width: float | None) -> float:
-        """c, N mm2: the rod's own, or as much as fits under `max_width`."""
+        """Return c, N mm2: the rod's own, or the largest value for `max_width`."""
         if self.lowest > self.highest * (1 + SLACK):
             raise InputError(self._infeasible())
         rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes

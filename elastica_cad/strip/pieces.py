@@ -43,8 +43,12 @@ def cut_key(strip: Strip) -> Hashable:
         (slot.side, slot.relief, slot.depth is None, *np.round(_sizes(slot), SLOT_DIGITS).tolist())
         for slot in strip.slots
     ]
-    own = [getattr(strip, one.name) for one in fields(Strip) if one.name not in ("label", "engrave", "slots")]
-    key: Hashable = value_key((own, slots))
+    values = [
+        getattr(strip, field.name)
+        for field in fields(Strip)
+        if field.name not in ("label", "engrave", "slots")
+    ]
+    key: Hashable = value_key((values, slots))
     return key
 
 
@@ -83,36 +87,36 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
 
     Strips are equal if sheet, label and all cut loops are equal after rotating the part or turning it over.
     """
-    found: list[tuple[FlatShape, Strip, list[int]]] = []
+    groups: list[tuple[FlatShape, Strip, list[int]]] = []
     known: dict[int, list[int]] = {}  # a strip in several places is compared only once
-    for index, strip in enumerate(one.strip for one in placed):
+    for index, strip in enumerate(item.strip for item in placed):
         if id(strip) not in known:
             shape = FlatShape.of(strip)
             alike = next(
                 (
                     members
-                    for first, other, members in found
+                    for first, other, members in groups
                     if _same_marks(other, strip) and first.equals(shape)
                 ),
                 None,
             )
             if alike is None:
                 alike = []
-                found.append((shape, strip, alike))
+                groups.append((shape, strip, alike))
             known[id(strip)] = alike
         known[id(strip)].append(index)
     names = strip_names(placed)
-    return tuple(EqualStrips(strip, names[members[0]], tuple(members)) for _, strip, members in found)
+    return tuple(EqualStrips(strip, names[members[0]], tuple(members)) for _, strip, members in groups)
 
 
 def count_shapes(parts: Sequence[EqualStrips]) -> int:
     """Return the number of different shapes among parts, whatever is engraved on them."""
-    found: list[FlatShape] = []
+    shapes: list[FlatShape] = []
     for part in parts:
         shape = FlatShape.of(part.strip)
-        if not any(shape.equals(other) for other in found):
-            found.append(shape)
-    return len(found)
+        if not any(shape.equals(other) for other in shapes):
+            shapes.append(shape)
+    return len(shapes)
 
 
 def _same_marks(a: Strip, b: Strip) -> bool:
@@ -178,15 +182,17 @@ class FlatShape:
         """Return True if the other shape's loops, in this position and centred on this shape, coincide with it."""
         middles = [shape.layers[0].outline.bounds.mean(axis=0) for shape in (self, other)]
         shift = middles[0] - way * middles[1]
-        for own, others in zip(self.layers, other.layers, strict=True):
-            if not _along(own.outline, _samples(others.outline) * way + shift):
+        for layer, others in zip(self.layers, other.layers, strict=True):
+            if not _along(layer.outline, _samples(others.outline) * way + shift):
                 return False
             for hole in others.holes:
                 points, middle = _samples(hole) * way + shift, hole.bounds.mean(axis=0) * way + shift
                 near = [
-                    one for one in own.holes if np.abs(one.bounds.mean(axis=0) - middle).max() < 10 * SAME_MM
+                    candidate
+                    for candidate in layer.holes
+                    if np.abs(candidate.bounds.mean(axis=0) - middle).max() < 10 * SAME_MM
                 ]
-                if not any(_along(one, points) for one in near):
+                if not any(_along(candidate, points) for candidate in near):
                     return False
         return True
 
@@ -291,7 +297,7 @@ class Piece:
 LONGEST_WORD = 60
 """Largest number of characters of a label in a file name; file systems allow 255 bytes in all."""
 
-_DEVICE = re.compile(r"^(con|prn|aux|nul|(?:com|lpt)[0-9¹²³])(?=\.|$)", re.IGNORECASE)  # of Windows
+_DEVICE = re.compile(r"^(con|prn|aux|nul|(?:com|lpt)[0-9¹²³])(?=\.|$)", re.IGNORECASE)  # devices of Windows
 
 
 def file_word(text: str) -> str:
@@ -318,15 +324,15 @@ def distinct(names: Iterable[str]) -> list[str]:
     """
     names = list(names)
     first = {name.casefold(): i for i, name in reversed(list(enumerate(names)))}
-    taken, found = set(first), []
+    taken, unique = set(first), []
     for i, name in enumerate(names):
-        number, told = 1, name
-        while first.get(name.casefold()) != i and told.casefold() in taken:
+        number, candidate = 1, name
+        while first.get(name.casefold()) != i and candidate.casefold() in taken:
             number += 1
-            told = f"{name}-{number}"
-        taken.add(told.casefold())
-        found.append(told)
-    return found
+            candidate = f"{name}-{number}"
+        taken.add(candidate.casefold())
+        unique.append(candidate)
+    return unique
 
 
 def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tuple[Piece, ...]:

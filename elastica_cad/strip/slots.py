@@ -119,12 +119,12 @@ class Slot:
         )
 
     def mirrored(self) -> "Slot":
-        """The slot of the strip turned over about its centre line (y to -y)."""
+        """Return the slot of the strip turned over about its centre line (y to -y)."""
         path = None if self.path is None else self.path * (1.0, -1.0)
         return replace(self, side="lower" if self.side == "upper" else "upper", path=path)
 
     def center_line(self, width: Profile) -> tuple[FloatArray, FloatArray]:
-        """Points (k, 2) from the inner end to the edge and widths (k,), in a strip of that width, mm."""
+        """Return points (k, 2) from the inner end to the edge and widths (k,), mm, in a strip of this width."""
         if self.path is not None and self.widths is not None:
             return self.path, self.widths
         sign = 1.0 if self.side == "upper" else -1.0
@@ -136,7 +136,7 @@ class Slot:
 
 
 def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
-    """The open path that a cutter follows: from outside the edge inward, about the inner end, and out again.
+    """Return the open path of the cutter: from outside the edge inward, around the inner end, and out again.
 
     Parameters
     ----------
@@ -144,7 +144,7 @@ def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
     width : Profile
         Full width of the strip.
     beyond : float
-        How far the sides run on, straight, beyond the end of the centre line, mm.
+        Length of the straight extension of the sides beyond the end of the centre line, mm.
     """
     right, left = _sides(slot, width)
     first, last = right.points[0], left.points[0]
@@ -154,21 +154,21 @@ def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
 
 
 def _left_of(tangents: FloatArray) -> FloatArray:
-    """Unit normals (k, 2) to the left of tangents (k, 2)."""
+    """Return unit normals (k, 2) to the left of tangents (k, 2)."""
     normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
     return np.asarray(normals / np.hypot(*tangents.T)[:, None], dtype=float)
 
 
 @dataclass(frozen=True, eq=False)
 class _Side:
-    """A side of a slot from its inner end: points (n, 2), their spline where it is bent, the way on at its end."""
+    """A side of a slot from its inner end: points (n, 2), direction at the end, and a spline if it is bent."""
 
     points: FloatArray
     direction: FloatArray
     bent: Spline | None = None
 
     def drawn(self, beyond: float) -> list[Segment]:
-        """The side, and straight on by `beyond` mm."""
+        """Return the side, extended straight by `beyond` mm."""
         onward = self.points[-1] + self.direction * beyond / np.hypot(*self.direction)
         if self.bent is None:
             return [Line(self.points[0], onward)]
@@ -176,10 +176,10 @@ class _Side:
 
 
 def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
-    """The right and the left side, seen outward."""
+    """Return the right and the left side, seen outward."""
     points, widths = slot.center_line(width)
     t = lengths_along(points)
-    degree = min(3, len(points) - 1)  # of a spline through them
+    degree = min(3, len(points) - 1)  # degree of a spline through the points
     tangents = spline_through(t, points, degree)(t, 1)
     normals = _left_of(tangents)
     right, left = (points + sign * widths[:, None] / 2 * normals for sign in (-1, 1))
@@ -235,7 +235,7 @@ class _Opening:
 def cut_slots(
     outline: Path, holes: Sequence[Path], slots: Sequence[Slot], width: Profile, *, name: str = "strip"
 ) -> Path:
-    """The outline with its slots.
+    """Return the outline with its slots.
 
     Parameters
     ----------
@@ -245,7 +245,7 @@ def cut_slots(
     width : Profile
         Full width of the strip.
     name : str
-        What messages call the part.
+        Name of the part in messages.
 
     Raises
     ------
@@ -279,7 +279,7 @@ class _Edge:
         self.owner = np.repeat(np.arange(len(self.chords)), [len(c.points) - 1 for c in self.chords])
 
     def opening(self, slot: Slot, width: Profile, name: str) -> _Opening:
-        """Find where the slot meets the edge; its sides are extended until they do."""
+        """Find where the slot meets the edge, and extend its sides up to the edge."""
         crossings: list[tuple[_Place, _Place]] = []
         chords: list[Chords] = []
         for reach in REACHES:
@@ -312,7 +312,7 @@ class _Edge:
         return _Opening(slot, first, second, tuple(cut), points)
 
     def _crossings(self, cut: Sequence[Chords]) -> list[tuple[_Place, _Place]]:
-        found: list[tuple[_Place, _Place]] = []
+        crossings: list[tuple[_Place, _Place]] = []
         for k, chords in enumerate(cut):
             low, high = chords.points.min(axis=0) - FLAT_MM, chords.points.max(axis=0) + FLAT_MM
             near = ((self.low <= high) & (self.high >= low)).all(axis=1)
@@ -321,13 +321,14 @@ class _Edge:
                 for u, v in chord_crossings(self.chords[i], chords):
                     point = chords.segment.at(v)
                     if all(
-                        np.hypot(*(cut[p.segment].segment.at(p.u) - point)) > SAME_POINT_MM for _, p in found
+                        np.hypot(*(cut[p.segment].segment.at(p.u) - point)) > SAME_POINT_MM
+                        for _, p in crossings
                     ):
-                        found.append((_Place(i, u), _Place(k, v)))
-        return found
+                        crossings.append((_Place(i, u), _Place(k, v)))
+        return crossings
 
     def spliced(self, openings: Sequence[_Opening]) -> list[Segment]:
-        """The whole loop: edge from the end of each slot to the start of the next, then that slot's cut."""
+        """Return the whole loop: the edge from each slot to the next, then the cut of the next slot."""
         chain: list[Segment] = []
         for before, after in zip([openings[-1], *openings[:-1]], openings, strict=True):
             chain += _between(self.segments, before.back, after.out)
@@ -345,7 +346,7 @@ def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segme
 
 
 def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
-    """The segment between two parameters; nothing where they differ by rounding only."""
+    """Return the segment between two parameters, or nothing if they differ only by rounding."""
     if u1 - u0 < SAME_PARAMETER and np.hypot(*(segment.at(u1) - segment.at(u0))) < SAME_POINT_MM:
         return []
     return [trim_segment(segment, u0, u1)]
@@ -389,7 +390,7 @@ COARSE_MM = 0.02
 
 
 def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:
-    """Corners (4, 2) of all strokes of a text, moved out by `distance` mm, anticlockwise."""
+    """Return the corners (4, 2) of a text's box, anticlockwise, moved out by `distance` mm."""
     long = text.length
     low, high = text_span(text.text, text.height)
     flat = np.array([[0, low], [long, low], [long, high], [0, high]])
@@ -489,15 +490,15 @@ def mating_marks(
     rims = [Cut(slot_cut(slot, width, beyond=slot.width), "inside") for slot in slots]
     cuts = Cuts(holes, marks, slots=rims)
     boxes = [box_about(_text_box(text)) for text in taken]
-    found = []
+    texts = []
     for slot, rim in zip(slots, rims, strict=True):
         for text in _choices(slot, rim.points, width) if slot.mate else ():
             box = _text_box(text)
             if _clear(box, width, boxes, cuts):
-                found.append(text)
+                texts.append(text)
                 boxes.append(box_about(box))
                 break
-    return tuple(found)
+    return tuple(texts)
 
 
 def end_numbers(
@@ -509,10 +510,10 @@ def end_numbers(
     omitted.
     """
     boxes, numbers = [box_about(_text_box(text)) for text in taken], []
-    for number, end, way in ((names[0], 0.0, 1.0), (names[1], width.length, -1.0)):
+    for number, end, direction in ((names[0], 0.0, 1.0), (names[1], width.length, -1.0)):
         for height, off in product(LETTER_HEIGHTS_MM, NUMBER_PLACES_MM) if number else ():
             long = text_width(number, height)
-            x = end + way * (off + max(height, long) / 2) - long / 2
+            x = end + direction * (off + max(height, long) / 2) - long / 2
             text = Text((float(x), -height / 2), number, height, layer=ENGRAVE)
             if _clear(_text_box(text), width, boxes, cuts):
                 numbers.append(text)
@@ -540,7 +541,7 @@ def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, fl
     tried = (
         (text(off, share), near) for near in LABEL_DISTANCES_MM for share in LABEL_SHARES for off in ways
     )
-    clear = (one for one, near in tried if _clear(_text_box(one, near), width, (), cuts))
+    clear = (candidate for candidate, near in tried if _clear(_text_box(candidate, near), width, (), cuts))
     return next(clear, text(0.0, 1.0))
 
 
@@ -565,7 +566,7 @@ def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: 
         for tab in tabs
         for at in places
     )
-    clear = (one for one, near in tried if cuts.clear_of(_text_box(one, near)))
+    clear = (candidate for candidate, near in tried if cuts.clear_of(_text_box(candidate, near)))
     return next(clear, text(tabs[0], 1.0, 0.5, 0.0))
 
 

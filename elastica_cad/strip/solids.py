@@ -46,13 +46,13 @@ def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
 
 def _with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Frame]:
     """Return the joints, and for every hole two more on the strip's faces: "hole1:top", "hole1:bottom"."""
-    found = dict(joints)
+    frames = dict(joints)
     for name, frame in joints.items():
         if name.startswith("hole"):
-            found[f"{name}:top"] = frame.shifted(z=thickness / 2)
+            frames[f"{name}:top"] = frame.shifted(z=thickness / 2)
             below = frame.shifted(z=-thickness / 2)
-            found[f"{name}:bottom"] = Frame(below.origin, below.x_axis, -below.y_axis)
-    return found
+            frames[f"{name}:bottom"] = Frame(below.origin, below.x_axis, -below.y_axis)
+    return frames
 
 
 def turned(frame: Frame, way: int) -> Frame:
@@ -164,8 +164,10 @@ class FlatSolid:
     def is_prism(self) -> bool:
         """True if a kernel can extrude the face; programs misread walls along splines with many spans."""
         segments = (segment for loop in (self.outline, *self.holes) for segment in loop.segments)
-        splines = [one for one in segments if isinstance(one, Spline) and not one.curve.is_rational]
-        many = [one for one in splines if knot_runs(one.curve.knots)[0].size > FEW_SPANS + 1]
+        splines = [
+            spline for spline in segments if isinstance(spline, Spline) and not spline.curve.is_rational
+        ]
+        many = [spline for spline in splines if knot_runs(spline.curve.knots)[0].size > FEW_SPANS + 1]
         return not many or _misread_area(many) <= EVEN_SHARE * self.area
 
     @cached_property
@@ -260,12 +262,12 @@ class BentSolid:
         are on the strip's faces, z outward.
         """
         stations = [0.0, *(float(part.knots[-1]) for part in self.maps if isinstance(part, BentMap))]
-        found = {}
+        frames = {}
         for name, (x, y, way) in self.places.items():
             shape = self.maps[int(np.searchsorted(stations, x))]
             tangent = shape.frame_at(x) if isinstance(shape, BentMap) else shape
-            found[name] = turned(tangent.shifted(x, y), way)
-        return _with_faces(found, self.between) if self.between else found
+            frames[name] = turned(tangent.shifted(x, y), way)
+        return _with_faces(frames, self.between) if self.between else frames
 
     @cached_property
     def boundary(self) -> Boundary:
@@ -330,7 +332,7 @@ class BentSolid:
 
     @classmethod
     def _ring(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
-        """A closed strip without its lap, its ends a hair apart: kernels cannot cut a body that touches itself."""
+        """Return a closed strip without its lap, with a small gap, because kernels fail on bodies that touch."""
         half, layer = strip.sheet.thickness / 2, strip.layers[0]
         outline = clip_across(layer.outline, 0.0, strip.rod.length - JOINT_GAP_MM)
         return cls.wrapped(
@@ -345,7 +347,7 @@ class BentSolid:
 
     @classmethod
     def _lap(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
-        """The tab that closes a strip, behind its start."""
+        """Return the tab that closes a strip, behind its start."""
         width, thickness = strip.end_widths[1], strip.sheet.thickness
         tab = fix_tab_widths(strip.width, strip.ends)[1]
         inside = -1.0 if strip.rod.curvature[0] > 0 else 1.0
@@ -400,10 +402,10 @@ class BentSolid:
         loops = [in_smooth_pieces(loop) for loop in (outline, *several("holes", holes, Path, "Path"))]
         pattern = cut_across(loops[0], loops[1:], stations)
         maps: tuple[Map, ...] = (bent[0].frame_at(0.0), *bent, bent[-1].frame_at(rod.length))
-        made = cls(pattern, maps, (lower, upper), frame, {} if joints is None else joints, between)
-        if not made.boundary.is_closed:
+        solid = cls(pattern, maps, (lower, upper), frame, {} if joints is None else joints, between)
+        if not solid.boundary.is_closed:
             raise InputError("the flat pattern's loops cross or touch: the bent strip has no closed skin")
-        return made
+        return solid
 
 
 def glued(records: Sequence["BodyRecord | PrismSolid"]) -> "tuple[BodyRecord | PrismSolid, ...]":
@@ -469,14 +471,14 @@ class PrismSolid:
 
     def __post_init__(self) -> None:
         for name in ("added", "removed"):
-            found = several(f"the {name} prisms", getattr(self, name), FlatSolid, "FlatSolid")
-            object.__setattr__(self, name, found)
+            prisms = several(f"the {name} prisms", getattr(self, name), FlatSolid, "FlatSolid")
+            object.__setattr__(self, name, prisms)
         if not self.added:
             raise InputError("a body of prisms needs at least one prism")
 
 
 def convex_corners(points: FloatArray) -> FloatArray:
-    """Corners (n, 2), anticlockwise from the leftmost, of the least convex polygon around points (m, 2) of an area.
+    """Return the corners (n, 2) of the convex hull of points (m, 2), anticlockwise from the leftmost.
 
     Examples
     --------

@@ -134,11 +134,15 @@ class Shoulder:
     def least_tab(self) -> float:
         """Least width of a tab, mm, that is not strained beyond the limit; else the width of the strip."""
         wider = np.linspace(self.tab, self.width, 100)[1:-1]
-        tried = (replace(self, tab=float(one), strain=self.strain * self.tab / float(one)) for one in wider)
-        return next((rounded_up(one.tab, 3) for one in tried if one.verdict.allowed), self.width)
+        tried = (
+            replace(self, tab=float(width), strain=self.strain * self.tab / float(width)) for width in wider
+        )
+        return next(
+            (rounded_up(shoulder.tab, 3) for shoulder in tried if shoulder.verdict.allowed), self.width
+        )
 
     def __str__(self) -> str:
-        """One sentence."""
+        """Return a sentence on the strain of the tab."""
         judged, bears = self.verdict, self.sheet.max_strain
         peak = judged.used * bears
         strain, limit = told_apart(100 * peak, 100 * bears, ".2g")
@@ -154,23 +158,23 @@ class Shoulder:
 
 
 def _find_shoulders(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) -> tuple[Shoulder, ...]:
-    """The ends of a strip, with its strains, whose tabs are too narrow for the moment there."""
+    """Return the ends of a strip whose tabs are too narrow for the moment there."""
     if layout.size is not None:  # not cut from a sheet: a tab is as wide as the strip
         return ()
-    found = []
+    shoulders = []
     for at, tab, station in zip((0.0, layout.width.length), ends, (0, -1), strict=True):
         width = float(layout.width(at))
         if not tab.length or tab.width is None or tab.width > width - SHOULDER_MM:
             continue
         widths = np.array([layout.material(at), tab.width])
         glued = None if layout.backing is None else np.array([layout.backing.width(at), tab.width])
-        own, narrow = layout.stiffness(widths, glued).tolist()
-        found += [
-            Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * own / narrow)
+        wide, narrow = layout.stiffness(widths, glued).tolist()
+        shoulders += [
+            Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * wide / narrow)
             for layer in strains
             if layer.strain[station] <= layer.limit  # else the end itself is reported, which no tab can help
         ]
-    return tuple(one for one in found if not one.verdict.allowed)
+    return tuple(shoulder for shoulder in shoulders if not shoulder.verdict.allowed)
 
 
 LINEAR_CREEP_SHARE = 0.5
@@ -185,12 +189,12 @@ UNEVEN_JOINT_MM = 0.05
 
 def _tell_breadth(width: Profile, tapered: dict[str, Profile], digits: str) -> str:
     """Return the width of a strip in words, with the thickness if it varies."""
-    told: dict[str, Any] = {
+    spans: dict[str, Any] = {
         name: Span.of(*size.extremes, digits) for name, size in {"width": width, **tapered}.items()
     }
-    if "diameter" in told:
-        return note("{diameter} in diameter", diameter=told["diameter"])
-    return note("{width} wide, {thickness} thick" if "thickness" in told else "{width} wide", **told)
+    if "diameter" in spans:
+        return note("{diameter} in diameter", diameter=spans["diameter"])
+    return note("{width} wide, {thickness} thick" if "thickness" in spans else "{width} wide", **spans)
 
 
 def _mark_on_backing(curvature: FloatArray) -> str:
@@ -211,7 +215,7 @@ def _tell_backing(mark: str) -> str:
     """Return a sentence on the side of the bend with the backing; empty for a straight strip."""
     if not mark:
         return ""
-    said = {
+    texts = {
         "INSIDE": "bent, the backing lies inside: {mark} is engraved on both sheets, on the faces that look "
         "there",
         "OUTSIDE": "bent, the backing lies outside: {mark} is engraved on both sheets, on the faces that "
@@ -223,11 +227,11 @@ def _tell_backing(mark: str) -> str:
         "files), on the other side of the bend beyond each inflection: {mark} is "
         "engraved on both sheets",
     }
-    return note(said[mark], mark=mark)
+    return note(texts[mark], mark=mark)
 
 
 def _tell_joint(lap: float, width: float, held: Reactions, place: str) -> str:
-    """Sentence on how a closed strip is joined at a place of this width, mm, and what the joint carries."""
+    """Return a sentence on the joint of a closed strip, `width` mm wide, and its load."""
     how = (
         note("glue its tab of {lap}, bent as drawn, behind its start", lap=Length(lap))
         if lap
@@ -241,7 +245,7 @@ def _tell_joint(lap: float, width: float, held: Reactions, place: str) -> str:
 
 
 def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
-    """Layers strained beyond what their sheets bear."""
+    """Warn of layers strained beyond the limits of their sheets."""
     bend = bends.amount
     for layer in strains:
         at = layer.station
@@ -260,7 +264,7 @@ def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[s
 
 
 def _warn_of_width(width: Profile, length: float, *, closed: bool) -> Iterator[str]:
-    """Ends that do not match where a strip closes, and strips wider than long."""
+    """Warn of ends of a closed strip that do not match, and of strips wider than long."""
     start, end = width([0.0, length]).tolist()
     if closed and abs(end - start) > UNEVEN_JOINT_MM:
         yield note(
@@ -282,16 +286,16 @@ def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], be
     """Warn of plywood bent more sharply than its published radii, if its strain gave no warning."""
     bend = bends.amount
     tightest = int(np.argmax(bend))
-    for one, layer in zip(layers, strains, strict=False):
-        least = one.sheet.published_radius
+    for cut, layer in zip(layers, strains, strict=False):
+        least = cut.sheet.published_radius
         if least is not None and layer.judged().allowed and bend[tightest] * least > 1 + TOLD_TO:
             at = bends.place(tightest)
             yield note(
                 "it bends to a radius of {radius} at {at} from the start, but plywood of {thickness:g} "
                 "bends to {least} at least {grain} the face grain ({source}); use a thinner sheet or a "
                 "gentler curve",
-                radius=Length(1 / bend[tightest]), at=Length(at), thickness=Length(one.sheet.thickness),
-                least=Length(least), grain=note(one.sheet.grain), source=PLYWOOD_SOURCE, severity="warning",
+                radius=Length(1 / bend[tightest]), at=Length(at), thickness=Length(cut.sheet.thickness),
+                least=Length(least), grain=note(cut.sheet.grain), source=PLYWOOD_SOURCE, severity="warning",
             )  # fmt: skip
 
 
@@ -317,7 +321,7 @@ def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Cre
 
 
 def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
-    """The verdict on a rod that is made by a layout; its slots are left out."""
+    """Return the sideways stability of a rod with a layout, without slots."""
     sheet, ratio = layout.sheet, layout.sheet.shear_ratio
     s = stations_of_sideways(rod)
     K, width = np.interp(s, rod.s, rod.flat_stiffness), layout.width(s)
@@ -340,7 +344,7 @@ def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
 
 
 FINE_EDGES = 1600
-"""Least number of edges of the rod that is bent as built, so that its own error is negligible."""
+"""Least number of edges of the rod that is bent as built, for a negligible error."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -608,16 +612,16 @@ class Strip:
     @cached_property
     def warnings(self) -> tuple[str, ...]:
         """Warnings of the rod and the style, and strains beyond a limit."""
-        found = (
+        warnings = (
             *self.rod.warnings,
             *self.layout.warnings,
             *self.strain_warnings,
             *_warn_of_width(self.width, self.rod.length, closed=self.is_closed),
         )
         if self.layout.size is not None:
-            return found
+            return warnings
         creeps = _warn_of_creep(self.creep, self.most_strained, lambda: self.crept) if self.creep else ()
-        return (*found, *_warn_of_plywood(self.layers, self.strains, self._bends), *creeps)
+        return (*warnings, *_warn_of_plywood(self.layers, self.strains, self._bends), *creeps)
 
     @cached_property
     def crept(self) -> Creep | None:
@@ -630,9 +634,9 @@ class Strip:
         """
         if not self.creep:
             return None
-        found = creep(self.rod, self.creep)
+        crept = creep(self.rod, self.creep)
         sheets = {layer.sheet for layer in self.layers}
-        return found if len(sheets) == 1 else replace(found, exact=False)
+        return crept if len(sheets) == 1 else replace(crept, exact=False)
 
     @property
     def area(self) -> float:
@@ -714,8 +718,8 @@ class Strip:
         for seat in (start, end):
             if seat is not None:
                 require_record(seat, TabSeat, "a holder", "a TabSeat, or None")
-        asked = self.as_made if self.correction is None else replace(self, correction=None).as_made
-        return self.as_made.held((start, end), asked, self.tolerance)
+        uncorrected = self.as_made if self.correction is None else replace(self, correction=None).as_made
+        return self.as_made.held((start, end), uncorrected, self.tolerance)
 
     @cached_property
     def held_deviation(self) -> float:
@@ -836,7 +840,7 @@ def require_placed(placed: object) -> tuple[Placed, ...]:
 
 def strip_names(placed: Sequence[Placed]) -> tuple[str, ...]:
     """Return the name of each strip in messages: its label, or its number from 1."""
-    return tuple(one.strip.label or f"strip {i}" for i, one in enumerate(placed, start=1))
+    return tuple(item.strip.label or f"strip {i}" for i, item in enumerate(placed, start=1))
 
 
 def distinct_names(placed: Sequence[Placed]) -> tuple[str, ...]:

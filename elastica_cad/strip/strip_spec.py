@@ -76,16 +76,16 @@ def pull_in_plane(given: AskedGravity, sheet: Sheet, frame: Frame | None) -> tup
             "numbers, the direction in the drawing",
             where={"field": "gravity"},
         )
-    own = sheet.elasto_gravity_length
-    felt = Gravity.in_plane(own, direction, frame.x_axis, frame.y_axis)
-    return felt, 1.0 if felt is None else (own / felt.length) ** 3
+    length = sheet.elasto_gravity_length
+    felt = Gravity.in_plane(length, direction, frame.x_axis, frame.y_axis)
+    return felt, 1.0 if felt is None else (length / felt.length) ** 3
 
 
 def _lightened(loads: Loads, share: float) -> Loads:
     """Return the masses multiplied by `share`; a weight in newtons is not changed."""
     if isinstance(loads, Weight):
         return loads
-    return tuple(replace(one, mass=share * one.mass) for one in loads)
+    return tuple(replace(load, mass=share * load.mass) for load in loads)
 
 
 def _hung_weight(loads: Loads, share: float) -> Weight | None:
@@ -99,14 +99,14 @@ def _hung_weight(loads: Loads, share: float) -> Weight | None:
 def _direction(given: object) -> tuple[float, ...]:
     """Return the two or three numbers of the direction of gravity."""
     row = tuple(given) if isinstance(given, Sequence | np.ndarray) and not isinstance(given, str) else ()
-    if len(row) not in (2, 3) or not all(is_number(one) for one in row) or not any(row):
+    if len(row) not in (2, 3) or not all(is_number(number) for number in row) or not any(row):
         raise InputError(
             f"gravity is {given!r}: give True, a Gravity record, or the direction in which things "
             "fall as two numbers in the drawing or three in space, not all zero, such as (0, -1) or "
             "(0, 0, -1)",
             where={"field": "gravity"},
         )
-    return tuple(float(one) for one in row)
+    return tuple(float(number) for number in row)
 
 
 NEAREST_CALL = (
@@ -501,22 +501,22 @@ class StripSpec(EqualByValue):
 
     @property
     def material(self) -> Sheet:
-        """The sheet, also where its name was given."""
+        """Sheet, also if only its name was given."""
         return self.sheet if isinstance(self.sheet, Sheet) else Sheet.named(self.sheet)
 
     @cached_property
     def gravity_in_plane(self) -> Gravity | None:
-        """Gravity as the rod feels it in the plane of its curve."""
+        """Gravity that acts on the rod in the plane of its curve."""
         return self._pulled[0]
 
     @cached_property
     def _pulled(self) -> tuple[Gravity | None, float]:
-        """Gravity in the plane of the curve, and the share of a weight that acts there."""
+        """Gravity in the plane of the curve, and the fraction of a weight that acts there."""
         return pull_in_plane(self.gravity, self.material, self.frame)
 
     @property
     def in_plane(self) -> "StripSpec":
-        """The same request in the plane of the curve alone, without its frame in space."""
+        """Equivalent request in the plane of the curve, without a frame in space."""
         if self.frame is None:
             return self
         gravity, share = self._pulled
@@ -582,15 +582,15 @@ class StripSpec(EqualByValue):
     @property
     def tabs_told(self) -> Refusal | None:
         """Note on straight ends that became tabs, and on circles on them; None without straight ends."""
-        told = self.run_ins.told
+        message = self.run_ins.told
         drilled = sum(
-            len(made.holes) - len(own.holes) for made, own in zip(self.tabs, self.ends, strict=True)
+            len(tab.holes) - len(requested.holes) for tab, requested in zip(self.tabs, self.ends, strict=True)
         )
-        if told is None or not drilled:
-            return told
+        if message is None or not drilled:
+            return message
         return note(
             "{tabs} Circles drawn on them became holes: {count}.",
-            tabs=told,
+            tabs=message,
             count=drilled,
             severity="warning",
         )
@@ -697,9 +697,9 @@ class StripSpec(EqualByValue):
             rod = replace(rod, section=self._width_law)
         if isinstance(self.style, Laminated):  # the style computes the section for the stiffness of the rod
             rod = replace(rod, section=None)
-        told = self.tabs_told
-        notes = (*([] if told is None else [told]), *self.rod_spec.smoothing.notes)
-        made = Strip(
+        tabs_note = self.tabs_told
+        notes = (*([] if tabs_note is None else [tabs_note]), *self.rod_spec.smoothing.notes)
+        strip = Strip(
             replace(rod, warnings=(*rod.warnings, *notes)) if notes else rod,
             self.material,
             max_width=self.max_width,
@@ -713,7 +713,7 @@ class StripSpec(EqualByValue):
             tolerance=self.tolerance,
         )
         return make_within(
-            made, self.shop, compensate=bool(self.compensate), ignore_limits=self.ignore_limits,
+            strip, self.shop, compensate=bool(self.compensate), ignore_limits=self.ignore_limits,
             wavers=measured_points(self.curve) is not None,
         )  # fmt: skip
 

@@ -232,7 +232,7 @@ class Plain:
     def laid_out(
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> Layout:
-        """One of the widths sets the scale; a rod that knows its bending stiffness sets it itself."""
+        """Return the layout; a width sets the scale, unless the rod has a bending stiffness."""
         require_laid_out(rod, sheet, max_width, min_width)
         if rod.section is not None:
             sized = _of_section(rod, rod.section, sheet)
@@ -252,7 +252,7 @@ class Plain:
 
 
 def require_style(style: object) -> None:
-    """Refuse what lays out no strip."""
+    """Refuse a value that is not a style."""
     if not callable(getattr(style, "laid_out", None)):
         raise InputError(
             f"style is {style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)"
@@ -260,7 +260,7 @@ def require_style(style: object) -> None:
 
 
 def require_laid_out(rod: object, sheet: object, *widths: object) -> None:
-    """Refuse what no style lays out."""
+    """Refuse arguments of `Style.laid_out` of wrong types."""
     require_record(rod, Rod, "what is laid out", "a Rod")
     require_record(sheet, Sheet, "the sheet", "a Sheet")
     for width in widths:
@@ -295,7 +295,7 @@ def _within(
 
 
 def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
-    """The sizes that a section needs: as wide as a tapered strip is, or as its width or diameter comes out."""
+    """Return the layout for a section: given width of a tapered strip, or computed width or diameter."""
     profile = rod.profile
     if (stack := section.stack) is not None:
         B = rod.bending_stiffness or 1.0
@@ -370,8 +370,8 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
 def refine_stations(s: FloatArray, *values: FloatArray) -> FloatArray:
     """Return the stations (n,) with finer stations about the local extremes of `values` (n,)."""
     turns = [np.flatnonzero(np.diff(np.sign(np.diff(value)))) + 1 for value in values]
-    found = np.unique(np.concatenate([[0, s.size - 1], *turns]).astype(int))[:MOST_EXTREMES]
-    before, after = s[np.maximum(found - 1, 0)], s[np.minimum(found + 1, s.size - 1)]
+    extremes = np.unique(np.concatenate([[0, s.size - 1], *turns]).astype(int))[:MOST_EXTREMES]
+    before, after = s[np.maximum(extremes - 1, 0)], s[np.minimum(extremes + 1, s.size - 1)]
     return np.unique(np.concatenate([s, np.linspace(before, after, 65).ravel()]))
 
 
@@ -385,10 +385,10 @@ def correct_layout(
     style: Style, rod: Rod, sheet: Sheet, correction: Profile, **widths: float | None
 ) -> Layout:
     """Return the layout of a style for a rod whose stiffness is multiplied by a correction."""
-    asked = rod.profile
+    drawn = rod.profile
     corrected = Profile.fit(
-        lambda s: asked(s) * correction(s), rod.length, breaks=asked.breaks, knots=correction.knots,
-        tolerance=CORRECTION_TOLERANCE * float(asked.extremes[1]),
+        lambda s: drawn(s) * correction(s), rod.length, breaks=drawn.breaks, knots=correction.knots,
+        tolerance=CORRECTION_TOLERANCE * float(drawn.extremes[1]),
     )  # fmt: skip
     layout = style.laid_out(rod.with_stiffness(corrected), sheet, **widths)
     # E I for K = 1 of the original rod; `with_stiffness` scaled the least corrected K to 1

@@ -16,7 +16,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length, note
 
 STEEPEST_RAD = np.radians(80.0)
-"""A tab that can turn this far counts as not held."""
+"""Turn, rad, from which on a tab counts as not held."""
 
 STOP_RAD = np.radians(0.05)
 """Step of the tried turns, rad."""
@@ -72,7 +72,7 @@ class TabSeat:
 
     @classmethod
     def pocket(cls, length: float, thickness: float, play: float, *, name: str = "pocket") -> "TabSeat":
-        """A straight pocket around the tab with `play` mm on either face.
+        """Return a straight pocket around the tab with `play` mm on either face.
 
         Raises
         ------
@@ -136,10 +136,10 @@ class TabSeat:
         """Return the second derivatives (k, 2, 2) of `gaps` by shift and turn."""
         cos, sin = np.cos(turn), np.sin(turn)
         into, left, side = self.edges
-        found = np.zeros((side.size, 2, 2))
-        found[:, 0, 1] = found[:, 1, 0] = sin * side
-        found[:, 1, 1] = side * (way * into * sin - (left - shift) * cos)
-        return found
+        second = np.zeros((side.size, 2, 2))
+        second[:, 0, 1] = second[:, 1, 0] = sin * side
+        second[:, 1, 1] = side * (way * into * sin - (left - shift) * cos)
+        return second
 
     @cached_property
     def turning(self) -> tuple[float, float]:
@@ -147,7 +147,7 @@ class TabSeat:
         return -self._stop(-1), self._stop(1)
 
     def _stop(self, sense: int) -> float:
-        # at way = +1 the outward direction is the strip's, so turns are the tab's own
+        # for way = +1 the outward direction is the strip's direction, so turns are the tab's turns
         turn = np.arange(0.0, STEEPEST_RAD, STOP_RAD)
         cos, sin = np.cos(sense * turn)[:, None], np.sin(sense * turn)[:, None]
         (a, b), (c, d) = self.left.T, self.right.T
@@ -359,8 +359,8 @@ def rest_in_seats(
         if np.abs(step).max() > RENEWED_SHARE * design.length:
             stiffness = problem.end_stiffness(q, rod)
         firm = _made_definite(stiffness - problem.wall_bends(q, pushes))
-        found = problem.step(q, rod, firm, price=price, reach=reach)
-        before, step, pushes = step, found.x, found.row_multipliers * np.abs(firm).max()
+        solution = problem.step(q, rod, firm, price=price, reach=reach)
+        before, step, pushes = step, solution.x, solution.row_multipliers * np.abs(firm).max()
         moved = np.abs(step).max()
         settled = moved <= SETTLED_SHARE * design.length and moved < reach
         # take shorter steps after a step back, because shape and contacts change more than a step can predict
@@ -381,8 +381,8 @@ def rest_in_seats(
             "or glue"
         )
     poses = [EndPose(), EndPose()]
-    for one, part in problem.parts(q):
-        poses[one.index] = EndPose(*problem.pose(part))
+    for end, part in problem.parts(q):
+        poses[end.index] = EndPose(*problem.pose(part))
     return rod, (poses[0], poses[1])
 
 
@@ -400,16 +400,18 @@ class _Held:
     @cached_property
     def slices(self) -> list[slice]:
         """Slices of q with the unknowns of each end."""
-        ends = np.cumsum([2 + one.pieces for one in self.seated]).tolist()
-        return [slice(end - 2 - one.pieces, end) for one, end in zip(self.seated, ends, strict=True)]
+        ends = np.cumsum([2 + seated_end.pieces for seated_end in self.seated]).tolist()
+        return [
+            slice(end - 2 - seated_end.pieces, end) for seated_end, end in zip(self.seated, ends, strict=True)
+        ]
 
     def parts(self, q: FloatArray) -> list[tuple[SeatedEnd, FloatArray]]:
-        return [(one, q[own]) for one, own in zip(self.seated, self.slices, strict=True)]
+        return [(end, q[columns]) for end, columns in zip(self.seated, self.slices, strict=True)]
 
     @cached_property
     def poses(self) -> list[int]:
         """Indices in q of shifts and turns."""
-        return [own.start + k for own in self.slices for k in (0, 1)]
+        return [columns.start + k for columns in self.slices for k in (0, 1)]
 
     def pose(self, part: FloatArray) -> tuple[float, float]:
         return float(part[0]), float(part[1]) / self.design.length
@@ -418,17 +420,17 @@ class _Held:
         design = self.design
         places = [design.position[0], design.position[-1]]
         angles = [float(design.angle[0]), float(design.angle[-1])]
-        for one, part in self.parts(q):
+        for seated_end, part in self.parts(q):
             shift, turn = self.pose(part)
-            places[one.index] = places[one.index] + shift * one.left(design)
-            angles[one.index] += turn
+            places[seated_end.index] = places[seated_end.index] + shift * seated_end.left(design)
+            angles[seated_end.index] += turn
         held = [angle if end.angle else None for angle, end in zip(angles, design.supports.ends, strict=True)]
         return bend(near, start=places[0], end=places[1], angles=(held[0], held[1]))
 
     def reactions(self, rod: Rod) -> FloatArray:
         """Return forces and moments of the holders on the strip along shift and turn of each end, over B, 1/mm2."""
-        found = [one.load(rod, one.left(self.design), self.design.length) for one in self.seated]
-        return np.array(found).ravel()
+        loads = [end.load(rod, end.left(self.design), self.design.length) for end in self.seated]
+        return np.array(loads).ravel()
 
     def end_stiffness(self, q: FloatArray, rod: Rod) -> FloatArray:
         """Return the derivatives of the reactions, 1/mm3."""
@@ -439,27 +441,30 @@ class _Held:
 
     def without_room(self, q: FloatArray) -> str:
         """Return the message about the tab with the largest overlap."""
-        each = [(one, float(one.walls(part, self.design.length)[1].min())) for one, part in self.parts(q)]
-        one, gap = min(each, key=lambda pair: pair[1])
-        end = "end" if one.index else "start"
+        each = [
+            (seated_end, float(seated_end.walls(part, self.design.length)[1].min()))
+            for seated_end, part in self.parts(q)
+        ]
+        seated_end, gap = min(each, key=lambda pair: pair[1])
+        end = "end" if seated_end.index else "start"
         return note(
             "the tab at the {end} does not go into its {seat}: however it turns and bends, {depth:.2g} of "
             "it stand in the material; give it more play",
-            end=end, seat=one.seat.name, depth=Length(-gap),
+            end=end, seat=seated_end.seat.name, depth=Length(-gap),
         )  # fmt: skip
 
     def wall_bends(self, q: FloatArray, pushes: FloatArray) -> FloatArray:
         """Return the second derivatives, 1/mm3, of the gaps times the contact forces (k,) over B."""
-        found, at, scale = [], 0, np.array([1.0, 1 / self.design.length])
-        for one, part in self.parts(q):
-            bends = one.seat.bends(*self.pose(part), one.way) * np.outer(scale, scale)
-            found.append(np.einsum("k,kij->ij", pushes[at : at + len(bends)], bends))
+        blocks, at, scale = [], 0, np.array([1.0, 1 / self.design.length])
+        for end, part in self.parts(q):
+            bends = end.seat.bends(*self.pose(part), end.way) * np.outer(scale, scale)
+            blocks.append(np.einsum("k,kij->ij", pushes[at : at + len(bends)], bends))
             at += len(bends)
-        return _block_diagonal(found)
+        return _block_diagonal(blocks)
 
     def walls(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return slopes (k, n) by q and gaps (k,), mm, between tabs and edges; overlaps are negative."""
-        rows, room = zip(*(one.walls(part, self.design.length) for one, part in self.parts(q)), strict=True)
+        rows, room = zip(*(end.walls(part, self.design.length) for end, part in self.parts(q)), strict=True)
         return _block_diagonal(rows), np.concatenate(room)
 
     def step(
@@ -475,7 +480,7 @@ class _Held:
         length = self.design.length
         # energy of the tabs over B in q, 1/mm3, then energy of the rod in the poses
         H = _block_diagonal(
-            [_block_diagonal([np.zeros((2, 2)), one.bending / length**2]) for one in self.seated]
+            [_block_diagonal([np.zeros((2, 2)), end.bending / length**2]) for end in self.seated]
         )
         g = H @ q
         g[self.poses] = self.reactions(rod)

@@ -1,4 +1,4 @@
-"""Bodies of strips whose thickness varies: side views that the width extrudes, and round rods and tubes."""
+"""Bodies of strips of varying thickness: extruded side views, and round rods and tubes."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -77,7 +77,7 @@ def side_view(strip: Strip, *, bent: bool = False) -> Path:
 
 
 def _frames(strip: Strip, bent: bool) -> tuple[FloatArray, FloatArray]:
-    """Positions and directions (2, 2) of the two ends of the free part."""
+    """Return positions and directions (2, 2) of the two ends of the free part."""
     if not bent:
         return np.array([[0.0, 0.0], [strip.rod.length, 0.0]]), np.array([[1.0, 0.0], [1.0, 0.0]])
     nodes = strip.rod.curve.at(np.array([0.0, strip.rod.curve.length]))
@@ -85,13 +85,13 @@ def _frames(strip: Strip, bent: bool) -> tuple[FloatArray, FloatArray]:
 
 
 def _flat_face(size: Profile, side: int) -> PlaneCurve:
-    """One face of the flat strip: half the thickness is exactly a spline over its Greville abscissae."""
+    """Return a face of the flat strip: half the thickness is exactly a spline over its Greville abscissae."""
     points = np.column_stack([size.greville, side * size.coefficients / 2])
     return PlaneCurve(size.knots, points, size.degree)
 
 
 def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
-    """The curve half a thickness off the strip's own."""
+    """Return the curve at half a thickness from the strip's curve."""
     curve, length = strip.rod.curve, strip.rod.length
     tight = np.abs(strip.rod.curvature) * size(strip.rod.s) / 2
     if tight.max() >= 1:
@@ -148,14 +148,14 @@ class RoundSolid:
         stations = [*([-first] if first else []), 0.0, length, *([length + last] if last else [])]
         pieces = [self._spine(a, b) for a, b in pairwise(stations)]
         shares = (1.0, self.bore) if self.bore else (1.0,)
-        made = _Skins()
-        rings = [made.skin(pieces, share, self.frame, outward=share == 1.0) for share in shares]
+        skins = _Skins()
+        rings = [skins.skin(pieces, share, self.frame, outward=share == 1.0) for share in shares]
         for end, station in ((0, stations[0]), (-1, stations[-1])):
-            made.cap([ring[end] for ring in rings], self._cross(station), at_start=end == 0)
-        return Boundary(np.array(made.vertices), tuple(made.edges), tuple(made.faces))
+            skins.cap([ring[end] for ring in rings], self._cross(station), at_start=end == 0)
+        return Boundary(np.array(skins.vertices), tuple(skins.edges), tuple(skins.faces))
 
     def _at(self, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Axis (n, 2), normal (n, 2) and radius (n,); beyond the ends straight and even."""
+        """Return axis (n, 2), normal (n, 2) and radius (n,); the ends are extended as straight cylinders."""
         length, size = self.strip.rod.length, self.strip.layout.size
         assert size is not None
         within = np.clip(s, 0.0, length)
@@ -170,7 +170,7 @@ class RoundSolid:
         return axis, np.column_stack([-tangent[:, 1], tangent[:, 0]]), size(within) / 2
 
     def _spine(self, start: float, end: float) -> tuple[FloatArray, FloatArray]:
-        """Knots and rows (m, 5) of a spline of axis, radius times normal, and radius."""
+        """Return knots and rows (m, 5) of a spline of axis, radius times normal, and radius."""
         size, curve, length = self.strip.layout.size, self.strip.rod.curve, self.strip.rod.length
         breaks = [] if size is None else list(size.breaks)
         if self.bent:
@@ -186,13 +186,13 @@ class RoundSolid:
         return adaptive_spline(spine, (start, end), degree=DEGREE, tolerance=FACE_MM, breaks=inner)
 
     def _cross(self, s: float) -> Frame:
-        """The cross-section at s: x along the normal in the plane, y along the plane's own z."""
+        """Return the cross-section at s: x along the normal in the plane, y along the plane's z."""
         axis, normal, _ = self._at(np.array([s]))
         return Frame(self.frame.point(axis[0]), self.frame.direction(normal[0]), self.frame.z_axis)
 
 
 class _Skins:
-    """Vertices, edges and faces as they are made."""
+    """Builder of vertices, edges and faces."""
 
     def __init__(self) -> None:
         self.vertices: list[FloatArray] = []
@@ -202,12 +202,12 @@ class _Skins:
     def skin(
         self, pieces: list[tuple[FloatArray, FloatArray]], share: float, frame: Frame, *, outward: bool
     ) -> list[list[int]]:
-        """Faces around the axis at a share of the radius; the two edges of the ring at each station."""
+        """Add faces around the axis at a fraction of the radius, and return the two ring edges at each station."""
         around, cosines, sines = _half_turn()
         z = frame.z_axis
 
         def net(rows: FloatArray, sign: float) -> FloatArray:
-            """Control points (around, along, 3)."""
+            """Return control points (around, along, 3)."""
             axis, across = frame.point(rows[:, :2]), share * frame.direction(rows[:, 2:4])
             up = share * rows[:, 4, None] * z
             return np.asarray(axis + sign * (cosines[:, None, None] * across + sines[:, None, None] * up))

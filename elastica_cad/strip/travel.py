@@ -104,17 +104,17 @@ class Travel:
 
     @property
     def is_turn(self) -> bool:
-        """Return True if the ends turn without travel."""
+        """True if the ends turn without travel."""
         return self._movement.is_turn
 
     @property
     def unit(self) -> str:
-        """Return the unit of `path_length`: "mm" of travel, or "deg" of turn where the ends only turn."""
+        """Unit of `path_length`: "mm" of travel, or "deg" of turn if the ends only turn."""
         return "deg" if self.is_turn else "mm"
 
     @property
     def path_length(self) -> FloatArray:
-        """Return the travel (k,), mm, or where the ends only turn their turn, degrees."""
+        """Travel (k,), mm, or turn, degrees, if the ends only turn."""
         return np.degrees(self.turn) if self.is_turn else self.travel
 
     @property
@@ -123,7 +123,7 @@ class Travel:
 
     @property
     def turning_moment(self) -> FloatArray:
-        """Return the moment (k,), N mm, at the end that turns more."""
+        """Moment (k,), N mm, at the end that turns more."""
         first, last = self.rods[0].angle, self.rods[-1].angle
         start, end = np.abs(last - first)[[0, -1]] * [held.angle for held in self.rods[-1].supports.ends]
         return self.start_moment if start > end else self.end_moment
@@ -138,27 +138,29 @@ class Travel:
     @property
     def warnings(self) -> tuple[str, ...]:
         """Sentences on places where the force falls or the strip snaps, crosses itself or is overstrained."""
-        told = []
+        warnings = []
         if self.force_falls_at is not None:
-            told.append(note(
+            warnings.append(note(
                 "from {place} on the force falls: an end that is led stays there, one that a weight "
                 "pushes runs away",
                 place=self.tell_place(self.force_falls_at),
             ))  # fmt: skip
         if self.snaps_at is not None:
-            told.append(note("at {place} it snaps out of its shape", place=self.tell_place(self.snaps_at)))
+            warnings.append(
+                note("at {place} it snaps out of its shape", place=self.tell_place(self.snaps_at))
+            )
         if self.crosses_at is not None:
-            told.append(note(
+            warnings.append(note(
                 "from {place} on it crosses itself: that it touches itself there is left out",
                 place=self.tell_place(self.crosses_at),
             ))  # fmt: skip
         if self.strained_at is not None:
-            told.append(note(
+            warnings.append(note(
                 "from {place} on it is strained beyond what the sheet bears (safety {safety:.2g}): take "
                 "a thinner sheet, a longer strip or less travel",
                 place=self.tell_place(self.strained_at), safety=self.safety.min(),
             ))  # fmt: skip
-        return tuple(told)
+        return tuple(warnings)
 
     @property
     def stable(self) -> BoolArray:
@@ -213,11 +215,11 @@ class Travel:
             return None if k is None else 0.0
         step, good = dict(self.path[k - 1]), rods[k - 1]
         held = {"supports": step.pop("supports", good.supports)}
-        way = Course.of(replace(good, **held), [step])
+        course = Course.of(replace(good, **held), [step])
         low, high = 0.0, 1.0
         while high - low > RESOLUTION_SHARE:
             middle = (low + high) / 2
-            rod = bend(good, **way.asked(middle), **held, side=self.side if k == 1 else None)
+            rod = bend(good, **course.asked(middle), **held, side=self.side if k == 1 else None)
             if fails(rod):
                 high = middle
             else:
@@ -296,7 +298,7 @@ def bend_strip(
         raise InputError("the path holds no place: give the places that the end is moved to")
     B = strip.bending_stiffness
     end = np.array([rod.position[-1] - rod.position[0] for rod in rods])
-    own = strip.rod.position[-1] - strip.rod.position[0]
+    designed = strip.rod.position[-1] - strip.rod.position[0]
     movement = Movement.of([strip.rod, *rods])
     force = np.array([rod.force for rod in rods])
     moment = np.array([rod.moment for rod in rods])
@@ -307,7 +309,7 @@ def bend_strip(
         travel=movement.travel[1:], turn=movement.turn[1:],
         start_force=B * force[:, 0], end_force=end_force,
         start_moment=-B * moment[:, 0], end_moment=B * moment[:, -1],
-        force_along=np.sum(end_force * _directions(end, own), axis=1),
+        force_along=np.sum(end_force * _directions(end, designed), axis=1),
         energy=np.array([B * rod.bending_energy for rod in rods]),
         strain=np.array([strain for strain, _, _ in skins]),
         stress=np.array([stress for _, stress, _ in skins]),
@@ -322,9 +324,9 @@ def _directions(end: FloatArray, own: FloatArray) -> FloatArray:
     first = end[0] if len(end) > 1 else own
     before = np.concatenate([[first], end[:-1]])
     after = np.concatenate([end[1:], end[-1:]])
-    way = after - before
-    size = np.hypot(way[:, 0], way[:, 1])[:, None]
-    return np.asarray(np.divide(way, size, out=np.zeros_like(way), where=size > 0))
+    steps = after - before
+    size = np.hypot(steps[:, 0], steps[:, 1])[:, None]
+    return np.asarray(np.divide(steps, size, out=np.zeros_like(steps), where=size > 0))
 
 
 def _crosses_itself(rod: Rod) -> bool:

@@ -1,4 +1,4 @@
-"""Limits of a workshop, and what of a part cannot be cut or handled."""
+"""Limits of a workshop, and faults of parts that cannot be cut or handled."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -22,30 +22,32 @@ from elastica_cad.strip.styles import Plain
 
 LEAST_STRIP_MM = 3.0  # narrower strips of any sheet break when they are lifted out
 THICKNESSES = 3.0  # a strip narrower than this many thicknesses bends sideways and twists rather than flat
-LEAST_BRIDGE_MM = 2.0  # between two cuts of a plate: what the heat of two passes leaves sound
-LEAST_LIGAMENT_MM = 0.5  # lines of a laser closer than this may burn away what is between them
+LEAST_BRIDGE_MM = 2.0  # least material between two cuts of a plate that withstands the heat of two passes
+LEAST_LIGAMENT_MM = 0.5  # material between closer laser cuts may burn away
 LARGEST_PANEL_MM = (3050.0, 1525.0)  # the largest sheet of plywood and board on sale
-WIDEST_SLOT_THICKNESSES = 6.0  # of the tab: a vertical slot this wide holds a tab at no angle
-FILLED_SLOT_MM = 1.6  # a slot no wider holds a thin tab with glue on both sides
+WIDEST_SLOT_THICKNESSES = 6.0  # width of a vertical slot, in thicknesses of the tab, that cannot hold the tab
+FILLED_SLOT_MM = 1.6  # widest slot that holds a thin tab with glue on both sides
 SLENDEREST = 600.0  # length over least width, beyond which a loose strip cannot be handled flat
 
 
 @dataclass(frozen=True)
 class FabricationLimits:
-    """Limits of the workshop; what is not given follows from the sheet.
+    """Limits of the workshop; by default they depend on the sheet.
 
     Parameters
     ----------
     least_width : float, optional
-        Of a strip, a tab or a tongue, mm; where not given the sheet's own, or 3 thicknesses of it, 3 mm at least.
+        Least width of a strip, a tab or a tongue, mm. By default the sheet's own, or 3 thicknesses and at least
+        3 mm.
     least_ligament : float, optional
-        Between the holes of a perforated strip, mm; where not given the sheet's own, or 0.5 mm.
+        Least material between the holes of a perforated strip, mm. By default the sheet's own, or 0.5 mm.
     least_bridge : float, optional
-        Between the cuts of a ring or a plate, mm; where not given the sheet's own, or its thickness, 2 mm at least.
+        Least material between the cuts of a ring or a plate, mm. By default the sheet's own, or its thickness and
+        at least 2 mm.
     stock : (float, float), optional
-        Longer and shorter side of the largest sheet, mm; where not given the sheet's own, or 3050 by 1525 mm.
+        Longer and shorter side of the largest sheet, mm. By default the sheet's own, or 3050 by 1525 mm.
     lap : float, optional
-        Length of the plates that join the pieces of a strip longer than the stock, mm; without it such strips are
+        Length of the plates that join the pieces of a strip longer than the stock, mm. Without it such strips are
         refused.
 
     Raises
@@ -96,7 +98,7 @@ class FabricationLimits:
             object.__setattr__(self, "stock", (float(max(self.stock)), float(min(self.stock))))
 
     def width_for(self, sheet: Sheet) -> float:
-        """Least width of strips, tabs and tongues of a sheet, mm."""
+        """Return the least width of strips, tabs and tongues of a sheet, mm."""
         sheet = Sheet.of(sheet)
         return self.least_width or sheet.least_width or max(LEAST_STRIP_MM, THICKNESSES * sheet.thickness)
 
@@ -289,12 +291,12 @@ class _Chords:
         runs = [path if (path.area > 0) == outer else path.reversed() for path, outer in sided]
         lines = [path.points(flat) for path in runs]
         start = np.concatenate(lines)
-        way = np.concatenate([np.roll(line, -1, axis=0) - line for line in lines])
+        vectors = np.concatenate([np.roll(line, -1, axis=0) - line for line in lines])
         loop = np.repeat(np.arange(len(lines)), [len(line) for line in lines])
-        length = np.hypot(way[:, 0], way[:, 1])
-        start, way, length, loop = (each[length > 0] for each in (start, way, length, loop))
-        inward = np.column_stack([-way[:, 1], way[:, 0]]) / length[:, None]
-        return cls(start, way, length, loop, inward)
+        length = np.hypot(vectors[:, 0], vectors[:, 1])
+        start, vectors, length, loop = (each[length > 0] for each in (start, vectors, length, loop))
+        inward = np.column_stack([-vectors[:, 1], vectors[:, 0]]) / length[:, None]
+        return cls(start, vectors, length, loop, inward)
 
     def middles(self, longest: float) -> tuple[FloatArray, IntArray, FloatArray]:
         """Return the middles (n, 2) of equal parts at most `longest` mm long, their chords and places (n,) there.
@@ -345,12 +347,12 @@ class Fault:
 
 
 def _tell_faults(faults: Iterable[Fault]) -> str:
-    """Sentences that name each cure once."""
-    found: dict[tuple[str, str], list[str]] = {}
+    """Return sentences that name each cure once."""
+    by_cure: dict[tuple[str, str], list[str]] = {}
     for fault in faults:
-        found.setdefault((fault.part, fault.cure), []).append(fault.what)
-    said = (Fault(part, sentences(whats), cure) for (part, cure), whats in found.items())
-    return sentences(map(str, said), ". ", ".")
+        by_cure.setdefault((fault.part, fault.cure), []).append(fault.what)
+    merged = (Fault(part, sentences(whats), cure) for (part, cure), whats in by_cure.items())
+    return sentences(map(str, merged), ". ", ".")
 
 
 def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ...]:
@@ -398,15 +400,15 @@ def find_strip_faults(
     if isinstance(strip.style, Laminated):  # a glued backing needs no strength by itself
         leasts[1:] = [min(least, strip.style.least_backing) for least in leasts[1:]]
     ligament = shop.ligament_for(strip.sheet)
-    found: list[Fault] = []
+    faults: list[Fault] = []
     for i, (layer, least, stock) in enumerate(zip(strip.layers, leasts, stocks, strict=True)):
         called = name if i == 0 else f"{name}, backing"
         length, width = _size(strip)
         long = min(length, stock[0] if joined else np.inf)
         if max(long, width) < FAR_LARGER * stock[0]:
             web = min(least, shop.bridge_for(layer.sheet))
-            found += _thin_strip(called, strip, layer, least, web, wavers=wavers)
-        found += _too_large(called, long, width, layer.sheet, stock)
+            faults += _thin_strip(called, strip, layer, least, web, wavers=wavers)
+        faults += _too_large(called, long, width, layer.sheet, stock)
     style = strip.style
     if isinstance(style, Perforated) and style.least_ligament < ligament:
         allowed = style.least_ligament
@@ -415,7 +417,7 @@ def find_strip_faults(
             allowed=Length(allowed),
             ligament=Length(ligament),
         )
-        found.append(Fault(name, what, note("ask for wider ligaments, or fewer columns")))
+        faults.append(Fault(name, what, note("ask for wider ligaments, or fewer columns")))
     longest = min(strip.rod.length, stocks[0][0] if joined else np.inf)
     slenderest = longest / min(float(strip.width.extremes[0]), stocks[0][1])
     if slenderest > SLENDEREST:
@@ -425,8 +427,8 @@ def find_strip_faults(
             width=Length(strip.width.extremes[0]),
         )
         wider = _wider(strip, slenderest / SLENDEREST)
-        found.append(Fault(name, what, note("make it wider, or split it"), wider))
-    return tuple(found)
+        faults.append(Fault(name, what, note("make it wider, or split it"), wider))
+    return tuple(faults)
 
 
 def find_plate_faults(
@@ -437,8 +439,7 @@ def find_plate_faults(
     shop: FabricationLimits | None = None,
     called: Sequence[str] = (),
 ) -> tuple[Fault, ...]:
-    """Find what cannot be cut of a ring, a base or a rail: bridges between its cuts, and its size; `called`
-    names first holes."""
+    """Find faults of a ring, a base or a rail: thin bridges between cuts, and size; `called` names first holes."""
     shop = limits_or_default(shop)
     least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
     length, width = np.ptp(outline.bounds, axis=0)
@@ -456,10 +457,10 @@ def find_plate_faults(
 
 def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tuple[Fault, ...]:
     """Return the fault of slots that are far wider than their tabs: (name, slot width, tab thickness), mm."""
-    wide = [one for one in slots if one[1] > max(FILLED_SLOT_MM, WIDEST_SLOT_THICKNESSES * one[2])]
+    wide = [each for each in slots if each[1] > max(FILLED_SLOT_MM, WIDEST_SLOT_THICKNESSES * each[2])]
     if not wide:
         return ()
-    slot, width, through = max(wide, key=lambda one: one[1] / one[2])
+    slot, width, through = max(wide, key=lambda each: each[1] / each[2])
     what = note(
         "the slot for {slot}{more} is {width} wide for a tab of {through}, which it cannot hold",
         slot=slot, more=and_more(wide), width=Length(width), through=Length(through),
@@ -469,9 +470,7 @@ def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tu
 
 
 def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]]) -> tuple[Fault, ...]:
-    """Find strips wider than their tabs that run into the plate, from (tab, depth, thickness of the strip) of each,
-    mm.
-    """
+    """Find strips wider than their tabs that hit the plate; each is (tab, depth, strip thickness), mm."""
     return tuple(
         Fault(
             name,
@@ -488,7 +487,7 @@ def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]
 
 
 def _size(strip: Strip) -> tuple[float, float]:
-    """Length and width of the flat part, mm: its tabs included, its slots filled."""
+    """Return length and width of the flat part, mm, including tabs and slots."""
     length = strip.rod.length + sum(tab.length for tab in strip.ends)
     return length, max(float(strip.width.extremes[1]), *(tab.width or 0.0 for tab in strip.ends))
 
@@ -496,9 +495,9 @@ def _size(strip: Strip) -> tuple[float, float]:
 def _thin_strip(
     name: str, strip: Strip, layer: Layer, least: float, web: float, *, wavers: bool
 ) -> Iterator[Fault]:
-    """Necks of the strip and its tabs narrower than `least`, webs beside holes narrower than `web`, mm."""
+    """Yield faults of necks of the strip and its tabs below `least` mm, and of webs beside holes below `web` mm."""
     pattern = strip.layout.pattern is not None
-    holes = () if pattern else layer.holes  # ligaments have a limit of their own
+    holes = () if pattern else layer.holes  # ligaments have a separate limit
     places = find_thin_places([layer.outline], holes, max(least, web))
     necks = [place for place in places if place.loops == (0, 0) and place.width < least]
     free: list[ThinPlace] = []
@@ -605,7 +604,7 @@ def _too_large(
     long, short = max(length, width), min(length, width)
     if long > stock[0] or short > stock[1]:
         (its_long, long_side), (its_short, short_side) = (
-            told_apart(own, side, ".4g") for own, side in zip((long, short), stock, strict=True)
+            told_apart(size, side, ".4g") for size, side in zip((long, short), stock, strict=True)
         )
         what = note(
             "{long:g} x {short:g} is larger than the stock of {stock_long:g} x {stock_short:g} in {sheet}",
