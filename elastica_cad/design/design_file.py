@@ -1,7 +1,7 @@
-"""Design files: a whole model written down in TOML, read, checked and made.
+"""Design files: read and check the description of a model in TOML, and make the model.
 
-Every number may be a formula in quotes (see `formulae`); lengths are mm, angles rad (30 * degrees). All keys, with
-what they say, are in `keys`.
+Every number may be a formula in quotes (see `tables.Formula`). Lengths are in mm, angles in rad (30 * degrees).
+`design_schema.tables` lists all keys with their descriptions.
 """
 
 import tomllib
@@ -49,7 +49,7 @@ DESIGN_SCHEMA = 1
 
 @dataclass(frozen=True, eq=False)
 class Design:
-    """A design file, read and checked; `model` makes it.
+    """A design file after reading and checking; `model` makes the strips.
 
     Attributes
     ----------
@@ -59,13 +59,13 @@ class Design:
     patterns : tuple of (name, options)
         "mirror", "rotate", "repeat", applied in order.
     interlock : dict or None
-        Options of `Model.interlock`, where asked for.
+        Options of `Model.interlock`, if requested.
     kit : KitSpec
-        What goes with the strips.
+        Sheets, cutting files, holders and further pieces.
     reports : tuple of str
-        What sections of meshes and meridians have to say.
+        Messages about sections of meshes and about meridians.
     revolution : RevolutionTable or None
-        A surface of revolution, made before all strips.
+        Surface of revolution, made before the strips.
     """
 
     name: str
@@ -94,18 +94,18 @@ class Design:
         return replace(self, entries=tuple(freed))
 
     def model(self, done: Callable[[str], None] | None = None) -> Model:
-        """Make all strips, put them in their places, repeat and interlock them.
+        """Make all strips, place them, and apply patterns and interlocking.
 
         Parameters
         ----------
         done : callable, optional
-            Called with the label of each strip that has been made.
+            Called with the label of each finished strip.
 
         Raises
         ------
         NotRealizable, NotConvergedError, InputError
-            What `StripSpec.make` and `Model.interlock` refuse, with the part's name, all parts in one. A section
-            that no strip can follow is left out and reported; the first is raised where none is left.
+            As `StripSpec.make` and `Model.interlock`, in one error for all parts, with their names. Sections that
+            no strip can follow are left out and reported; if none is left, the first error is raised.
         """
         made: dict[Any, Strip] = {}
         placed: list[Placed] = []
@@ -165,18 +165,18 @@ def read_design(
     read_curves : callable
         Reads a curve file: `elastica_cad.read_curves`.
     read_surface : callable
-        Reads a surface for sections: of meshes alone unless given, or of STEP bodies too,
-        `elastica_cad.files.read_surface`.
+        Reads a surface for sections: by default only meshes; with `elastica_cad.files.read_surface` also STEP
+        bodies.
     below : sequence of path-like
-        Folders from which it may read files, besides its own and the working folder.
+        Folders with permitted files, besides the folder of the design and the working folder.
     changes : mapping
-        Values of the file's own keys that stand in place of those in it.
+        Values that replace those of keys in the file.
 
     Raises
     ------
     InputError
-        No TOML, unknown keys, missing files, files elsewhere, values that make no sense: the place in the file is
-        named.
+        Invalid TOML, unknown keys, missing files, files in other folders, or invalid values; the message names the
+        place in the file.
     """
     path = require_file(path)
     below = several("folders to read from", below, str | PathLike, "path")
@@ -267,7 +267,7 @@ def parse_design(path: Path) -> dict[str, Any]:
 
 
 def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
-    """The surface of revolution, where the design has one; keys that it leaves out are those of the design."""
+    """Return the surface of revolution of a design, if any; the design provides missing keys."""
     if not top.has("revolution"):
         return None
     from elastica_cad.design.revolution_table import INHERITED, read_revolution
@@ -278,7 +278,7 @@ def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
 
 
 class _Sheets(dict[str, Sheet]):
-    """Sheets that a design brings along, by name; and those of files beside it, by the file's name."""
+    """Sheets of a design by name, and sheets of files beside it by file name."""
 
     folder = Path()
 
@@ -305,7 +305,7 @@ def own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
 def _read_strips(
     top: Table, reader: Reader, read_surface: "SurfaceReader | None", slips: Slips
 ) -> tuple[list[StripEntry], tuple[str, ...]]:
-    """All strips in order, and what sections of meshes have to say; what is wrong goes to `slips`."""
+    """Return all strips in order, and messages about sections of meshes; errors are added to `slips`."""
     entries: list[StripEntry] = []
     failed: list[InputError] = []
     reports: list[str] = []
@@ -348,11 +348,11 @@ def _read_strips(
 
 
 COPIES_APART_MM = 20.0
-"""Between copies of one part that the file places in one place: they stand behind each other."""
+"""Distance between copies of a part that the file places at the same position, mm."""
 
 
 def _side_by_side(entries: Sequence[StripEntry]) -> list[StripEntry]:
-    """The entries of one table; copies of one part that lie in one place are moved apart, behind each other."""
+    """Return the entries of a table, with copies of a part at the same position moved apart."""
     alike = len({entry.label for entry in entries}) < len(entries)
     if not alike or np.ptp([entry.frame.origin for entry in entries], axis=0).any():
         return list(entries)
@@ -365,7 +365,7 @@ def _side_by_side(entries: Sequence[StripEntry]) -> list[StripEntry]:
 
 
 def _require_labels(taken: Container[str], entries: Sequence[StripEntry], where: str) -> None:
-    """Refuse one label for two strips, but for copies of one part, which are in one table."""
+    """Refuse a label shared by two strips, except for copies of a part in one table."""
     alike = dict[str, Any]()
     for entry in entries:
         if entry.label in taken or alike.setdefault(entry.label, _likeness(entry)) != _likeness(entry):
@@ -377,7 +377,7 @@ def _require_labels(taken: Container[str], entries: Sequence[StripEntry], where:
 
 
 def _only_sections(table: Table) -> Table:
-    """The table of sections, which say themselves how many there are and where they lie."""
+    """Return the table of sections; refuse keys for count and position, which sections determine."""
     idle = [key for key in ("count", "curve", "origin", "x_axis", "y_axis") if key in table.data]
     if idle:
         raise InputError("{place} means nothing beside sections: leave it out", place=table.place(idle[0]))
@@ -385,7 +385,7 @@ def _only_sections(table: Table) -> Table:
 
 
 def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
-    """One of mirror, rotate and repeat."""
+    """Return the kind (mirror, rotate or repeat) and the options of a pattern."""
     table.only(*_PATTERNS)
     if len(table.data) != 1:
         raise InputError(
@@ -396,11 +396,11 @@ def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
 
 
 SAME_DIGITS = 11
-"""Digits, in lengths of the curve, to which curves and gravity are the same: mirrored places differ by rounding."""
+"""Digits (unit: length of the curve) for comparing curves and gravity, because mirrored curves differ slightly."""
 
 
 def _likeness(entry: StripEntry) -> Any:
-    """Strips with equal keys are made alike: the same curve but for rounding, the same request."""
+    """Return a key that is equal for strips with the same request and, up to rounding, the same curve."""
     spec, curve, gravity = entry.spec, entry.curve, entry.spec.gravity_in_plane
     numbers = [curve.knots - curve.knots[0], curve.control_points.ravel()]
     numbers += [] if curve.weights is None else [curve.weights]
@@ -412,18 +412,18 @@ def _likeness(entry: StripEntry) -> Any:
 
 
 def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
-    """One that tells all of them, of the kind of the first."""
+    """Return one error with all messages, of the class of the first error."""
     first, slips = problems[0], Slips()
     if len(problems) == 1:
         return first
     for problem in problems:
         slips.add(str(problem))
-    first.refusal = Refusal(first.refusal.kind, slips.text)  # what would mend the first mends not all
+    first.refusal = Refusal(first.refusal.kind, slips.text)  # its suggestions do not apply to all
     return first
 
 
 def _make(entry: StripEntry, *, slotted: bool) -> Strip:
-    """The strip without its slots, with complaints that name it; what is slotted later is compensated with them."""
+    """Make a strip without its slots; errors name the strip, and slotted strips are compensated later."""
     asked = entry.spec.compensate
     spec = entry.spec.changed(slots=(), compensate=False if asked and slotted else asked)
     try:

@@ -8,11 +8,11 @@ from elastica_cad.design.model_tables import DesignKeys
 from elastica_cad.design.records import fields_of, title, told, word_of, written
 
 SCHEMA_FILE = "elastica.schema.json"
-"""Beside a design file, which names it in its first line."""
+"""Name of the schema file beside a design file, which refers to it in its first line."""
 
 Fragment: TypeAlias = dict[str, Any]
 Keys: TypeAlias = dict[str, tuple[Fragment, str]]
-"""Key -> its value as JSON schema, and what it says."""
+"""JSON schema and description of each key."""
 
 _PLAIN: dict[str, Fragment] = {
     "number": {"type": ["number", "string"]},  # a formula is a text
@@ -43,7 +43,7 @@ def tables() -> dict[str, Keys]:
 
 
 def _records(kind: Kind) -> list[Record]:
-    """What the tables in a value make."""
+    """Return the records of the tables in a value."""
     inner = [record for one in kind.of for record in _records(written(one))]
     return [*inner, *([kind.record] if kind.record is not None else [])]
 
@@ -80,7 +80,7 @@ def fragment(kind: Kind) -> Fragment:
 
 
 def _table(keys: Keys) -> Fragment:
-    """The table as JSON schema: these keys and no others."""
+    """Return the JSON schema of a table with exactly these keys."""
     return {
         "type": "object",
         "additionalProperties": False,
@@ -92,7 +92,7 @@ def _table(keys: Keys) -> Fragment:
 
 
 def design_schema() -> dict[str, Any]:
-    """Return the JSON schema of design files, in draft 4, which TOML editors know best.
+    """Return the JSON schema (draft 4, best supported by TOML editors) of design files.
 
     Examples
     --------

@@ -62,12 +62,12 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
 
 @dataclass(frozen=True)
 class Reshape:
-    """How a curve is pulled by handles: corners of its box by name, or `handles` and where they go, `to`.
+    """Deformation of a curve by handles: corners of its box by name, or `handles` and their targets `to`.
 
     Raises
     ------
     InputError
-        Both kinds of handles, or one without the other.
+        Both kinds of handles, or only one of `handles` and `to`.
     """
 
     bottom_left: Annotated[Point | None, Asked(f"{_TO} of the lower left corner of its box.", "mm")] = None
@@ -111,7 +111,7 @@ class _Curve:
 
 @dataclass(frozen=True, kw_only=True)
 class CurveOfFile(_Curve):
-    """The table of a curve that is read from a file; `number` or `layer` choose one of several."""
+    """Table of a curve in a file; `number`, `id` or `layer` selects one of several curves."""
 
     file: Annotated[str, Asked("File beside the design: DXF, SVG, CSV, JSON, STEP.")]
     number: Annotated[int | None, Asked("Which curve of the file.", least=1)] = None
@@ -177,7 +177,7 @@ class CurveOfFormulae(_Curve):
 
 @dataclass(frozen=True)
 class EllipseArc:
-    """An arc of an ellipse: what lies between two parameters, or above a height."""
+    """An arc of an ellipse between two parameters, or above a height."""
 
     semi_axes: Annotated[Point, Asked("Both semi-axes.", "mm", least=0)]
     center: Annotated[Point, Asked("Its centre.", "mm")] = (0.0, 0.0)
@@ -255,7 +255,7 @@ class CurveOfSpline(_Curve):
 
 
 CURVES = {"file": CurveOfFile, "x": CurveOfFormulae, "ellipse": CurveOfEllipse, "spline": CurveOfSpline}
-"""What draws a curve, by the key that its table must hold."""
+"""Records of drawn curves, by the key that their table must contain."""
 
 
 def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneCurve:
@@ -264,7 +264,7 @@ def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneC
     Raises
     ------
     InputError
-        Unknown keys or values, missing files, curves that make no sense; the place is named.
+        Unknown keys or values, missing files, or invalid curves; the message names the place.
     """
     given = table.raw(key)
     if given is None:

@@ -1,4 +1,4 @@
-"""What goes with the strips of a model: sheets, cutting files, base, frame, fixtures, further pieces."""
+"""Requests for a kit besides its strips: sheets, cutting files, base, frame, fixtures, further pieces."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -33,9 +33,9 @@ def cutting_keys() -> dict[str, Field]:
 
 @dataclass(frozen=True)
 class Cutting:
-    """How cutting files are written.
+    """Options of cutting files.
 
-    `kerf` is in mm, or None for each sheet's own. `curves` of None are splines, and arcs for a service. Without
+    `kerf` is in mm, or None for the kerf of each sheet. `curves` None means splines, or arcs for a service. Without
     `holding` there are no holding tabs.
     """
 
@@ -95,7 +95,7 @@ class Cutting:
 
     @property
     def service(self) -> bool:
-        """Whether a cutting service gets the files."""
+        """True if the files are for a cutting service."""
         return self.recipient == "service"
 
     def file_name(self, stem: str, suffix: str) -> str:
@@ -112,7 +112,7 @@ class Cutting:
         return f"{stem}{'-mm' if drawn or (self.version, suffix) == ('R12', 'dxf') else ''}.{suffix}"
 
     def drawings(self, drawing: Drawing) -> tuple[Drawing, ...]:
-        """Return the drawing of each file that a drawing is written to: a service gets one part a file."""
+        """Return the drawing of each file; files for a service have one part each."""
         return separate_parts(drawing) if self.service else (drawing,)
 
     def options(self, sheet: Sheet) -> dict[str, Any]:
@@ -121,7 +121,7 @@ class Cutting:
         Raises
         ------
         InputError
-            The sheet's own kerf is asked for, and not known.
+            The kerf of the sheet is requested, but unknown.
         """
         if self.kerf is None and sheet.kerf == 0:
             raise InputError(
@@ -146,22 +146,22 @@ HolderKind = Literal["base", "rings", "frame", "fixtures", "stand"]
 
 @dataclass(frozen=True, eq=False)
 class HolderSpec:
-    """Which kind of holder is requested, and for which strips.
+    """Request for a kind of holder, for selected strips.
 
     Attributes
     ----------
     kind : "base", "rings", "frame", "fixtures" or "stand"
         One plate, a plate for each end, two rails with ribs, printed blocks, or the simplest of these.
     sheet : Sheet or None
-        Of plates; None for blocks.
+        Sheet of plates; None for blocks.
     options : mapping
-        Of `base_plate`, `end_plates`, `slotted_frame`, `end_fixtures`.
+        Options of `base_plate`, `end_plates`, `slotted_frame` or `end_fixtures`.
     nesting : Nesting
-        The sheets that plates are cut from.
+        Stock sheets of the plates.
     strips : tuple of str
-        Which strips: labels, with * and ? for letters.
+        Labels of the strips, with wildcards * and ?.
     where : str
-        What messages call it.
+        Name in messages.
     """
 
     kind: HolderKind
@@ -173,18 +173,18 @@ class HolderSpec:
 
     @property
     def name(self) -> str:
-        """The holder's own name, or its kind where it has none."""
+        """Name of the holder; by default its kind."""
         return str(self.options.get("name", self.kind))
 
     def made(
         self, model: "Model", shop: FabricationLimits = DEFAULT_LIMITS, *, ignore_limits: bool = False
     ) -> "tuple[tuple[BasePlate | Rib | EndFixture, ...], str]":
-        """Make the plates, ribs and blocks, with a sentence on what was chosen, or an empty one.
+        """Make the plates, ribs and blocks, with a sentence (or an empty string) about the choice.
 
         Raises
         ------
         InputError
-            No such strips, or what these cannot be held by.
+            No such strips, or the holder does not fit them.
         """
         from elastica_cad.model.fixtures import end_fixtures
         from elastica_cad.model.frames import add_feet, slotted_frame
@@ -226,24 +226,24 @@ class HolderSpec:
 
 @dataclass(frozen=True, eq=False)
 class KitSpec:
-    """What is requested of a kit beside its strips.
+    """Request for a kit besides its strips.
 
     Attributes
     ----------
     nesting : Nesting
     cutting : Cutting
     holders : tuple of HolderSpec
-        What holds the strips.
+        Holders of the strips.
     coupon : bool
-        Cut a coupon of every sheet.
+        True for a test coupon of every sheet.
     reference_bar : float or None
-        Length of a bar to check the machine's scale with, mm.
+        Length of a bar for checking the scale of the machine, mm.
     pages : str or None
-        Paper on which every part is printed at full size, in one PDF.
+        Paper size of a PDF with every part at full size.
     shop : FabricationLimits
-        What the workshop can make.
+        Limits of the workshop.
     ignore_limits : bool
-        Make what it cannot, and say so in the report.
+        Exceed these limits, with a note in the report.
     """
 
     nesting: Nesting = field(default_factory=Nesting)

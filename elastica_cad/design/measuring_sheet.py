@@ -1,4 +1,4 @@
-"""The page with which a bent strip is measured, and the readings that come back."""
+"""Page for measuring a bent strip, and input of the readings."""
 
 import json
 from collections.abc import Mapping
@@ -17,10 +17,10 @@ from elastica_cad.strip.lettering import Text
 from elastica_cad.strip.measuring import ANGLES, LENGTHS, MARKS, MEANINGS, Measuring
 
 WIDE_MM, LETTER_MM, LINE_MM = 180.0, 3.0, 6.0
-"""Of the page: its width, its letters, its lines."""
+"""Width, letter height and line spacing of the page."""
 
 LARGEST = 1e6
-"""Of a length, mm, or an angle, degrees, in a report or a reading."""
+"""Largest length (mm) or angle (degrees) in a report or a reading."""
 
 WORDS = {
     "chord": "from end to end of the free part",
@@ -33,7 +33,7 @@ WORDS = {
 
 
 def measuring_record(measuring: Measuring) -> dict[str, Any]:
-    """Return what is to be measured as plain data for a report; `read_measuring` reads it back."""
+    """Return the quantities to measure as plain data for a report, which `read_measuring` reads."""
     return {
         "marks": list(measuring.marks),
         "expected": dict(measuring.expected),
@@ -44,12 +44,12 @@ def measuring_record(measuring: Measuring) -> dict[str, Any]:
 
 
 def read_measuring(path: FilePath) -> Measuring:
-    """Read from the report of a strip what is to be measured on it.
+    """Read the quantities to measure from the report of a strip.
 
     Raises
     ------
     InputError
-        The file is no such report.
+        The file is not a report with quantities to measure.
     """
     try:
         record = json.loads(path.read_text(encoding="utf-8"))["measuring"]
@@ -88,12 +88,12 @@ def _number(value: Any) -> float:
 
 
 def read_readings(path: FilePath) -> dict[str, float]:
-    """Return the readings of a TOML file by name; those left empty are left out.
+    """Return the readings of a TOML file by name.
 
     Raises
     ------
     InputError
-        No such file, not TOML, or a reading that is no number.
+        The file is missing or not TOML, or a reading is not a number.
     """
     try:
         given = parse_toml(path.read_text(encoding="utf-8"))
@@ -109,14 +109,14 @@ def read_readings(path: FilePath) -> dict[str, float]:
 
 
 def blank_readings(measuring: Measuring) -> str:
-    """Return a TOML file in which the readings are still to be filled in."""
+    """Return the text of a TOML file for filling in the readings."""
     lines = ["# Take the sign # away from what you have measured; lengths in mm, angles in degrees."]
     lines += [f"# {name} = {value:.1f}  # {WORDS[name]}" for name, value in measuring.expected.items()]
     return "\n".join(lines) + "\n"
 
 
 def measuring_page(name: str, measuring: Measuring) -> Drawing:
-    """The bent strip small enough for a page, where to measure, what is expected, and what differences mean."""
+    """Return a page with the bent strip, places to measure, expected values, and meanings of differences."""
     position = np.array(measuring.shape)
     low, high = position.min(axis=0), position.max(axis=0)
     scale = min(1.0, WIDE_MM / float((high - low).max()))

@@ -1,4 +1,4 @@
-"""What is told of a model: its numbers as a record, and the page that lists its files."""
+"""Report of a model: its numbers as a record, and an HTML page that lists its files."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import PurePosixPath
@@ -36,11 +36,11 @@ def report_model(
         All pieces.
     nests : sequence of NestedSheet
     files : mapping
-        What each file is, by its name.
+        Description of each file, by file name.
     held : mapping
-        The shapes of strips as made and held, by their names.
+        Shapes of strips after making and holding, by name.
     entries : sequence of StripEntry
-        What the strips were made after; the report says how far they are from it.
+        Designs of the strips; the report contains the deviations from them.
     """
     require_record(model, Model, "the model", "a Model")
     require_record(cut_list, CutList, "the cut list", "a CutList, as model.cut_list() makes one")
@@ -98,7 +98,7 @@ def report_model(
 
 
 def _departure(strip: Strip, entry: StripEntry) -> dict[str, Any]:
-    """How far the strip's shape is from the curve it was made after, and that from its section, mm."""
+    """Return the distance from the strip to its drawn curve, and from the curve to its section, mm."""
     found = strip.rod.curve
     told: dict[str, Any] = {"deviation": round_numbers(largest_deviation(entry.curve, found))}
     if entry.section:

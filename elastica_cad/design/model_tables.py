@@ -1,4 +1,4 @@
-"""Tables of what goes with the strips of a model, and of a part with two rest shapes."""
+"""Tables for the pieces besides the strips of a model, and for a part with two rest shapes."""
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -102,7 +102,7 @@ class Fixtures(_Holder):
 HOLDERS: dict[HolderKind, Record] = {
     "base": Base, "rings": Rings, "frame": FrameOfPlates, "fixtures": Fixtures, "stand": NamedStand,
 }  # fmt: skip
-"""In the order in which kits hold them."""
+"""Records of holders, in the order of kits."""
 
 
 @dataclass(frozen=True)
@@ -127,7 +127,7 @@ class RepeatPattern:
 
 
 PATTERNS: dict[str, Record] = {"mirror": mirror, "rotate": rotate, "repeat": repeat}
-"""What the tables of patterns give the options of."""
+"""Functions whose options the tables of patterns contain."""
 
 
 @dataclass(frozen=True)
@@ -211,7 +211,7 @@ def read_kit(top: Table, reader: Reader) -> KitSpec:
 
 
 def _read_holders(top: Table, reader: Reader, nesting: Nesting) -> Iterator[HolderSpec]:
-    """Base plates, rings, frames, fixtures: one table of each, or a list of them."""
+    """Yield base plates, rings, frames and fixtures; each kind is a table or a list of tables."""
     for kind in HOLDERS:
         if isinstance(top.raw(kind), list):
             tables = top.tables(kind)
@@ -222,7 +222,7 @@ def _read_holders(top: Table, reader: Reader, nesting: Nesting) -> Iterator[Hold
 
 
 def _read_holder(kind: HolderKind, table: Table, number: int, reader: Reader, nesting: Nesting) -> HolderSpec:
-    """One of them; those of a list have numbers in their names unless they bring their own."""
+    """Return a holder; in a list, its default name has a number."""
     options = reader.given(HOLDERS[kind], table)
     options.pop("thickness", None)  # the sheet is read with it
     strips, sheet = options.pop("strips", "*"), options.pop("sheet", None)

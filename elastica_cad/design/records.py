@@ -80,19 +80,19 @@ def _blank(
     ],
     curvatures: Annotated[tuple[float, ...], Asked("At each station, straight between them.", "1/mm")],
 ) -> RestCurvature:
-    """A blank whose curvature goes straight from station to station."""
+    """A pre-bent strip whose curvature is linear between stations."""
     return RestCurvature.linear(stations, curvatures)
 
 
 def _drawn_blank(
     curve: Annotated[PlaneCurve, Asked("In which the blank lies before it is bent.")],
 ) -> RestCurvature:
-    """A blank that is drawn as it lies unbent."""
+    """A pre-bent strip that is drawn in its unloaded shape."""
     return RestCurvature.of(curve)
 
 
 def _limits(strain: bool | float | None = None, *, sheet: Sheet | None, **limits: Any) -> Limits:
-    """Limits of a strip of the sheet: strain is true for what that bears."""
+    """Return the limits of a strip; `strain` True is the strain limit of the sheet."""
     own = None if isinstance(strain, bool) else strain
     return Limits(sheet=sheet if strain else None, strain=own, **limits)
 
@@ -106,10 +106,10 @@ BY_KIND: dict[Record, dict[str, Record]] = {
     Style: {"plain": Plain, "perforated": Perforated, "laminated": Laminated},
     BoundedLaw: {"thickness": _thickness, "rod": _rod, "tube": _tube, "leaves": _leaves},
 }
-"""What a table makes by the word of its key `kind`; the first is meant where it is left out."""
+"""Records by the value of the key `kind`; the first is the default."""
 
 MADE_BY: dict[Record, Callable[..., Any]] = {Limits: _limits, Cutting: _cutting}
-"""Records that are made from their table by another function."""
+"""Functions that make certain records from their tables."""
 
 WRITTEN: dict[Record, Kind] = {
     Sheet: Kind("text"),
@@ -117,7 +117,7 @@ WRITTEN: dict[Record, Kind] = {
     Supports: kind_of(tuple[EndName, EndName]),
     RestCurvature: Kind("either", (kind_of(_blank), kind_of(_drawn_blank))),
 }
-"""How records are written that are no tables of their fields; modules that read others add theirs."""
+"""File format of records that are not tables of their fields; see `reads`."""
 
 
 def written(kind: Kind) -> Kind:
@@ -133,10 +133,10 @@ def written(kind: Kind) -> Kind:
 
 
 def fields_of(record: Record) -> tuple[Field, ...]:
-    """Return the fields of a table: those that are declared, with those of a record that the table also takes.
+    """Return the fields of a table: its declared fields, and the fields of a record that it also accepts.
 
-    A class of keys names that record as `BESIDE`, and its fields that have no place there as `WITHOUT`; one whose
-    keys are called otherwise than its fields has them of its function `FIELDS`.
+    A class of keys names this record as `BESIDE`, and the excluded fields as `WITHOUT`. If keys and fields have
+    different names, its function `FIELDS` returns the fields by key.
     """
     if (renamed := getattr(record, "FIELDS", None)) is not None:
         return tuple(replace(one, name=key) for key, one in renamed().items())
@@ -146,7 +146,7 @@ def fields_of(record: Record) -> tuple[Field, ...]:
 
 
 def word_of(record: Record) -> str | None:
-    """Return the value of the key `kind` that selects a record; None where the record needs none."""
+    """Return the value of the key `kind` that selects a record, or None."""
     return next((word for kinds in BY_KIND.values() for word, one in kinds.items() if one is record), None)
 
 
@@ -177,12 +177,13 @@ class Reader:
     sheet: Sheet | None = None
 
     def record(self, record: Record, table: Table) -> Any:
-        """Make the record that a table describes; where the record is a `BY_KIND` one the key `kind` selects it.
+        """Make the record that a table describes; for records in `BY_KIND` the key `kind` selects the record.
 
         Raises
         ------
         InputError
-            Unknown or missing keys, values of another kind, or what the record refuses; the place is named.
+            Unknown or missing keys, values of the wrong kind or that the record refuses; the message names the
+            place.
         """
         if record in BY_KIND:
             kinds = BY_KIND[record]
@@ -258,7 +259,7 @@ class Reader:
 
 
 def _chosen(kinds: tuple[Kind, ...], value: object) -> Kind:
-    """The kind among several that a value is meant as; one that refuses it where it is none of them."""
+    """Return the kind that fits a value best; if none fits, return a kind that refuses the value."""
     fitting = [one for one in kinds if _fits(one, value)]
     if isinstance(value, Mapping):
         return max(fitting, key=lambda one: _keys_met(one, value), default=kinds[-1])
@@ -285,13 +286,13 @@ def _fits(kind: Kind, value: object) -> bool:
 
 
 def _keys_met(kind: Kind, table: Mapping[str, Any]) -> int:
-    """How many of its keys a record has, less those that it lacks."""
+    """Return the number of keys that the kind knows, minus the number of unknown keys."""
     known = {name for one in written(kind).alternatives if one.record for name in names_of(one.record)}
     return sum(1 if key in known else -1 for key in table)
 
 
 def _read_sheet(reader: Reader, table: Table, key: str) -> Sheet:
-    """One of the file's own sheets, or one that all know; that of a strip in the thickness that the table says."""
+    """Return a sheet of the file or a built-in sheet; a strip's sheet with the thickness of its table."""
     name = table.text(key)
     with table.naming(key):
         found = reader.sheets[name] if name in reader.sheets else Sheet.named(name)
@@ -319,7 +320,7 @@ _SPECIAL: dict[Record, Callable[[Reader, Table, str], Any]] = {
     RestCurvature: _read_blank,
     Formula: _read_formula,
 }
-"""What reads a record that is no table of its fields."""
+"""Readers of records that are not tables of their fields."""
 
 
 def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any]) -> None:
@@ -328,12 +329,12 @@ def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any])
 
 
 def parsed_line(line: str, where: str, example: str = "") -> dict[str, Any]:
-    """Return the table that is written in one line, as its inside: `at = 40, width = 1.2`.
+    """Parse the inside of an inline table, such as `at = 40, width = 1.2`.
 
     Raises
     ------
     InputError
-        A line that is no table; it names `where` the line stands.
+        The line is not a table; the message contains `where`.
     """
     inside = line.strip()
     try:
@@ -364,11 +365,11 @@ def title(record: Record) -> str:
 
 
 def described(record: Record) -> list[dict[str, Any]]:
-    """Return the fields of a table as plain JSON: what a form or an editor needs to ask for them.
+    """Return the fields of a table as plain JSON, for forms and editors.
 
-    Each has its name, help, unit, least, most, group, common, required, its default where that is plain, and what
-    it is made of: `kind` with `choices`, `size`, `of` (elements or alternatives) or `fields` of a table, whose key
-    `kind` holds its `word`.
+    Each field has name, help, unit, least, most, group, common, required, its default if that is plain, and its
+    type: `kind` with `choices`, `size`, `of` (elements or alternatives) or `fields` of a table. The value of the
+    table's key `kind` is its `word`.
 
     Examples
     --------
@@ -408,7 +409,7 @@ def _plain_kind(kind: Kind) -> dict[str, Any]:
 
 
 def _plain_default(value: Any) -> Any:
-    """A default as JSON holds it; None of a record, whose own fields have theirs."""
+    """Return a default as plain JSON, or None for a record, whose fields have their own defaults."""
     if isinstance(value, tuple):
         plain = [_plain_default(one) for one in value]
         return None if None in plain else plain
@@ -417,7 +418,7 @@ def _plain_default(value: Any) -> Any:
 
 @cache
 def paths_of(record: Record) -> Mapping[str, Field]:
-    """Return all keys below a record by their dotted paths; keys of a table in a list follow the name of the list.
+    """Return all keys of a record by dotted path; a list of tables counts as a table in the path.
 
     Examples
     --------
@@ -453,17 +454,17 @@ def _tables(kind: Kind) -> list[Record]:
 
 
 def _words(kind: Kind) -> tuple[str, ...]:
-    """The words of the kinds that a table may have."""
+    """Return the words that select the kinds of a table."""
     return tuple(word for one in written(kind).alternatives if one.record and (word := word_of(one.record)))
 
 
 def put(table: dict[str, Any], path: str, value: Any) -> None:
-    """Set the value at a dotted path of nested tables, and make the tables on the way.
+    """Set the value at a dotted path of nested tables; create missing tables.
 
     Raises
     ------
     InputError
-        On the way there stands something that is no table.
+        A value on the path is not a table.
     """
     *way, last = path.split(".")
     for key in way:
@@ -496,7 +497,7 @@ def require_path_of(path: str, record: Record) -> Field:
 
 
 def near_path(path: str, known: Iterable[str]) -> str:
-    """Return the known path that was probably meant: one with the same last name, else the nearest, else ""."""
+    """Return the most likely known path: with the same last name, else the nearest, else ""."""
     ends = {one.rpartition(".")[2]: one for one in reversed(list(known))}
     last = path.rpartition(".")[2]
     near = near_names(path, known) or near_names(last, ends)

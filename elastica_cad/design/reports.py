@@ -26,12 +26,11 @@ from elastica_cad.strip.measuring import Measuring
 from elastica_cad.strip.strip import Strip
 
 STATIONS = 201
-"""At which the curvature of a blank is listed, uniform in arc length; an even one is told at both ends."""
+"""Number of places, uniform in arc length, for the curvature of a pre-bent strip; a constant one has two."""
 
 
 def report_blank(strip: Strip) -> dict[str, Any] | None:
-    """Return the curvature of the blank (1/mm, positive to the left) at places (mm) along the free part; None of a
-    flat one.
+    """Return the natural curvature (1/mm, positive to the left) along the free part (mm), or None if zero.
 
     Examples
     --------
@@ -49,10 +48,10 @@ def report_blank(strip: Strip) -> dict[str, Any] | None:
 
 
 def tell_blank(strip: Strip) -> str:
-    """How the blank is bent before it is put in, without an end; empty of a flat one.
+    """Return an instruction for pre-bending the strip, without a full stop; empty if it is flat.
 
-    The way is told by how the strip stands in the end: pieces of one shape are turned over where that
-    spares a part, so that none of their faces tells left from right.
+    The direction refers to the final bend of the strip. Its faces do not define left and right, because equal
+    pieces may be turned over to save a part.
     """
     rod = strip.rod
     rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
@@ -84,7 +83,7 @@ def tell_blank(strip: Strip) -> str:
 
 REPORT_SCHEMA = "elastica-report/1"
 MOST_STATIONS = 100_000
-"""That one report lists."""
+"""Largest number of stations in a report."""
 
 _UNITS = {
     "length": "mm",
@@ -115,22 +114,22 @@ def report_strip(
     ----------
     strip : Strip
     name : str
-        What the part is called.
+        Name of the part.
     files : dict
-        Kind of file (dxf, svg, ...) to file name.
+        File name for each kind of file (dxf, svg, ...).
     near : NearestRod, optional
-        Where the strip left the drawn curve: how far, and what it cost.
+        Nearest rod, for its deviation from the drawn curve and the binding limits.
     stability : Stability, optional
-        The verdict on its rest shape.
+        Stability of its rest shape.
     smoothing : Smoothing, optional
-        What was moved of the drawn curve to make it fair.
+        Smoothing of the drawn curve.
     stations : int
-        Number of stations at which stiffness and width are listed, uniform in arc length.
+        Number of stations for stiffness and width, uniform in arc length.
 
     Raises
     ------
     InputError
-        What is no record of its kind, fewer than two stations or more than `MOST_STATIONS`.
+        A record of the wrong class, fewer than two stations, or more than `MOST_STATIONS`.
     """
     require_record(strip, Strip, "what is reported", "a Strip, as make_strip makes one")
     for value, record, what in ((near, NearestRod, "near"), (stability, Stability, "stability")):
@@ -224,7 +223,7 @@ def _sheet_report(sheet: Sheet) -> dict[str, Any]:
 
 
 def _reactions_report(reactions: Reactions) -> dict[str, Any]:
-    """What the ends push and turn with, N and N mm."""
+    """Return forces (N) and moments (N mm) of the ends."""
     return {
         "start_force": round_numbers(reactions.start_force),
         "start_moment": round_numbers(reactions.start_moment),
@@ -234,7 +233,7 @@ def _reactions_report(reactions: Reactions) -> dict[str, Any]:
 
 
 def _layers(strip: Strip) -> list[dict[str, Any]]:
-    """What it is made of, the base first; what is planed or turned is as thick as it ever is."""
+    """Return the layers, the base first; a planed or turned strip with its largest thickness."""
     worked = strip.layout.worked_size
     return [
         {
@@ -247,7 +246,7 @@ def _layers(strip: Strip) -> list[dict[str, Any]]:
 
 
 def _creep(strip: Strip) -> dict[str, Any] | None:
-    """The strip in the long run; None where no creep was asked for."""
+    """Return the strip after creep, or None if creep was not requested."""
     if not strip.creep:
         return None
     try:
@@ -292,7 +291,7 @@ def _nearest_report(near: NearestRod) -> dict[str, Any]:
 
 
 def report_held(shape: HeldShape) -> dict[str, Any]:
-    """How far a strip strays as made and held, and by what, ready for JSON; what is expected has two digits."""
+    """Return the deviation of a held strip and its causes as plain data; expected values have two digits."""
     return {
         "expected": float(f"{shape.expected:.2g}"),
         "deviation": round_numbers(shape.deviation),
@@ -310,7 +309,7 @@ def report_held(shape: HeldShape) -> dict[str, Any]:
 
 
 def _ends(strip: Strip) -> dict[str, Any] | None:
-    """Where the ends are held, in the plane of the curve, mm and degrees; None for a closed strip."""
+    """Return positions and angles of the held ends, mm and degrees, or None for a closed strip."""
     if strip.is_closed:
         return None
     ends = held_ends(strip)
@@ -335,7 +334,7 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
 
 
 def _held(strip: Strip) -> dict[str, Any] | None:
-    """The strip with ends held as designed; None where it finds no shape near the design."""
+    """Return the strip held at its designed ends, or None if it has no shape near the design."""
     try:
         return report_held(strip.held())
     except NotConvergedError:
@@ -343,7 +342,7 @@ def _held(strip: Strip) -> dict[str, Any] | None:
 
 
 def _measuring(strip: Strip) -> dict[str, Any] | None:
-    """What can be measured on it, for `elastica compare`; None of a closed one, or without a rest shape."""
+    """Return measurable quantities for `elastica compare`, or None if closed or without a rest shape."""
     if strip.is_closed:
         return None
     try:
@@ -353,7 +352,7 @@ def _measuring(strip: Strip) -> dict[str, Any] | None:
 
 
 def _joint(strip: Strip) -> dict[str, Any] | None:
-    """Where a closed strip is joined, by what, and what that carries; None for an open one."""
+    """Return place, lap and loads of the joint of a closed strip, or None for an open strip."""
     if not strip.is_closed:
         return None
     held = strip.reactions()
@@ -368,7 +367,7 @@ def _joint(strip: Strip) -> dict[str, Any] | None:
 
 
 def list_versions() -> dict[str, str]:
-    """Versions of the packages that a result depends on."""
+    """Return the versions of the packages that a result depends on."""
     from importlib.metadata import PackageNotFoundError, version
 
     found = {}

@@ -1,4 +1,4 @@
-"""What a design file says about a surface of revolution: its meridian, and the strips and rings it is made of."""
+"""The table of a design file for a surface of revolution: its meridian, strips and rings."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -20,7 +20,7 @@ from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimit
 Pair: TypeAlias = tuple[float, float]
 
 NEAR_MM = 1e-3
-"""A meridian this near to its points passes them: no cut is as exact."""
+"""Distance below which a meridian passes through its points, mm; no cut is as exact."""
 
 
 @dataclass(frozen=True)
@@ -57,12 +57,12 @@ class RevolutionTable:
 
     @cached_property
     def meridian(self) -> Meridian:
-        """Return the meridian, which the table gives in exactly one of several forms.
+        """The meridian, which the table defines in exactly one of several forms.
 
         Raises
         ------
         InputError
-            It is told in two ways or none, or cannot be.
+            It has no or several definitions, or is impossible.
         """
         ways = [way for way in ("points", "curve", "a") if getattr(self, way) not in (None, ())]
         if len(ways) != 1:
@@ -100,7 +100,7 @@ class RevolutionTable:
 
     @property
     def reports(self) -> tuple[str, ...]:
-        """How far the meridian is off what was drawn, where it is."""
+        """Note on the distance of the meridian from its points, if there is a distance."""
         off = self.meridian.deviation
         if off <= NEAR_MM:
             return ()
@@ -113,10 +113,10 @@ class RevolutionTable:
 
 
 OWN_KEYS = ("a", "b", "start", "angle", "length")
-"""What says a meridian by its equation."""
+"""Keys of a meridian that is given by its equation."""
 
 INHERITED = ("sheet", "thickness", "ends", "shop", "ignore_limits")
-"""Keys that it has of the design, unless it has its own."""
+"""Keys with defaults from the design."""
 
 
 def read_revolution(table: Table, reader: Reader) -> RevolutionTable:
@@ -125,7 +125,8 @@ def read_revolution(table: Table, reader: Reader) -> RevolutionTable:
     Raises
     ------
     InputError
-        Unknown keys, a meridian told in two ways or none, or one that cannot be; the place is named.
+        Unknown keys, a meridian with no or several definitions, or an impossible meridian; the message names the
+        place.
     """
     asked: RevolutionTable = reader.record(RevolutionTable, table)
     try:

@@ -1,4 +1,4 @@
-"""The table of a design file for sections of a surface, read and written: the file, its planes, its divisions."""
+"""The table of a design file for sections of a surface: the file, its planes, its divisions."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -65,7 +65,7 @@ class SectionsTable:
 
 
 IN_PLACE = {"radial": "angles", "parallel": "offsets"}
-"""Keys that say where planes lie, in place of their count."""
+"""Keys for the positions of planes, instead of their count."""
 
 
 def read_sections(
@@ -109,12 +109,12 @@ def compose_section_design(
     Parameters
     ----------
     name : str
-        Of the model.
+        Name of the model.
     mesh : mapping
-        The file as `mesh`, with its unit and scale where they were told.
+        File as `mesh`, with unit and scale if given.
     sections : SectionSpec
     strips : mapping
-        Keys for all strips: sheet, max_width, limits and so on.
+        Keys of all strips: sheet, max_width, limits, etc.
 
     Examples
     --------

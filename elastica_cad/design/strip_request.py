@@ -1,4 +1,4 @@
-"""The strip of a report as a record for JSON, from which the same strip is made again."""
+"""JSON record of a finished strip in its report, for making the same strip again."""
 
 import json
 from collections.abc import Mapping
@@ -54,15 +54,15 @@ SAME_SHARE = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class FinishedStrip:
-    """A strip that was made: the request for it on its own rest shape, and its stiffness.
+    """A finished strip: its stiffness, and the request for it on its rest shape.
 
     Attributes
     ----------
     spec : StripSpec
     stiffness : Profile
-        Over the least stiffness, along the strip.
+        Stiffness along the strip, divided by the least stiffness.
     bending_stiffness : float
-        Where the stiffness is least, N mm2.
+        Least bending stiffness, N mm2.
     designed : StripSpec, optional
         The request in the report, if `spec` is a changed one.
     """
@@ -121,11 +121,11 @@ class FinishedStrip:
         return replace(self, spec=self.spec.changed(**fields), designed=self.designed or self.spec)
 
     def make(self) -> Strip:
-        """Return the strip, whose stiffness is that of the report."""
+        """Make the strip with the stiffness in the report."""
         spec, designed = self.spec, self.designed or self.spec
         asked = spec.rod_spec
-        laid = isinstance(asked.section, LaidLeaves)  # in steps, which no rod is solved for
-        # a law and the layers of a heavy laminate settle weight and size by themselves
+        laid = isinstance(asked.section, LaidLeaves)  # piecewise constant, unlike that of a solved rod
+        # a law and the layers of a heavy laminate determine weight and size
         solved = spec if spec.law is not None or asked.layers is not None else designed
         rod = replace(solved.rod_spec, section=None if laid else solved.rod_spec.section).solve()
         assert isinstance(rod, Rod)  # a request without limits
@@ -146,20 +146,20 @@ class FinishedStrip:
             )  # fmt: skip
         if rod.bending_stiffness is not None or rod.weight is not None or laid:
             rod = replace(rod, section=asked.section, bending_stiffness=scale)
-            if isinstance(spec.style, Plain) and spec.law is None:  # the stiffness settles the widths
+            if isinstance(spec.style, Plain) and spec.law is None:  # the stiffness determines the widths
                 widest = scale * rod.profile.extremes[1] / PlainSection(spec.material).rigidity
                 spec = spec.changed(max_width=(1 + SAME_SHARE) * widest, min_width=None)
         return spec.make(rod)
 
 
 def _size(spec: StripSpec, rod: Rod) -> float:
-    """Least bending stiffness, N mm2, of a strip of the request that carries nothing."""
+    """Return the least bending stiffness, N mm2, of the requested strip without loads."""
     unloaded = replace(rod, gravity=None, weight=None, section=None, bending_stiffness=None)
     return spec.changed(gravity=False, loads=(), compensate=False).make(unloaded).bending_stiffness
 
 
 def read_request(path: Path) -> Any:
-    """Return the record `request` of the report in a file; None of another file, or of a report without it."""
+    """Return the record `request` of the report in a file, or None if there is none."""
     if path.suffix.lower() != ".json":
         return None
     try:
@@ -170,7 +170,7 @@ def read_request(path: Path) -> Any:
 
 
 def request_record(spec: StripSpec, strip: Strip) -> dict[str, Any]:
-    """Return the request for a strip that was made, on its own rest shape, as plain data for JSON."""
+    """Return the request for a finished strip, on its rest shape, as plain data for JSON."""
     plane = spec.in_plane
     given = {one.name: getattr(plane, one.name) for one in fields(plane) if one.name not in SOLVED}
     rod = strip.rod

@@ -1,4 +1,4 @@
-"""What a design file says about one strip: its curve, its place in space, and how it is made."""
+"""The table of a design file for a strip: its curve, its position in space, and how it is made."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -23,7 +23,7 @@ Triple: TypeAlias = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class SharedKeys:
-    """Keys that may stand for all strips at the top of a file or for some in [[strips]], beside a strip's own."""
+    """Keys of strips that may also be at the top of a file, for all strips."""
 
     BESIDE: ClassVar[Record] = StripSpec
     WITHOUT: ClassVar[tuple[str, ...]] = ("curve", "slots", "label")
@@ -69,21 +69,21 @@ class StripKeys(SharedKeys):
 
 
 DOWN = (0.0, 0.0, -1.0)
-"""Where weight falls in space, unless told."""
+"""Default direction of gravity in space."""
 
 
 @dataclass(frozen=True, eq=False)
 class StripEntry:
-    """One strip of a design file.
+    """A strip of a design file.
 
     Attributes
     ----------
     spec : StripSpec
-        What is asked.
+        Request for the strip.
     section : str
-        The section of a surface that it follows and where that begins, else empty.
+        Name and start of the section that it follows, or an empty string.
     off_section : float
-        Largest distance of that section's points from the curve, mm.
+        Largest distance of the section's points from the curve, mm.
     """
 
     spec: StripSpec
@@ -112,17 +112,17 @@ class StripEntry:
 
     @property
     def called(self) -> str:
-        """How messages call the strip: its label, and its section where it has one."""
+        """Name of the strip in messages: its label, with its section if it has one."""
         return f"{self.label} ({self.section})" if self.section else self.label
 
 
 def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve | None" = None) -> StripEntry:
-    """Read the strip that one table in [[strips]] requests; a `section` brings curve and plane.
+    """Read the strip that a table in [[strips]] requests; a `section` provides curve and plane.
 
     Raises
     ------
     InputError
-        Unknown keys or values, missing files, curves that make no sense; the place is named.
+        Unknown keys or values, missing files, or invalid curves; the message names the place.
     """
     frame = _plane(reader, table) if section is None else section.frame
     asked = read_fields(table, reader) | {"label": label}
@@ -181,7 +181,7 @@ def _spec(table: Table, curve: PlaneCurve, frame: Frame | None, asked: Mapping[s
 
 
 PLANE = ("origin", "x_axis", "y_axis")
-"""Keys that say where the drawing lies in space."""
+"""Keys for the position of the drawing in space."""
 
 
 def _plane(reader: Reader, table: Table) -> Frame:

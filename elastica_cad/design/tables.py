@@ -19,13 +19,13 @@ from elastica_cad.refusals import Refusal, note, sentences
 Value: TypeAlias = "float | FloatArray"
 
 MOST_LETTERS = 2000
-"""Letters of a formula; longer ones belong into `let`, in parts."""
+"""Largest number of characters in a formula; longer formulae can be split with `let`."""
 
 LARGEST_RESULT = 1e300
-"""A little below the largest float, so that sums of a few stay finite."""
+"""Largest result of a formula, below the largest float so that sums of a few results are finite."""
 
 MOST_NESTED = 60
-"""Brackets, signs and operators inside each other: Python's own parser gives up not much later."""
+"""Largest depth of nested brackets, signs and operators, below the limit of Python's parser."""
 
 CONSTANTS = {"pi": float(np.pi), "e": float(np.e), "degrees": float(np.pi / 180), "inch": MM_PER_INCH}
 """`degrees` turns 30*degrees into radians, `inch` 1.5*inch into mm."""
@@ -59,12 +59,12 @@ class Formula:
     text : str
         Numbers, names, + - * / % **, comparisons, and calls of `FUNCTIONS`.
     where : str
-        What messages call it, such as the place in a design file.
+        Name in messages, such as the place in a design file.
 
     Raises
     ------
     InputError
-        Anything else than arithmetic: what it is and at which letter.
+        Anything other than arithmetic; the message names it and its position.
 
     Examples
     --------
@@ -228,33 +228,33 @@ def _value(node: ast.expr, known: Mapping[str, Value]) -> Value:
 
 
 MOST = 10_000
-"""Of anything that a file asks for a number of: strips, sections, repeats."""
+"""Largest count in a file: of strips, sections or repeats."""
 
 MOST_TOLD = 5
-"""Slips of one file that are told; what is behind them is counted, as one fault often makes many."""
+"""Number of reported errors of a file; the rest is counted, because a single mistake often causes many errors."""
 
 LONGEST_TOLD = 800
-"""Letters after which no other slip is told: one of a nested table may hold several."""
+"""Number of characters after which no further error is reported."""
 
 LONGEST_KEY = 60
-"""Letters of an unknown key that are told."""
+"""Number of reported characters of an unknown key."""
 
 OTHER_WORDS = {
     "file": "curve", "path": "curve", "material": "sheet", "pages": "extras.pages", "paper": "extras.pages",
 }  # fmt: skip
-"""For keys: what others call them, by no letters that are alike; some stand in another table."""
+"""Synonyms of keys that are not similar in spelling."""
 
 _AXES = {2: "[x, y]", 3: "[x, y, z]"}
 _COUNTS = {None: "", 2: "two ", 4: "four "}
 
 
 def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> float:
-    """The number that is written as a number or as a formula.
+    """Return the value of a number or a formula.
 
     Raises
     ------
     InputError
-        Something else, or a formula that fails.
+        Neither a number nor a formula, or a formula that fails.
     """
     if isinstance(value, str):
         value = Formula(value, where)(scope)
@@ -276,7 +276,7 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
 
 
 def merged(table: Mapping[str, Any], others: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a table with the values of another put over its own, tables inside each other too."""
+    """Return a table updated with the values of another table, recursively."""
     found = dict(table)
     for key, value in others.items():
         inner = found.get(key)
@@ -291,12 +291,12 @@ class Slips:
         self._said: dict[str, str] = {}
 
     def add(self, sentence: str, where: str = "") -> None:
-        """Add an error, unless another place has the same one already."""
+        """Add an error, unless another place has the same error."""
         self._said.setdefault(sentence.removeprefix(where), sentence)
 
     @contextmanager
     def gathering(self) -> Iterator[None]:
-        """Collect the errors of the block instead of raising them, so that reading goes on."""
+        """Collect the errors of the block instead of raising them, so that reading continues."""
         try:
             yield
         except InputError as problem:
@@ -304,7 +304,7 @@ class Slips:
 
     @property
     def text(self) -> str:
-        """Return one sentence for each error, or the first ones and how many more; empty without errors."""
+        """Sentences for the first errors and the number of further errors; empty without errors."""
         told: list[str] = []
         for sentence in list(self._said.values())[:MOST_TOLD]:
             if told and sum(map(len, [*told, sentence])) > LONGEST_TOLD:
@@ -431,7 +431,7 @@ class Table:
         return int(value)
 
     def vector(self, key: str, size: int, default: Sequence[float] | None = None) -> tuple[float, ...]:
-        """Return `size` numbers, each of which a formula may give."""
+        """Return `size` numbers, each given as a number or a formula."""
         value = self.raw(key, default)
         if not isinstance(value, list | tuple) or len(value) != size:
             raise InputError(
@@ -493,7 +493,7 @@ class Table:
         return value
 
     def table(self, key: str) -> "Table":
-        """Return the table inside this one, empty where it is not given."""
+        """Return a nested table, empty if it is missing."""
         return Table(self.raw(key, {}), self.place(key), self.scope)
 
     def tables(self, key: str) -> "list[Table]":
@@ -506,7 +506,7 @@ class Table:
         return [Table(one, f"{self.place(key)}[{i}]", self.scope) for i, one in enumerate(value, start=1)]
 
     def within(self, let: object) -> dict[str, Value]:
-        """Return the scope with further names; the value of each may use those before it."""
+        """Return the scope with further names; each value may use the names before it."""
         scope = dict(self.scope)
         for name, value in Table(let, self.place("let"), scope).data.items():
             if not name.isidentifier():

@@ -9,7 +9,7 @@ from typing import Any
 
 
 def toml_text(table: Mapping[str, Any]) -> str:
-    """Write a table as TOML: lists of tables as [[NAME]], their own tables as [NAME.KEY], all others in one line.
+    """Write a table as TOML: lists of tables as [[NAME]], tables in them as [NAME.KEY], the rest inline.
 
     Examples
     --------
@@ -47,7 +47,7 @@ def _key(key: str) -> str:
 
 
 def _value(value: Any) -> str:
-    """A value as TOML writes it: JSON's words for all but tables."""
+    """Return a value as TOML, which agrees with JSON except for tables."""
     if isinstance(value, Mapping):
         return "{ " + ", ".join(f"{_key(key)} = {_value(one)}" for key, one in value.items()) + " }"
     if isinstance(value, list | tuple):
@@ -56,7 +56,7 @@ def _value(value: Any) -> str:
 
 
 def seen_from(path: str | Path, folder: Path) -> str:
-    """The file as seen from a folder, where that can be said."""
+    """Return the path of a file relative to a folder, or its absolute path on another drive."""
     try:
         return Path(os.path.relpath(path, folder)).as_posix()
     except ValueError:  # another drive

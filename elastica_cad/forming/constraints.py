@@ -1,4 +1,4 @@
-"""What a nearest rod keeps and may not exceed, as numbers with their derivatives."""
+"""Constraints on a nearest rod: values and derivatives of limits and of kept properties."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
@@ -12,23 +12,23 @@ from elastica_cad.forming.limits import Box, HalfPlane
 from elastica_cad.forming.rod_map import MappedRod, SectionScale, Sensitivities
 from elastica_cad.mechanics.discrete_rod import DiscreteRod
 
-MOST_ROWS = 56  # of one constraint in one program: with its ends below 64, where factorisations start threads
+MOST_ROWS = 56  # rows of a constraint in one program; below 64, where factorisations start threads
 
 
 @dataclass(frozen=True, kw_only=True)
 class Constraint(ABC):
-    """Values that a search keeps at 0, or at 0 or more where `one_sided`; each is of order 1 when badly broken.
+    """Values that a search keeps at 0, or nonnegative if `one_sided`; a badly violated value is of order 1.
 
     Attributes
     ----------
     name : str
-        What the user calls it.
+        Name in messages.
     one_sided : bool
-        At least 0, not 0.
+        True if the values must be at least 0 instead of 0.
     price : float
-        The most that breaking one by 1 costs.
+        Largest cost of violating one value by 1.
     near_balance_only : bool
-        Does it make no sense far from balance?
+        True if the constraint is only meaningful near balance.
     """
 
     name: str
@@ -46,9 +46,9 @@ class Constraint(ABC):
 
 
 def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
-    """At most MOST_ROWS of `indices`: the peaks of `urgency` (n,), then the others at equal steps.
+    """Return at most MOST_ROWS of `indices`: peaks of `urgency` (n,), then the remaining ones at equal steps.
 
-    Rows left out may be broken by a step; the next program then finds them among the peaks.
+    A step may violate a row that was left out. The next program then includes it as a peak.
     """
     if indices.size <= MOST_ROWS:
         return indices
@@ -68,7 +68,7 @@ def _all_rows(rows: FloatArray) -> tuple[IntArray, FloatArray]:
 
 @dataclass(frozen=True, kw_only=True)
 class EndPosition(Constraint):
-    """The last node lies at `target`."""
+    """The last node is at `target`."""
 
     name: str = "end position"
     target: tuple[float, float] = (0.0, 0.0)
@@ -214,7 +214,7 @@ class InflectionLine(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class MiddleOfMirror(Constraint):
-    """The middle stands on the axis, across it, and carries no force along it: one half mirrors the other."""
+    """Mirror symmetry: the middle crosses the axis at a right angle and carries no force along it."""
 
     name: str = "symmetry"
     centre: tuple[float, float] = (0.0, 0.0)
@@ -250,7 +250,7 @@ class MiddleOfMirror(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class MiddleOfTurn(Constraint):
-    """The middle stands in the centre and carries no moment: one half is the other turned by half a turn."""
+    """Symmetry under half a turn: the middle is at the centre and carries no moment."""
 
     name: str = "symmetry"
     centre: tuple[float, float] = (0.0, 0.0)
@@ -271,7 +271,7 @@ class MiddleOfTurn(Constraint):
 
 
 def _middle(rod: MappedRod) -> tuple[Sequence[int], Sequence[int]]:
-    """Indices of the nodes and of the edges around the middle of the rod, each one or two."""
+    """Return the indices of the one or two nodes, and of the one or two edges, at the middle of the rod."""
     n = rod.tangents.shape[0]
     nodes, edges = {n // 2, (n + 1) // 2}, {(n - 1) // 2, n // 2}
     return sorted(nodes), sorted(edges)
@@ -288,7 +288,7 @@ def _cubic_shares(u: float) -> tuple[FloatArray, FloatArray]:
 
 _NEAR = 0.6  # of a limit: values within it enter the quadratic program, as a step may use them up
 _STEP = 1e-5  # relative step of K for derivatives of strain
-_ROOM = 0.01  # of the largest section's stiffness: a sharp bend may ask for as much more between nodes
+_ROOM = 0.01  # reserve, fraction of the largest stiffness, for a sharp bend between nodes
 _TANGENT_STEP = 1e-3  # of K, and of the largest bend, for derivatives of dM/dkappa: it rounds kinks off
 
 
@@ -390,7 +390,7 @@ class LargestSection(Constraint):
     price: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """The stiffness of the largest section over that of the node, less 1 and some room, (n+1,)."""
+        """Largest possible stiffness over the stiffness of each node, minus 1 and a reserve, (n+1,)."""
         most = self.section.largest(_bend(rod, self.size), self.rest / self.size)
         return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _ROOM)
 
@@ -492,7 +492,7 @@ class KeepOut(Constraint):
         return self._clearance(rod)[0]
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """The nodes that may come near in one step."""
+        """Nodes that one step may bring near the region."""
         rod = sensitivities.rod
         value, gradient = self._clearance(rod)
         near = thin_rows(np.flatnonzero(value < 0.1), -value)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 SPANS = 1000  # of the table: its cubics are off a drawn curve by less than 1e-9 lengths
-_WINDOW_LENGTHS = 0.08  # how far along the curve a foot may lie from its node's arc length
+_WINDOW_LENGTHS = 0.08  # largest arc length between a foot and its node
 _SYMMETRIC_LENGTHS = 1e-4  # a curve off its mirror image by less, in lengths, is symmetric
 
 
@@ -154,7 +154,7 @@ class MeanDistance:
     Attributes
     ----------
     targets : (n+1, 2) array
-        Where each node should lie.
+        Desired position of each node.
     shares : (n+1,) array
         Weights, sum 1.
     """

@@ -14,24 +14,23 @@ from elastica_cad.refusals import Length
 DEGREE = 4  # the least whose curvature has a slope that is continuous
 STRAIGHT_RAD = 1e-9  # over the whole length: nothing but rounding bends such a rod
 TOLERANCE_MM = 1e-3  # between curve and rod: below what a laser cutter repeats
-FAITHFUL = 3e-4  # relative error of the extremes of the stiffness that the curve asks for: limits stay met
+FAITHFUL = 3e-4  # relative error of the extremes of the stiffness that the curve needs; keeps limits met
 LOOSE = 0.02  # and of the stiffness between, where no limit depends on it
-UNBENT_SHARE = 2e-3  # of the largest curvature, below which the stiffness is a quotient of rounding errors
+UNBENT_SHARE = 2e-3  # fraction of the largest curvature; below it the stiffness is only rounding
 _REACH_LENGTHS = 0.05  # curvature errors that extend this far weigh as much as the displacement they make
 _FIRST_SPANS, _MOST_SPANS = 24, 240  # few control points are tried first, as they are edited by hand
-_SHORTEST_SPAN = 1e-3  # span, in lengths: shorter ones fit rounding
+_SHORTEST_SPAN = 1e-3  # in rod lengths; shorter spans would fit rounding errors
 _SAME_LENGTHS = 1e-6  # an inflection as near an end is the end's own
 _PARDONED = 2.0  # tolerances, accepted where finer spans do not help
 _FINER = 4  # the continuous rod is extrapolated from 4 and 8 times as many edges
 
 
 def editable_curve(rod: Rod) -> PlaneCurve:
-    """The spline of degree 4 that the continuous rod with the stiffness of a discrete one takes.
+    """Return the shape of a discrete rod as a spline of degree 4.
 
-    The discrete rod of n edges is off the continuous one by O(1/n^2), which the curvature near inflections would
-    show. So the continuous rod of the same stiffness through the same ends is computed first, and the spline
-    fits its curvature as well as its position; at its inflections the spline meets it exactly, so that they lie on
-    one line without weight (Theorem 1).
+    The error of a rod with n edges is O(1/n^2), which would be visible in the curvature near inflections. So the
+    continuous rod with the same stiffness and ends is computed first. The spline fits its position and curvature.
+    At the inflections it interpolates the rod exactly, so they are on one line if there is no weight (Theorem 1).
 
     Parameters
     ----------
@@ -67,9 +66,9 @@ def editable_curve(rod: Rod) -> PlaneCurve:
 
 
 def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
-    """As `editable_curve`, with `spans` even spans: beside the rod, with inflections on one line all the same.
+    """Return a coarser `editable_curve` with `spans` even spans, whose inflections are still on one line.
 
-    What the rod keeps within its limits the curve may not: ask again.
+    The curve only approximates the rod and may violate limits that the rod meets.
 
     Raises
     ------
@@ -96,7 +95,7 @@ def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class _Shape:
-    """A continuous rod at uniform stations, in lengths of the discrete one.
+    """A continuous rod at uniform stations; the unit of length is the length of the discrete rod.
 
     Attributes
     ----------
@@ -105,7 +104,7 @@ class _Shape:
         Curvature before bending.
     position : (k, 2) array
     inflections : (j,) array
-        Arc lengths where the moment vanishes: inside, and at ends that are free to turn.
+        Arc lengths of zero moment, inside and at ends that are free to turn.
     size : float
         The unit of length, mm.
     """
@@ -135,9 +134,9 @@ class _Shape:
 
 
 def _continuous(rod: Rod) -> _Shape:
-    """The continuous rod with the stiffness, the ends and the clamps of a discrete one.
+    """Return the continuous rod with the stiffness, ends and clamps of a discrete rod.
 
-    It is extrapolated from the rods with 4 and 8 times as many edges, whose error is a series in 1/n^2.
+    It is extrapolated from rods with 4 and 8 times as many edges, because the error is a series in 1/n^2.
     """
     plain, edges = replace(rod, section=None, law=None), rod.s.size - 1
     a, b = (bend(plain, samples=factor * edges + 1) for factor in (_FINER, 2 * _FINER))
@@ -236,8 +235,10 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
 
 
 def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
-    """The worst error at the stations, in tolerances: of position, of the stiffness that the curve asks
-    for, and, stricter, of its extremes."""
+    """Return the worst error at each station, in tolerances.
+
+    It covers the position, the stiffness that the curve needs and, more strictly, the extremes of that stiffness.
+    """
     s, kappa, K = shape.s, shape.curvature - shape.rest, shape.stiffness
     off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE_MM
     near = np.abs(kappa) < UNBENT_SHARE * np.abs(kappa).max()

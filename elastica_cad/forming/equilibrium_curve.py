@@ -58,19 +58,19 @@ class EquilibriumCurve:
     def of(
         cls, curve: PlaneCurve, supports: Supports | None = None, *, tolerance: float = 1e-9
     ) -> "EquilibriumCurve":
-        """The state of a curve: Eq. 4 of the paper, on the continuous curve.
+        """Return the equilibrium state of a continuous curve (Eq. 4 of the paper).
 
         Parameters
         ----------
         supports : Supports
-            Clamped at both ends unless given.
+            Clamped at both ends by default.
         tolerance : float
             As in `check_equilibrium`.
 
         Raises
         ------
         NotRealizable, InputError
-            As `check_equilibrium`; a closed curve and a straight one too, which leaves nothing to optimise.
+            As `check_equilibrium`; also for closed and for straight curves.
         """
         supports = supports or Supports()
         if curve.is_closed:
@@ -98,7 +98,7 @@ class EquilibriumCurve:
 
     @property
     def curve(self) -> PlaneCurve:
-        """The curve, its inflections on one line to rounding error."""
+        """The curve, with its inflections on one line up to rounding."""
         return self.check.curve
 
     @cached_property
@@ -167,6 +167,6 @@ def _both(ends: BothEnds) -> tuple[bool, bool]:
 
 
 def collinear(curve: PlaneCurve) -> Sequence[Constraint]:
-    """The constraint that the inflections of a curve lie on one line; none where two or fewer always do."""
+    """Return the constraint that all inflections are on one line; empty for up to two inflections."""
     t = np.array([z.t for z in curve.curvature_zeros if z.kind == "crossing"])
     return [CollinearInflections(t)] if t.size > 2 else []

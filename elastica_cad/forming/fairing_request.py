@@ -1,4 +1,4 @@
-"""The one decision whether a drawn curve is smoothed: on request, or where the outline of the strip would step."""
+"""Decision whether to smooth a drawn curve: on request, or if the width of the strip would jump."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -36,7 +36,7 @@ STEP_MM, STEP_SHARE = 0.2, 0.02
 """Step of the width that is smoothed: in mm, and as a fraction of the width. Both are exceeded."""
 
 MOST_WORSE = 1.05
-"""Factor by which smoothing may enlarge the stiffness ratio, or reduce the least width, by default."""
+"""Largest factor of stiffness ratio, or of least width, that automatic smoothing may cost."""
 
 PLACES, SEEN_SHARE = 401, 0.1
 """Places along a curve where curvature is compared, and the smallest change of it by noise that is reported."""
@@ -65,7 +65,7 @@ class Smoothing:
 
     @cached_property
     def fairing(self) -> Fairing | None:
-        """The smoothed curve; None where the strip follows the drawn one."""
+        """The smoothed curve, or None if the strip follows the drawn curve."""
         unbent = _unbent_ends(self.drawn, self.supports)
         if self.smooth is not None:
             return _faired(self.drawn, self.smooth, unbent) if self.smooth > 0 else None
@@ -79,11 +79,11 @@ class Smoothing:
 
     @cached_property
     def curve(self) -> PlaneCurve:
-        """The curve that is bent: the drawn one itself where nothing was moved."""
+        """The curve of the bent strip: smoothed, or as drawn."""
         if self.fairing is None:
             return self.drawn
         drawn, stray = self.drawn.provenance, stray_point(self.drawn)
-        if drawn is not None:  # a point that stands out does so for all that is made of it
+        if drawn is not None:  # an outlier stays an outlier in the smoothed curve
             drawn = replace(drawn, measured=drawn.measured if stray else None)
         return self.fairing.curve.drawn_as(drawn)
 
@@ -94,12 +94,12 @@ class Smoothing:
 
     @property
     def healed(self) -> float:
-        """Distance, mm, by which the reader moved the curve to remove rounding errors from its tangents."""
+        """Distance (mm) that the file reader moved the curve to remove rounding errors of tangents."""
         return 0.0 if self.drawn.provenance is None else self.drawn.provenance.healed
 
     @property
     def ratio_as_drawn(self) -> float | None:
-        """Stiffness ratio of the curve as drawn, without weight; None if no strip takes the curve."""
+        """Stiffness ratio for the curve as drawn, without weight, or None if no strip can take it."""
         return None if self._rod_as_drawn is None else self._rod_as_drawn.ratio
 
     @cached_property
@@ -107,7 +107,7 @@ class Smoothing:
         return self._rod_on(self.drawn)
 
     def _rod_on(self, curve: PlaneCurve) -> Rod | None:
-        """The rod without weight that rests in a curve; None if there is none."""
+        """Return the weightless rod for a curve, or None if there is none."""
         try:
             return optimal_rod(curve, supports=self.supports, natural_curvature=self.natural_curvature)
         except ElasticaError:
@@ -119,7 +119,7 @@ class Smoothing:
     def _steps(self) -> bool:
         """Return True if the outline of the strip would step."""
         curve, rod = self.drawn, self._rod_as_drawn
-        if rod is None:  # no outline yet, but the smoothed curve may have one
+        if rod is None:  # no strip yet, but there may be a strip for the smoothed curve
             breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
             return any(curvature_jump(curve, b)[0] > STEP_SHARE for b in breaks)
         widest, narrowest = self.widths
@@ -139,9 +139,9 @@ class Smoothing:
 
     @property
     def change_by_noise(self) -> float:
-        """Largest change of curvature when points that waver are smoothed, as a share of the largest; 0 for others.
+        """Change of curvature from smoothing noisy points, as a fraction of the largest curvature.
 
-        So of a curve that is refused: the refusal tells of the noise.
+        It is 0 for exact curves, and for curves that no strip can take, because their error mentions the noise.
         """
         points = measured_points(self.drawn)
         if points is None or not check_equilibrium(self.drawn, self.supports).realizable:
@@ -154,7 +154,7 @@ class Smoothing:
 
     @property
     def noise(self) -> tuple[str, ...]:
-        """A sentence where points waver so much that it shows in the widths, and they were not smoothed."""
+        """A note if noise of unsmoothed points affects the widths visibly."""
         points = measured_points(self.drawn)
         if points is None or points.stray or self.fairing is not None:
             return ()
@@ -212,12 +212,12 @@ def outline_steps(rod: Rod, widest: float) -> bool:
 
 
 def check_smooth(smooth: object) -> float | None:
-    """The distance in mm that fairing may move a curve by, 0 for none; None leaves it to the curve.
+    """Return the largest distance (mm) that smoothing may move a curve; None leaves the choice to the program.
 
     Raises
     ------
     InputError
-        What is no such number.
+        Not a number, negative, or too large.
     """
     if smooth is None:
         return None
@@ -245,9 +245,9 @@ def smooth_curve(
 ) -> Smoothing:
     """Decide whether a drawn curve is smoothed, and return both curves.
 
-    By default a curve is smoothed if the width of its strip would step by more than 0.2 mm and 2 %, because the
-    curvature jumps, or its slope at an inflection. The curve then moves by at most 0.1 mm and 5e-4 of its length.
-    It stays as drawn if smoothing would add an inflection or enlarge the stiffness ratio by 5 % or more.
+    By default a curve is smoothed if the width of its strip would jump by more than 0.2 mm and 2 %. The reason is a
+    jump of the curvature, or of its slope at an inflection. The curve moves by at most 0.1 mm and 5e-4 of its
+    length. It stays as drawn if smoothing would add an inflection or enlarge the stiffness ratio by 5 % or more.
 
     Parameters
     ----------
@@ -286,7 +286,7 @@ def smooth_curve(
 
 
 def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bool]:
-    """Which ends are free to turn and drawn with little bend: no strip is bent there, so they mean none."""
+    """Return for each end whether it is free to turn and drawn almost straight, so that it should not bend."""
     if supports is None or all(end.angle for end in supports.ends):
         return False, False
     bent = np.abs(curve.curvature_at(np.array(curve.domain)))
@@ -299,7 +299,7 @@ def _faired(curve: PlaneCurve, smooth: float, unbent: tuple[bool, bool]) -> Fair
     """Fair within so many mm, slight corners rounded."""
     rounded, moved = round_corners(curve, smooth)
     require_bendable(rounded)
-    if measured_points(curve) is not None:  # fitted anew, which is fair
+    if measured_points(curve) is not None:  # the new fit is smooth already
         return Fairing(rounded, moved, smooth)
     fairing = fair_curve(rounded, smooth - moved, unbent)
     return replace(fairing, moved=fairing.moved + moved, tolerance=smooth)

@@ -1,4 +1,4 @@
-"""Where the leaves of a glued stack end, so that it bends as near as it can to a given curve."""
+"""Ends of the plies of a glued stack, placed so that it bends as near as possible to a curve."""
 
 from dataclasses import dataclass, replace
 from functools import partial
@@ -18,14 +18,13 @@ NODES = 401
 place continuously."""
 
 FINE_NODES = 1001
-"""Nodes of the rod that is returned; with fewer, one that is nearly unstable is off by a ten-thousandth of its
-length."""
+"""Number of nodes of the returned rod; with fewer, a nearly unstable rod has an error of 1e-4 of its length."""
 
 SHORTEST_SHARE = 0.01
 """Shortest piece of a leaf, and shortest distance between ends, as a share of the length."""
 
 ROUNDINGS = (0.35, 0.5, 0.65)
-"""Share of a leaf from which on it is laid, for each of the searches; the best result is taken."""
+"""Fractions of a ply above which it is laid, one for each search; the best result counts."""
 
 DIFFERENCE = 1e-4
 """Step of the finite differences in the search, as a share of the length."""
@@ -33,25 +32,24 @@ DIFFERENCE = 1e-4
 SETTLED = 1e-7
 """Relative change of the distance and of the places that ends the search."""
 
-MOST_TRIALS = 60  # of one search, each with one difference a place
+MOST_TRIALS = 60  # trials in one search, each with one finite difference per end
 
 
 @dataclass(frozen=True, eq=False)
 class LeafedRod:
-    """A rod of glued leaves, bent.
+    """A bent rod of glued plies.
 
     Attributes
     ----------
     rod : Rod
-        At rest, bent forward with the stiffness of its leaves; `section` says where they lie.
+        Rest shape computed with the stiffness of the plies in `section`.
     section : LaidLeaves
     deviation, mean_deviation : float
-        Largest and root mean square distance, mm, of its points from those of `relaxed` at the same share of
-        the length.
+        Largest and root mean square distance, mm, to `relaxed`, between points at the same fraction of the length.
     relaxed : Rod
-        The rod from which the leaves were laid: any thickness, and no leaf.
+        The rod of continuous thickness that the plies approximate.
     settled : bool
-        Did the search end where small moves of the leaves' ends bring nothing? A local optimum then.
+        True if the search ended at a local optimum.
     """
 
     rod: Rod
@@ -63,7 +61,7 @@ class LeafedRod:
 
     @property
     def leaves(self) -> tuple[Leaf, ...]:
-        """The leaves: those of full length first, the others by number."""
+        """The plies: full length first, then by number."""
         return self.section.leaves
 
 
@@ -77,23 +75,23 @@ def leaf_bends(rod: Rod, section: LaidLeaves) -> tuple[FloatArray, FloatArray]:
 
 
 def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (False, False)) -> LeafedRod:
-    """Leaves for a rod of any thickness, their ends moved until it bends nearest to the same shape.
+    """Approximate a rod of continuous thickness by plies.
 
-    First leaves where the rod is thick; then their ends, and the angles of clamps that need not keep theirs, are
-    moved until the distance is least: a local optimum.
+    Plies are first laid where the rod is thick. Then their ends, and the angles of clamps that may turn, are
+    optimised for the least distance; the result is a local optimum.
 
     Parameters
     ----------
     relaxed : Rod
-        With `bending_stiffness`, between those of the fewest leaves and of all.
+        With `bending_stiffness` between the stiffness of the fewest plies and of all plies.
     law : LeavesLaw
     tangents : (bool, bool)
-        Whether the start and the end keep their angles.
+        True for each end (start, end) that keeps its angle.
 
     Raises
     ------
     NotConvergedError
-        No stack comes to rest between the same ends.
+        No stack has a rest shape between the same ends.
     """
     if not isinstance(law, LeavesLaw):
         raise InputError(f"the law is {law!r}: give a LeavesLaw(sheet, leaves, width)")
@@ -109,7 +107,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
         )
     best = min(found, key=lambda one: one.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:
-        # leaves that all go all the way bend as the fewest do: the others would change nothing
+        # plies of full length bend like the fewest plies: more of them would not change the shape
         bare = _Search(
             relaxed,
             law,
@@ -171,11 +169,11 @@ class _Search:
 
     @property
     def turned(self) -> list[int]:
-        """Which ends (0, 1) are clamps, whose angle may change."""
+        """Clamped ends (0, 1) whose angle may change."""
         return [i for i, end in enumerate(self.relaxed.supports.ends) if end.angle and not self.tangents[i]]
 
     def answer(self) -> LeafedRod | None:
-        """The best places found; None where no stack rests."""
+        """Return the best stack, or None if no stack has a rest shape."""
         from scipy.optimize import least_squares
 
         start = np.concatenate([self.places, self.relaxed.angle[[0, -1]][self.turned]])

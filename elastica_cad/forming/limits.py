@@ -1,4 +1,4 @@
-"""What a strip may be (limits, all hard) and what of the drawn curve must stay (keep)."""
+"""Hard limits of a strip, and properties of the drawn curve that it keeps."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -17,7 +17,7 @@ Symmetry: TypeAlias = Literal["mirror", "turn"]
 Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
 
 MET = 1e-6  # worst broken limit, in lengths, radians or shares of the limit, that counts as met
-FAR_SHARE = 0.03  # of the diagonal of the drawn curve's box: one that is farther away is another curve
+FAR_SHARE = 0.03  # fraction of the diagonal of the drawn curve's box; a rod farther away is a different curve
 
 
 @dataclass(frozen=True)
@@ -104,7 +104,7 @@ def _bounds_along_strip(
         float | Row | None, Asked("Largest value, or values at equal distances.", least=1)
     ] = None,
 ) -> tuple[float | Row | None, float | Row | None]:
-    """Bounds of K / min K along the strip, as files say them."""
+    """Bounds of K / min K along the strip, in the form used by files."""
     return lower, upper
 
 
@@ -255,7 +255,7 @@ BOTH_ENDS: dict[str, bool | tuple[bool, bool]] = {
 
 @dataclass(frozen=True, eq=False)
 class Keep:
-    """What the nearest rod has in common with the drawn curve.
+    """Properties that the nearest rod shares with the drawn curve.
 
     Parameters
     ----------
@@ -318,12 +318,12 @@ class Keep:
 
     @property
     def both_ends(self) -> tuple[bool, bool]:
-        """Whether the start and the end keep their positions."""
+        """True for each end (start, end) that keeps its position."""
         return cast(tuple[bool, bool], self.ends)
 
     @property
     def both_tangents(self) -> tuple[bool, bool]:
-        """Whether the start and the end keep their tangents."""
+        """True for each end (start, end) that keeps its tangent."""
         return cast(tuple[bool, bool], self.tangents)
 
 

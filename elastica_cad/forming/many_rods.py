@@ -1,4 +1,4 @@
-"""Nearest rods of whole models, on one processor or on many."""
+"""Nearest rods of whole models, on one or several processors."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor, Future
@@ -35,15 +35,15 @@ def nearest_rods(
     progress: Callable[[int, int], None] | None = None,
     **options: Any,
 ) -> tuple[NearestRod, ...]:
-    """`nearest_rod` for many curves; a curve that fails does not lose the others.
+    """Return the nearest rod of each curve; one failure does not stop the rest.
 
     Parameters
     ----------
     curves : sequence of PlaneCurve
     limits, keep, gravity, supports
-        As in `nearest_rod`: one for all curves, or one a curve.
+        As in `nearest_rod`: one value for all curves, or one for each curve.
     executor : concurrent.futures.Executor, optional
-        Runs the work: a process pool, or the executor of a cluster. Without one it runs in this process.
+        A process pool, or the executor of a cluster. By default the work runs in this process.
     progress : callable, optional
         Called with (curves done, curves in all) in this process.
     **options
@@ -52,13 +52,13 @@ def nearest_rods(
     Returns
     -------
     tuple of NearestRod
-        In the order of `curves`. Where nothing could be computed (bad input, a worker that died) the status is
-        FAILED and `message` says why.
+        In the order of `curves`. If nothing could be computed (bad input, a crashed worker) the status is FAILED
+        and `message` gives the reason.
 
     Raises
     ------
     InputError
-        No curves, or sequences of another length.
+        No curves, or sequences of different lengths.
 
     Examples
     --------
@@ -105,28 +105,28 @@ def stream_nearest_rods(
     ahead: int = AHEAD,
     **options: Any,
 ) -> Iterator[tuple[int, NearestRod]]:
-    """`nearest_rod` for any number of curves, each answer as it comes: memory does not grow with their number.
+    """Yield the nearest rod of each curve as soon as it is known, in constant memory.
 
     Parameters
     ----------
     curves : iterable of PlaneCurve
-        Read as they are needed: a generator will do.
+        Read on demand, so it may be a generator.
     limits, keep, gravity, supports, **options
         As in `nearest_rods`, the same for all curves.
     executor : concurrent.futures.Executor, optional
         As in `nearest_rods`.
     ahead : int
-        How many curves are with the executor at a time; several for each of its workers keep these busy.
+        Number of curves submitted at a time; several for each worker keep all workers busy.
 
     Yields
     ------
     tuple of int and NearestRod
-        The place of the curve among `curves`, and its answer; failures as in `nearest_rods`.
+        Index of the curve in `curves`, and its rod; failures as in `nearest_rods`.
 
     Raises
     ------
     InputError
-        No curves to be read, no executor, less than one curve ahead.
+        `curves` is not iterable, `executor` is not an Executor, or `ahead` is below 1.
 
     Examples
     --------
@@ -146,7 +146,7 @@ def stream_nearest_rods(
 def _in_order_of_completion(
     tasks: Iterable["_Task"], executor: Executor | None, ahead: int
 ) -> Iterator[tuple[int, NearestRod]]:
-    """Answers with the numbers of their tasks, of which at most `ahead` are with the executor."""
+    """Yield index and result of each finished task; at most `ahead` tasks are submitted at a time."""
     running: dict[Future[NearestRod], tuple[int, _Task]] = {}
     finished: SimpleQueue[Future[NearestRod]] = SimpleQueue()
 
@@ -180,7 +180,7 @@ def _in_order_of_completion(
 
 
 class _Task(NamedTuple):
-    """One curve with all that goes with it, as it travels to a worker."""
+    """One curve and its options, as sent to a worker."""
 
     curve: PlaneCurve
     limits: Limits | None
@@ -191,7 +191,7 @@ class _Task(NamedTuple):
 
 
 def _attempted(task: _Task) -> NearestRod:
-    """Find the rod of one curve in the worker; an error becomes a status."""
+    """Return the nearest rod of one curve; an error becomes the status FAILED."""
     curve, limits, keep, gravity, supports, options = task
     try:
         return nearest_rod(curve, limits, keep, gravity, supports=supports, **options)

@@ -19,15 +19,15 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 
 EXACT_POINTS = 5
-"""Number of points that determine a meridian (a, b, and the start with its direction, except for sliding along
-it); one less where the last point is its pole, which fixes two numbers."""
+"""Number of points that determine a meridian: it has five free numbers, because moving the start along it does not
+count. One point less if the last point is the pole, which fixes two numbers."""
 
 SEARCH_NODES = 96
 """Approximate number of nodes on the whole meridian; at least `FEWEST` between two points."""
 
 FEWEST = 8  # nodes between two points
 STARTS = 30
-"""Number of first guesses of a and b: that of the regression, then fixed others of its size."""
+"""Number of first guesses of a and b: the regression, then fixed random values of the same size."""
 
 STEPS = 40  # of Newton's method
 LEAST_SHARE = 1e-3
@@ -41,16 +41,16 @@ GOOD = 1e-7
 """Equations missed by more than this share of the size were not solved."""
 
 ROUGH = 1e-2
-"""Largest residual between the nodes with which more nodes are tried; beyond it the solution is no meridian."""
+"""Largest residual between the nodes for which more nodes are tried; above it the solution is not a meridian."""
 
 FINER = 3
 """Largest number of times that the nodes are doubled."""
 
 BETWEEN = 8
-"""Number of places between two nodes at which a solution is checked."""
+"""Number of checked places between two nodes."""
 
 STUCK = 0.1
-"""Where doubling the nodes leaves more than this share of the residual, more nodes are not tried."""
+"""Remaining fraction of the residual above which the nodes are not doubled again."""
 
 SETTLED = 1e-10
 """Relative change by a step that ends the least squares."""
@@ -58,18 +58,18 @@ SETTLED = 1e-10
 
 @dataclass(frozen=True, eq=False)
 class FoundMeridian:
-    """What the search found.
+    """A meridian found by the search.
 
     Attributes
     ----------
     a : float
     b : (2,) array
     points : (n, 2) array
-        Places on the meridian, those sought or the nearest to them; the first is its start.
+        Points of the meridian, at or nearest to the given points; the first is its start.
     lengths : (n - 1,) array
         Arc lengths between them.
     series : (n - 1, 2, m) array
-        Of every piece the Chebyshev coefficients of the tangent's components.
+        Chebyshev coefficients of the tangent's components in each piece.
     """
 
     a: float
@@ -268,7 +268,7 @@ def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray,
 def _through(
     points: FloatArray, equations: _Equations, guess: FloatArray, length: float
 ) -> FloatArray | None:
-    """The unknowns of the meridian through all points that winds the least, if one was found."""
+    """Return the unknowns of the shortest meridian found through all points, or None."""
     best, shortest = None, LONGEST * length
     chance, size = np.random.default_rng(0), float(np.abs(guess[-3:]).max())
     for trial in range(STARTS):
@@ -372,10 +372,10 @@ SOUGHT = 25
 """Number of points of a profile that the search uses."""
 
 ON_AXIS_SHARE = 1e-9
-"""A last point nearer to the axis than this share of all points' size is meant to lie on it."""
+"""Distance from the axis, as a fraction of the size of all points, below which the last point is on the axis."""
 
 MOST_TURNS = 20
-"""Largest number of turns of a meridian; with more it is no strip, and the integration takes too long."""
+"""Largest number of turns of a meridian; with more it is not a strip and the integration takes too long."""
 
 HOPELESS = "strips that tile a surface of revolution cannot follow them"
 NEAR_AXIS_SHARE = 0.05  # of the largest distance from the axis
@@ -398,9 +398,9 @@ class Meridian:
     curve : PlaneCurve
         mm.
     at_pole : bool
-        Did it end because it came to the axis, or to the ring asked for?
+        True if it ended at the axis or at the requested ring.
     deviation : float
-        Largest distance from the points it was sought through, mm; 0 where none were given.
+        Largest distance from the given points, mm; 0 without points.
     """
 
     a: float
@@ -463,7 +463,7 @@ def meridian(
     *,
     ring: float | None = None,
 ) -> Meridian:
-    """The meridian that starts at a point in a direction.
+    """Return the meridian with a given start point and direction.
 
     Parameters
     ----------
@@ -472,20 +472,20 @@ def meridian(
     b : (2,) array_like
         Its change, 1/mm. A multiple of (0, 1) lets one end turn freely about the axis (symmetric supports).
     start : (2,) array_like
-        mm; the first number is the distance from the axis, positive.
+        Position, mm; the first number is the (positive) distance from the axis.
     angle : float
         Of the tangent at the start against the direction away from the axis, rad.
     length : float
-        mm; the meridian ends before where it comes to the axis.
+        mm; the meridian ends earlier if it reaches the axis.
     ring : float, optional
-        It ends where its distance from the axis falls to this, mm; at a thousandth of its largest unless given
-        (a strip has some width at the pole).
+        Distance from the axis, mm, at which the meridian ends; by default a small fraction of its size, because
+        strips have some width at the pole.
 
     Raises
     ------
     InputError
-        Numbers that are not finite, a start on the axis, a length that is not positive, constants that make the
-        meridian wind about.
+        Numbers that are not finite, a start on the axis, a length that is not positive, or constants that bend
+        the meridian too sharply.
     NotConvergedError
         The curvature grows without bounds.
 
@@ -511,24 +511,24 @@ def meridian(
 
 
 def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = None) -> Meridian:
-    """The meridian through up to five points where there is one, or as near to points as there is (a profile).
+    """Return the meridian through up to five points, or the nearest meridian to a profile.
 
-    a, b, the start and the first direction give a meridian five freedoms, so five points fix it; four where the
-    last is its pole, on the axis. Where none passes them without winding about, and for more points, the squares
-    of the distances are made least; `deviation` says how far the farthest is off.
+    A meridian has five degrees of freedom, so five points determine it, or four if the last is its pole on the
+    axis. For more points, or if every meridian through the points has extra turns, the sum of squared distances is
+    minimised; `deviation` is the largest distance.
 
     Parameters
     ----------
     points : (n, 2) array_like or PlaneCurve
-        In order, mm, at x > 0, the last perhaps on the axis, where the surface then closes at the pole; or a whole
-        profile. The meridian starts at the first point, or near it, and ends at the last one's place.
+        In order, mm, at x > 0, or a whole profile. If the last point is on the axis, the surface closes at the
+        pole. The meridian starts at or near the first point and ends at the last.
     ring : float, optional
-        As in `meridian`: where a surface that closes at the pole is to end.
+        As in `meridian`: where a surface that closes at the pole ends.
 
     Raises
     ------
     InputError
-        Fewer than three points, some on or beyond the axis, two alike.
+        Fewer than three points, points on or beyond the axis, or repeated points.
     NotConvergedError
         No meridian near the points.
 
@@ -577,7 +577,7 @@ def _curve(found: FoundMeridian, size: float, end: float) -> PlaneCurve:
 
 
 def _floor(start: float, length: float, ring: float | None) -> float:
-    """The distance from the axis at which a meridian ends, mm."""
+    """Return the distance from the axis (mm) that ends a meridian."""
     if ring is None:
         return min(NARROW_SHARE * (start + length), start / 2)
     if not (is_number(ring) and 0 < ring < start):
@@ -590,7 +590,7 @@ def _floor(start: float, length: float, ring: float | None) -> float:
 
 
 def _end(distance: Callable[[FloatArray], FloatArray], length: float, floor: float) -> float:
-    """Arc length at which the distance from the axis comes down to `floor`, or the whole length, mm."""
+    """Return the arc length (mm) where the distance from the axis falls to `floor`, or the whole length."""
     from scipy.optimize import brentq
 
     s = np.linspace(0.0, length, 2001)
@@ -666,7 +666,7 @@ def _integrated(
 
 
 def _refuse_winding(p: FloatArray) -> None:
-    """Constants with which a meridian bends, or waves, far within its length."""
+    """Refuse constants that make a meridian turn or oscillate too often within its length."""
     a, b, start, length = p[0], p[1:3], p[3:5], p[6]
     with np.errstate(over="ignore"):
         bending = abs(a + b @ start) / start[0]

@@ -24,7 +24,7 @@ _UNLIKE = 0.05  # largest distance, in diagonals of the target, beyond which a r
 
 
 class Status(Enum):
-    """How the search ended, in a sentence for the user."""
+    """Outcome of the search, as a sentence for the user."""
 
     MET = "All limits are met, and no nearer rod was found."
     UNSETTLED = "All limits are met, but the search was stopped before it settled: a nearer rod may exist."
@@ -47,7 +47,7 @@ def judge_search(violation: float, deviation: float, settled: bool) -> Status:
 
 @dataclass(frozen=True)
 class Binding:
-    """A limit, or something kept, that costs distance.
+    """A limit, or a kept property, that increases the distance.
 
     Attributes
     ----------
@@ -55,12 +55,12 @@ class Binding:
         "ratio", "margin", "curvature", "length", "keep-out", "stiffness bounds", "end position", "end tangent",
         "start position", "start tangent", "points", "inflection line", "symmetry", ...
     limit : float or None
-        Its present value where it is one number (curvature in 1/mm, lengths in mm).
+        Its value if that is one number (curvature in 1/mm, lengths in mm).
     cost : float
-        Millimetres of distance (mean or largest, as measured) saved at first by relaxing it by one unit; for what
-        is kept, by moving it by 1 mm or 1 rad.
+        Decrease of the distance (mean or largest, as measured), mm, per unit that the limit is relaxed, to first
+        order; for a kept property, per mm or rad that it moves.
     broken : float
-        By how much it is missed, in lengths of the drawn curve, radians or shares of the limit.
+        Violation, in lengths of the drawn curve, radians or fractions of the limit.
     """
 
     name: str
@@ -76,34 +76,34 @@ class NearestRod:
     Attributes
     ----------
     found : Rod or None
-        See `rod`; None where nothing could be computed.
+        See `rod`; None if nothing could be computed.
     target : PlaneCurve
-        The curve that was drawn.
+        The drawn curve.
     status : Status
     deviation : float
-        Largest distance between rod and curve, either way, mm.
+        Largest distance from the rod to the curve, or from the curve to the rod, mm.
     mean_deviation : float
-        Root mean square distance, arc length against arc length, mm.
+        Root mean square distance, mm, between points at corresponding arc lengths.
     binding : tuple of Binding
-        The limits that hold the rod away from the drawn curve, the dearest first.
+        The limits that keep the rod away from the drawn curve, the most costly first.
     violation : float
-        Worst broken limit, in lengths of the drawn curve, radians or shares of the limit.
+        Largest violation of a limit, in lengths of the drawn curve, radians or fractions of the limit.
     iterations : int
-        Steps (quadratic programs accepted) over all starts.
+        Steps (accepted quadratic programs) from all starts.
     limits, keep
-        As asked.
+        As requested.
     message : str
-        What went wrong where the status is FAILED.
+        Reason if the status is FAILED.
     measure : "mean", "closest" or "max"
-        As asked.
+        As requested.
     distance : float
-        What was made least: the distance as measured and weighted, mm.
+        The minimised distance, with its measure and weights, mm.
     ties : tuple of Rod
-        Rods of another shape that meet the limits and are as near, but for 2 %.
+        Rods of a different shape that meet the limits and are as near within 2 %.
     ended : SearchPoint or None
-        Where the search ended; `nearest_rod` begins there that has this record as `start`.
+        End of the search, where `nearest_rod` begins if this record is its `start`.
     again : callable, optional
-        `nearest_rod` with all else that was asked; see `relaxed`.
+        `nearest_rod` with the remaining options of the request; see `relaxed`.
     """
 
     found: Rod | None
@@ -141,7 +141,7 @@ class NearestRod:
         Raises
         ------
         NotConvergedError
-            When the status is FAILED.
+            The status is FAILED.
         """
         if self.found is None:
             raise self._no_rod
@@ -153,30 +153,30 @@ class NearestRod:
 
     @property
     def met(self) -> bool:
-        """Whether all limits are met (to 1e-6)."""
+        """True if all limits are met to 1e-6."""
         return self.violation <= MET
 
     @cached_property
     def curve(self) -> PlaneCurve:
-        """The rest shape as a spline of degree 4 with few control points, to go on editing.
+        """The rest shape as a spline of degree 4 with few control points, for further editing.
 
-        It follows the rod to 1e-3 mm; without weight its inflections lie on one line, so that
-        `check_equilibrium` accepts it. Of glued leaves it is the rod's own curve.
+        It follows the rod to 1e-3 mm. Without weight its inflections are on one line, so that
+        `check_equilibrium` accepts it. For glued plies it is the curve of the rod itself.
         """
         from elastica_cad.forming.editable_curve import editable_curve
 
         section = self.rod.section
-        if section is not None and section.stack is not None:  # its curvature goes in steps
+        if section is not None and section.stack is not None:  # its curvature jumps where plies end
             return self.rod.curve
         return editable_curve(self.rod)
 
     def relaxed(self, limits: Limits | None = None, keep: Keep | None = None) -> "NearestRod":
-        """The answer for the same curve with other limits, or other things kept, and all else as asked.
+        """Return the nearest rod of the same request with other limits or kept properties.
 
         Raises
         ------
         NotConvergedError
-            When the status is FAILED.
+            The status is FAILED.
         """
         if self.again is None:
             raise self._no_rod
@@ -185,7 +185,7 @@ class NearestRod:
 
     @cached_property
     def advice(self) -> tuple[str, ...]:
-        """Sentences about the limits that bind, the most useful first.
+        """Suggestions for the binding limits, the most useful first.
 
         Savings are first-order estimates from the multipliers of the search. `relaxed` solves for a changed limit,
         and `split` finds supports with which the drawn curve itself can be made.
@@ -210,7 +210,7 @@ class NearestRod:
 
     @property
     def verdict(self) -> str:
-        """How the search ended and how far the rod is from the drawn curve, without advice."""
+        """Status and distance of the rod from the drawn curve, without advice."""
         if self.found is None:
             return sentences([note(self.status.value), self.message], " ")
         far = note("The rod leaves the drawn curve by {far} at most.", far=Length(self.deviation))

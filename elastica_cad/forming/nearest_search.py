@@ -43,13 +43,13 @@ class SearchSettings(NamedTuple):
     Attributes
     ----------
     steps, unmet_steps : int
-        Number of steps in all after which no new start is tried, and the same where no start has met the limits yet
-        or the first has missed the margin. A search that stalled counts as all the steps that it might take.
+        Total number of steps after which no new start is tried; and the same number if no start has met the limits
+        or the first one missed the margin. A stalled search counts with its largest possible number of steps.
     tensions : tuple of float
-        Starts of straight rods under tension, as shares of the tension that alone gives the margin. Taut starts
-        are stable, unloaded ones do not buckle.
+        Tensions of straight starts, as fractions of the tension that provides the margin on its own. Taut starts
+        are stable; unloaded starts do not buckle.
     follows, longer : float
-        Above the distance `follows` a start that is `longer` times as long as the target is tried, too.
+        Above the distance `follows`, a start `longer` times as long as the target is tried too.
     bent : int
         Largest number of starts that differ from the target by random waves.
     bent_rad : float
@@ -57,16 +57,16 @@ class SearchSettings(NamedTuple):
     far : float
         Distance above which these starts are tried.
     bent_lifts : int
-        Lifted steps of such a start; with few of them it can still lead to several local optima.
+        Lifted steps of such a start; with few steps it can still lead to several local optima.
     near, as_near : float
         A search that continues a previous one is accepted if its distance is below `near`, or below `as_near`
         times that of the previous one.
     followed : float
-        Distance below which a rod follows its target, so that a smaller ratio is looked for.
+        Distance below which a rod follows its target, so that a smaller ratio is tried.
     lean : float
         Distance that such a smaller ratio may cost.
     spline : float
-        Factor on the least ratio, as K is a spline with few coefficients.
+        Factor on the least ratio, because K is a spline with few coefficients.
     tie, apart : float
         A result whose distance is within the factor `tie` of the least one is reported, too, if the rods are
         farther apart than `apart`.
@@ -137,10 +137,10 @@ def _find_rod(task: NearestTask, start: NearestRod | None = None) -> NearestRod:
 
 
 def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
-    """Search from the end of a similar search, or from as many starts as are needed.
+    """Search from the end of a similar search, or from several starts.
 
-    The first start is nearly always enough. The others are tried where it meets no limits, does not converge, or
-    ends far from the target.
+    The first start is nearly always enough. More starts are tried if it violates limits, does not converge, or ends
+    far from the target.
     """
     problem = pose_problem(task)
     if before is not None and (near := _from_before(task, problem, before)) is not None:
@@ -155,7 +155,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
         done = best.settled and best.violation <= MET
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         if (spent < most or enough == np.inf) and not (done and off < enough):
-            # a largest distance does not tell how far two rods are apart
+            # the largest distance does not measure how far two rods are apart
             largest = task.request.measure == "max"
             known = [] if largest else [one for one in found if one.settled and one.violation <= MET]
             found.append(minimize(problem, start(), known=known))
@@ -196,9 +196,9 @@ def _rescaled(found: Search, margin: float | None) -> Search:
 
 
 def _narrowed(found: Search, task: NearestTask) -> Search:
-    """Continue a search at one scale or at smaller ones, with most of the margin first.
+    """Continue a search at a given scale, then at smaller scales, each first with most of the margin.
 
-    Narrower strips may keep a margin that wider ones lose.
+    Narrower strips may meet a margin that wider strips do not meet.
     """
     margin = task.limits.margin or 0.0
     for share in SETTINGS.narrower:
@@ -218,8 +218,7 @@ def _go_on(found: Search, task: NearestTask) -> Search:
 
 
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
-    """Search from the end of a previous search; None where the limits are not met or the result is not about as
-    near."""
+    """Search from a previous end; return None if limits are violated or the result is much farther away."""
     z = before.seen_from(task.target, problem.grid.unknowns)
     rod = None if z is None else problem.grid.shoot(z)
     if rod is None or not np.isfinite(rod.moments[-1]):
@@ -244,9 +243,9 @@ def _concluded(so_far: Search, found: Sequence[RodOutcome]) -> Search:
 
 
 def _leaner(task: NearestTask, best: RodOutcome) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
-    """A rod with the least ratio that the target needs, where that is smaller than the best one's and as near.
+    """Return an equally near rod with the least ratio that the target needs, if that is below the best rod's ratio.
 
-    The distance does not depend on the ratio, so a search for a target that can be met exactly ends with any ratio.
+    If the target can be met exactly, the distance does not depend on the ratio and the search ends with any ratio.
     """
     K = best.point.stiffness
     law = None if task.section is None or task.is_light else task.section.law
@@ -271,7 +270,7 @@ def _leaner(task: NearestTask, best: RodOutcome) -> tuple[NearestTask, RodProble
 def _ties(
     task: NearestTask, problem: RodProblem, best: RodOutcome, found: Sequence[RodOutcome]
 ) -> Iterator[RodOutcome]:
-    """Results as near as the best one, within 2 %, whose shapes differ from it and from each other."""
+    """Yield results as near as the best result, within 2 %, that differ in shape from it and from each other."""
     allowed = best.objective * (SETTINGS.tie if task.request.measure == "max" else SETTINGS.tie**2)
     apart = (SETTINGS.apart * task.target.diagonal) ** 2
     told = [best]
@@ -284,7 +283,7 @@ def _ties(
 
 
 def _rank(outcome: RodOutcome) -> tuple[bool, float]:
-    """Order of results: those that meet the limits first, by distance; the others by distance and violation."""
+    """Return a sort key: results that meet the limits by distance, then the rest by distance and violation."""
     met = outcome.violation <= MET
     return not met, outcome.objective + (0.0 if met else outcome.violation)
 
@@ -347,13 +346,13 @@ def _start(
     return lift(replace(problem, distance=task.mean_distance), start, lifts)
 
 
-_STRICTER = 6  # tapers at most, each within stricter limits, from which leaves are laid
-_BEYOND = 1.2  # times what a stack breaks of a limit is asked of the next taper
+_STRICTER = 6  # largest number of tapers for laying plies, each within stricter limits
+_BEYOND = 1.2  # factor on the violation of a limit, by which the next taper is stricter
 _WHOLE = 1e-9  # of a leaf: more than rounding
 
 
 def _find_leaves(request: NearestRequest, law: LeavesLaw) -> NearestRod:
-    """A stack of glued leaves near the nearest taper; where a step breaks a limit, that of a stricter taper."""
+    """Return a stack of glued plies near the nearest taper; if it violates a limit, use a stricter taper."""
     curve, limits, keep = request.curve, request.limits, request.keep
     if limits.stiffness_bounds is not None or keep.points or keep.symmetry or keep.line:
         raise InputError(
@@ -394,7 +393,7 @@ def _find_leaves(request: NearestRequest, law: LeavesLaw) -> NearestRod:
 
 
 def _taper_on_curve(request: NearestRequest, law: LeavesLaw) -> Rod | None:
-    """The taper that rests in the curve itself, as thick as the stack may be, where there is one."""
+    """Return the taper that rests in the drawn curve, as thick as the stack may be, or None."""
     length = request.limits.length
     if length is not None and not length[0] <= request.curve.length <= length[1]:
         return None
@@ -405,14 +404,14 @@ def _taper_on_curve(request: NearestRequest, law: LeavesLaw) -> Rod | None:
 
 
 def _rod_on_curve(request: NearestRequest, section: BoundedLaw | None) -> Rod:
-    """The rod of least ratio that rests in the curve itself."""
+    """Return the rod of least ratio that rests in the drawn curve."""
     return optimal_rod(
         request.curve, request.gravity, request.supports, request.natural_curvature, section=section
     )
 
 
 def _broken_by(laid: LeafedRod, limits: Limits) -> tuple[Binding, ...]:
-    """The limits that a stack breaks, and by how much, in shares of each."""
+    """Return the limits that a stack violates, each with the violation as a fraction of the limit."""
     rod = laid.rod
     s, bend = leaf_bends(rod, laid.section)
     shares: dict[str, tuple[float | None, float]] = {}
@@ -431,7 +430,7 @@ def _broken_by(laid: LeafedRod, limits: Limits) -> tuple[Binding, ...]:
 
 
 def _stricter(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
-    """Limits for the taper, of which a stack then breaks less."""
+    """Return stricter limits for the taper, so that a stack violates the actual limits less."""
     for one in broken:
         more = 1 + _BEYOND * one.broken
         if one.name == "margin":
@@ -446,7 +445,7 @@ def _stricter(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
 
 _MOST_NODES = 5000  # beyond, time grows and the shape hardly changes
 _UNBEARABLE = 50.0
-"""Length of a curve, in elasto-gravity lengths, from which its weight is the reason that no first rod exists."""
+"""Length of a curve, in elasto-gravity lengths, above which its weight is the reason for a missing first rod."""
 
 
 def nearest_rod(
@@ -464,10 +463,10 @@ def nearest_rod(
     natural_curvature: NaturalCurvature = 0.0,
     start: NearestRod | None = None,
 ) -> NearestRod:
-    """The rod nearest to a drawn curve, realizable or not, that meets all limits.
+    """Return the rod nearest to a drawn curve, realizable or not, that meets all limits.
 
-    Stiffness, length and start of the rod are the unknowns and its shape follows from the balance of moments
-    (Eqs. 3 and 5), so every rod that is tried rests in its shape; see `forming.optimizer.sqp` for the method.
+    The unknowns are stiffness, length and start of the rod. Its shape follows from the balance of moments (Eqs. 3
+    and 5), so every rod in the search is in equilibrium; see `forming.sqp` for the method.
 
     Parameters
     ----------
@@ -476,44 +475,44 @@ def nearest_rod(
     limits : Limits, optional
         Hard limits: ratio, stability margin, curvature, ...
     keep : Keep, optional
-        What must stay; the end positions unless told.
+        Properties to keep; by default the end positions.
     gravity : Gravity, optional
         Weight proportional to the stiffness, as of a plain strip.
     supports : Supports, optional
-        Clamped at both ends unless given.
+        Clamped at both ends by default.
     weights : optional
-        How much each part of the curve matters: a number, values at equal distances, or a function of the arc
-        length of the curve (mm).
+        Weight of each part of the curve in the distance: a number, values at equal distances, or a function of the
+        arc length of the curve (mm).
     measure : "mean", "closest" or "max"
-        Mean square distance, arc length against arc length or each point against the nearest; or the largest
-        distance.
+        Mean square distance, between points at corresponding arc lengths or from each point to the nearest; or the
+        largest distance.
     samples : int
         Nodes of the rod.
     coefficients : int
-        B-spline coefficients of the stiffness; unless given 20, and 4 more for each half turn of the curve.
+        B-spline coefficients of the stiffness; by default 20, and 4 more for each half turn of the curve.
     section : BoundedLaw, optional
-        What stiffness is made of, as in `optimal_rod`: its limits bound the ratio, under gravity (of which only the
-        direction counts) it carries its own weight, and a limit `sheet` bounds its strain. Of a `LeavesLaw` the
-        nearest rod of any thickness is sought first, then leaves are laid to come near that (`lay_leaves`).
+        Relation of section and stiffness, as in `optimal_rod`. Its limits bound the ratio. Under gravity (only the
+        direction matters) the rod carries its own weight. A limit `sheet` bounds its strain. For a `LeavesLaw`, the
+        nearest rod of continuous thickness is found first, then approximated by plies (`lay_leaves`).
     natural_curvature : float or RestCurvature
-        kappa_0, 1/mm, or that of a blank bent beforehand: the rod is then as long as the blank, but for 1 %.
+        kappa_0, 1/mm. With a RestCurvature (pre-bent strip) the rod has the length of that strip within 1 %.
     start : NearestRod, optional
-        The answer to nearly the same request, such as the curve before a small move: the search begins at its rod
-        and takes two thirds of the time, or a tenth where many starts were needed. It stays in that rod's valley
-        while what it finds there meets the limits and is nearly as near as that rod was; else it begins afresh.
+        Result of a similar request, such as the curve before a small move. The search begins at its rod and takes
+        two thirds of the time, or a tenth if many starts were needed. It stays near that local optimum as long as
+        the result meets the limits and is nearly as near as before; otherwise it starts again.
 
     Returns
     -------
     NearestRod
-        Of the least ratio (within 0.5 %) where the curve itself meets the limits. Also when limits cannot be
-        met: see its `status`, `met` and `binding`.
+        It has the least ratio (within 0.5 %) if the drawn curve meets the limits. A rod is also returned if the
+        limits cannot be met: see `status`, `met` and `binding`.
 
     Raises
     ------
     InputError
         Limits that contradict each other or the curve.
     NotConvergedError
-        No rod to begin with: a curve too wild, or a weight far too much for the stiffness.
+        There is no first rod, because the curve bends too much or the weight is far too large for the stiffness.
 
     References
     ----------

@@ -38,8 +38,8 @@ from elastica_cad.refusals import Length as Mm
 Measure: TypeAlias = Literal["mean", "closest", "max"]
 Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
 
-_FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60  # of the stiffness unless told
-_COEFFICIENTS_PER_HALF_TURN = 4.2  # a curve that turns more often asks for a finer stiffness
+_FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60  # default number of stiffness coefficients
+_COEFFICIENTS_PER_HALF_TURN = 4.2  # a curve that turns more needs a finer stiffness
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,25 +61,25 @@ class NearestRequest:
 
 @dataclass(frozen=True, eq=False)
 class NearestTask:
-    """A request in lengths of its curve; `pose_problem` makes a nonlinear program of it.
+    """A request in units of the length of its curve; `pose_problem` converts it to a nonlinear program.
 
     Attributes
     ----------
     request : NearestRequest
     target : TargetCurve
     limits : Limits
-        Those of the request, with the ratio that its section allows.
+        Limits of the request, with the ratio that its section allows.
     weights : (nodes,) array
         Weights of the nodes, mean 1.
     coefficients : int
     line : pair of points or None
-        Inflection line to be kept, mm.
+        Inflection line to keep, mm.
     section : SectionScale or None
-        What K is made of, where its weight or strain is not that of a plain strip.
+        Relation of section and K, if weight or strain differ from those of a plain strip.
     grows : bool
-        Are sizes without weight made as large as the limits let them be, once the rod is found?
+        True if sizes without weight are made as large as the limits allow, once the rod is found.
     keeps_scale : bool
-        Does the scale of a strip that follows its bend stay, and each node keep within the largest width there?
+        True if a strip that follows its bend keeps its scale, and each node stays within the largest width there.
     """
 
     request: NearestRequest
@@ -136,17 +136,16 @@ class NearestTask:
 
     @property
     def is_scaled_freely(self) -> bool:
-        """Whether K is relative only. For a law whose limits determine its scale whatever the bend, K is
-        absolute."""
+        """True if K is only relative; K is absolute if the limits of the law determine its scale for any bend."""
         return self.section is None or self.section.law.follows_bend
 
     @property
     def is_light(self) -> bool:
-        """Whether it is a law of absolute sizes without weight, whose scale is found afterwards."""
+        """True for a law of absolute sizes without weight, whose scale is found after the search."""
         return self.grows and self.request.gravity is None and not self.is_scaled_freely
 
     def within_ratio(self, ratio: float) -> "NearestTask":
-        """The task with this limit to the ratio; a light one in the sizes that then bear most."""
+        """Return the task with this largest ratio; without weight also in the sizes that can bend most."""
         limits = replace(self.limits, ratio=ratio)
         section = self.section
         if section is not None and self.is_light:
@@ -154,9 +153,9 @@ class NearestTask:
         return replace(self, limits=limits, section=section)
 
     def settled(self, mapped: MappedRod) -> "NearestTask":
-        """The task with widths as large as their limit lets a rod be that was found; itself where they were.
+        """Return the task with the largest widths that the limit allows for a rod, or itself if unchanged.
 
-        Of other laws the scale is that of their limits, whatever the bend, and their sizes keep within these.
+        For laws that do not follow the bend, the limits determine the scale.
         """
         if self.section is None or not self.is_scaled_freely:
             return self
@@ -166,7 +165,7 @@ class NearestTask:
 
     @property
     def without_followed_margin(self) -> "NearestTask":
-        """The task without a margin that hangs on the scale, which no rod has settled; itself where none does."""
+        """The task without a margin that depends on a scale not determined yet, or the task itself."""
         if self.section is None or not self.is_scaled_freely or self.limits.margin is None:
             return self
         return self.with_margin(None)
@@ -197,7 +196,7 @@ class NearestTask:
 
     @property
     def in_smaller_sections(self) -> "NearestTask | None":
-        """The task with sections that all bear the target's own bend; None where that makes no difference."""
+        """The task with sections that withstand the bend of the target, or None if that makes no difference."""
         if self.section is None or self.is_scaled_freely or self.request.gravity is None:
             return None
         bent = _nodal_bend(self.target, self.request.natural_curvature, self.nodes)
@@ -206,18 +205,18 @@ class NearestTask:
 
     @property
     def rest(self) -> float | FloatArray:
-        """kappa_0, or that of a blank (nodes,), in the target's units; the blank is stretched to the rod."""
+        """kappa_0 in the units of the target; (nodes,) for a pre-bent strip, which is stretched to the rod."""
         return _nodal_rest(self.request.natural_curvature, self.nodes, self.target.size)
 
     def rod_of(self, mapped: MappedRod) -> Rod:
-        """The rod in millimetres, least stiffness 1; a light one in sections as large as the limits let it be."""
+        """Return the rod in mm with least stiffness 1; without weight with the largest allowed sections."""
         size, section = self.target.size, self.section
         if section is not None and self.is_light:
             section = section.grown(mapped.stiffness, mapped.moments / mapped.stiffness / size, self.limits)
         least = float(mapped.stiffness.min())
         length = mapped.length * size
         profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
-        if self.request.gravity is None and section is None:  # no weight to be asked of a record
+        if self.request.gravity is None and section is None:  # no weight to compute
             s = np.linspace(0.0, length, self.nodes)
             profile, K = scaled_to_least(profile, s)
             rest = nodal_curvature(self.request.natural_curvature, s)
@@ -281,7 +280,7 @@ def _nodal_bend(target: TargetCurve, rest: NaturalCurvature, nodes: int) -> Floa
 
 
 def _nodal_rest(rest: NaturalCurvature, nodes: int, size: float) -> float | FloatArray:
-    """kappa_0 times `size`, or that of a blank at so many nodes (nodes,)."""
+    """Return kappa_0 times `size`; (nodes,) for a pre-bent strip."""
     if isinstance(rest, RestCurvature):
         return size * rest.at(np.linspace(0.0, rest.length, nodes))
     return size * rest
@@ -310,7 +309,7 @@ class SearchPoint:
     off: float
 
     def seen_from(self, target: TargetCurve, unknowns: Unknowns) -> FloatArray | None:
-        """Unknowns of the same rod in the units of another target; None where the unknowns differ."""
+        """Return the unknowns of the same rod in the units of another target, or None if the unknowns differ."""
         u = self.unknowns
         if unknowns != u:
             return None

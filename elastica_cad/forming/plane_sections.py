@@ -1,9 +1,8 @@
-"""Triangle meshes, checked and welded, and their sections by planes: ordered lines in the planes' own frames.
+"""Checked and welded triangle meshes, and their plane sections as ordered lines in the frames of the planes.
 
-A vertex in the plane counts as lying on one side of it, as if the plane were moved aside by less than any
-number (simulation of simplicity): every face that has corners on both sides is then crossed at two of its
-edges, edges are told apart by their vertices alone, and the pieces chain up without comparing places. The
-points themselves are those of the plane as it is.
+A vertex in the plane counts as a vertex on one side, as if the plane were shifted infinitesimally (simulation of
+simplicity). So every face with vertices on both sides is crossed at two edges. Edges are identified by their
+vertices, and the pieces are chained without comparing coordinates. The points are computed with the actual plane.
 """
 
 from collections.abc import Sequence
@@ -22,7 +21,7 @@ SHOWN_PLACES = 3
 """Largest number of places that a message lists."""
 
 CRACK_SHARE = 1e-5
-"""Borders nearer to each other than this share of their extent are one edge with different rounding errors."""
+"""Distance, as a fraction of the borders' extent, below which border vertices are merged."""
 
 FARTHEST_MM = 1e9
 """Largest coordinate, mm."""
@@ -32,21 +31,21 @@ FARTHEST_MM = 1e9
 class Mesh:
     """Triangles in space, open or closed.
 
-    Corners at the same place are made one, as files often repeat them, and along borders also those nearer than
-    a hundred thousandth of the borders' extent, as rounding leaves them; triangles without area and repeated
-    ones are left out. Nothing else is moved. `reports` says what was found; none of it stops a section.
+    Coincident vertices are merged, because files often repeat them. Along borders, vertices nearer than 1e-5 of the
+    borders' extent are merged too, because of rounding. Triangles without area and repeated triangles are left out.
+    `reports` lists the defects found; none of them prevents a section.
 
     Parameters
     ----------
     vertices : (n, 3) array_like
         mm.
     faces : (m, 3) array_like of int
-        Rows of `vertices`; their sense does not matter.
+        Rows of `vertices`; the orientation does not matter.
 
     Raises
     ------
     InputError
-        Arrays of another shape, numbers that are not finite, faces of vertices that are not there, no face left.
+        Wrong shapes, numbers that are not finite, faces with missing vertices, or no face left.
 
     Examples
     --------
@@ -132,7 +131,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
 
 
 def _sewn(points: FloatArray, rows: IntArray) -> IntArray:
-    """The triangles with corners of borders that lie within a crack made one."""
+    """Return the triangles, with border vertices merged across cracks."""
     edges, count = np.unique(
         np.sort(np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]]), axis=1),
         axis=0,
@@ -175,7 +174,7 @@ def _complaint(points: FloatArray, rows: IntArray, total: int, one: str, many: s
 
 
 def _edge_complaints(points: FloatArray, rows: IntArray) -> list[str]:
-    """Edges of one face or of more than two, and neighbours that are turned over against each other."""
+    """Return notes on edges of one face, edges of more than two faces, and neighbours of opposite orientation."""
     directed = np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]])
     edges, index, count = np.unique(
         np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True
@@ -213,32 +212,32 @@ def _places(points: FloatArray, edges: Sequence[IntArray] | IntArray) -> Listed:
 
 
 APART = 1e-10
-"""Neighbouring points of a section nearer than this share of the size are one."""
+"""Distance, as a fraction of the size, below which neighbouring points of a section are merged."""
 
 
 def mesh_sections(
     vertices: ArrayLike, faces: ArrayLike, planes: Sequence[Frame], *, half: bool = False
 ) -> tuple[PlaneSection, ...]:
-    """Sections of a triangle mesh, open or closed, by a family of planes; no vertex is moved.
+    """Return sections of a triangle mesh, open or closed, by a family of planes.
 
     Parameters
     ----------
     vertices, faces : (n, 3) and (m, 3) array_like
         The mesh, mm; see `Mesh`.
     planes : sequence of Frame
-        From `parallel_planes`, `radial_planes`, `planes_along`, or by hand.
+        From `parallel_planes`, `radial_planes` or `planes_along`, or any frames.
     half : bool
-        Only what lies at x >= 0 of each frame: half planes about an axis.
+        Return only the part with x >= 0 in each frame, for half planes about an axis.
 
     Returns
     -------
     tuple of PlaneSection
-        One a plane, in order; a plane that misses gives a section without lines and a sentence that says so.
+        One section for each plane, in order. If a plane misses, its section has no lines and a message.
 
     Raises
     ------
     InputError
-        A mesh that is none, see `Mesh`; planes that are not a sequence of frames.
+        An invalid mesh (see `Mesh`), or planes that are not a sequence of frames.
 
     Examples
     --------
@@ -306,7 +305,7 @@ def _missing(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
 
 
 def _chained(mesh: Mesh, local: FloatArray, height: FloatArray, above: BoolArray) -> list[FloatArray]:
-    """Lines (k, 2) through the crossed faces, where `above` tells the sides of the vertices apart."""
+    """Return lines (k, 2) through the crossed faces; `above` gives the side of each vertex."""
     side = above[mesh.faces]
     faces = mesh.faces[side.any(axis=1) & ~side.all(axis=1)]
     if not len(faces):
@@ -325,7 +324,7 @@ def _chained(mesh: Mesh, local: FloatArray, height: FloatArray, above: BoolArray
 
 
 def _walks(links: IntArray, count: int) -> list[list[int]]:
-    """Chains of nodes that links (m, 2) make; they end at nodes of one link, or of more than two."""
+    """Join links (m, 2) to chains of nodes, which end at nodes with one link or more than two links."""
     at: list[list[int]] = [[] for _ in range(count)]
     for k, (a, b) in enumerate(links.tolist()):
         at[a].append(k)

@@ -11,21 +11,21 @@ from elastica_cad._types import BoolArray, FloatArray
 
 
 class InteriorPoints(NamedTuple):
-    """Settings of the method. Every unknown has finite bounds, so a dozen factorisations usually suffice.
+    """Settings of the method; a dozen factorisations usually suffice, because all unknowns are bounded.
 
-    HiGHS was tried first: its active sets cycled without end on the programs of a nearly solved problem.
+    The active sets of HiGHS cycled without end on programs of a nearly solved problem.
 
     Attributes
     ----------
     accuracy : float
-        Usual one: far below the error of a linear model.
+        Default accuracy, far below the error of a linear model.
     backoff : float
-        Share of the way to the nearest bound that a step goes at most.
+        Largest step, as a fraction of the distance to the nearest bound.
     cycling, centered : int, float
-        After so many factorisations predictor and corrector may go round in circles, as in one program of a
-        thousand; steps then aim at this share of the complementarity, without a corrector.
+        Number of factorisations after which predictor and corrector may cycle (in one program of a thousand).
+        Later steps have no corrector and aim at the fraction `centered` of the complementarity.
     most : int
-        Factorisations.
+        Largest number of factorisations.
     """
 
     accuracy: float = 1e-10
@@ -42,7 +42,7 @@ METHOD = InteriorPoints()
 class QuadraticProgram:
     """Minimise x^T H x / 2 + g^T x + sum of row prices, with lower <= x <= upper.
 
-    A row k stands for A_k x = r_k (or A_k x >= r_k where `one_sided`); breaking it by u costs `price[k]` u.
+    Row k is A_k x = r_k (or A_k x >= r_k if `one_sided`); violating it by u costs `price[k]` u.
     A price larger than the row's multiplier makes the row exact.
 
     Attributes
@@ -69,9 +69,9 @@ class QuadraticProgram:
 
 @dataclass(frozen=True, eq=False)
 class QuadraticSolution:
-    """The minimum: x, and the multipliers of rows (positive pushes A x up) and of bounds.
+    """Minimum x, with the multipliers of rows (positive pushes A x up) and of bounds.
 
-    `converged` tells whether the tolerance was reached, `iterations` after how many factorisations.
+    `converged` is True if the tolerance was reached; `iterations` counts the factorisations.
     """
 
     x: FloatArray
@@ -83,11 +83,11 @@ class QuadraticSolution:
 
 
 def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accuracy) -> QuadraticSolution:
-    """The minimum by interior points with Mehrotra's predictor and corrector.
+    """Minimise by interior points with Mehrotra's predictor and corrector.
 
     `accuracy` is relative to the largest number in the gradient or on the Hessian's diagonal. The price of a row
-    bounds its multiplier y: the row is the pairs p (y - y_low) = 0, q (y_high - y) = 0 with A x - r = p - q, so
-    that equalities, inequalities and their elastic forms are one case.
+    bounds its multiplier y. The row becomes the pairs p (y - y_low) = 0, q (y_high - y) = 0 with A x - r = p - q.
+    So equalities, inequalities and their elastic forms are one case.
 
     Examples
     --------

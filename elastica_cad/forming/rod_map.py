@@ -33,7 +33,7 @@ class StiffnessBasis:
     ----------
     count : int
     mirrored : bool
-        Each function and its mirror image share one coefficient.
+        True if each function and its mirror image share one coefficient.
     """
 
     count: int
@@ -65,7 +65,7 @@ class StiffnessBasis:
 
 
 SAME_SCALE = 1e-5
-"""Relative difference of scales below which the weight is that of the sections that are made."""
+"""Relative difference of scales below which the weight agrees with the final sections."""
 
 FULL_STRAIN = 1 - 2e-5
 """Share of a strain limit that is used; the rest covers the error of the strain between nodes and in fitted
@@ -90,16 +90,15 @@ class SectionScale:
 
     @classmethod
     def of(cls, law: BoundedLaw, limits: Limits, *, heavy: bool) -> "SectionScale":
-        """Choose the scale of sections: the largest where another limit allows a smaller ratio, if light those that
-        bear most.
+        """Choose the scale of the sections: the largest, or without weight the scale that can bend most.
 
-        A rod without weight takes the same shape in any size. Thin strips bear a sharper bend than thick ones,
-        laminates where the backing is as wide as the base.
+        A rod without weight takes the same shape in any size. Thin strips withstand sharper bends than thick
+        strips; laminates do if the backing is as wide as the base.
 
         Raises
         ------
         InputError
-            The limits do not leave any section.
+            The limits exclude every section.
         """
         least, largest = law.limits
         ratio = limits.largest_ratio
@@ -116,7 +115,7 @@ class SectionScale:
                     largest=Length(largest),
                 )
             ratio = min(ratio, most / low)
-            # what a law that follows the bend bears is no question of its size alone: its scale is settled later
+            # the strain of a law that follows the bend does not depend on size alone: its scale is determined later
             if not (heavy or law.follows_bend):
                 thin, thick = cls(law, low, ratio).strain(np.array([1.0, most / low]), limits.strain)
                 if thin < thick:
@@ -143,9 +142,9 @@ class SectionScale:
         return replace(self, scale=float(np.exp(brentq(room, low, high)))) if room(low) > 0 else self
 
     def bearing(self, bend: FloatArray, limits: Limits) -> Self | None:
-        """The largest smaller sections, in the same ratio, that all bear a bend (n,), 1/mm; None where none do.
+        """Return the largest smaller sections of equal ratio that withstand a bend (n,), 1/mm, or None.
 
-        The thickest may bear too little while thinner ones take the curve.
+        Thin sections may withstand a bend that breaks the thickest sections.
         """
         least, largest = self.law.limits
         if limits.sheet is None or not (least > 0 and np.isfinite(largest)):
@@ -242,7 +241,7 @@ class Unknowns:
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class MappedRod(DiscreteRod):
-    """The discrete rod of given unknowns, in balance or, while it is being closed, nearly so.
+    """The discrete rod of given unknowns, in balance or (during closing) nearly in balance.
 
     Attributes
     ----------
@@ -252,10 +251,10 @@ class MappedRod(DiscreteRod):
     all_angles : (n+2,) array
         Start, edges, end.
     all_forces : (n+2, 2) array
-        lambda before the first node, of the edges, and behind the last node.
+        lambda before the first node, of the edges, and after the last node.
     length : float
     memory : dict
-        Costly results that the merit and the model of one rod share.
+        Cache of costly results shared by the merit and the model of the rod.
     """
 
     z: FloatArray
@@ -274,7 +273,7 @@ class MappedRod(DiscreteRod):
 
 @dataclass(frozen=True, eq=False)
 class Sensitivities:
-    """Derivatives of a rod in its p unknowns; a last column more, where asked, closes its defects.
+    """Derivatives of a rod in its p unknowns, with an optional last column that closes its defects.
 
     Attributes
     ----------
@@ -385,7 +384,7 @@ class StripGrid:
 
     @cached_property
     def heavy(self) -> bool:
-        """Whether there is weight."""
+        """True if the rod has weight."""
         return bool(np.any(self.e))
 
     def shoot(self, z: FloatArray) -> MappedRod:
@@ -406,7 +405,7 @@ class StripGrid:
         """Derivatives of angles, moments and positions in z.
 
         The linearised recursion couples each angle and moment to the two before it: one banded triangular solve
-        for all columns. With `closing`, a last column p tells what brings the rod into balance to first order.
+        for all columns. With `closing`, a last column p brings the rod into balance to first order.
         """
         columns = self.unknowns.count + closing
         if _native.compiled is None:

@@ -1,4 +1,4 @@
-"""What is asked of a nearest rod as a nonlinear program, what was found, and what holds the rod there."""
+"""Request for a nearest rod as a nonlinear program, with its results and binding limits."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -52,7 +52,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
 
     @cached_property
     def one_sided(self) -> BoolArray:
-        """Whether the values of each constraint must be at least 0 instead of 0."""
+        """True for each constraint whose values must be at least 0 instead of 0."""
         return np.array([c.one_sided for c in self.constraints], dtype=bool)
 
     @cached_property
@@ -73,7 +73,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return point.z, self._stacked(self.grid.sensitivities(point), values)
 
     def linearize(self, point: MappedRod) -> Linearization[MappedRod] | None:
-        """A rod with its derivatives; None where it winds up, or reacts to its unknowns, too much for numbers."""
+        """Return a rod with its derivatives, or None if they overflow."""
         if not np.isfinite(point.moments[-1]):
             return None
         sensitivities = self.grid.sensitivities(point, closing=True)
@@ -86,7 +86,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         )  # fmt: skip
 
     def close(self, point: MappedRod, step: FloatArray | None = None) -> MappedRod | None:
-        """The rod in balance; None where it winds up so far that numbers overflow."""
+        """Return the rod in balance, or None if numbers overflow because it winds up."""
         rod = self.grid.shoot(point.z if step is None else self._inside(point.z + step))
         return rod if np.isfinite(rod.moments[-1]) else None
 
@@ -148,16 +148,16 @@ class RodProblem(NonlinearProgram[MappedRod]):
 
 
 _SAME_LENGTH = 1e-6  # of the room that a blank has: rods keep inside it for all rounding
-_SAME_CURVATURE = 1e-6  # of the target's typical one: blanks are symmetric but for rounding
-_LENGTHS = (0.2, 5.0)  # of the target, least and largest: where no limit says so a rod stays of its kind
+_SAME_CURVATURE = 1e-6  # fraction of the target's typical curvature, for rounding of a symmetric strip
+_LENGTHS = (0.2, 5.0)  # least and largest length without a limit, in lengths of the target
 
 RodOutcome: TypeAlias = Outcome[MappedRod]
 
 
 class Search(NamedTuple):
-    """What was asked at last, its best outcome, outcomes elsewhere that are as near, and all steps taken.
+    """Final request of a search with its best outcome, equally near outcomes, and the number of all steps.
 
-    `off` is the mean distance that a search from all starts came to, in diagonals of the target.
+    `off` is the mean distance after a search from all starts, in diagonals of the target.
     """
 
     task: NearestTask
@@ -169,7 +169,7 @@ class Search(NamedTuple):
 
     @property
     def ended(self) -> SearchPoint:
-        """Point at which the search ended, as a start for a similar search."""
+        """End of the search, as a start for a similar search."""
         target = self.task.target
         return SearchPoint(
             self.best.point.z, self.problem.grid.unknowns, target.size, target.origin, self.off
@@ -361,7 +361,7 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
 
 
 def _stiffness_box(task: NearestTask, count: int) -> tuple[FloatArray, FloatArray]:
-    """Least and largest coefficients: of the bounds along the strip the strictest over each one's support."""
+    """Return bounds of the coefficients: the strictest bound along the strip in the support of each."""
     ratio = task.limits.largest_ratio
     low, high = np.ones(count), np.full(count, ratio)
     if task.limits.stiffness_bounds is None:
@@ -395,7 +395,7 @@ def _pair(point: FloatArray) -> tuple[float, float]:
     return float(point[0]), float(point[1])
 
 
-_IDLE = 1e-6  # of the largest cost: smaller ones are what the quadratic program leaves open
+_IDLE = 1e-6  # fraction of the largest cost; smaller costs are below the accuracy of the quadratic program
 
 
 def list_bindings(task: NearestTask, problem: RodProblem, outcome: Outcome[MappedRod]) -> tuple[Binding, ...]:

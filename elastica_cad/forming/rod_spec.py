@@ -1,5 +1,4 @@
-"""Requests for a rod: one that follows a curve exactly, also with loads or in two layers, or the nearest one
-within limits."""
+"""Requests for a rod that follows a curve exactly, or for the nearest rod within limits."""
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -50,32 +49,32 @@ class LaminateLayers:
 
 @dataclass(frozen=True, eq=False)
 class RodSpec(EqualByValue):
-    """All that a rod is found from; equal requests have the same answer.
+    """Complete request for a rod; equal requests give equal rods.
 
     Parameters
     ----------
     curve : PlaneCurve
     gravity : Gravity, optional
     supports : Supports, optional
-        Clamped at both ends unless given.
+        Clamped at both ends by default.
     natural_curvature : float or RestCurvature
-        1/mm along the strip before it is bent, or a blank bent beforehand.
+        Curvature of the strip before bending, 1/mm, constant or along the strip.
     samples : int, optional
-        Nodes; chosen unless given.
+        Number of nodes; chosen automatically by default.
     weight : Weight, optional
         Loads in newtons, as in `optimal_rod`.
     limits, keep : Limits, Keep, optional
-        With one of them the curve may change.
+        If either is given, the curve may change.
     layers : LaminateLayers, optional
-        Of a laminate that feels its weight.
+        Layers of a laminate with weight.
     smooth : float, optional
-        How far the curve may be moved to make it fair, mm: see `smooth_curve`.
+        Largest distance that smoothing may move the curve, mm: see `smooth_curve`.
     section : BoundedLaw, optional
-        What stiffness is made of, as in `optimal_rod`.
+        Relation of section and stiffness, as in `optimal_rod`.
     widths : WidthRange, optional
         Widths of a plain strip that carries loads.
     outline_widths : (float or None, float or None)
-        Requested width of the widest and of the narrowest place of the strip, mm, by which `smooth_curve` decides.
+        Requested largest and least width of the strip, mm, for the decision of `smooth_curve`.
 
     Raises
     ------
@@ -140,7 +139,7 @@ class RodSpec(EqualByValue):
 
     @cached_property
     def smoothing(self) -> Smoothing:
-        """The drawn curve and the one that is bent instead."""
+        """The drawn curve and the smoothed curve."""
         return Smoothing(self.curve, self.smooth, self.supports, self.natural_curvature, self.outline_widths)
 
     @cached_property
@@ -150,7 +149,7 @@ class RodSpec(EqualByValue):
         return examine(curve, self.supports, self.natural_curvature, heavy=heavy)
 
     def solve(self) -> "Rod | NearestRod":
-        """The rod that rests in the curve, or where the curve may change the nearest one.
+        """Return the rod that rests in the curve, or the nearest rod if the curve may change.
 
         Raises
         ------
@@ -190,11 +189,11 @@ class RodSpec(EqualByValue):
 
 
 WIDTH_TOLERANCE_MM = 0.1
-"""Difference between the widest place and `max_width`, mm, above which it is reported."""
+"""Difference between the largest width and `max_width`, mm, above which there is a warning."""
 
 
 def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
-    """The rod with a warning if its widest place stays below the width that it may have."""
+    """Return the rod, with a warning if its largest width is below the allowed width."""
     widest = rod.profile.extremes[1] * (rod.bending_stiffness or 0.0) / PlainSection(widths.sheet).rigidity
     if widths.largest is None or widest > widths.largest - WIDTH_TOLERANCE_MM:
         return rod
@@ -206,7 +205,7 @@ def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
 
 
 def _too_narrow(widths: WidthRange, error: OverloadError) -> InputError:
-    """The refusal of a load that no strip of these widths carries."""
+    """Return the error for a load that no strip of these widths carries."""
     needed = rounded_up(error.needed / PlainSection(widths.sheet).rigidity, 4)
     changes, otherwise = [Change("max_width", needed)], ""
     if error.thickening is not None:
@@ -227,12 +226,12 @@ def _too_narrow(widths: WidthRange, error: OverloadError) -> InputError:
 
 
 def accepted_rod(found: Rod | NearestRod) -> Rod:
-    """The rod of an answer, with a warning where the search says one.
+    """Return the rod of a result, with the warning of the search if there is one.
 
     Raises
     ------
     NotMetError
-        No rod near the curve meets the limits; the message says what would help.
+        No rod near the curve meets the limits; the message has suggestions.
     """
     if isinstance(found, Rod):
         return found

@@ -28,15 +28,15 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import Change, Length, Listed, Point, Span, note
 
 IN_PLANE = 1e-12
-"""Vertices nearer to a plane than this share of the surface's size lie in the plane."""
+"""Distance from a plane, as a fraction of the surface's size, below which a vertex is in the plane."""
 
 
 @dataclass(frozen=True, eq=False)
 class SectionLine:
     """One line of a section.
 
-    Open ones run from their lower end (y), at equal height from the left one; closed ones anticlockwise from
-    their lowest point, which is repeated at the end.
+    An open line starts at its lower end (y), or at the left end if both are equally high. A closed line runs
+    anticlockwise from its lowest point, which is repeated at the end.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class SectionLine:
         In the coordinates of the frame, mm.
     frame : Frame
     name : str
-        What messages call it.
+        Name in messages.
     """
 
     points: FloatArray
@@ -53,7 +53,7 @@ class SectionLine:
 
     @property
     def is_closed(self) -> bool:
-        """Whether the line ends at its start."""
+        """True if the line ends at its start."""
         return bool(np.all(self.points[0] == self.points[-1]))
 
     @property
@@ -71,12 +71,12 @@ class SectionLine:
         return replace(self, points=self.points[::-1])
 
     def split_at(self, points: ArrayLike) -> tuple["SectionLine", ...]:
-        """The pieces between the places nearest to `points` (k, 2): k + 1 of an open line, k of a closed one.
+        """Split at the places nearest to `points` (k, 2): k + 1 pieces of an open line, k of a closed line.
 
         Raises
         ------
         InputError
-            No points, or two with the same place.
+            No points, or two points at the same place.
         """
         wanted = np.atleast_2d(np.asarray(points, dtype=float))
         if wanted.shape[1] != 2 or not np.all(np.isfinite(wanted)):
@@ -145,17 +145,17 @@ class SectionLine:
 
 @dataclass(frozen=True, eq=False)
 class PlaneSection:
-    """What one plane cuts out of a mesh.
+    """Section of a mesh by one plane.
 
     Attributes
     ----------
     name : str
-        "section 3" after its place in the family.
+        Name after the index in the family, such as "section 3".
     frame : Frame
     lines : tuple of SectionLine
-        The longest first; none where the plane misses.
+        The longest first; empty if the plane misses.
     reports : tuple of str
-        What is worth knowing, one sentence each, the section and the place named.
+        Notes, one sentence each, with section and place.
     """
 
     name: str
@@ -183,7 +183,7 @@ class PlaneSection:
 
 
 def _inner_turns(points: FloatArray) -> FloatArray:
-    """Angles (n - 2,), rad, by which a polyline (n, 2) turns at its inner points."""
+    """Return the turning angles (n - 2,), rad, at the inner points of a polyline (n, 2)."""
     step = np.diff(points, axis=0)
     return np.abs(turn_between(step[:-1], step[1:]))
 
@@ -197,16 +197,16 @@ def collect_section(
     apart: float,
     missed: Callable[[], str] = lambda: "misses the shape",
 ) -> PlaneSection:
-    """The section that lines (k, 2) make: the longest first, each with a name, and what is worth knowing.
+    """Return a section with its lines (k, 2) named and sorted, the longest first, and with notes.
 
     Parameters
     ----------
     half : bool
-        Only what lies at x >= 0.
+        Keep only the part with x >= 0.
     apart : float
-        Neighbouring points nearer than this are one, mm.
+        Distance, mm, below which neighbouring points are merged.
     missed : callable
-        What the plane does where there is no line, in words.
+        Returns the words for a plane without a line, such as "misses the shape".
     """
     if require_flag(half, "half"):
         chains = [part for chain in chains for part in _clip_to_right_half(chain)]
@@ -304,25 +304,25 @@ def place_in_words(point: FloatArray) -> Point:
 
 
 SMOOTHED_POINTS, MOST_SMOOTHED = 240, 5_000
-"""Usual and largest number of points that are smoothed; they make one dense matrix."""
+"""Default and largest number of smoothed points; their matrix is dense."""
 
 FALSE_TURN_RAD = np.radians(4.0)
-"""A bend between two inflections that turns less than this comes from the mesh, not from its maker."""
+"""Angle, rad, below which a bend between two inflections is an artefact of the mesh."""
 
 FILLED_POINTS = 240
-"""Places along a line that a curve is fitted to, besides its vertices."""
+"""Number of points along a line, besides its vertices, for fitting a curve."""
 
 SAMPLES = 2001
-"""Number of points of a curve at which its distance from the section is measured."""
+"""Number of points for the distance between a curve and its section."""
 
 CLOSED_SHARE = 1e-6
-"""A line counts as closed when the gap between its ends is below this share of the length."""
+"""Gap between the ends, as a fraction of the length, below which a line is closed."""
 
 CORNER_RADIUS_SHARE = 0.01
-"""A radius below this share of the length is a corner."""
+"""Radius, as a fraction of the length, below which a bend is a corner."""
 
 SHARP_TURN_RAD = np.radians(20.0)
-"""A line that turns by more than this at one point has a corner there."""
+"""Smallest turning angle of a corner, rad."""
 
 AT_CORNERS = Change("split_corners", True)
 """Change of the request that a message suggests for a corner."""
@@ -373,29 +373,29 @@ def section_curves(
     wavelength: float = 0.0,
     false_turn: float = FALSE_TURN_RAD,
 ) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
-    """Curves of degree 4 along the lines of sections, ready for `nearest_rods`.
+    """Fit curves of degree 4 to the lines of sections, for `nearest_rods`.
 
     Parameters
     ----------
     sections : iterable of PlaneSection or SectionLine
-        All lines of a section are taken; closed ones must be split before.
+        All lines of a section are used; closed lines must be split before.
     tolerance : float
         Largest distance of the (smoothed) points from the curve, mm.
     wavelength : float
-        Waves of the line shorter than this are taken out first, mm; ends stay. 0 for none.
+        Waves shorter than this (mm) are smoothed first; the ends stay. 0 for no smoothing.
     false_turn : float
-        Inflections in pairs between which the curve turns by less than this are removed, rad; 0 keeps all.
+        Pairs of inflections are removed if the curve turns by less than this angle (rad) between them; 0 keeps all.
 
     Returns
     -------
     curves : tuple of SectionCurve
     reports : tuple of str
-        What the sections reported, and why a line gave no curve; the others go on.
+        Notes of the sections, and the reason for each line without a curve.
 
     Raises
     ------
     InputError
-        A tolerance, a wavelength or an angle that is none.
+        An invalid tolerance, wavelength or angle.
 
     Examples
     --------
@@ -467,9 +467,9 @@ def _curve(
 
 
 def _filled(points: FloatArray) -> FloatArray:
-    """The points of a polyline and others between them, nowhere farther apart than a 240th of its length.
+    """Insert points into a polyline until no gap exceeds 1/240 of its length.
 
-    A coarse mesh has few vertices, and a curve through them alone may leave the lines between them.
+    A coarse mesh has few vertices, and a curve through the vertices alone may depart from the lines between them.
     """
     s = lengths_along(points)
     counts = np.maximum(np.ceil(np.diff(s) / s[-1] * FILLED_POINTS), 1).astype(int)
@@ -496,7 +496,7 @@ def _refuse_corners(line: SectionLine, tolerance: float) -> None:
 
 
 def _unfitted(line: SectionLine, tolerance: float) -> str:
-    """Why no smooth curve follows a line: its sharpest turn, or nothing if it has none."""
+    """Return a message about the sharpest corner of a line, or an empty string if there is none."""
     turned = _inner_turns(line.points)
     if turned.max(initial=0.0) < SHARP_TURN_RAD:
         return ""
@@ -517,7 +517,7 @@ def _sharpest(line: SectionLine, turned: FloatArray) -> str:
 
 
 def _departure(line: SectionLine, place: str, tolerance: float, wavelength: float, *, changed: bool) -> str:
-    """Message that says where the curve is away from its section by more than the tolerance."""
+    """Return a message about a curve that is farther from its section than the tolerance."""
     if wavelength > 0:
         cause = note(
             "smoothing took waves shorter than {wavelength:g} away; a shorter wavelength stays nearer",
@@ -534,7 +534,7 @@ def _departure(line: SectionLine, place: str, tolerance: float, wavelength: floa
 
 
 def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
-    """Message that says where the curve bends as no strip can."""
+    """Return a message about a bend that is too sharp for a strip, if there is one."""
     samples = curve.sample(SAMPLES)
     worst = int(np.abs(samples.curvature).argmax())
     kappa = abs(float(samples.curvature[worst]))
@@ -555,10 +555,10 @@ def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
 def smooth_polyline(
     points: ArrayLike, wavelength: float, *, where: ArrayLike = (), count: int = SMOOTHED_POINTS
 ) -> FloatArray:
-    """Points (count, 2) at equal distances along a polyline (n, 2), short waves taken out, both ends kept.
+    """Return points (count, 2) at equal distances along a polyline (n, 2), without short waves; both ends stay.
 
-    Of a wave as long as `wavelength` half is left, of one half as long a 65th: the points that make
-    |x - p|^2 + (wavelength / 2 pi)^6 |x'''|^2 least. Parabolas stay as they are.
+    The points minimise |x - p|^2 + (wavelength / 2 pi)^6 |x'''|^2. This halves a wave as long as `wavelength`, and
+    reduces a wave half as long to 1/65. Parabolas do not change.
 
     Parameters
     ----------
@@ -567,14 +567,14 @@ def smooth_polyline(
     wavelength : float
         mm.
     where : (k, 2) array_like
-        Smooth only between these pairs of arc lengths, mm; everywhere if not given.
+        Pairs of arc lengths, mm, between which to smooth; everywhere by default.
     count : int
-        Points that are returned.
+        Number of returned points.
 
     Raises
     ------
     InputError
-        A wavelength that is not positive, or points that are all the same.
+        A wavelength that is not positive, or points that all coincide.
 
     Examples
     --------
@@ -614,10 +614,10 @@ def smooth_polyline(
 def remove_false_inflections(
     curve: PlaneCurve, *, turn: float = FALSE_TURN_RAD, give: float | None = None
 ) -> PlaneCurve:
-    """The curve with bends that turn by less than `turn` (rad) smoothed away; ends stay.
+    """Remove bends that turn by less than `turn` (rad) from a curve; the ends stay.
 
-    Only what lies between two inflections, or between one and an end, counts as a bend. It is smoothed there and
-    a wavelength about, by the shortest wavelength that does.
+    A bend is the part between two inflections, or between an inflection and an end. The curve is smoothed there and
+    one wavelength around it, with the shortest sufficient wavelength.
 
     Parameters
     ----------
@@ -625,12 +625,12 @@ def remove_false_inflections(
     turn : float
         rad.
     give : float, optional
-        Largest distance that the curve may move, mm; a hundredth of its length unless given.
+        Largest distance that the curve may move, mm; by default 1/100 of its length.
 
     Raises
     ------
     NotConvergedError
-        Such bends stay, or go only with larger moves.
+        The bends cannot be removed within `give`.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""What is asked of the sections of a surface: families of planes, the lines that are wanted, and their curves."""
+"""Requests for sections of a surface: families of planes, selected lines, and their curves."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -48,21 +48,21 @@ def radial_planes(
     *,
     zero: ArrayLike = (1.0, 0.0, 0.0),
 ) -> tuple[Frame, ...]:
-    """Half planes about an axis: x leads away from the axis, y along it; their sections have x >= 0.
+    """Return half planes about an axis: x points away from the axis, y along it; sections have x >= 0.
 
     Parameters
     ----------
     point, axis : (3,) array_like
         A point (mm) and the direction of the axis.
     angles : (k,) array_like
-        Where the half planes lie, rad, from `zero` about the axis.
+        Angles of the half planes about the axis from `zero`, rad.
     zero : (3,) array_like
-        Direction of angle 0; its part across the axis counts.
+        Direction of angle 0; only its component normal to the axis counts.
 
     Raises
     ------
     InputError
-        A direction that is zero, or `zero` along the axis.
+        A direction of length zero, or `zero` along the axis.
 
     Examples
     --------
@@ -78,16 +78,16 @@ def radial_planes(
 def planes_along(
     path: ArrayLike, count: int, *, ends: bool = False, up: ArrayLike = (0.0, 0.0, 1.0)
 ) -> tuple[Frame, ...]:
-    """Planes across a path in space, at equal distances along it.
+    """Return planes normal to a path in space, at equal distances along it.
 
     Parameters
     ----------
     path : (n, 3) array_like
-        Points of the path, mm; a smooth one is given by many.
+        Points of the path, mm; many points for a smooth path.
     count : int
-        Planes; the first and the last stand half a distance from the ends, or on them with `ends=True`.
+        Number of planes. The first and the last are half a distance from the ends, or at them with `ends=True`.
     up : (3,) array_like
-        The y axis of each is as near to this as it can be.
+        The y axis of each plane is as near to this direction as possible.
 
     Raises
     ------
@@ -212,7 +212,7 @@ class Cuts(Protocol):
     """A family of planes."""
 
     half: ClassVar[bool]
-    """Whether the planes end at an axis by default."""
+    """True if the planes end at an axis by default."""
 
     def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
         """The planes for a surface."""
@@ -255,7 +255,7 @@ class ParallelCuts:
     up: Annotated[Triple, Asked("The y axis of the sections.")] = (0.0, 0.0, 1.0)
 
     def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
-        """The planes; slices are those of the surface."""
+        """Return the planes; equal slices depend on the surface."""
         if self.offsets is not None:
             _refuse_twice("offsets", self.offsets)
             return parallel_planes(self.point, self.normal, self.offsets, up=self.up)
@@ -378,20 +378,20 @@ class CornerSplit:
 
 @dataclass(frozen=True, eq=False)
 class SectionSpec:
-    """All that is asked of the sections of a surface.
+    """Complete request for sections of a surface.
 
     Parameters
     ----------
     cuts : RadialCuts, ParallelCuts, AlongPath or GivenCuts
     half : bool, optional
-        Only what lies at x >= 0 of each plane; of radial cuts unless told.
+        Keep only the part with x >= 0 of each plane; the default for radial cuts.
     longest : bool
-        Only the longest line of each section.
+        Keep only the longest line of each section.
     splits : sequence of PlaneSplit, PointSplit and CornerSplit
     tolerance : float
         Largest distance of the curves from the sections, mm.
     wavelength : float
-        Waves shorter than this are smoothed away first, mm.
+        Waves shorter than this are smoothed first, mm.
     """
 
     cuts: Cuts
@@ -423,7 +423,7 @@ class SectionSpec:
         return tuple(curves), (*reports, *(note("{name} splits no section", name=name) for name in idle))
 
     def _divide(self, section: PlaneSection) -> tuple[PlaneSection, frozenset[str]]:
-        """The section with the lines that are wanted of it, split where asked; what split any of them."""
+        """Return the section with its selected and split lines, and the names of the splits that had an effect."""
         used = set()
         lines, reports = section.lines, section.reports
         if self.longest and len(lines) > 1:
@@ -455,7 +455,7 @@ class SectionSpec:
 
 
 def _reasons(reports: Sequence[str]) -> str:
-    """Why sections gave no strip, one after the other."""
+    """Return the reasons why sections gave no strip, as one text."""
     named = [one for one in reports if isinstance(one, Refusal) and ("name" in one.values or one.where)]
     reasons: Sequence[str] = named or reports
     left = len(reasons) - NAMED_REASONS
@@ -464,7 +464,7 @@ def _reasons(reports: Sequence[str]) -> str:
 
 
 def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) -> None:
-    """Refuse planes that are given twice."""
+    """Refuse a repeated plane."""
     order = np.argsort(np.mod(values, period), kind="stable")
     ring = np.append(order, order[:1]) if np.isfinite(period) else order
     steps = np.diff(np.asarray(values)[ring])

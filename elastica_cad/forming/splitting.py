@@ -25,22 +25,22 @@ from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, exa
 from elastica_cad.refusals import Length, Listed, note
 
 _SHORTEST_SHARE = 1e-4  # pieces shorter than this, relative to the domain, are none
-_CHOICES = 5  # places tried for each support between its first and last possible one
+_CHOICES = 5  # tried places for each support, between its first and last possible place
 _ROUNDS = 2  # and again about the best of them
 
 
 @dataclass(frozen=True, eq=False)
 class Splitting:
-    """What `split` found; `str()` of it is a sentence.
+    """Result of `split`; `str()` returns it as a sentence.
 
     Attributes
     ----------
     pieces : tuple of PlaneCurve
         The parts of the curve between its ends and the supports, cut exactly.
     supports : tuple of float
-        Arc lengths of the supports, mm: each holds position and tangent.
+        Arc lengths of the supports, mm; each support holds position and tangent.
     ranges : tuple of (float, float)
-        Arc lengths between which each support could stand, with as many of them, mm.
+        Possible arc lengths (least, largest) of each support without more supports, mm.
     ratios : tuple of float
         Least stiffness ratio of each piece, max K / min K.
     """
@@ -75,28 +75,27 @@ def split(
     places: ArrayLike | None = None,
     tolerance: float = 1e-4,
 ) -> Splitting:
-    """The fewest supports along a curve that make every piece realizable, at the places of least ratios.
+    """Return the fewest supports along a curve that make every piece realizable, with the least ratios.
 
-    A part of a realizable curve is realizable, with the same line and no larger a ratio. So the pieces that
-    reach farthest, one after the other, are as few as there can be; run from the other end they tell how
-    early each support may come. Between its first and its last place each support is put where the squares of
-    the ratios have the least sum.
+    A part of a realizable curve is realizable, with the same line and no larger ratio. So making each piece as long
+    as possible gives the fewest pieces. Doing the same from the other end gives the first possible place of each
+    support. Between its first and last place, each support is placed for the least sum of squared ratios.
 
     Parameters
     ----------
     ratio : float, optional
-        Largest stiffness ratio of each piece; any unless given.
+        Largest stiffness ratio of each piece; no limit by default.
     supports : Supports
-        Of the ends of the whole curve; clamped unless given.
+        Supports of the ends of the whole curve; clamped by default.
     places : (k,) array_like, optional
-        Arc lengths where a support may stand, mm; anywhere unless given.
+        Possible arc lengths of supports, mm; anywhere by default.
     tolerance : float
-        Inflections of a piece that lie this near to one line, in lengths of the whole curve, count as on it.
+        Distance, in lengths of the whole curve, below which inflections of a piece count as being on one line.
 
     Raises
     ------
     NotRealizable
-        No supports help: the curvature touches zero, or `places` are too few.
+        No supports are sufficient: the curvature touches zero, or there are too few `places`.
     InputError
         A ratio below 1, places outside the curve.
 
@@ -158,7 +157,7 @@ class _Cut:
         return piece, held, self.tolerance * self.curve.length / piece.length
 
     def choices(self, first: float, last: float, known: float) -> FloatArray:
-        """A few places between two, and one that is known to do."""
+        """Return a few places between two limits, and a known solution."""
         if self.places is None:
             return np.unique(np.append(np.linspace(first, last, _CHOICES), known))
         found = self.places[(self.places >= first) & (self.places <= last)]
@@ -167,17 +166,17 @@ class _Cut:
 
     @property
     def short(self) -> float:
-        """A length of parameter that is no piece."""
+        """Parameter length below which a part of the curve is not a piece."""
         low, high = self.curve.domain
         return _SHORTEST_SHARE * (high - low)
 
     @property
     def least(self) -> float:
-        """The least piece worth two supports."""
+        """Least parameter length of a piece that justifies two supports."""
         return 100 * self.short
 
     def takes(self, start: float, end: float) -> bool:
-        """Whether a strip can take the piece within the ratio."""
+        """Return True if a strip can take the piece within the ratio."""
         if end - start < self.short:
             return True
         if self.ratio is not None:
@@ -192,7 +191,7 @@ class _Cut:
 
     @cached_property
     def marks(self) -> FloatArray:
-        """Places where pieces may have to end exactly: corners, joints of straight pieces, jumps; the end."""
+        """Places where pieces may have to end exactly: corners, ends of straight parts, jumps, and the end."""
         found = [corner.t for corner in self.curve.tangent_breaks]
         for zero in self.curve.curvature_zeros:
             if zero.kind in ("flat", "jump"):
@@ -201,7 +200,7 @@ class _Cut:
         return np.unique(np.array([t for t in (*found, high) if low < t <= high]))
 
     def reach(self, start: float) -> float:
-        """The farthest place to which a strip from `start` can go; `start` where it can go nowhere."""
+        """Return the end of the longest piece from `start`, or `start` if there is none."""
         near, far = start, self.curve.domain[1]
         for mark in self.marks[self.marks > start]:
             if not self.takes(start, float(mark)):
@@ -214,7 +213,7 @@ class _Cut:
         while far - near > self.short / 10:
             middle = (near + far) / 2
             near, far = (middle, far) if self.takes(start, middle) else (near, middle)
-        # what ends nearer is stopped by the place itself, where no strip can be
+        # a shorter piece is stopped at `sure` itself, because no strip can pass there
         return near if near - sure > self.least else sure
 
     def _reach_of_places(self, start: float, near: float, far: float) -> float:

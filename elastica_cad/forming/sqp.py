@@ -1,7 +1,7 @@
 """Sequential quadratic programming with a trust region and an exact penalty: problem, state and steps.
 
-A point has unknowns z and a state that follows from them by equations (z alone decides a closed point). Search
-runs over points that are not quite closed: what it is told of one is to first order what holds once it is closed.
+A point has unknowns z and a state. At a closed point the state satisfies its equations, so z alone determines it.
+The search uses nearly closed points, with values and derivatives that predict the closed point to first order.
 """
 
 from abc import ABC, abstractmethod
@@ -19,29 +19,28 @@ from elastica_cad.forming.quadratic_program import QuadraticProgram, QuadraticSo
 Point = TypeVar("Point")
 
 KEY_STRIDE = 1_000_000
-"""More than the number of values of any constraint: the key of a row is its constraint's number times this plus
-its index."""
+"""Factor in the key of a row, constraint * KEY_STRIDE + index; larger than the number of values of a constraint."""
 
 
 class Closing(NamedTuple):
-    """Settings by which a point is closed. States are in numbers whose linearity ends at 1 (angles in radians).
+    """Settings for closing a point. States are scaled so that linearity ends at about 1 (angles in radians).
 
     Attributes
     ----------
     steps : int
-        Newton corrections on the way to one iterate: the error is squared four times.
+        Newton corrections for one iterate; each squares the error.
     room : float
-        Scales from a bound within which an unknown is at it.
+        Distance from a bound, in scales, below which an unknown is at the bound.
     closed : float
-        Change of the state that still shows when a point is as good as closed: its square is rounding.
+        Change of the state below which a point counts as closed, because its square is below rounding.
     lost : float
-        A state that would have to change so far does not close: beyond a quarter turn.
+        Change of the state (about a quarter turn) above which a point cannot be closed.
     tolerable : float
-        By which the state of an iterate may be off when it is not reliable: errors of a percent.
+        Largest error of the state of an iterate that is not reliable; its effect is about 1 %.
     reliable : float
-        Share of what a step promises that may be unknown.
+        Largest uncertainty, as a fraction of the promised decrease of a step.
     badly_broken : float
-        Of a constraint's value: a hundred times what counts as met.
+        Value of a badly violated constraint, 100 times the tolerance.
     """
 
     steps: int = 4
@@ -102,7 +101,7 @@ class ConstraintRows:
 
 @dataclass(frozen=True, eq=False)
 class Linearization(Generic[Point]):
-    """A point and what changes (p + 1,) do to it; their last entry is the share of closing it.
+    """A point and its response to changes (p + 1,), whose last entry is the fraction of closing.
 
     Attributes
     ----------
@@ -110,13 +109,13 @@ class Linearization(Generic[Point]):
     z : (p,) array
         Its unknowns.
     rows : ConstraintRows
-        Constraints in steps (p,) from the closed point.
+        Constraints as functions of steps (p,) from the closed point.
     model : LocalModel
-        The objective in the same steps.
+        The objective as a function of the same steps.
     state_jacobian : (k, p + 1) array
-        Of the part of the state that tells how far linearity holds, in numbers of order 1 where it ends.
+        Jacobian of the part of the state that measures linearity, scaled to order 1 where linearity ends.
     moved : callable
-        The point after a change, its unknowns within their box, to first order.
+        Returns the point after a change, to first order, with the unknowns in their box.
     """
 
     point: Point
@@ -146,7 +145,7 @@ class NonlinearProgram(ABC, Generic[Point]):
     @property
     @abstractmethod
     def one_sided(self) -> BoolArray:
-        """Whether the values of each constraint (c,) must be at least 0 instead of 0."""
+        """True for each constraint (c,) whose values must be at least 0 instead of 0."""
 
     @property
     @abstractmethod
@@ -171,28 +170,28 @@ class NonlinearProgram(ABC, Generic[Point]):
 
     @abstractmethod
     def linearize(self, point: Point) -> Linearization[Point] | None:
-        """The point, closed or not, with its derivatives; None where they are no numbers to go by."""
+        """Return the point, closed or not, with its derivatives, or None if they are unusable."""
 
     @abstractmethod
     def close(self, point: Point, step: FloatArray | None = None) -> Point | None:
-        """The closed point of the unknowns of `point`, after a step (p,) in the box; None where there is none."""
+        """Return the closed point for the unknowns of `point` after a step (p,) in the box, or None."""
 
     @abstractmethod
     def clip(self, point: Point) -> Point:
-        """The point with its unknowns moved into the box, its state as it is."""
+        """Return the point with its unknowns moved into the box and its state unchanged."""
 
     @abstractmethod
     def fallback(self) -> Point:
-        """A closed point, where the search has no other."""
+        """Return a closed point for a search that found none."""
 
     @abstractmethod
     def for_open_points(self) -> "NonlinearProgram[Point]":
-        """Return the program without the constraints that make no sense for points far from closed."""
+        """Return the program without the constraints that are only meaningful for nearly closed points."""
 
 
 @dataclass(frozen=True, eq=False)
 class ActiveSet:
-    """Rows, by their keys (k,), that a point keeps at the values `aim` (k,) while it closes."""
+    """Rows, by their keys (k,), that have the values `aim` (k,) after closing."""
 
     keys: IntArray
     aim: FloatArray
@@ -203,7 +202,7 @@ _NONE_ACTIVE = ActiveSet(np.zeros(0, dtype=int), np.zeros(0))
 
 @dataclass(frozen=True, eq=False)
 class Iterate(Generic[Point]):
-    """The present point of a search; its state need not quite follow from its unknowns.
+    """The present, nearly closed point of a search.
 
     Attributes
     ----------
@@ -213,7 +212,7 @@ class Iterate(Generic[Point]):
         The least step that closes the point to first order and keeps the active rows at their aim; its last
         entry is 1.
     state_change : array
-        What `change` does to the state.
+        Change of the state due to `change`.
     """
 
     program: NonlinearProgram[Point]
@@ -242,28 +241,28 @@ class Iterate(Generic[Point]):
         return self._broken(self.change[:-1])
 
     def merit(self, prices: FloatArray) -> float:
-        """Objective and price of what is broken, once closed."""
+        """Return the objective plus the price of violations at the closed point."""
         return self.objective + self._cost(self._broken_closed, prices)
 
     def predicted_merit(self, step: FloatArray, prices: FloatArray) -> float:
-        """The merit that the local program expects after a step."""
+        """Return the merit that the local program predicts after a step."""
         return self._expected(step) + self._cost(self._broken(step), prices)
 
     def is_reliable(self, promise: float, highest_price: float) -> bool:
-        """Whether the second-order change from closing the point is small beside a predicted decrease."""
+        """Return True if the second-order change from closing is small compared with a predicted decrease."""
         if not self.defect**2 * highest_price < CLOSING.reliable * promise:  # whatever the objective
             return False
         weight = 1.0 if self.local.model.peaks.size else float(np.sqrt(2 * max(self.objective, 0.0)))
         return self.defect**2 * (weight + highest_price) < CLOSING.reliable * promise
 
     def restores_feasibility(self, step: FloatArray) -> bool:
-        """Whether a step removes most of a large violation, even if it lowers the merit little."""
+        """Return True if a step removes most of a large violation, even if the merit decreases little."""
         return self.violation > CLOSING.badly_broken and bool(
             self._broken(step).max(initial=0.0) < 0.5 * self.violation
         )
 
     def _expected(self, step: FloatArray) -> float:
-        """The objective that the model expects after a step (p,)."""
+        """Return the objective that the model predicts after a step (p,)."""
         model = self.local.model
         smooth = model.value + float((model.gradient + 0.5 * (model.hessian @ step)) @ step)
         return smooth + (float((model.peaks + model.peak_rows @ step).max()) if model.peaks.size else 0.0)
@@ -275,14 +274,14 @@ class Iterate(Generic[Point]):
         return np.where(rows.one_sided, np.maximum(-value, 0.0), np.abs(value))
 
     def _cost(self, broken: FloatArray, prices: FloatArray) -> float:
-        """The price of rows that are broken by so much."""
+        """Return the total price of the violations of rows."""
         return float(prices[self.local.rows.constraint] @ broken)
 
 
 def iterate_at(
     program: NonlinearProgram[Point], point: Point, active: ActiveSet = _NONE_ACTIVE
 ) -> Iterate[Point] | None:
-    """The iterate of a point, closed or not; None where it has no usable derivatives."""
+    """Return the iterate of a point, closed or not, or None if its derivatives are unusable."""
     local = program.linearize(point)
     return None if local is None else _with_active(program, local, active)
 
@@ -299,7 +298,7 @@ def all_equalities(at: Iterate[Point]) -> ActiveSet:
 
 
 def _row_keys(rows: ConstraintRows) -> IntArray:
-    """One number for each row, the same from point to point."""
+    """Return a key for each row that does not depend on the point."""
     return rows.constraint * KEY_STRIDE + rows.index
 
 
@@ -315,7 +314,7 @@ def _with_active(
         free = room > CLOSING.room * program.scale
         s = program.scale[free]
         gap = active.aim[there] - rows.value[here]
-        # where more rows are kept than unknowns are free the rows that react most come first
+        # if there are more rows than free unknowns, the most sensitive rows have priority
         change[:-1][free] = np.linalg.lstsq(rows.jacobian[here][:, free] * s, gap, rcond=1e-10)[0] * s
     return Iterate(program, local, change, local.state_jacobian @ change)
 
@@ -323,12 +322,12 @@ def _with_active(
 def follow_step(
     start: Iterate[Point], step: FloatArray, active: ActiveSet, promise: float, highest_price: float
 ) -> Iterate[Point] | None:
-    """Return the point that a step (p + 1,) leads to; None when its state does not converge there.
+    """Return the iterate after a step (p + 1,), or None if its state does not converge.
 
-    The state takes its linear change, then Newton steps bring it towards closed and, by least changes of the
-    unknowns that are free, active rows to where the program expected them, until what is left is of second
-    order small beside the promise. A state that is sensitive to the unknowns stands far larger steps so than
-    solved anew from them (and no Maratos effect).
+    The state first changes linearly. Newton steps then close the point and move active rows to their predicted
+    values, with the least change of the free unknowns. They end when the rest is small, to second order, compared
+    with the promise. This allows far larger steps than solving for a sensitive state again, and avoids the Maratos
+    effect.
     """
     at, change = start, step
     for _ in range(CLOSING.steps):
@@ -342,7 +341,7 @@ def follow_step(
 
 
 def close_iterate(start: Iterate[Point], active: ActiveSet) -> Point | None:
-    """The closed point near an iterate; None when there is none."""
+    """Return the closed point near an iterate, or None."""
     at = start
     for _ in range(2 * CLOSING.steps):
         if not at.defect < CLOSING.lost:
@@ -364,9 +363,9 @@ class SearchSettings(NamedTuple):
         Largest number of quadratic programs of one search (usual searches take less than half), and of lifted
         steps, which converge quadratically or not at all.
     settled : float
-        The search ends when a step promises to reduce the objective by less than this share.
+        The search ends when a step promises to reduce the objective by less than this fraction.
     resolution : float
-        Absolute accuracy of an objective of order 1 (half a mean square): a micrometre on a strip of 300 mm.
+        Absolute accuracy of an objective of order 1 (half a mean square), about 1 um on a strip of 300 mm.
     smallest_radius, far : float
         Radius of the trust region, in scales, at which the search is given up; and the radius of lifted steps.
     stuck : float
@@ -377,20 +376,20 @@ class SearchSettings(NamedTuple):
     idle : float
         Largest share of the objective that damping may add to a step of one scale.
     easiest : float
-        Least share of the damping that is left when steps achieve what they promise.
+        Least remaining fraction of the damping when steps achieve the predicted decrease.
     calmed, worthwhile : float
-        Lifted steps end when one changes the state by less than `calmed` and leaves more than the share
+        Lifted steps end when a step changes the state by less than `calmed` and leaves more than the fraction
         `worthwhile` of the objective.
     ajar : float
         Largest change of the state that closes a start; a start that is farther from closed is replaced by the
         closed point of its unknowns.
     patience, stalled, far_from_met : int, float, float
-        The search ends when `patience` steps leave more than the share `stalled` of the violation, unless the
+        The search ends when `patience` steps leave more than the fraction `stalled` of the violation, unless the
         violation is below `far_from_met`.
     alike : float
-        A search ends at a known optimum when it is nearer to it than this share of that optimum's own distance.
+        A search ends near a known optimum, within this fraction of the distance of that optimum.
     closer : float
-        A rejected point is taken all the same if its defect is below this share of the present one.
+        A rejected point is accepted if its defect is below this fraction of the present defect.
     sensitive : float
         Root of the objective's curvature, per scale, above which an unknown gets a finer scale.
     clearance : float
@@ -438,7 +437,7 @@ SETTINGS = SearchSettings()
 
 @dataclass(frozen=True, eq=False)
 class Outcome(Generic[Point]):
-    """The point at which a search ended.
+    """The end of a search.
 
     Attributes
     ----------
@@ -446,12 +445,12 @@ class Outcome(Generic[Point]):
         Closed.
     objective, violation : float
     multipliers : tuple of (k,) arrays
-        Of every constraint's values: d(objective) / d(value).
+        d(objective) / d(value) for the values of each constraint.
     at_lower, at_upper : (p,) arrays
         Multipliers of the box.
     iterations : int
     settled, stalled : bool
-        Does no step promise more; was the search given up, as what is broken came down too slowly?
+        True if no step promises a further decrease; True if the violation decreased too slowly.
     """
 
     point: Point
@@ -468,8 +467,8 @@ class Outcome(Generic[Point]):
 def lift(program: NonlinearProgram[Point], start: Point, steps: int = SETTINGS.lifts) -> Point:
     """Find a nearly closed point near a point that is far from closed.
 
-    Here the state is an unknown, and its equations are one more constraint, linearised about it. So the quadratic
-    program is convex for any start. Its first step weighs the error of the equations by its effect on the
+    Here the state is an unknown, and its linearised equations are an additional constraint. So the quadratic
+    program is convex for any start. Its first step weights the error of the equations by its effect on the
     objective.
     """
     program = program.for_open_points()
@@ -503,7 +502,7 @@ def minimize(
     steps: int = SETTINGS.steps,
     known: Sequence[Outcome[Point]] = (),
 ) -> Outcome[Point]:
-    """Find a local minimum from a point that need not be closed; of optima that are `known`, that nearby.
+    """Find a local minimum from a point that need not be closed; end early near a `known` optimum.
 
     Each step solves one quadratic program: a local model of the objective, linearised constraints with penalties,
     and a box of one radius (in scales). The state follows the unknowns (see `follow_step`). The penalties of the
@@ -512,7 +511,7 @@ def minimize(
     Raises
     ------
     NotConvergedError
-        When no first point is found.
+        No first point was found.
     """
     walk = _Walk(_begin(program, start), np.zeros(program.highest_prices.size))
     iteration, broken, stalled = 0, [walk.here.violation], False
@@ -566,18 +565,18 @@ class _Walk(Generic[Point]):
         self.active = all_equalities(self.here)
 
     def advance(self) -> None:
-        """Try steps within smaller and smaller radii, until one is accepted or none is worthwhile."""
+        """Try steps with decreasing radii, until a step is accepted or the radius is too small."""
         while self.radius > SETTINGS.smallest_radius and not self._try_step():
             pass
 
     def end(self) -> Point:
-        """The closed point at which the search ended."""
+        """Return the closed point at the end of the search."""
         program = self.here.program
         found = close_iterate(self.here, self.active) or program.close(self.here.local.point)
         return found or program.fallback()
 
     def _try_step(self) -> bool:
-        """Try one step of the quadratic program; False asks for another one within the present radius."""
+        """Try one step of the quadratic program; return False if it must be repeated with the new radius."""
         here = self.here
         damping = self.damping_share * _damping(here, SETTINGS.damping, SETTINGS.idle)
         solved = _solve_step(here, self.radius, damping)
@@ -593,7 +592,7 @@ class _Walk(Generic[Point]):
         reliable = here.is_reliable(worth, highest)
         if reliable and promised <= floor and not here.restores_feasibility(step):
             if promised < -floor and self.radius > SETTINGS.stuck:
-                # no solution of the program: try a shorter step with full damping
+                # the step does not solve the program: try a shorter step with full damping
                 self.damping_share, self.radius = 1.0, 0.25 * self.radius
                 return False
             self.settled = True
@@ -663,15 +662,15 @@ def _prices(
 def _solve_step(
     here: Iterate[Point], radius: float, damping: float
 ) -> tuple[FloatArray, QuadraticSolution] | None:
-    """The step (p,) of the local model and linearised constraints in a box, and the solution in scales.
+    """Return the step (p,) for the linearised problem in a box, and the solution in scales.
 
-    `radius` is in scales, and `damping` is added to the Hessian's diagonal in scales; None where the step is not
-    finite.
+    `radius` is in scales, and `damping` is added to the diagonal of the scaled Hessian. Return None if the step is
+    not finite.
     """
     program, local = here.program, here.local
     rows, model, z = local.rows, local.model, local.z
     p = z.size
-    # what the objective is very sensitive to is measured finer: it would set how well the others are solved for
+    # use finer scales for very sensitive unknowns, which would determine the accuracy of all unknowns
     curved = model.hessian.diagonal() * (program.scale / SETTINGS.sensitive) ** 2
     fine = np.sqrt(np.maximum(1.0, curved))
     s = program.scale / fine
@@ -680,7 +679,7 @@ def _solve_step(
     upper = np.minimum((program.upper - z) / s, radius * fine)
     jacobian, value, price, one_sided = rows.jacobian * s, rows.value, rows.price, rows.one_sided
     if model.peaks.size:
-        # one more unknown t >= every peak; its rows cannot be worth breaking
+        # additional unknown t >= every peak; its price makes these rows exact
         k, top = model.peaks.size, float(model.peaks.max())
         hessian, gradient = np.pad(hessian, (0, 1)), np.append(gradient, 1.0)
         lower, upper = np.append(lower, -2 * top - 1e-9), np.append(upper, 2 * top + 1e-9)
@@ -699,10 +698,10 @@ def _solve_step(
 
 
 def _damping(here: Iterate[Point], most: float, share: float) -> float:
-    """What is added to the Hessian against long steps that change nothing: less as the objective comes down.
+    """Return the damping of long steps without effect, which decreases with the objective.
 
-    It is at most the share `most` of the Hessian's largest entry, and a step of one scale costs at most `share` of
-    the objective; an infinite share means `most` itself.
+    It is at most the fraction `most` of the Hessian's largest entry, and a step of one scale costs at most `share`
+    of the objective; an infinite `share` selects the former.
     """
     model = here.local.model
     largest = most * float(model.hessian.diagonal().max())
@@ -712,7 +711,7 @@ def _damping(here: Iterate[Point], most: float, share: float) -> float:
 
 
 def worst_broken(program: NonlinearProgram[Point], values: Sequence[FloatArray]) -> float:
-    """The worst broken constraint."""
+    """Return the largest violation of a constraint."""
     return max(
         (
             float((np.maximum(-value, 0.0) if one_sided else np.abs(value)).max())
@@ -723,9 +722,9 @@ def worst_broken(program: NonlinearProgram[Point], values: Sequence[FloatArray])
 
 
 def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
-    """The point near a closed one that meets the equalities, and what limits are nearly met, to rounding.
+    """Return a point near a closed point that meets equalities and nearly met limits up to rounding.
 
-    Newton's method by least steps of the unknowns within their box.
+    The method is Newton's, with least steps of the unknowns within their box.
     """
     best, least = point, np.inf
     for _ in range(SETTINGS.exact_steps):
@@ -739,7 +738,7 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
             break
         if missed <= SETTINGS.missed or missed > SETTINGS.in_reach:
             break
-        # in scales in which no row changes fast: one unknown may rule all rows
+        # scales in which no row changes fast, because one unknown may dominate all rows
         s, p = program.scale / np.maximum(1.0, np.linalg.norm(rows.jacobian * program.scale, axis=0)), z.size
         step = solve_quadratic(
             QuadraticProgram(
@@ -761,7 +760,7 @@ def _multipliers(
     values: Sequence[FloatArray],
     found: tuple[ConstraintRows, QuadraticSolution] | None,
 ) -> tuple[tuple[FloatArray, ...], FloatArray, FloatArray]:
-    """d(objective) / d(value) of every constraint and of the box, from the last quadratic program."""
+    """Return d(objective) / d(value) of constraints and box from the last quadratic program."""
     out = [np.zeros_like(v) for v in values]
     if found is None:
         return tuple(out), np.zeros(program.scale.size), np.zeros(program.scale.size)

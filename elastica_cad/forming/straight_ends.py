@@ -11,19 +11,19 @@ from elastica_cad.mechanics.theorem1 import measured_points
 from elastica_cad.refusals import Length, Refusal, note
 
 SHORTEST_RUN_IN_MM = 1.0
-"""Shortest straight piece that becomes a tab, mm; a shorter one stays part of the curve."""
+"""Shortest straight piece that becomes a tab, mm; shorter pieces stay part of the curve."""
 
 
 @dataclass(frozen=True, eq=False)
 class StraightEnds:
-    """A drawn curve without the straight pieces by which it begins and ends.
+    """A drawn curve without its straight pieces at the ends.
 
     Attributes
     ----------
     drawn, bent : PlaneCurve
-        The whole curve, and the part of it that is bent; the same where neither end is straight.
+        The whole curve, and its bent part; equal if neither end is straight.
     lengths : (float, float)
-        Of the straight first and last piece, mm; 0 where there is none.
+        Lengths of the straight first and last piece, mm; 0 if there is none.
 
     Examples
     --------
@@ -41,10 +41,10 @@ class StraightEnds:
     def of(
         cls, curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature = 0.0
     ) -> "StraightEnds":
-        """The parts of an open curve; ends that may turn, and curves that are straight all along, are left.
+        """Split an open curve; straight pieces at ends that may turn, and straight curves, stay whole.
 
-        So are curves of a strip whose natural curvature varies: that is counted from the start of the whole; and
-        points that waver, between which nothing straight was drawn; and polylines that have corners.
+        Three other kinds of curves stay whole: curves with a natural curvature that varies, because it is counted
+        from the start of the whole; fits to measured points, which contain no drawn straight pieces; and polylines.
         """
         counted = isinstance(natural_curvature, RestCurvature)
         if curve.is_closed or curve.is_straight or counted or measured_points(curve) is not None:
@@ -68,7 +68,7 @@ class StraightEnds:
         return any(self.lengths)
 
     def place_of(self, point: ArrayLike, within: float) -> tuple[int, float] | None:
-        """Which straight piece a point (2,) lies on within `within` mm, 0 or 1, and how far into it, mm."""
+        """Return the straight piece (0 or 1) within `within` mm of a point (2,), and the distance along it, mm."""
         for end, t, outward in zip((0, 1), self.bent.domain, (-1.0, 1.0), strict=True):
             angle = float(self.bent.angle_at(t))
             x, y = outward * np.cos(angle), outward * np.sin(angle)
@@ -79,7 +79,7 @@ class StraightEnds:
 
     @property
     def told(self) -> Refusal | None:
-        """One sentence about the pieces that became tabs; None where there is none."""
+        """Message about the pieces that became tabs, or None."""
         first, last = map(Length, self.lengths)
         if first and last:
             return note(

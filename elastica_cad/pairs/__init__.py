@@ -1,4 +1,4 @@
-"""Parts with two rest shapes: two drawn curves, one strip."""
+"""Parts with two rest shapes: one strip for two drawn curves."""
 
 from elastica_cad._exports import exports
 

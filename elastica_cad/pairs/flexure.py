@@ -40,46 +40,46 @@ LEAST_CUT_MM, LEAST_PRINTED_MM = 0.8, 0.9
 """Thinnest tongue that a laser leaves sound, and that a nozzle of 0.4 mm prints in two lines."""
 
 SIDE_MM = 1e-3
-"""How closely the cut sides follow the thickness."""
+"""Tolerance of the cut sides, mm."""
 
 LEAST_GAP_MM = 0.3
-"""Between two stretches of the part: nearer ones touch, or are welded by the laser or the printer."""
+"""Least gap between two stretches of the part, mm; smaller gaps touch or fuse in laser or printer."""
 
 APART = 3.0
-"""In thicknesses along the part: stretches nearer than that to each other are neighbours."""
+"""Distance along the part, in thicknesses, below which two stretches are neighbours."""
 
 CONTACT_POINTS = 241
 TRAVEL_STEPS = 48
-SHAPES = 8  # of a travel, at which the part may not touch itself
+SHAPES = 8  # checked shapes of a travel, in which the part must not touch itself
 STATES = ("first", "second")
 FAR_SHARE = 0.05
-"""Of the largest way of a point from one state to the other: one that goes less far is no place to push at."""
+"""Least displacement of the pushed point, as a fraction of the largest displacement between the states."""
 
 REST_SHARE = 1e-3
 """Distance from the drawn state, as a fraction of the length, beyond which there is a warning about a rest shape.
-Two rest shapes that are nearer to each other are one."""
+Two rest shapes within this distance count as the same."""
 
 SPARE = 0.98
 """Fraction of the strain limit that is used, because a part that stretches moves otherwise if it is thicker."""
 
 OFF_MM = 0.1
-"""By which the part may be thicker or thinner in its plane than drawn: what careful cutting or printing leaves."""
+"""Thickness tolerance in the plane of careful cutting or printing, mm."""
 
 _GAUSS = np.polynomial.legendre.leggauss(24)
 
 
 @dataclass(frozen=True)
 class Pad:
-    """What holds an end of a flexure: a plate with two holes on its middle line.
+    """End plate of a flexure, with two holes on its centre line.
 
     Attributes
     ----------
     length, width : float
-        Along the part and across it, mm; wider where the end of the part and its fillets need it.
+        Sizes along and across the part, mm; the pad is wider if the end of the part and its fillets require it.
     hole : float
         Diameter of the holes, mm; 3.2 for M3.
     inset : float
-        From the ends of the pad to the middles of the holes, mm.
+        Distance from the ends of the pad to the centres of the holes, mm.
     """
 
     length: Annotated[float, Asked("Along the part.", "mm", above=0)] = 18.0
@@ -98,26 +98,27 @@ class Pad:
 
 @dataclass(frozen=True, eq=False)
 class FlexureTravel:
-    """The way from one state to the other.
+    """Path from one state to the other.
 
     Attributes
     ----------
     travel : (k,) array
-        mm of the pushed point; of a part with two settings shares of the way of its end, from 0 to 1.
+        Displacement of the pushed point, mm; for a part with two settings, fraction (0 to 1) of the displacement
+        of its end.
     force : (k,) array
-        N, along the push; of a part with two settings the force that holds its end.
+        Force along the push, N; for a part with two settings, the force that holds its end.
     energy : (k,) array
         N mm.
     position : (k, n, 2) array
         Centre line, mm.
     strain : (k,) array
-        Largest on the way.
+        Largest strain at each step.
     snap : float or None
-        Travel behind which the part goes on by itself, mm.
+        Travel at which the part snaps, mm.
     work : float
-        Done up to there, N mm.
+        Work of the push up to the snap, N mm.
     reached : bool
-        Does it end in the other state?
+        True if the path ends in the other state.
     """
 
     travel: FloatArray
@@ -137,41 +138,42 @@ class FlexureTravel:
 
 @dataclass(frozen=True, eq=False)
 class Flexure:
-    """A pair as a part cut in the plane of a sheet, whose thickness there makes the stiffness.
+    """A part cut from a sheet for a pair of states; its thickness in the plane determines the stiffness.
 
     Parameters
     ----------
     pair : TwoStateRod
     sheet : Sheet or str
-        Its thickness is the depth of the part; its `max_strain` bounds both states and the way between them.
+        Its thickness is the depth of the part; its `max_strain` bounds both states and the path between them.
     least_thickness : float, optional
-        Of the part in its plane, mm; unless given the largest that the strain of states and way allows.
+        Least thickness in the plane, mm; by default the largest for which states and path meet the strain limit.
     pad : Pad
         At both ends.
     fillet : float
-        Radius at the roots, mm; 0 for none.
+        Radius at the roots, mm; 0 for no fillet.
     push_at : float, optional
-        Where a bistable part is pushed, mm; its middle, or where that hardly moves the place that moves furthest.
+        Arc length where a bistable part is pushed, mm; by default its middle, or the point of largest displacement
+        if the middle hardly moves.
     printed : bool
-        Printed rather than cut: 0.9 mm at least, not 0.8.
+        True for a printed part, at least 0.9 mm thick instead of 0.8 mm.
     label : str
         Engraved on the first pad.
     ignore_limits : bool
-        Make it although it is too thin, strained too much, or touches itself.
+        Accept a part that is too thin, strained too much, or in contact with itself.
 
     Raises
     ------
     InputError
-        The part is too thin to be cut, or touches itself; with what would help.
+        The part is too thin to be cut, or touches itself; the message has suggestions.
     StrainError
-        It breaks.
+        The strain exceeds what the sheet can withstand.
 
     Notes
     -----
     With t the depth and E the sheet's modulus h(s) = (12 B K / (E t))^(1/3). A state is strained by
     |kappa - kappa_0| h / 2 times Winkler's factor of curved beams on the inner side, and by its axial force. In the
-    fillets at the roots the strain is larger by a notch factor. The fillets lie partly within the free length, so
-    that the ends give as much as if they were clamped where they are drawn.
+    fillets at the roots the strain is larger by a notch factor. The fillets are partly within the free length, so
+    that the ends are as compliant as ends clamped at the drawn places.
 
     Examples
     --------
@@ -239,12 +241,12 @@ class Flexure:
             else:
                 shapes.append((self._bends_of(self._led_rods), scale**2 * self._pull_of(self._led_rods)))
         except NotConvergedError:
-            return scale  # which `warnings` tells
+            return scale  # `warnings` reports it
         bends, stretch = (np.vstack(rows) for rows in zip(*shapes, strict=True))
         return min(scale, self._thickest(bends, stretch / scale**2, SPARE * most))
 
     def _thickest(self, bends: FloatArray, pull: FloatArray, most: float) -> float:
-        """The least thickness, mm, at which shapes (k, n) of the part are strained by `most`."""
+        """Return the least thickness, mm, at which shapes (k, n) of the part reach the strain `most`."""
         from scipy.optimize import brentq
 
         def excess(scale: float) -> float:
@@ -269,9 +271,9 @@ class Flexure:
         return self.sheet.youngs_modulus * self.sheet.thickness * self.scale**3 / 12
 
     def _strains(self, bends: FloatArray, stretch: FloatArray, scale: float) -> FloatArray:
-        """Largest strain (..., n) at the rod's nodes, of bends (1/mm) and axial strains (..., n).
+        """Return the largest strain (..., n) at the nodes, for bends (1/mm) and axial strains (..., n).
 
-        The ends, which lie within the fillets, have the strain of the fillets.
+        The ends are within the fillets and have the strain of the fillets.
         """
         s, h = self.pair.first.s, scale * self.pair.first.stiffness ** (1 / 3)
         bent = np.abs(bends) * h / 2 * curved_beam_factor(h * np.abs(self.pair.natural_curvature))
@@ -303,13 +305,13 @@ class Flexure:
 
     @property
     def stretch(self) -> float:
-        """By how much the forces of the drawn states lengthen or shorten the part at most, mm."""
+        """Return the largest change of length due to the forces of the drawn states, mm."""
         strain = self.scale**2 * self._pull_of(self.pair.states)
         return float(np.abs(strain @ self.pair.first.node_lengths).max())
 
     @cached_property
     def rests(self) -> tuple[RestShape, RestShape]:
-        """The shapes in which the part, which stretches, rests if it is let go in each state."""
+        """Rest shapes, with stretching, after the part is released in each state."""
         first, second = (rest_shape(rod, thickness=self.scale) for rod in self.rods)
         return first, second
 
@@ -324,7 +326,7 @@ class Flexure:
 
     @property
     def bistable(self) -> bool:
-        """Whether the part has two rest shapes in the same clamps."""
+        """True if the part has two rest shapes in the same clamps."""
         return self.pair.bistable and self._are_apart(*self.rests)
 
     def _are_apart(self, first: RestShape, second: RestShape) -> bool:
@@ -332,7 +334,7 @@ class Flexure:
 
     @cached_property
     def sideways(self) -> tuple[SidewaysStability, SidewaysStability]:
-        """Does each state stay in its plane?"""
+        """Stability of each state against leaving its plane."""
         return self.pair.sideways(
             self.sheet.thickness, self.thickness_at(self.pair.first.s), poisson_ratio=self.sheet.poisson_ratio
         )
@@ -341,14 +343,14 @@ class Flexure:
 
     @cached_property
     def centre(self) -> "CentreLine":
-        """As it lies without load, from the origin along x."""
+        """Unloaded centre line, from the origin along x."""
         rod = self.pair.first
         turn = spline_through(rod.s, self.pair.natural_curvature, 3).integral()
         return CentreLine(rod.s, np.asarray(turn(rod.s)), np.zeros(2))
 
     @cached_property
     def second_moved(self) -> FloatArray:
-        """From where the second state is drawn to where its start is held as that of the first, (3, 3)."""
+        """Transform (3, 3) of the second drawn state, such that both states start in the same clamp."""
         first, second = self.pair.states
         turn = float(first.angle[0] - second.angle[0])
         c, s = np.cos(turn), np.sin(turn)
@@ -359,7 +361,7 @@ class Flexure:
 
     @cached_property
     def rods(self) -> tuple[Rod, Rod]:
-        """Both states, the second moved so that its start is held where that of the first is."""
+        """Both states, with the second moved so that both start in the same clamp."""
         first, second = self.pair.states
         matrix, turn = self.second_moved, float(first.angle[0] - second.angle[0])
         moved = replace(
@@ -370,18 +372,18 @@ class Flexure:
 
     @cached_property
     def states(self) -> tuple["CentreLine", "CentreLine"]:
-        """The centre lines of these."""
+        """Centre lines of `rods`."""
         first, second = (CentreLine(rod.s, rod.angle, rod.position[0]) for rod in self.rods)
         return first, second
 
     @cached_property
     def outline(self) -> Path:
-        """Of the unloaded part, anticlockwise: the sides as splines, pads, fillets."""
+        """Outline of the unloaded part, anticlockwise: sides as splines, pads, fillets."""
         corners = self.outline_along(self.centre)
         return round_corners(corners, self.fillet) if self.fillet else corners
 
     def outline_along(self, line: "CentreLine") -> Path:
-        """The outline, with sharp roots, of the part bent to a centre line."""
+        """Return the outline, with sharp roots, of the part bent to a centre line."""
         require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
         low, high = -self.overhang(0.0), self.pair.length + self.overhang(self.pair.length)
 
@@ -406,22 +408,23 @@ class Flexure:
         return Path(chain, closed=True)
 
     def overhang(self, s: float) -> float:
-        """How far beyond an end of the free length its pad begins, mm.
+        """Return the distance from an end of the free length to its pad, mm.
 
-        The fillet thickens the part towards the pad. It bends as a piece of the strip of the length `give`, so it
-        begins that far within the free length. What the pad's own root adds is that of a half-plane.
+        The fillet thickens the part towards the pad. It is as compliant as a piece of the strip of the length
+        `give`, so it begins at this distance within the free length. The compliance of the root in the pad is that
+        of a half-plane.
         """
         s = require_number(s, "the arc length", "mm")
         return _overhang(float(self.thickness_at(np.array([s]))[0]), self.fillet)
 
     @cached_property
     def pad_width(self) -> float:
-        """Of the pads as they are cut, mm."""
+        """Actual width of the pads, mm."""
         thickest = float(self.thickness_at(np.array([0.0, self.pair.length])).max())
-        return max(self.pad.width, thickest + 5 * self.fillet)  # each root and corner takes one
+        return max(self.pad.width, thickest + 5 * self.fillet)  # room for roots and corners
 
     def pads_along(self, line: "CentreLine") -> tuple[list[FloatArray], list[FloatArray]]:
-        """The corners of the pads at start and end of the part bent to a centre line, anticlockwise."""
+        """Return the corners of the start and end pads of the part bent to a centre line, anticlockwise."""
         require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
         length = self.pair.length
         return (
@@ -430,20 +433,20 @@ class Flexure:
         )
 
     def _pad_corners(self, line: "CentreLine", s: float, way: int) -> list[FloatArray]:
-        """The four corners of a pad from the right side on, anticlockwise."""
+        """Return the four corners of a pad, anticlockwise from the right side."""
         position, along, across = self._root(line, s, way)
         half = self.pad_width / 2 * across
         far = position + self.pad.length * along
         return [position - half, far - half, far + half, position + half]
 
     def _root(self, line: "CentreLine", s: float, way: int) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Middle of a pad's inner edge, the direction outward, and that to its left."""
+        """Return the middle of a pad's inner edge, the outward direction, and the direction to its left."""
         position, angle = (value[0] for value in line.at(np.array([s])))
         along = way * np.array([np.cos(angle), np.sin(angle)])
         return position, along, np.array([-along[1], along[0]])
 
     def hole_places(self, line: "CentreLine") -> FloatArray:
-        """Middles of the holes (2, 2, 2): of the start's and the end's pad, those at the root first."""
+        """Return the centres of the holes (2, 2, 2) of the start and end pads, from the root outward."""
         places = []
         for s, way in ((-self.overhang(0.0), -1), (self.pair.length + self.overhang(self.pair.length), 1)):
             position, along, _ = self._root(line, s, way)
@@ -452,13 +455,13 @@ class Flexure:
 
     @cached_property
     def holes(self) -> tuple[Path, ...]:
-        """Of the unloaded part."""
+        """Holes of the unloaded part."""
         return tuple(
             Path.circle(place, self.pad.hole / 2) for place in self.hole_places(self.centre).reshape(-1, 2)
         )
 
     def drawing(self) -> Drawing:
-        """What is cut, as the unloaded part lies."""
+        """Return the cutting drawing of the unloaded part."""
         paths = [LayeredPath(CUT_INNER, hole) for hole in self.holes]
         texts: tuple[Text, ...] = ()
         if self.label:
@@ -470,7 +473,7 @@ class Flexure:
         return Drawing(self.label or "flexure", (*paths, LayeredPath(CUT_OUTER, self.outline)), texts)
 
     def holder(self) -> Drawing:
-        """A plate with the holes of each state: one set of a bistable part, else the end's of both settings."""
+        """Return a plate with holes for both pads; the end pad has two sets unless the part is bistable."""
         places = [self.hole_places(line) for line in self.states]
         groups = [(places[0][0], ""), (places[0][1], "" if self.pair.bistable else "1")]
         if not self.pair.bistable:
@@ -507,7 +510,7 @@ class Flexure:
 
     @cached_property
     def pushed(self) -> tuple[float, FloatArray]:
-        """Where a bistable part is pushed, mm, and the way of this point from the first state to the second."""
+        """Arc length (mm) where a bistable part is pushed, and displacement of this point between the states."""
         first, second = self.rods
         way = second.position - first.position
         far = np.hypot(*way.T)
@@ -518,15 +521,15 @@ class Flexure:
 
     @cached_property
     def travel(self) -> FlexureTravel:
-        """From the first state to the second: pushed where it is bistable, else its end led."""
+        """Path from the first state to the second, by a push if bistable, else by moving the end."""
         return self._pushed(*self.rods) if self.pair.bistable else self._led()
 
     @cached_property
     def force_range(self) -> tuple[float, float]:
-        """Least and largest that `travel.largest_force` may turn out, N.
+        """Least and largest value of `travel.largest_force`, N.
 
-        Where the part is off by `OFF_MM` in its plane, of a sheet at the ends of its ranges. A part that does not
-        snap at one of these thicknesses has no force there.
+        The part is thicker or thinner by `OFF_MM` in its plane, and the sheet is at the limits of its ranges. The
+        force is 0 at a thickness for which the part does not snap.
         """
         forces = [self.travel.largest_force]
         for off in (-OFF_MM, OFF_MM):
@@ -639,7 +642,7 @@ class Flexure:
         return {name: gap for name, gap in found.items() if gap < LEAST_GAP_MM}
 
     def _gap(self, line: "CentreLine") -> float:
-        """Least distance of two stretches of the part, its pads with them, that are no neighbours, mm."""
+        """Return the least gap between stretches of part and pads that are not neighbours, mm."""
         length = self.pair.length
         s = np.linspace(0.0, length, CONTACT_POINTS)
         beyond = np.arange(self.pad_width / 2, self.pad.length + 1e-9, self.pad_width / 4)
@@ -654,20 +657,20 @@ class Flexure:
         return float(np.where(near, np.inf, apart).min())
 
     def _gap_on_the_way(self, way: FlexureTravel) -> float:
-        """The same of some of the shapes between the states, mm."""
+        """Return the least `_gap` of some shapes between the states, mm."""
         shapes = way.position[:: max(1, len(way.position) // SHAPES)]
         gaps = [self._gap(self.line_through(shape)) for shape in shapes]
         return min(gaps)
 
     def line_through(self, positions: FloatArray) -> "CentreLine":
-        """Centre line through nodes (n, 2) of a shape of `travel` or `rests`, mm."""
+        """Return the centre line through nodes (n, 2) of a shape of `travel` or `rests`, mm."""
         steps = np.append(0.0, np.cumsum(np.hypot(*np.diff(positions, axis=0).T)))
         s = steps * self.pair.length / steps[-1]
         along = np.gradient(positions, s, axis=0, edge_order=2)
         return CentreLine(s, np.unwrap(np.arctan2(along[:, 1], along[:, 0])), positions[0])
 
     def _faults(self) -> Iterable[InputError]:
-        """What keeps it from being made and used."""
+        """Yield the errors that prevent making and using the part."""
         thin, least = self.scale, LEAST_PRINTED_MM if self.printed else LEAST_CUT_MM
         if thin < least * (1 - 1e-6):
             made = "printed" if self.printed else "cut"
@@ -695,7 +698,7 @@ class Flexure:
 
     @cached_property
     def warnings(self) -> tuple[Refusal, ...]:
-        """What a user should know about the part."""
+        """Warnings about the part."""
         found = [note("{fault}", severity="warning", fault=str(one)) for one in self._faults()] \
             if self.ignore_limits else []  # fmt: skip
         worst = max(self.strain)
@@ -801,7 +804,7 @@ def _distance(positions: FloatArray, others: FloatArray) -> float:
 
 
 HALF_PLANE = 0.44
-"""Thicknesses of the strip by which the root of a half-plane gives as much: O'Donnell, J. Appl. Mech. 27 (1960)."""
+"""Length of strip, in thicknesses, as compliant as a root in a half-plane: O'Donnell, J. Appl. Mech. 27 (1960)."""
 
 
 SHARP_MM = 0.1
@@ -811,14 +814,14 @@ SHARP_MM = 0.1
 def root_factors(radius: float) -> tuple[float, float]:
     """Return the notch factors of a fillet beside a wide pad, of bending and of tension.
 
-    Fitted within 1 % to plane finite elements of a strip that ends in a pad at least three times as wide, for radii
-    of 0.05 to 2.5 times the thickness. Beside narrower pads the factors are too large. Whole parts agree with
+    The factors fit plane finite elements within 1 %, for pads at least three times as wide as the strip and radii
+    of 0.05 to 2.5 times the thickness. For narrower pads the factors are too large. Whole parts agree with finite
     elements (`tests/validation/test_pushed_parts.py`).
 
     Parameters
     ----------
     radius : float
-        Over the thickness where the fillet begins.
+        Radius divided by the thickness where the fillet begins.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""The request for a part with two rest shapes, whoever asks: two curves, a sheet, and what it may be."""
+"""Request for a part with two rest shapes: two curves, a sheet, and limits."""
 
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -17,24 +17,24 @@ Match = Literal["ends", "shape", "none"]
 
 @dataclass(frozen=True, eq=False)
 class FlexureSpec:
-    """A flexure as it is asked for.
+    """Request for a flexure.
 
     Attributes
     ----------
     first, second : PlaneCurve
-        Both states as drawn, mm.
+        Both drawn states, mm.
     sheet : Sheet or str
     match : "ends", "shape" or "none"
-        How their lengths are made equal: see `matched_pair`.
+        Method to make their lengths equal: see `matched_pair`.
     smooth : float, optional
-        As of `StripSpec`: by how many mm the curves may be moved to be fair; unless given pen curves are, slightly.
+        Largest distance that smoothing may move the curves, mm, as in `StripSpec`.
     limits : PairLimits
     free : "first", "second" or None
-        A state that needs no holding.
+        State that rests without external forces.
     objective : "thickness" or "ratio"
-        The largest least thickness at the sheet's strain, or the least ratio of stiffness.
+        Maximise the least thickness at the strain limit of the sheet, or minimise the stiffness ratio.
     least_thickness, pad, fillet, push_at, printed, label, ignore_limits
-        As of `Flexure`.
+        As in `Flexure`.
 
     Examples
     --------
@@ -95,30 +95,30 @@ class FlexureSpec:
 
     @cached_property
     def matched(self) -> MatchedPair | None:
-        """Both curves made equally long; None where they are taken as drawn."""
+        """Both curves with equal lengths, or None if they are used as drawn."""
         return None if self.match == "none" else matched_pair(*self.faired, self.match)
 
     @cached_property
     def faired(self) -> tuple[PlaneCurve, PlaneCurve]:
-        """Both curves with a smooth curvature, from the same end on."""
+        """Both curves with a smooth curvature, starting at the same end."""
         first, second = (smooth_curve(one, self.smooth).curve for one in (self.first, self.second))
         return same_way(first, second)
 
     @cached_property
     def pair(self) -> TwoStateRod:
-        """The rod that rests in both."""
+        """Rod that rests in both curves."""
         first, second = self.matched or self.faired
         return two_state_rod(first, second, limits=self.limits, free=self.free, objective=self.objective)
 
     def make(self) -> Flexure:
-        """The part.
+        """Return the part.
 
         Raises
         ------
         NotRealizable
             No strip rests in both curves within the limits.
         InputError
-            It cannot be cut, or touches itself; the sentence says what would help.
+            The part cannot be cut, or touches itself; the message has suggestions.
         """
         return Flexure(
             self.pair, Sheet.of(self.sheet), least_thickness=self.least_thickness, pad=self.pad, fillet=self.fillet,

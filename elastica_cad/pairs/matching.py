@@ -1,4 +1,4 @@
-"""Two drawn curves made equally long, with the least change, so that one strip can be both."""
+"""Change two drawn curves as little as possible to equal lengths, so that one strip fits both."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -20,8 +20,7 @@ from elastica_cad.refusals import Length, note
 Kept: TypeAlias = Literal["ends", "shape"]
 
 ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
-"""Ends this near to each other, as a share of the length, and of this little difference in direction are meant
-to be the same clamps."""
+"""Distance (fraction of the length) and angle (rad) of two ends, below which they become the same clamp."""
 
 LONGEST_STEP = 0.02  # of the logarithm of the length, for Newton's method
 NEWTON_STEPS = 20
@@ -38,7 +37,7 @@ EQUAL = 1e-12  # lengths that differ by less of themselves are equal
 
 @dataclass(frozen=True, eq=False)
 class MatchedPair:
-    """Two curves of one length; `first, second = matched_pair(...)` takes them apart.
+    """Two curves of equal length; `first, second = matched_pair(...)` unpacks them.
 
     Attributes
     ----------
@@ -46,7 +45,7 @@ class MatchedPair:
     moved : (float, float)
         Largest distance of corresponding points from the drawn curves, mm.
     same_clamps : bool
-        Do both have the same ends and total turning, exactly?
+        True if both have exactly the same ends and total turning.
     """
 
     first: PlaneCurve
@@ -70,9 +69,9 @@ class MatchedPair:
 
 
 def same_way(first: PlaneCurve, second: PlaneCurve) -> tuple[PlaneCurve, PlaneCurve]:
-    """Both curves, turned round where only so they begin in one place or have the same clamps.
+    """Return both curves, reversed if that is necessary for a common start or for the same clamps.
 
-    A curve is drawn from either of its ends, and curves of a drawing that meet are read as one.
+    Curves may be drawn from either end, and curves of a drawing that meet are read as a single curve.
     """
     for one in (first, first.reversed()):
         for other in (second, second.reversed()):
@@ -84,19 +83,18 @@ def same_way(first: PlaneCurve, second: PlaneCurve) -> tuple[PlaneCurve, PlaneCu
 
 
 def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> MatchedPair:
-    """The two curves with equal lengths, changed as little as can be.
+    """Return two curves with equal lengths, changed as little as possible.
 
     Parameters
     ----------
     first, second : PlaneCurve
         mm.
     keep : "ends" or "shape"
-        "ends": each keeps the places and directions of its ends, and takes the new length as an even elastic strip
-        would: its curvature changes by an affine function of the position, the smallest that will do. The common
-        length is that of the least change of both together. Where the ends of both lie alike, wherever they
-        are drawn (to 1 % of the length and 2 degrees, with the same total turning), they become the same clamps
-        exactly.
-        "shape": each is scaled about its start.
+        "ends": each curve keeps the positions and directions of its ends and changes length like a uniform
+        elastic strip. Its curvature changes by the smallest sufficient affine function of the position. The common
+        length minimises the change of both. If the ends of both curves agree up to a rigid motion (within 1 % of
+        the length and 2 degrees, with the same total turning), they become exactly the same clamps.
+        "shape": each curve is scaled about its start.
 
     Returns
     -------
@@ -105,7 +103,7 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
     Raises
     ------
     InputError
-        A curve cannot be so long with its ends where they are: it is straight, or the lengths are far apart.
+        A curve cannot have the common length with its ends fixed: it is straight, or the lengths differ too much.
 
     Examples
     --------
@@ -162,7 +160,7 @@ def _moved(before: PlaneCurve, after: PlaneCurve) -> float:
 
 
 def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) -> bool:
-    """Whether both are held by the same clamps, wherever they are drawn, to a share of the length."""
+    """Return True if both clamps agree up to a rigid motion, within a fraction of the length."""
     size = max(first.curve.length, second.curve.length)
     apart, angles, other_angles = np.hypot(*(first.chord - second.chord)), first.clamps[2], second.clamps[2]
     return bool(
@@ -171,7 +169,7 @@ def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) ->
 
 
 def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float:
-    """The common length for which the sum of both changes of curvature is least."""
+    """Return the common length with the least sum of both changes of curvature."""
     from scipy.optimize import minimize_scalar
 
     low, high = sorted(lengths)
@@ -236,7 +234,7 @@ class _Drawn:
         return edges, (WEIGHTS * half).ravel(), at.angle, functions.reshape(-1, 3), turns
 
     def numbers(self, length: float) -> FloatArray | None:
-        """(alpha, beta) (3,) with which the curve has its clamps and the length; None for no small change."""
+        """Return (alpha, beta) (3,) for the clamps and a length, or None if no small change is sufficient."""
         _, weight, angle, _, turns = self._nodes
         start, end, angles = self.clamps
         own = self.curve.at(np.array([0.0, self.curve.length]))

@@ -1,11 +1,12 @@
-"""Theorem 1 for two curves: is there one strip, with a shape of its own before it is bent, that rests in both?
+"""Theorem 1 for two curves: existence of one strip, with any natural curvature, that rests in both.
 
-Held by a force and a moment, the strip has moments that are affine in position in both states (paper, Eq. 3),
+The moments of a strip that is held at its ends are affine in position in both states (paper, Eq. 3),
 
     K (kappa_1 - kappa_0) = M_1 = a_1 + <b_1, gamma_1>,    K (kappa_2 - kappa_0) = M_2 = a_2 + <b_2, gamma_2>,
 
-so K d = N with d = kappa_1 - kappa_2 and N = M_1 - M_2, a number and two vectors. K > 0 exists if and only if some
-N has the sign of d everywhere and vanishes where d does, as often. Then kappa_0 = kappa_1 - M_1 / K.
+so K d = N with d = kappa_1 - kappa_2 and N = M_1 - M_2, which has a number and two vectors as parameters. K > 0
+exists if and only if some N has the sign of d everywhere and the same zeros with the same orders. Then
+kappa_0 = kappa_1 - M_1 / K.
 """
 
 from collections.abc import Iterable, Sequence
@@ -41,55 +42,56 @@ from elastica_cad.mechanics.theorem1 import (
 from elastica_cad.refusals import Length, note
 
 EQUAL_LENGTHS_SHARE = 1e-4
-"""Two curves whose lengths differ by more of themselves are made equal first: see `matched_pair`."""
+"""Largest relative difference of two lengths; above it, use `matched_pair` first."""
 
 SAME_CLAMPS = 1e-3
-"""In lengths of the curve and rad: ends that lie and turn alike to this are held by the same clamps."""
+"""Tolerance of the same clamps, in lengths of the curve and rad."""
 
 CONGRUENT_SHARE = 1e-7
-"""Of the largest curvature: curves whose curvatures differ by less everywhere are congruent."""
+"""Difference of curvature, as a fraction of the largest curvature, below which curves are congruent."""
 
 FAINT_SHARE = 1e-9
-"""Of the largest difference of curvatures: less is none, in a dip or between two zeros."""
+"""Difference of curvature in a dip or between two zeros, as a fraction of the largest, that counts as zero."""
 
 GENTLE_SHARE = 1e-7
-"""The same of its slope in a zero, over the length: the strip would be as many times wider there than elsewhere."""
+"""Slope at a zero, as a fraction of the largest difference over the length, that counts as zero: the strip would
+be wider there by its reciprocal."""
 
 SHORT_SHARE = 0.01
-"""Of the length: where the difference is next to none for less of it, it has a zero of high order."""
+"""Longest zero of high order, as a fraction of the length; a longer one is a flat stretch."""
 
 BESIDE_SHARE = 1e-4
-"""Of the length: how far from a zero at an end the sign beside it is looked at."""
+"""Distance, as a fraction of the length, from a zero at an end to the place where the sign is taken."""
 
 DEPENDENT_SHARE = 1e-8
-"""Of the largest: numbers whose stiffness is less make none, as where 1, gamma_1, gamma_2 depend on each other."""
+"""Relative tolerance of ranks, which are smaller if 1, gamma_1 and gamma_2 are linearly dependent."""
 
 NUMBERS = 6
-"""Of the moments: a_1 - a_2, b_1, b_2, a_1; the first five make the difference N."""
+"""Number of parameters of the moments: a_1 - a_2, b_1, b_2, a_1; the first five determine N."""
 
 
 def check_pair(first: PlaneCurve, second: PlaneCurve) -> PairCheck:
-    """Can one strip rest in both curves, held at its ends?
+    """Check whether one strip, held at its ends, can rest in both curves.
 
     Parameters
     ----------
     first, second : PlaneCurve
-        mm; their lengths differ by 1e-4 of themselves at most (`matched_pair` makes them equal). The second is
-        scaled to the length of the first.
+        mm; the relative difference of their lengths is at most 1e-4 (`matched_pair` makes them equal). The second
+        is scaled to the length of the first.
 
     Returns
     -------
     PairCheck
-        Its `str` says why not, and where.
+        Its `str` gives reason and place if no strip can.
 
     Raises
     ------
     InputError
-        Curves with corners, closed ones, or ones of different lengths.
+        Curves with corners, closed curves, or curves of different lengths.
 
     References
     ----------
-    Paper, Theorem 1, with the difference of two curvatures in the place of the curvature.
+    Paper, Theorem 1, with the difference of two curvatures instead of the curvature.
 
     Examples
     --------
@@ -103,7 +105,7 @@ def check_pair(first: PlaneCurve, second: PlaneCurve) -> PairCheck:
 def examine_pair(
     first: PlaneCurve, second: PlaneCurve
 ) -> tuple[PairCheck, "PairedPanels | None", FloatArray | None]:
-    """The check; where it is realizable also the conditioned numbers, and those of the least ratio."""
+    """Return the check and, if realizable, the panels and the free numbers of the least ratio."""
     second = _of_equal_length(first, second)
     difference = ExcessCurvature(first, CurveOfRest.of(second))
     check = PairCheck(
@@ -163,7 +165,7 @@ def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
 
 
 def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
-    """Do both curves have ends that lie alike, seen from the start, and the same total turning?"""
+    """Return True if both curves have the same end, relative to the start, and the same total turning."""
     (chord, turn), (other, other_turn) = (_clamps_of(curve) for curve in (first, second))
     return bool(
         np.hypot(*(chord - other)) <= SAME_CLAMPS * first.length and abs(turn - other_turn) <= SAME_CLAMPS
@@ -171,7 +173,7 @@ def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
 
 
 def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
-    """The end (2,), mm, seen from the start along its tangent, and the total turning, rad."""
+    """Return the end (2,), mm, in the frame of the start tangent, and the total turning, rad."""
     ends = curve.at(np.array([0.0, curve.length]))
     x, y = ends.position[1] - ends.position[0]
     c, s = np.cos(ends.angle[0]), np.sin(ends.angle[0])
@@ -179,14 +181,14 @@ def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
 
 
 def _is_stretch(curve: PlaneCurve, zero: CurvatureZero) -> bool:
-    """Is it no place, nor a zero of high order, about which the difference is small for a short way?"""
+    """Return True for a flat stretch, which is too long to be a zero of high order."""
     return zero.kind == "flat" and zero.s_end - zero.s > SHORT_SHARE * curve.length
 
 
 def _with_orders(
     difference: ExcessCurvature, found: Sequence[CurvatureZero], largest: float
 ) -> tuple[PairZero, ...]:
-    """The zeros with their orders; those next to an end put there, two that are all but one made one."""
+    """Return the zeros with their orders; zeros near an end are moved to it, and near pairs are merged."""
     curve, zeros = difference.curve, list[PairZero]()
     for z in found:
         if _is_stretch(curve, z):
@@ -221,7 +223,7 @@ def _with_orders(
 
 
 def _at_end(difference: ExcessCurvature, s: float, largest: float) -> PairZero:
-    """The zero at an end of the curve, s mm along it."""
+    """Return the zero at an end of the curve, at arc length s, mm."""
     curve = difference.curve
     t = curve.domain[int(s > 0)]
     slope = float(difference.slope_at(t, left=s > 0))
@@ -232,10 +234,11 @@ def _at_end(difference: ExcessCurvature, s: float, largest: float) -> PairZero:
 
 
 def _can_be_met(first: PlaneCurve, zero: PairZero) -> bool:
-    """Is there a difference of moments that vanishes as often as the curvatures' difference does?
+    """Return True if some difference of moments N has a zero of the same order.
 
     N' = <b_1, T_1> - <b_2, T_2>, and where d = 0, N'' = kappa (<b_1, n_1> - <b_2, n_2>) with the common curvature
-    kappa: a double zero is met where the curves are bent. Where N'' vanishes too, N does two orders further than d.
+    kappa. So a double zero is possible where the curves are bent. If N'' vanishes too, the order of N exceeds the
+    order of d by two.
     """
     if zero.order == 2:
         bent = float(first.curvature_at(np.array(zero.t)))
@@ -289,19 +292,19 @@ def _tell_too_many(check: PairCheck, paired: "PairedPanels") -> str:
 
 @dataclass(frozen=True, eq=False)
 class PairedPanels:
-    """Moments of two states along both curves, as rows over a_1 - a_2, b_1, b_2 (times the length) and a_1.
+    """Moments of two states along both curves, as linear functions of a_1 - a_2, b_1, b_2 (times the length), a_1.
 
     Attributes
     ----------
     check : PairCheck
     panels : Panels
-        Of the first curve; their `curvature` is d = kappa_1 - kappa_2.
+        Panels of the first curve; their `curvature` is d = kappa_1 - kappa_2.
     moments : tuple of (N, p, 6) arrays
         M_1 and M_2 at the nodes.
     stiffness : (N, p, 5) array
-        K = N / d, in the first five numbers.
+        K = N / d, as a linear function of the first five numbers.
     conditions : (k, 5) array
-        Rows that must vanish: N at the zeros of d, and N' at its double ones.
+        Rows that must vanish: N at the zeros of d, and N' at the double zeros.
     """
 
     check: PairCheck
@@ -357,12 +360,12 @@ class PairedPanels:
 
     @cached_property
     def basis(self) -> FloatArray:
-        """Columns (5, q) of numbers that meet the conditions and make stiffness."""
+        """Columns (5, q) of numbers that meet the conditions and determine the stiffness."""
         return self._split[0]
 
     @cached_property
     def idle(self) -> FloatArray:
-        """Columns (6, r) of numbers that meet the conditions and make none: a_1, and what depends on each other."""
+        """Columns (6, r) of numbers that meet the conditions without effect on the stiffness, such as a_1."""
         none = np.zeros((NUMBERS, 1 + self._split[1].shape[1]))
         none[-1, 0] = 1.0
         none[:-1, 1:] = self._split[1]
@@ -376,7 +379,7 @@ class PairedPanels:
         rows = PanelFunction.through(self.stiffness @ free).dense
         _, sigma, vt = svd(rows, full_matrices=False)
         rank = int(np.count_nonzero(sigma > DEPENDENT_SHARE * sigma[0]))
-        # what is left of a condition is rounding where the conditions meet all that make stiffness
+        # only rounding is left if the conditions exclude every stiffness
         made = np.abs(self._difference @ free).max(initial=0.0) > CONGRUENT_SHARE
         return (free @ vt[:rank].T, free @ vt[rank:].T) if made else (free[:, :0], free)
 
@@ -387,14 +390,14 @@ class PairedPanels:
 
     @cached_property
     def rank(self) -> int:
-        """On how many numbers N hangs: five, or three where the curves are congruent or mirrored."""
+        """Number of parameters of N: five, or three if the curves are congruent or mirrored."""
         return int(
             np.linalg.matrix_rank(self._difference, DEPENDENT_SHARE * np.sqrt(self._difference.shape[0]))
         )
 
     @cached_property
     def beyond(self) -> tuple[PairZero, ...]:
-        """The zeros behind the last one that some N meets together with those before it."""
+        """Zeros after the longest initial sequence of zeros that some N has."""
         for count in range(1, len(self.check.zeros) + 1):
             free = null_space(self.conditions[:count])
             if not free.shape[1] or np.abs(self._difference @ free).max() <= CONGRUENT_SHARE:
@@ -403,11 +406,11 @@ class PairedPanels:
 
     @cached_property
     def family(self) -> StiffnessFamily:
-        """All stiffnesses in the free numbers (q,)."""
+        """All stiffnesses, as functions of the free numbers (q,)."""
         return StiffnessFamily(self.panels, PanelFunction.through(self.stiffness @ self.basis))
 
     def least_ratio(self, family: StiffnessFamily | None = None) -> FloatArray | None:
-        """The free numbers of the least ratio; None where no stiffness is positive."""
+        """Return the free numbers of the least ratio, or None if no stiffness is positive."""
         family = family or self.family
         sizes = np.abs(family.dense[0]).sum(axis=1)
         if not sizes.max() < WIDEST_RATIO * sizes.min():

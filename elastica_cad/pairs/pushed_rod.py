@@ -1,4 +1,4 @@
-"""A clamped rod pushed at one of its points, step by step, through the places where it snaps."""
+"""A clamped rod that is pushed at one point, step by step, also beyond snaps."""
 
 from dataclasses import dataclass
 
@@ -11,27 +11,28 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 
 EDGES = 480
-"""Of the discrete rod (paper, section 7.1): its error, (1 / EDGES)^2 of turns of some radians, is a drawing's."""
+"""Edges of the discrete rod (paper, section 7.1); its relative error (1 / EDGES)^2 is that of a drawing."""
 
 STIFF, STIFFEST = 400.0, 1000.0
-"""Length over thickness: of a rod whose thickness is not known, and the largest that is used. A thinner rod hardly
+"""Length over thickness for a rod of unknown thickness, and the largest value used. A thinner rod hardly
 stretches, and rounding errors would exceed its forces."""
 
 MOST_ITERATIONS = 2000
 CALM = 1e-8
-"""Of the largest force of an edge: nodes that are pulled by less are at rest."""
+"""Force on a node at rest, at most, as a fraction of the largest force of an edge."""
 
 FIRST_DAMPING, LEAST_DAMPING, DAMPING_STEP = 1e-6, 1e-12, 4.0
-"""Of the largest stiffness of a node: added where the energy is no valley or a step would raise it."""
+"""Damping, as a fraction of the largest stiffness of a node, and its factor. It is added where the energy is not
+convex or a step would increase it."""
 
 NOISE = 4e-15
 """Rounding error of the forces, over the stiffness of an edge times the length over the shortest edge."""
 
 ROUNDING = 1e-11
-"""Of the energy: a step that promises less is taken whatever the sum of so many terms says."""
+"""Promised decrease, as a fraction of the energy, below which a step is accepted because rounding hides it."""
 
 KICK = 1e-4
-"""Of the length: off a ridge, in a lopsided bow that no symmetry of the rod undoes."""
+"""Asymmetric perturbation that leaves a ridge of the energy, as a fraction of the length."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,9 +64,9 @@ class PushPath:
     Attributes
     ----------
     travel : (k,) array
-        How far the pushed point has come along the direction, mm.
+        Displacement of the pushed point along the direction, mm.
     force : (k,) array
-        Push over the least bending stiffness, 1/mm2: times N mm2 newtons; negative where the rod is held back.
+        Push divided by the least bending stiffness (N mm2), 1/mm2; negative if the rod is held back.
     energy : (k,) array
         Bending energy over the least bending stiffness, 1/mm.
     position : (k, n, 2) array
@@ -75,11 +76,11 @@ class PushPath:
     stretch : (k, n) array
         Axial strain at the nodes.
     released : (n, 2) array
-        Nodes, mm, at rest after the push is taken away at the last step.
+        Nodes at rest after the push is removed at the last step, mm.
     s : (n,) array
         Arc lengths of the nodes, mm.
     at : float
-        Where it is pushed, mm.
+        Arc length of the pushed point, mm.
     direction : (2,) array
     """
 
@@ -96,12 +97,12 @@ class PushPath:
 
     @property
     def largest_force(self) -> float:
-        """The largest push up to the snap, or of the whole travel if the rod does not snap, 1/mm2."""
+        """Largest push up to the snap, or of the whole travel without a snap, 1/mm2."""
         return float(self.force[self.travel <= (self.travel[-1] if self.snap is None else self.snap)].max())
 
     @property
     def snap(self) -> float | None:
-        """The travel, mm, behind which the rod goes on by itself: the push falls to zero; None if it never does."""
+        """Travel (mm) at which the rod snaps because the push falls to zero, or None."""
         gone = np.flatnonzero((self.force[1:] <= 0) & (self.force[:-1] > 0))
         if not gone.size:
             return None
@@ -111,7 +112,7 @@ class PushPath:
 
     @property
     def barrier(self) -> float:
-        """The work of the push up to there, 1/mm: times N mm2 it is N mm. No claim of the least."""
+        """Work of the push up to the snap over the stiffness (N mm2), 1/mm; not necessarily the least work."""
         end = self.travel[-1] if self.snap is None else self.snap
         return float(np.interp(end, self.travel, self.energy) - self.energy[0])
 
@@ -119,10 +120,10 @@ class PushPath:
 def push_path(
     rod: Rod, at: float, direction: ArrayLike, travel: ArrayLike, *, thickness: float | None = None
 ) -> PushPath:
-    """Push a clamped rod at a place into a direction; across it the place is free.
+    """Push a clamped rod at a point in a direction; the point is free to move across the direction.
 
-    At every step the rod takes a shape of least energy that descending from the last one leads to, so it snaps
-    where its branch of shapes ends.
+    At every step the rod descends from its previous shape to a local minimum of the energy. So it snaps where its
+    branch of shapes ends.
 
     Parameters
     ----------
@@ -132,15 +133,15 @@ def push_path(
         Arc length, mm, between the ends.
     direction : (2,) array_like
     travel : (k,) array_like
-        mm, from the rod's own shape.
+        Displacements from the shape of the rod, mm.
     thickness : float, optional
-        In the plane where the rod is softest, mm: how much it stretches, its stiffness growing as the cube of the
-        thickness. Unless given a four hundredth of the length.
+        Thickness in the plane where the rod is softest, mm; by default 1/400 of the length. It determines the axial
+        stiffness, for a bending stiffness proportional to the cube of the thickness.
 
     Raises
     ------
     NotConvergedError
-        The rod finds no rest.
+        No rest shape was found.
 
     Examples
     --------
@@ -183,7 +184,7 @@ def rest_shape(rod: Rod, *, thickness: float | None = None) -> RestShape:
     Raises
     ------
     NotConvergedError
-        The rod finds no rest.
+        No rest shape was found.
 
     Examples
     --------
@@ -258,13 +259,13 @@ class _Chain:
         return np.asarray((np.append(strain, strain[-1]) + np.append(strain[0], strain)) / 2)
 
     def energy(self, x: FloatArray) -> float:
-        """Of bending and stretching."""
+        """Return the energy of bending and stretching."""
         r, _, turn = self._edges(x)
         bent = self.stiffness * self.weight @ (turn / self.weight - self.natural) ** 2
         return float(bent + self.axial * self.edge @ (r / self.edge - 1) ** 2) / 2
 
     def gradient(self, x: FloatArray) -> FloatArray:
-        """Forces (n + 1, 2) that hold the nodes."""
+        """Return the forces (n + 1, 2) that hold the nodes."""
         force = self._edge_forces(x)
         return np.asarray(np.pad(force, ((1, 0), (0, 0))) - np.pad(force, ((0, 1), (0, 0))))
 
@@ -278,8 +279,8 @@ class _Chain:
     def _band(self, x: FloatArray) -> FloatArray:
         """The second derivatives by the inner nodes, upper band (6, 2 n - 2).
 
-        By the edges they are blocks A_i on the diagonal and C_i = -K_{i+1} a_i a_{i+1}^t beside it, with a_i the
-        derivative of the angle of edge i; a node moves the end of one edge and the start of the next.
+        With respect to the edges they have blocks A_i on the diagonal and C_i = -K_{i+1} a_i a_{i+1}^t beside it.
+        Here a_i is the derivative of the angle of edge i. A node is the end of an edge and the start of the next.
         """
         r, t, turn = self._edges(x)
         n = np.column_stack([-t[:, 1], t[:, 0]])
@@ -304,7 +305,7 @@ class _Chain:
         return band
 
     def led(self, x: FloatArray, by: float) -> FloatArray:
-        """The pushed node moved, and the others with it as they give."""
+        """Return the nodes after the pushed node moves, with the linear response of the rest."""
         band = self._band(x)
         row = 2 * (self.pushed - 1)
         right = np.zeros(band.shape[1])
@@ -323,7 +324,7 @@ class _Chain:
         return moved
 
     def _holding(self, band: FloatArray) -> FloatArray:
-        """The band with the pushed coordinate taken out."""
+        """Return the band without the pushed coordinate."""
         row, held = 2 * (self.pushed - 1), band.copy()
         for k in range(1, 6):
             held[5 - k, row] = 0.0
@@ -333,7 +334,7 @@ class _Chain:
         return held
 
     def settled(self, x: FloatArray, *, held: bool = False) -> FloatArray:
-        """The nodes of least energy from given ones on, the pushed coordinate staying where it is `held`."""
+        """Minimise the energy from given nodes, with the pushed coordinate fixed if `held`."""
         damping, here, kicked = 0.0, self.energy(x), False
         shortest = self.edge.min()
         noise = NOISE * self.s[-1] / shortest * (self.axial.max() + self.stiffness.max() / shortest**2)
@@ -372,7 +373,7 @@ class _Chain:
         raise NotConvergedError("the pushed rod finds no rest: push it less far, or at another place")
 
     def _kicked(self, x: FloatArray, held: bool) -> FloatArray:
-        """The nodes moved off a ridge of the energy."""
+        """Return the nodes perturbed off a ridge of the energy."""
         share = self.s / self.s[-1]
         bow = KICK * self.s[-1] * np.sin(np.pi * share) ** 2 * (np.sin(2 * np.pi * share) + 0.3)
         moved = np.asarray(x + bow[:, None] * np.array([0.6, 0.8]))
@@ -382,7 +383,7 @@ class _Chain:
 
 
 def _solved(band: FloatArray, right: FloatArray) -> FloatArray | None:
-    """The solution of a symmetric positive definite band; None where it is not positive definite."""
+    """Solve a symmetric band system; return None if it is not positive definite."""
     from scipy.linalg import LinAlgError, solveh_banded
 
     try:

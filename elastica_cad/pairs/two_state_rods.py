@@ -27,35 +27,35 @@ State: TypeAlias = Literal["first", "second"]
 Objective: TypeAlias = Literal["ratio", "thickness"]
 
 MET_SHARE = 1e-6
-"""By how much, relatively, a rod may exceed a limit: the accuracy of its linear program."""
+"""Largest relative violation of a limit: the accuracy of the linear program."""
 
 TANGENTS = 12
-"""Of K^(2/3), from the least stiffness to the largest that a first program may make of it, at each sample."""
+"""Number of tangents to K^(2/3) at each sample in the first program."""
 
 WIDEST_TANGENTS = 1e4
-"""The ratio over which they are spread."""
+"""Stiffness ratio covered by the first tangents."""
 
 TANGENT_ROUNDS = 30
 SETTLED = 1e-6
 """Relative change of the least thickness that ends the rounds of tangents."""
 
 SMOOTH = 4
-"""Derivatives of a curve with which the stiffness is as smooth as the cubic spline that it is drawn as."""
+"""Continuous derivatives of a curve for which the stiffness is as smooth as its cubic spline."""
 
 THICKNESS_SAMPLES = 301
-"""Of both curves, at which the strain is bounded; a flexure takes the largest strain from its own nodes."""
+"""Number of samples of both curves for the strain bound; a flexure evaluates the strain at its nodes."""
 
 
 @dataclass(frozen=True)
 class PairLimits:
-    """What a rod with two states may have at most; None for no limit.
+    """Upper limits for a rod with two states; None for no limit.
 
     Attributes
     ----------
     ratio : float, optional
-        Of largest to least stiffness; 8 is a ratio of 2 in the thickness of a flexure.
+        Largest over least stiffness; 8 corresponds to a thickness ratio of 2 in a flexure.
     natural_curvature : float, optional
-        |kappa_0|, 1/mm: how far the strip is curved before it is bent.
+        |kappa_0|, curvature of the strip before bending, 1/mm.
     bend : float, optional
         |kappa - kappa_0| in either state, 1/mm.
     """
@@ -81,7 +81,7 @@ class PairLimits:
 
 @dataclass(frozen=True, eq=False)
 class TwoStateRod:
-    """One rod that rests in two curves.
+    """A rod that rests in two curves.
 
     Attributes
     ----------
@@ -89,7 +89,7 @@ class TwoStateRod:
         Both states on the same n nodes, with the same stiffness and natural curvature.
     check : PairCheck
     free : "first", "second" or None
-        The state that needs no holding, where one was asked for.
+        The requested state that rests without external forces.
     """
 
     first: Rod
@@ -118,7 +118,7 @@ class TwoStateRod:
 
     @property
     def natural_curvature(self) -> FloatArray:
-        """kappa_0 (n,), 1/mm, of the strip as it lies without load."""
+        """kappa_0 (n,) of the unloaded strip, 1/mm."""
         return np.broadcast_to(np.asarray(self.first.natural_curvature, dtype=float), self.first.s.shape)
 
     @property
@@ -128,20 +128,20 @@ class TwoStateRod:
 
     @property
     def bistable(self) -> bool:
-        """Do both states have the same clamps?"""
+        """True if both states have the same clamps."""
         return self.check.bistable
 
     @cached_property
     def stability(self) -> tuple[Stability, Stability]:
-        """Of both states, in the plane."""
+        """Stability of both states in the plane."""
         return stability(self.first), stability(self.second)
 
     def sideways(
         self, depth: float, thickness: Profile | ArrayLike, *, poisson_ratio: float = 0.3
     ) -> tuple[SidewaysStability, SidewaysStability]:
-        """Of both states, against tipping out of the plane, of a section `depth` deep (mm) across it.
+        """Return the stability of both states against buckling out of the plane, for sections `depth` mm deep.
 
-        `thickness`, mm, is in the plane: a profile, a number, or values at equal distances.
+        `thickness` in the plane, mm, is a profile, a number, or values at equal distances.
         """
         first, second = (
             sideways_stability(rod, depth, thickness, poisson_ratio=poisson_ratio) for rod in self.states
@@ -158,21 +158,23 @@ def two_state_rod(
     objective: Objective = "ratio",
     samples: int | None = None,
 ) -> TwoStateRod:
-    """The rod, with a shape of its own before it is bent, that rests in both curves.
+    """Return the rod, with a suitable natural curvature, that rests in both curves.
 
     Parameters
     ----------
     first, second : PlaneCurve
-        mm; of one length to 1e-4 of it (`matched_pair` makes them so). The second is scaled to the first's.
+        mm; of equal length within 1e-4 (`matched_pair` makes them equal). The second is scaled to the length of the
+        first.
     limits : PairLimits, optional
-        Bounds on the ratio, the natural curvature and the bend, which hold all along both curves.
+        Bounds on ratio, natural curvature and bend along both curves.
     free : "first" or "second", optional
-        The state that needs no holding: its curve is the natural shape, and the rod is `optimal_rod` of the other.
+        The state that rests without external forces. Its curve is the natural shape, and the rod is the
+        `optimal_rod` for the other curve.
     objective : "ratio" or "thickness"
-        The least ratio of stiffness, and of all rods that have it the one that is bent least; or the largest least
-        thickness of a flexure, whose stiffness grows with the cube of its thickness, at any strain.
+        Minimise the stiffness ratio and, among all rods with this ratio, the largest bend; or maximise the least
+        thickness of a flexure, whose stiffness is proportional to the cube of its thickness, for a given strain.
     samples : int, optional
-        Nodes of both states, 601 unless given.
+        Nodes of both states; by default 601.
 
     Returns
     -------
@@ -181,9 +183,9 @@ def two_state_rod(
     Raises
     ------
     NotRealizable
-        No rod rests in both, or none within the limits; `check` of the error says why and where.
+        No rod within the limits rests in both curves; `check` of the error gives reason and place.
     InputError
-        Curves with corners, closed ones, or ones of different lengths.
+        Curves with corners, closed curves, or curves of different lengths.
 
     References
     ----------
@@ -261,10 +263,10 @@ def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
 
 
 def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float | None) -> FloatArray:
-    """The numbers (6,) of the same stiffness whose largest |kappa_i - kappa_0| is least.
+    """Return the numbers (6,) of the same stiffness with the least maximum of |kappa_i - kappa_0|.
 
-    What is free is a_1, and more where the curves are congruent or mirrored: there many rods are bent as little,
-    and of them the one is taken whose kappa_0 is nearest to the mean of both curvatures.
+    Only a_1 is free, unless the curves are congruent or mirrored. Then several rods have the same least bend, and
+    the rod with kappa_0 nearest to the mean of both curvatures is selected.
     """
     panels, size = paired.panels, paired.check.length
     K = _stiffness_rows(paired) @ numbers
@@ -290,7 +292,7 @@ Bounded: TypeAlias = "list[tuple[FloatArray, FloatArray]]"
 
 
 def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
-    """The numbers z (r,) of the least largest value of functions rows @ z + offset, with bounds >= 0."""
+    """Return z (r,) that minimises the largest value of functions rows @ z + offset, with bounds >= 0."""
     along = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in functions]
     held = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in bounds]
     program = MinimaxProgram(along[0][0].dense)
@@ -301,7 +303,7 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
         program.hold(rows.dense, offset.dense)
     for _ in range(METHOD.most_rounds):
         answer = program.solve()
-        if answer is None:  # the given numbers meet the bounds but for rounding, and no others do
+        if answer is None:  # only the given numbers meet the bounds, up to rounding
             return np.zeros(none.shape[1])
         z, most = answer
         settled = True
@@ -322,7 +324,7 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
 
 
 def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bounded) -> FloatArray:
-    """The numbers as far from start to goal as the largest value of the functions stays, and the bounds hold."""
+    """Move from start towards goal as far as the bounds hold and the largest value does not increase."""
     values = [(rows @ start + offset, rows @ (goal - start)) for rows, offset in functions]
     most = max(float(value.max()) for value, _ in values) * (1 + BOUNDED)
     room = [(most - value, change) for value, change in values]
@@ -335,11 +337,11 @@ def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bo
 
 
 def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
-    """The numbers (6,) of the flexure of largest least thickness at a given strain.
+    """Return the numbers (6,) of the flexure with the largest least thickness at a given strain.
 
-    A section of thickness h ~ K^(1/3) is strained by |M| h / (2 K) ~ |M| K^(-2/3). Scaled so that this is at most
-    1, the least K is to be as large as can be: maximise k with K >= k and |M_i| <= K^(2/3), which is convex.
-    The power is replaced by its tangents, new ones at the last answer until k settles.
+    The strain of a section of thickness h ~ K^(1/3) is |M| h / (2 K) ~ |M| K^(-2/3). With the strain scaled to at
+    most 1, maximise k subject to K >= k and |M_i| <= K^(2/3), which is convex. Tangents replace the power, and are
+    added at each solution until k converges.
     """
     from scipy.optimize import linprog
 
