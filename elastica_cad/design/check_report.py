@@ -1,4 +1,4 @@
-"""The verdict on a curve as plain data."""
+"""Result of `check_equilibrium` as plain data."""
 
 from dataclasses import asdict
 from typing import Any

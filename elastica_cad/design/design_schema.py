@@ -1,4 +1,4 @@
-"""All tables of a design file with their keys, and as JSON schema for editors."""
+"""Keys of all tables of a design file, and their JSON schema for editors."""
 
 from functools import cache
 from typing import Any, TypeAlias

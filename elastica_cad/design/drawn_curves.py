@@ -88,7 +88,7 @@ class Reshape:
 
     @property
     def corners(self) -> dict[str, Point]:
-        """The new places of the corners that are named, mm."""
+        """New positions of the named corners, mm."""
         return {name: place for name in CORNERS if (place := getattr(self, name)) is not None}
 
     def of(self, curve: PlaneCurve) -> PlaneCurve:

@@ -23,7 +23,8 @@ def read_pair(
     Raises
     ------
     InputError
-        No such table, an unknown key, a value of the wrong kind, a curve that cannot be read; the place is named.
+        A missing table, an unknown key, a value of the wrong kind, or an unreadable curve; the message names the
+        place.
     """
     path = require_file(path)
     asked = parse_design(path)

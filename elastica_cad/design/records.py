@@ -213,7 +213,7 @@ class Reader:
         return values
 
     def value(self, kind: Kind, table: Table, key: str) -> Any:
-        """Return the value of a key, checked to be of that kind."""
+        """Return the value of a key after checking its kind."""
         if kind.name == "table" and kind.record in _SPECIAL:
             return _SPECIAL[kind.record](self, table, key)
         match kind.name:
@@ -237,7 +237,7 @@ class Reader:
         return self.value(_chosen(kind.of, table.raw(key)), table, key)
 
     def _row(self, kind: Kind, table: Table, key: str) -> tuple[Any, ...]:
-        """The values of a list."""
+        """Return the values of a list."""
         (inner,), rows = kind.of, table.raw(key)
         if inner.name == "number":
             return table.row(key) if kind.size is None else table.vector(key, kind.size)

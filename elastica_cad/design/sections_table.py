@@ -138,7 +138,7 @@ def compose_section_design(
 
 
 def _section_keys(spec: SectionSpec) -> dict[str, Any]:
-    """The keys of the table `sections`; what is usual is left out, but for the tolerance and the planes."""
+    """Return the keys of the table `sections`, without default values except for tolerance and planes."""
     keys: dict[str, Any] = {"tolerance": spec.tolerance}
     keys |= {"wavelength": spec.wavelength} if spec.wavelength else {}
     keys |= {} if spec.half is None else {"half": spec.half}
@@ -172,5 +172,5 @@ def _split_keys(split: Split) -> dict[str, Any]:
 
 
 def _degrees(angle: float) -> str:
-    """An angle, rad, as people write it: without the rounding of pi."""
-    return f"{float(np.round(np.degrees(angle), 10))!r} * degrees"  # what was typed comes back
+    """Return an angle (rad) as a formula in degrees, without the rounding of pi."""
+    return f"{float(np.round(np.degrees(angle), 10))!r} * degrees"  # restores the typed number

@@ -183,7 +183,7 @@ def request_record(spec: StripSpec, strip: Strip) -> dict[str, Any]:
 
 
 def _encoded(value: Any) -> Any:
-    """A value as JSON has it; infinite numbers are texts."""
+    """Return a value as plain JSON, with infinite numbers as text."""
     if is_dataclass(value):
         kind = next(name for name, record in RECORDS.items() if isinstance(value, record))
         return {"record": kind} | {

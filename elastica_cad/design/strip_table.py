@@ -92,12 +92,12 @@ class StripEntry:
 
     @property
     def label(self) -> str:
-        """The label that is engraved on the strip and names it in messages."""
+        """Label that is engraved on the strip and names it in messages."""
         return self.spec.label
 
     @property
     def curve(self) -> PlaneCurve:
-        """The curve as drawn, mm."""
+        """The drawn curve, mm."""
         return self.spec.curve
 
     @property
@@ -107,7 +107,7 @@ class StripEntry:
 
     @property
     def frame(self) -> Frame:
-        """The plane that the curve is drawn in."""
+        """Plane of the drawn curve."""
         return self.spec.frame or Frame()
 
     @property

@@ -52,7 +52,7 @@ _COMPARISONS: dict[type[ast.cmpop], Callable[[Value, Value], Value]] = {
 
 @dataclass(frozen=True)
 class Formula:
-    """A formula, read and checked but not yet computed.
+    """A parsed and checked formula.
 
     Parameters
     ----------
@@ -113,7 +113,7 @@ class Formula:
             ) from error
 
     def __call__(self, values: Mapping[str, Value] | None = None, **more: Value) -> Value:
-        """The value for names given as a mapping or as keywords; arrays are computed element by element.
+        """Return the value for names given as a mapping or as keywords; arrays are computed elementwise.
 
         Raises
         ------
@@ -154,7 +154,7 @@ _Parsed: TypeAlias = tuple[ast.expr, tuple[ast.Name, ...]]
 
 @lru_cache(maxsize=256)
 def _parsed(text: str) -> _Parsed:
-    """A formula's tree, and all names in it; strips of a family share their formulae."""
+    """Return the syntax tree of a formula and all names in it, cached because strips share formulae."""
     tree = ast.parse(text.strip(), mode="eval").body
     return tree, tuple(node for node in ast.walk(tree) if isinstance(node, ast.Name))
 
@@ -208,7 +208,7 @@ def _refusal(node: ast.expr, formula: Formula, fault: str) -> InputError:
 
 
 def _value(node: ast.expr, known: Mapping[str, Value]) -> Value:
-    """The value of a checked tree."""
+    """Return the value of a checked tree."""
     match node:
         case ast.Constant(value=int() | float() as number):
             return float(number)
@@ -335,7 +335,7 @@ class Table:
     scope : mapping
         Names with their values.
     defaults : Table, optional
-        Asked for keys that are missing here.
+        Provides keys that are missing here.
     """
 
     def __init__(

@@ -42,7 +42,7 @@ class Constraint(ABC):
 
     @abstractmethod
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Indices (j,) into the values and derivatives (j, p) of those that matter near this rod."""
+        """Indices (j,) and derivatives (j, p) of the values that matter near this rod."""
 
 
 def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
@@ -84,7 +84,7 @@ class EndPosition(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class EndAngle(Constraint):
-    """The end's angle is `target`."""
+    """The angle of the end is `target`."""
 
     name: str = "end tangent"
     target: float = 0.0
@@ -116,7 +116,7 @@ class EndMoment(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class EndForce(Constraint):
-    """No force along an `axis` (0: x, 1: y) that the end leaves free."""
+    """No force along an `axis` (0: x, 1: y) in which the end is free."""
 
     name: str = "free end position"
     axis: int = 0
@@ -140,7 +140,7 @@ class EndForce(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class Through(Constraint):
-    """The rod passes through `target`, first sought `place` (0..1) of its length from the start."""
+    """The rod passes through `target`, near the fraction `place` (0..1) of its length."""
 
     name: str = "points"
     target: tuple[float, float] = (0.0, 0.0)
@@ -158,7 +158,7 @@ class Through(Constraint):
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
     def _foot(self, rod: MappedRod) -> tuple[FloatArray, slice, FloatArray]:
-        """The cubic through four nodes that passes nearest: its shares at the foot, the nodes, the normal there."""
+        """Return the nearest cubic through four nodes: its weights at the foot, the nodes, and the normal."""
         found: tuple[FloatArray, slice, FloatArray] = rod.remembered(
             self, lambda: self._find_foot(rod.position)
         )
@@ -286,10 +286,10 @@ def _cubic_shares(u: float) -> tuple[FloatArray, FloatArray]:
     return np.array([1, u, u**2, u**3]) @ _CUBIC, np.array([0, 1, 2 * u, 3 * u**2]) @ _CUBIC
 
 
-_NEAR = 0.6  # of a limit: values within it enter the quadratic program, as a step may use them up
+_NEAR = 0.6  # fraction of a limit; nearer values enter the quadratic program, because a step may reach them
 _STEP = 1e-5  # relative step of K for derivatives of strain
 _ROOM = 0.01  # reserve, fraction of the largest stiffness, for a sharp bend between nodes
-_TANGENT_STEP = 1e-3  # of K, and of the largest bend, for derivatives of dM/dkappa: it rounds kinks off
+_TANGENT_STEP = 1e-3  # relative step of K and bend for derivatives of dM/dkappa; it smooths kinks
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -308,7 +308,7 @@ class MarginLimit(Constraint):
         return max(10.0, abs(self.limit))
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
-        """The rod as small disturbances feel it: with dM/dkappa, which is K by Hooke's law."""
+        """Return the rod with the stiffness dM/dkappa for small disturbances, which is K for Hooke's law."""
         return rod
 
     def values(self, rod: MappedRod) -> FloatArray:
@@ -330,17 +330,17 @@ class MarginLimit(Constraint):
         return _all_rows(row[None] / self.scale)
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Derivatives by K and by M (n+1,) each, None for none, from those by dM/dkappa (n+1,)."""
+        """Convert derivatives by dM/dkappa (n+1,) to derivatives by K and by M (n+1,); None if M has no effect."""
         _ = rod
         return by_tangent.copy(), None
 
 
 @dataclass(frozen=True, kw_only=True)
 class FollowedMarginLimit(MarginLimit):
-    """The limit of the stability margin for sections that change as the strip bends.
+    """Limit of the stability margin for sections that change as the strip bends.
 
-    K is M / (kappa - kappa_0). A strip that stiffens as it is bent resists a disturbance by more, a blank that is
-    bent straight by less.
+    K is M / (kappa - kappa_0). A strip that stiffens as it bends resists a disturbance more than K, and a pre-bent
+    strip that is bent straight resists less.
 
     Attributes
     ----------
@@ -348,7 +348,7 @@ class FollowedMarginLimit(MarginLimit):
     rest : float or (n+1,) array
         kappa_0 in lengths of the target.
     size : float
-        That length, mm.
+        Length of the target, mm.
     """
 
     section: SectionScale
@@ -356,7 +356,7 @@ class FollowedMarginLimit(MarginLimit):
     size: float
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
-        """The rod with dM/dkappa in place of K."""
+        """Return the rod with dM/dkappa instead of K."""
 
         def felt() -> DiscreteRod:
             K = self.section.tangent(rod.stiffness, _bend(rod, self.size), self.rest / self.size)
@@ -366,7 +366,7 @@ class FollowedMarginLimit(MarginLimit):
         return found
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Derivatives by finite differences: the width follows from K and bend, the slope from width and bend."""
+        """Use finite differences, because K and bend determine the width, and width and bend the slope."""
         K, bend = rod.stiffness, _bend(rod, self.size)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
         by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
@@ -380,7 +380,7 @@ class FollowedMarginLimit(MarginLimit):
 
 @dataclass(frozen=True, kw_only=True)
 class LargestSection(Constraint):
-    """Every node, as it is bent, no larger than the largest section; for scales that a margin was counted with."""
+    """No bent node exceeds the largest section; for a fixed scale that a margin was computed with."""
 
     section: SectionScale
     rest: float | FloatArray
@@ -422,14 +422,14 @@ def _bend(rod: MappedRod, size: float) -> FloatArray:
 
 @dataclass(frozen=True, kw_only=True)
 class BendLimit(Constraint):
-    """The bend |M / K| of every node at most what it bears."""
+    """The bend |M / K| of every node is within its limit."""
 
     one_sided: bool = True
     price: float = 1.0
 
     @abstractmethod
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """The share (n+1,) of what a node of K (n+1,) bears that a bend of 1 takes."""
+        """Return a bend of 1 as a fraction (n+1,) of the limit of nodes with K (n+1,)."""
 
     def values(self, rod: MappedRod) -> FloatArray:
         """1 - bend / limit, (n+1,)."""
@@ -461,7 +461,7 @@ class CurvatureLimit(BendLimit):
 
 @dataclass(frozen=True, kw_only=True)
 class StrainLimit(BendLimit):
-    """The strain of every node at most its limit, whatever the section is there."""
+    """The strain of every node is within its limit, for any section."""
 
     section: SectionScale
     strain: float | None
@@ -475,7 +475,7 @@ class StrainLimit(BendLimit):
 
 @dataclass(frozen=True, kw_only=True)
 class KeepOut(Constraint):
-    """Every node outside a region; the region is in millimetres, the rod in `size` from `origin`.
+    """All nodes are outside a region; the region is in mm, the rod in units of `size` from `origin`.
 
     Ends that are `kept` where they are do not count: on the border they would only fight what keeps them.
     """

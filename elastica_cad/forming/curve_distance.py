@@ -1,4 +1,4 @@
-"""The drawn curve as a table in units of its own length, and how far a rod is from it."""
+"""Table of the drawn curve in units of its length, and distances of a rod from it."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -20,9 +20,9 @@ if TYPE_CHECKING:
     from scipy.interpolate import CubicHermiteSpline
 
 
-SPANS = 1000  # of the table: its cubics are off a drawn curve by less than 1e-9 lengths
+SPANS = 1000  # spans of the table; its cubics follow a drawn curve within 1e-9 lengths
 _WINDOW_LENGTHS = 0.08  # largest arc length between a foot and its node
-_SYMMETRIC_LENGTHS = 1e-4  # a curve off its mirror image by less, in lengths, is symmetric
+_SYMMETRIC_LENGTHS = 1e-4  # largest distance of a symmetric curve from its mirror image, in lengths
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,10 +138,10 @@ def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, Flo
 
 
 class Distance(Protocol):
-    """A measure: its value, and a convex model of it around a rod."""
+    """A distance measure: its value, and a convex model around a rod."""
 
     def value(self, rod: MappedRod) -> float:
-        """The number to be minimised, in lengths of the target or their squares."""
+        """Value to minimise, in lengths of the target or their squares."""
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Gauss-Newton model in the steps of the unknowns; the derivatives come with their closing column."""
@@ -204,7 +204,7 @@ class ClosestDistance:
 
 @dataclass(frozen=True, eq=False)
 class LargestDistance:
-    """The largest weighted distance of a node from its nearest point on the target.
+    """Largest weighted distance of a node from its nearest point on the target.
 
     Attributes
     ----------
@@ -222,7 +222,7 @@ class LargestDistance:
         return float((self.factors * np.hypot(off[:, 0], off[:, 1])).max())
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Every node that is at least half as far off as the worst is a peak."""
+        """Nodes at least half as far from the target as the farthest node are peaks."""
         _, normal = offsets(self.target, rod)
         signed, far = self._peaks(rod)
         p = rod.z.size
@@ -296,7 +296,7 @@ def _through(nodes: FloatArray, count: int) -> FloatArray:
 
 
 def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
-    """The largest distance of `points` from a fine chain: from the chords on both sides of its nearest point."""
+    """Return the largest distance of `points` from a fine chain, to the chords beside the nearest point."""
     from scipy.spatial import cKDTree
 
     chords = np.diff(chain, axis=0)

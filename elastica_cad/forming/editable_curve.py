@@ -13,9 +13,9 @@ from elastica_cad.refusals import Length
 
 DEGREE = 4  # the least whose curvature has a slope that is continuous
 STRAIGHT_RAD = 1e-9  # over the whole length: nothing but rounding bends such a rod
-TOLERANCE_MM = 1e-3  # between curve and rod: below what a laser cutter repeats
+TOLERANCE_MM = 1e-3  # largest distance between curve and rod, below the repeatability of a laser cutter
 FAITHFUL = 3e-4  # relative error of the extremes of the stiffness that the curve needs; keeps limits met
-LOOSE = 0.02  # and of the stiffness between, where no limit depends on it
+LOOSE = 0.02  # relative error of the stiffness elsewhere, where no limit depends on it
 UNBENT_SHARE = 2e-3  # fraction of the largest curvature; below it the stiffness is only rounding
 _REACH_LENGTHS = 0.05  # curvature errors that extend this far weigh as much as the displacement they make
 _FIRST_SPANS, _MOST_SPANS = 24, 240  # few control points are tried first, as they are edited by hand

@@ -1,4 +1,4 @@
-"""A drawn curve that a strip can take, with its stiffness: the state of the routes that move control points.
+"""A realizable curve with its stiffness, as the state of methods that move control points.
 
 Everything here is without weight and clamped at both ends, where Theorem 1 holds.
 """
@@ -29,7 +29,7 @@ from elastica_cad.mechanics.optimal_balance import balance_without_weight
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 
-_PARTS = 96  # of a panel, where K is bounded: a step moves its extremes
+_PARTS = 96  # places in a panel where K is bounded, because a step moves its extremes
 
 BothEnds: TypeAlias = "bool | tuple[bool, bool]"
 
@@ -46,7 +46,7 @@ class EquilibriumCurve:
     places : (panel, x)
         Dense samples of the curve in order, with the extremes of K between them.
     scale : float
-        What `balance` is divided by to make the least stiffness 1.
+        Divisor of `balance` for a least stiffness of 1.
     """
 
     check: EquilibriumCheck
@@ -121,12 +121,12 @@ class EquilibriumCurve:
 
     @cached_property
     def nodes(self) -> CurveSamples:
-        """The nodes of the discrete rod: samples of the curve, uniform in arc length."""
+        """Nodes of the discrete rod: samples of the curve, uniform in arc length."""
         return self.curve.sample(DEFAULT_SAMPLES)
 
     @cached_property
     def rod(self) -> DiscreteRod:
-        """The discrete rod of section 7.1; the least stiffness of the curve is 1."""
+        """Discrete rod of section 7.1; the least stiffness of the curve is 1."""
         nodes = self.nodes
         steps = np.diff(nodes.position, axis=0)
         angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
@@ -137,12 +137,12 @@ class EquilibriumCurve:
 
     @property
     def margin(self) -> float:
-        """Stability margin, as `mechanics.stability` has it of `optimal_rod`: least nodal K is 1."""
+        """Stability margin for a least nodal K of 1, as in `mechanics.stability`."""
         return self.rod.margin.value / float(self.rod.stiffness.min())
 
 
 def kept(curve: PlaneCurve, *, ends: BothEnds, tangents: BothEnds, length: bool) -> tuple[Constraint, ...]:
-    """The constraints that keep what a curve has; `ends` and `tangents` at both ends, or (start, end)."""
+    """Return constraints that keep properties of a curve; `ends` and `tangents` for both ends or (start, end)."""
     found: list[Constraint] = []
     at_start, at_end = _both(ends)
     if at_start or at_end:

@@ -204,7 +204,7 @@ class _Search:
         return np.asarray((rod.position - self.drawn).ravel() / (rod.length * np.sqrt(NODES)))
 
     def _apart(self, places: FloatArray) -> FloatArray:
-        """The places in their order, no nearer to each other or to the ends than a piece is long."""
+        """Return the places sorted, with at least the shortest piece between them and at the ends."""
         m = places.size
         room = min(SHORTEST_SHARE, 0.5 / (m + 1))
         low, high = room * np.arange(1, m + 1), 1 - room * np.arange(m, 0, -1)
@@ -212,7 +212,7 @@ class _Search:
         return np.asarray(np.maximum.accumulate(gaps) + low)
 
     def _bent(self, x: FloatArray, guess: Rod) -> Rod:
-        """The stack of places x at rest between the ends of the relaxed rod."""
+        """Return the rest shape of the stack with places x, between the ends of the relaxed rod."""
         relaxed = self.relaxed
         s = np.linspace(0.0, relaxed.length, NODES)
         compliance, newtons = self._cells(x[: self.places.size])

@@ -110,28 +110,28 @@ def _bounds_along_strip(
 
 @dataclass(frozen=True, eq=False)
 class Limits:
-    """Hard limits of material, machine and place; any mix, None where there is none.
+    """Hard limits of material, machine and space; None for no limit.
 
     Parameters
     ----------
     ratio : float, optional
         Largest stiffness ratio R = max K / min K, at least 1.
     margin : float, optional
-        Least stability margin (see `stability`); 0 is the border of stability, 5 is safely stable. Of a strip that
-        bends as a plate (`section`) it hangs on the widths: where it binds, the widest place may be up to some
-        hundredths narrower than it may be.
+        Least stability margin (see `stability`); 0 is the limit of stability, 5 is safely stable. For a strip that
+        bends as a plate (`section`) it depends on the widths. If it binds, the largest width may be a few percent
+        below its limit.
     curvature : float, optional
         Largest size of kappa - kappa_0, 1/mm.
     sheet : Sheet, optional
-        Limits the curvature to what its skin can take: 2 strain / thickness.
+        Limits the curvature by the strain of the surface: 2 strain / thickness.
     strain : float, optional
-        Used instead of the sheet's largest strain; needs `sheet` for its thickness.
+        Replaces the largest strain of the sheet; needs `sheet` for its thickness.
     width : (2,) array_like, optional
         Least and largest width of a plain strip, mm: bounds the ratio by their quotient.
     length : (2,) array_like, optional
         Least and largest length, mm.
     keep_out : sequence of HalfPlane and Box
-        Where the rod may not go.
+        Regions that the rod must avoid.
     stiffness_bounds : pair, optional
         Lower and upper bound of K / min K along the strip, each None, a number, values at equal distances, or a
         function of the arc length of the drawn curve (mm).
@@ -139,7 +139,7 @@ class Limits:
     Raises
     ------
     InputError
-        Limits that contradict each other or make no sense.
+        Limits that are invalid or contradict each other.
 
     Examples
     --------
@@ -216,13 +216,13 @@ class Limits:
 
     @property
     def largest_ratio(self) -> float:
-        """The ratio that `ratio` and `width` allow together."""
+        """Largest ratio that both `ratio` and `width` allow."""
         by_width = UNLIMITED_RATIO if self.width is None else self.width[1] / self.width[0]
         return float(min(UNLIMITED_RATIO if self.ratio is None else self.ratio, by_width))
 
     @property
     def largest_curvature(self) -> float | None:
-        """The curvature that `curvature`, `sheet` and `strain` allow together, 1/mm."""
+        """Largest curvature that `curvature`, `sheet` and `strain` allow, 1/mm."""
         found = [] if self.curvature is None else [self.curvature]
         if self.sheet is not None:
             strain = self.sheet.max_strain if self.strain is None else self.strain

@@ -29,16 +29,16 @@ FEWEST = 8  # nodes between two points
 STARTS = 30
 """Number of first guesses of a and b: the regression, then fixed random values of the same size."""
 
-STEPS = 40  # of Newton's method
+STEPS = 40  # steps of Newton's method
 LEAST_SHARE = 1e-3
-"""Least share of a step; where less is needed, the search is given up."""
+"""Least fraction of a step; the search ends if it needs less."""
 
-SOLVED = 1e-11  # equations missed by less, for points of size 1, hold
+SOLVED = 1e-11  # largest residual of solved equations, for points of size 1
 LONGEST = 1.5
-"""A meridian longer than this times the smooth curve through the points winds about between them."""
+"""Length over the length of a smooth curve through the points, above which a meridian has extra turns."""
 
 GOOD = 1e-7
-"""Equations missed by more than this share of the size were not solved."""
+"""Largest residual, as a fraction of the size, of solved equations."""
 
 ROUGH = 1e-2
 """Largest residual between the nodes for which more nodes are tried; above it the solution is not a meridian."""
@@ -116,7 +116,7 @@ class FoundMeridian:
 
 
 def _search_meridian(points: FloatArray) -> FoundMeridian:
-    """The meridian through three to five points, or by least squares of the distances where there is none or more.
+    """Return the meridian through three to five points; by least squares for more points or if there is none.
 
     Parameters
     ----------
@@ -183,13 +183,13 @@ class _Equations:
         return pieces[:, :-1], pieces[:, -1], unknown[-3:]
 
     def at(self, stations: FloatArray, unknown: FloatArray) -> FloatArray:
-        """The unknowns with the angles at other stations."""
+        """Return the unknowns with the angles at other stations."""
         angles, lengths, constants = self.parts(unknown)
         moved = chebyshev.chebval(stations, self.series @ angles.T)
         return np.concatenate([np.column_stack([moved, lengths]).ravel(), constants])
 
     def curve(self, unknown: FloatArray, points: FloatArray) -> FoundMeridian:
-        """The meridian of the unknowns."""
+        """Return the meridian of the unknowns."""
         angles, lengths, constants = self.parts(unknown)
         tangents = np.stack([np.cos(angles), np.sin(angles)], axis=1)
         return FoundMeridian(float(constants[0]), constants[1:], points, lengths, tangents @ self.series.T)
@@ -250,7 +250,7 @@ class _Equations:
 
 
 def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray, float]:
-    """The unknowns of a smooth curve through the points, a and b by regression; and its length."""
+    """Return the unknowns of a smooth curve through the points, with a and b by regression, and its length."""
     curve = PlaneCurve(*fit_spline(points, 4, 1e-4), 4)
     s = np.linspace(0.0, curve.length, 4001)
     line = curve.at(s).position
@@ -344,7 +344,7 @@ def _nearest(
 
 
 def _least_step(system: FloatArray, right: FloatArray) -> FloatArray:
-    """The solution of linear equations (m, n), m <= n, of several the smallest."""
+    """Return the smallest solution of linear equations (m, n), m <= n."""
     try:
         if system.shape[0] == system.shape[1]:
             return np.asarray(np.linalg.solve(system, right))
@@ -355,7 +355,7 @@ def _least_step(system: FloatArray, right: FloatArray) -> FloatArray:
 
 
 def _most(equations: _Equations, unknown: FloatArray, step: FloatArray) -> float:
-    """The largest share of a step, up to 1, that leaves all lengths positive."""
+    """Return the largest fraction of a step, up to 1, for which all lengths stay positive."""
     lengths, change = equations.parts(unknown)[1], equations.parts(step)[1]
     shrinking = change < 0
     return min(1.0, 0.7 * float((lengths[shrinking] / -change[shrinking]).min())) if shrinking.any() else 1.0
@@ -378,12 +378,12 @@ MOST_TURNS = 20
 """Largest number of turns of a meridian; with more it is not a strip and the integration takes too long."""
 
 HOPELESS = "strips that tile a surface of revolution cannot follow them"
-NEAR_AXIS_SHARE = 0.05  # of the largest distance from the axis
+NEAR_AXIS_SHARE = 0.05  # fraction of the largest distance from the axis
 TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
 """End of the message where the last point is nearer to the axis than a share of the farthest."""
 
 NARROW_SHARE = 1e-3
-"""A meridian nearer to the axis than this share of its largest distance has reached the pole."""
+"""Distance from the axis, as a fraction of the largest distance, below which a meridian is at the pole."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -439,7 +439,7 @@ class Meridian:
 
     @cached_property
     def rod(self) -> Rod:
-        """The strip's rod: its stiffness is the distance from the axis, its moment a + <b, gamma>."""
+        """Return the rod of a strip; its stiffness is the distance from the axis, its moment a + <b, gamma>."""
         nodes = self.curve.sample(NODES)
         x = nodes.position[:, 0]
         least = float(x.min())
@@ -569,7 +569,7 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
 
 
 def _curve(found: FoundMeridian, size: float, end: float) -> PlaneCurve:
-    """The meridian in mm up to an arc length."""
+    """Return the meridian in mm up to an arc length."""
     tolerance = CURVE_TOLERANCE * found.length * size
     return PlaneCurve.fit_function(
         lambda s: size * found.position(s / size), 0.0, end, tolerance=tolerance, degree=5

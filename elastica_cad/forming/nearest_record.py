@@ -1,4 +1,4 @@
-"""The answer of `nearest_rod`: a rod, how far it is from the drawn curve, what holds it there, and advice."""
+"""Result of `nearest_rod`: a rod, its distance from the drawn curve, binding limits, and advice."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -127,7 +127,7 @@ class NearestRod:
     def failed(
         cls, target: PlaneCurve, message: str, limits: Limits | None = None, keep: Keep | None = None
     ) -> "NearestRod":
-        """The record of a curve for which nothing could be computed."""
+        """Return the record of a curve for which nothing could be computed."""
         return cls(
             found=None, target=target, status=Status.FAILED, deviation=np.inf, mean_deviation=np.inf, binding=(),
             violation=np.inf, iterations=0, limits=Limits() if limits is None else limits,
@@ -203,7 +203,7 @@ class NearestRod:
         return f"<NearestRod {self.status.name}, {self.deviation:.3g} mm from its target, {self.found!r}>"
 
     def _repr_svg_(self) -> str:
-        """The drawn curve, and over it the rod."""
+        """Return a drawing of the drawn curve with the rod over it."""
         drawn = [(self.target.sample(DRAWN_POINTS).position, GREY, False)]
         found = [] if self.found is None else [(self.found.position, BLUE, False)]
         return svg_of_lines(drawn + found, repr(self))
@@ -256,7 +256,7 @@ def _advise(near: NearestRod) -> Iterator[str]:
 
 
 def _step(binding: Binding) -> tuple[str | Length, float]:
-    """A small change of a limit in words, and in the unit of its cost; 0 for limits without a unit."""
+    """Return a small change of a limit in words and in the unit of its cost; 0 for limits without a unit."""
     if binding.name.endswith("tangent"):
         return note("degree"), float(np.radians(1))
     if binding.name in ("ratio", "margin", "curvature", "strain"):
@@ -276,7 +276,7 @@ _NAMES = {
 
 
 def _name(near: NearestRod, binding: Binding) -> str:
-    """The limit as the designer knows it; empty for the conditions that nobody set."""
+    """Return the name of a limit for the designer; empty for conditions that the designer did not set."""
     limits, kind = near.limits, binding.name
     if kind == "ratio":
         if limits.ratio is None and limits.width is None:
@@ -322,7 +322,7 @@ def _missed(near: NearestRod, binding: Binding) -> str:
 
 
 def _side(near: NearestRod, index: int) -> str:
-    """The end's name as the designer sees it."""
+    """Return the name of an end for the designer."""
     ends = near.target.evaluate(np.array(near.target.domain))
     off = ends[index] - ends[1 - index]
     across = 0 if abs(off[0]) >= abs(off[1]) else 1

@@ -1,4 +1,4 @@
-"""The nearest rod to a drawn curve that material, machine and gravity allow, and the search for it."""
+"""Search for the rod nearest to a drawn curve within limits of material and machine, also with gravity."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
@@ -315,7 +315,7 @@ def _start(
     seed: int | None = None,
     force: FloatArray | None = None,
 ) -> MappedRod:
-    """The rod that the lifted program finds from the target with constant stiffness, under `force` where given.
+    """Return the rod that the lifted program finds from the target with constant stiffness and optional `force`.
 
     A `seed` bends the target by slow waves and varies the stiffness: for other valleys.
     """
@@ -348,7 +348,7 @@ def _start(
 
 _STRICTER = 6  # largest number of tapers for laying plies, each within stricter limits
 _BEYOND = 1.2  # factor on the violation of a limit, by which the next taper is stricter
-_WHOLE = 1e-9  # of a leaf: more than rounding
+_WHOLE = 1e-9  # fraction of a ply that exceeds rounding
 
 
 def _find_leaves(request: NearestRequest, law: LeavesLaw) -> NearestRod:
@@ -555,7 +555,7 @@ f"half as many as there are edges ({samples - 1})")  # fmt: skip
 
 
 def find_nearest(request: NearestRequest, start: NearestRod | None = None) -> NearestRod:
-    """The nearest rod of a checked request, as `nearest_rod` returns it."""
+    """Return the nearest rod of a checked request, as `nearest_rod` does."""
     if isinstance(request.section, LeavesLaw):
         return _find_leaves(request, request.section)
     try:

@@ -171,16 +171,16 @@ class NearestTask:
         return self.with_margin(None)
 
     def with_margin(self, margin: float | None) -> "NearestTask":
-        """The task with another least margin, or none."""
+        """Return the task with a different least margin, or without one."""
         return replace(self, limits=replace(self.limits, margin=margin))
 
     @property
     def even_stiffness(self) -> float:
-        """The stiffness of an even start, in the middle of the allowed range."""
+        """Constant stiffness of a start, in the middle of the allowed range."""
         return float(np.sqrt(min(self.limits.largest_ratio, 16.0)))
 
     def off(self, mapped: MappedRod) -> float:
-        """Root mean square distance of a rod, arc length against arc length, in lengths."""
+        """Return the root mean square distance of a rod, at corresponding arc lengths, in lengths of the target."""
         return float(np.sqrt(2 * self.mean_distance.value(mapped)))
 
     @property
@@ -189,7 +189,7 @@ class NearestTask:
         return 1.0 if self.section is None else self.section.scale
 
     def scaled_by(self, share: float) -> "NearestTask":
-        """The task with its section's stiffness times a share."""
+        """Return the task with the stiffness of its section times `share`."""
         if self.section is None:
             return self
         return replace(self, section=replace(self.section, scale=share * self.section.scale))
@@ -288,7 +288,7 @@ def _nodal_rest(rest: NaturalCurvature, nodes: int, size: float) -> float | Floa
 
 @dataclass(frozen=True, eq=False)
 class SearchPoint:
-    """The end of a search: the unknowns of a rod, and the target in whose units they are.
+    """End of a search: the unknowns of a rod, and the target that defines their units.
 
     Attributes
     ----------
@@ -299,7 +299,7 @@ class SearchPoint:
     origin : (2,) array
         mm.
     off : float
-        Mean distance that the last search from all starts came to, in diagonals of its target.
+        Mean distance after the last search from all starts, in diagonals of its target.
     """
 
     z: FloatArray

@@ -1,4 +1,4 @@
-"""The strip as the variable: the rod that unknown stiffness and start make, and how it moves with them.
+"""Map from unknown stiffness and start to the rod, with its derivatives.
 
 Everything here is in lengths of the target curve, not in millimetres.
 """
@@ -56,7 +56,7 @@ class StiffnessBasis:
         return np.asarray(basis[:, :half] + mirror)
 
     def coefficients(self, z: FloatArray) -> FloatArray:
-        """The coefficient (count,) of every function, from unknowns that begin with those that are free."""
+        """Return the coefficients (count,) of all functions; `z` begins with the free coefficients."""
         m = self.count
         if not self.mirrored:
             return z[:m].copy()
@@ -173,14 +173,14 @@ class SectionScale:
         return self.law.bent(bend, rest).bending_stiffness(most)
 
     def weight(self, stiffness: FloatArray, *, size: float) -> tuple[FloatArray, FloatArray]:
-        """Weight over the scale (n,) of K (n,), times `size` mm cubed, and its derivative."""
+        """Return the weight (n,) for K (n,) over the scale, times the cube of `size` (mm), and its derivative."""
         EI = self.scale * stiffness
         tangent = TangentWeight.of(self.law, EI)
         over = size**3
         return (tangent.fixed / self.scale + tangent.slope * stiffness) * over, tangent.slope * over
 
     def carried_by(self, rod: Rod, stiffness: FloatArray) -> Rod:
-        """The rod with its scale, and under gravity the weight of nodal K (n,) of the search."""
+        """Return the rod with this scale and, under gravity, with the weight for the nodal K (n,) of the search."""
         EI = self.scale * stiffness
         scaled = replace(rod, bending_stiffness=float(EI.min()), section=self.law)
         if rod.gravity is None:
@@ -190,7 +190,7 @@ class SectionScale:
         return replace(scaled, weight=Weight(alpha, Profile.interpolate(rod.s, tangent.slope * EI.min())))
 
     def tangent(self, stiffness: FloatArray, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
-        """dM/dkappa (..., n) of K (..., n), in units of it, bent by kappa - kappa_0 (..., n) from `rest`, 1/mm."""
+        """Return dM/dkappa (..., n) in units of K (..., n), for kappa - kappa_0 (..., n) from `rest`, 1/mm."""
         law = self.law.bent(bend, rest)
         curl = law.curl(law.parameter(self.scale * stiffness))
         if curl is None:
@@ -204,14 +204,14 @@ class SectionScale:
         return np.asarray(np.max(shares, axis=0))
 
 
-_SHAPE = "tangents", "position", "pull", "shear"  # of a rod, computed together where that is compiled
+_SHAPE = "tangents", "position", "pull", "shear"  # values of a rod that compiled code computes together
 
 WeightLaw: TypeAlias = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
 
 @dataclass(frozen=True)
 class Unknowns:
-    """The place of each unknown in the vector z (count,).
+    """Index of each unknown in the vector z (count,).
 
     Attributes
     ----------
@@ -222,7 +222,7 @@ class Unknowns:
     moment : int
         M_0.
     force : slice
-        lambda at the very start, before the weight of the first node.
+        lambda at the start, before the weight of the first node.
     position : slice
         gamma_0.
     angle, length : int
@@ -388,7 +388,7 @@ class StripGrid:
         return bool(np.any(self.e))
 
     def shoot(self, z: FloatArray) -> MappedRod:
-        """The rod in balance; its last moment is not a number where it winds up so far that numbers overflow."""
+        """Return the rod in balance; if numbers overflow because it winds up, its last moment is not finite."""
         K, force, length = self._given(z)
         u = self.unknowns
         angles, moments = shoot(
@@ -398,7 +398,7 @@ class StripGrid:
         return self._assemble(z, angles, moments, K, force, length)
 
     def assemble(self, z: FloatArray, angles: FloatArray, moments: FloatArray) -> MappedRod:
-        """A rod with angles (n+2,) and moments (n+1,) that need not be in balance."""
+        """Return a rod with angles (n+2,) and moments (n+1,) that need not be in balance."""
         return self._assemble(z, angles, moments, *self._given(z))
 
     def sensitivities(self, rod: MappedRod, *, closing: bool = False) -> Sensitivities:
@@ -478,7 +478,7 @@ class StripGrid:
         return Sensitivities(self, rod, angles, moments, position)
 
     def _band(self, rod: MappedRod) -> FloatArray:
-        """The linearised recursion on (alpha_1, M_1, ..., alpha_{n+1}), unit lower triangular, by diagonals."""
+        """Return the linearised recursion on (alpha_1, M_1, ..., alpha_{n+1}) as a unit lower triangular band."""
         band = np.empty((3, 2 * self.edges + 1))
         band[0] = 1
         band[1, 0:-1:2] = rod.edge_length * rod.pull  # -dM_i / dalpha_i

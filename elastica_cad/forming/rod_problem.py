@@ -57,7 +57,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
 
     @cached_property
     def highest_prices(self) -> FloatArray:
-        """The most that breaking a value of each constraint by 1 costs."""
+        """Largest cost of violating a value of each constraint by 1."""
         return np.array([c.price for c in self.constraints], dtype=float)
 
     def objective(self, point: MappedRod) -> float:
@@ -69,7 +69,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return [c.values(point) for c in self.constraints]
 
     def rows(self, point: MappedRod, values: Sequence[FloatArray]) -> tuple[FloatArray, ConstraintRows]:
-        """The unknowns of a rod in balance with these values, and its constraints around it."""
+        """Return the unknowns of a rod in balance with these values, and its linearised constraints."""
         return point.z, self._stacked(self.grid.sensitivities(point), values)
 
     def linearize(self, point: MappedRod) -> Linearization[MappedRod] | None:
@@ -91,12 +91,12 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return rod if np.isfinite(rod.moments[-1]) else None
 
     def clip(self, point: MappedRod) -> MappedRod:
-        """The rod with its unknowns moved into the box, angles and moments as they are."""
+        """Return the rod with its unknowns moved into the box, and unchanged angles and moments."""
         z = self._inside(point.z)
         return point if np.array_equal(z, point.z) else self.grid.assemble(z, point.all_angles, point.moments)
 
     def fallback(self) -> MappedRod:
-        """An even rod without forces."""
+        """Return a rod of constant stiffness without forces."""
         u = self.grid.unknowns
         z = np.zeros(u.count)
         z[u.stiffness], z[u.length] = 1.0, 1.0
@@ -111,13 +111,13 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return replace(self, constraints=tuple(c for c in self.constraints if not c.near_balance_only))
 
     def _moved(self, d: Sensitivities, change: FloatArray) -> MappedRod:
-        """The rod after a change (p + 1,), to first order."""
+        """Return the rod after a change (p + 1,), to first order."""
         z = self._inside(d.rod.z + change[:-1])
         angles, moments = d.angles @ change, d.moments @ change
         return self.grid.assemble(z, d.rod.all_angles + angles, d.rod.moments + moments)
 
     def _inside(self, z: FloatArray) -> FloatArray:
-        """The nearest unknowns in the box."""
+        """Return the nearest unknowns in the box."""
         return np.asarray(np.clip(z, self.lower, self.upper))
 
     def with_given(self, unknowns: int | slice, value: FloatArray | float) -> "RodProblem":
@@ -147,7 +147,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         )  # fmt: skip
 
 
-_SAME_LENGTH = 1e-6  # of the room that a blank has: rods keep inside it for all rounding
+_SAME_LENGTH = 1e-6  # fraction of the length range of a pre-bent strip, as a reserve for rounding
 _SAME_CURVATURE = 1e-6  # fraction of the target's typical curvature, for rounding of a symmetric strip
 _LENGTHS = (0.2, 5.0)  # least and largest length without a limit, in lengths of the target
 
@@ -177,7 +177,7 @@ class Search(NamedTuple):
 
 
 def pose_problem(task: NearestTask) -> RodProblem:
-    """The request as a nonlinear program."""
+    """Convert the request to a nonlinear program."""
     grid = _grid(task)
     lower, upper = _box(task, grid)
     return RodProblem(
@@ -187,7 +187,7 @@ def pose_problem(task: NearestTask) -> RodProblem:
 
 
 def _grid(task: NearestTask) -> StripGrid:
-    """The nodes, with the weight that they carry."""
+    """Return the nodes, with the weight that they carry."""
     basis = task.basis.at(even_steps(task.nodes))
     rest = task.rest
     if task.request.gravity is None:
@@ -399,7 +399,7 @@ _IDLE = 1e-6  # fraction of the largest cost; smaller costs are below the accura
 
 
 def list_bindings(task: NearestTask, problem: RodProblem, outcome: Outcome[MappedRod]) -> tuple[Binding, ...]:
-    """All limits with a cost, the dearest relative change first."""
+    """Return all limits with a cost, the most costly relative change first."""
     size, limits, u = task.target.size, task.limits, problem.grid.unknowns
     if task.request.measure == "max":
         per = size

@@ -31,7 +31,7 @@ from elastica_cad.refusals import FieldName, Length, note
 
 @dataclass(frozen=True, eq=False)
 class LaminateLayers:
-    """A base of known width and what is glued on: their weight is not proportional to their stiffness.
+    """A base of known width with a glued layer; its weight is not proportional to its stiffness.
 
     Attributes
     ----------

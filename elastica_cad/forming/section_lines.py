@@ -84,7 +84,7 @@ class SectionLine:
         return self._split(np.sort([_nearest(self.points, p) for p in wanted]))
 
     def split_by(self, point: ArrayLike, normal: ArrayLike) -> tuple["SectionLine", ...]:
-        """The pieces on either side of the plane through `point` (3,) across `normal` (3,): a spine.
+        """Split the line at the plane through `point` (3,) with the normal `normal` (3,), such as a spine.
 
         The line itself where the plane misses it.
         """
@@ -101,7 +101,7 @@ class SectionLine:
         return self._split(cuts) if cuts.size else (self,)
 
     def split_at_corners(self, turn: float) -> tuple["SectionLine", ...]:
-        """The pieces between corners that turn by more than `turn`, rad; the line itself where it has none.
+        """Split the line at corners that turn by more than `turn`, rad; without corners return the line.
 
         Raises
         ------
@@ -299,7 +299,7 @@ def _nearest(points: FloatArray, place: FloatArray) -> float:
 
 
 def place_in_words(point: FloatArray) -> Point:
-    """A point (3,) as messages give it."""
+    """Return a point (3,) for messages."""
     return Point(np.asarray(point).round(9) + 0.0)
 
 
@@ -356,12 +356,12 @@ class SectionCurve:
 
     @property
     def called(self) -> str:
-        """The name of the section, and where in space it begins."""
+        """Name of the section, with its start in space."""
         begins = Point(self.frame.point(self.curve.evaluate(self.curve.domain[0])).round(9) + 0.0)
         return note("{name}, from {begins}", name=self.name, begins=begins)
 
     def gravity(self, sheet: Sheet, direction: ArrayLike = (0.0, 0.0, -1.0)) -> Gravity | None:
-        """The weight of a sheet as the curve's plane feels it, where things fall along `direction` in space."""
+        """Return the gravity of a sheet in the plane of the curve, for a `direction` in space."""
         frame = self.frame
         return Gravity.in_plane(sheet.elasto_gravity_length, direction, frame.x_axis, frame.y_axis)
 
@@ -601,7 +601,7 @@ def smooth_polyline(
     if spans.size and spans.shape[1:] != (2,):
         raise InputError("parts to smooth are rows (k, 2) of finite lengths along the points, in mm")
     counted = np.any([(middle >= a) & (middle <= b) for a, b in spans], axis=0) if len(spans) else True
-    # of waves four times as long as the line nothing is left but a parabola; beyond, only digits are lost
+    # a wavelength of four line lengths leaves only a parabola; larger values only lose digits
     share = min(wavelength, 4 * s[-1]) / (2 * np.pi * at[1])
     third = third * (np.broadcast_to(counted, middle.shape) * share**3)[:, None]
     system = np.eye(count) + third.T @ third

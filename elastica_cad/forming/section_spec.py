@@ -130,7 +130,7 @@ def _across(point: FloatArray, normal: FloatArray, up: ArrayLike) -> Frame:
 
 
 def _rejected(name: str, value: ArrayLike, along: FloatArray) -> FloatArray:
-    """The unit part of a vector across a unit direction."""
+    """Return the unit vector of the component of a vector normal to a unit direction."""
     v = _direction(name, value)
     part = v - (v @ along) * along
     size = float(np.linalg.norm(part))
@@ -215,7 +215,7 @@ class Cuts(Protocol):
     """True if the planes end at an axis by default."""
 
     def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
-        """The planes for a surface."""
+        """Return the planes for a surface."""
         ...
 
 
@@ -302,7 +302,7 @@ class Split(Protocol):
         ...
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
-        """The line in pieces, or as it is where it is not met."""
+        """Return the pieces of a line, or the line itself if the split does not meet it."""
         ...
 
 
@@ -402,7 +402,7 @@ class SectionSpec:
     wavelength: float = 0.0
 
     def curves(self, surface: Surface) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
-        """A curve for every line that a strip can follow, and what is worth knowing.
+        """Return a curve for every line that a strip can follow, and notes.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""The fewest supports that split a curve into pieces that strips can take (paper, section 4.3, Locality)."""
+"""Fewest supports that split a curve into realizable pieces (paper, section 4.3, Locality)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -124,7 +124,7 @@ def split(
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
-    """A curve that is to be cut, and what its pieces must fulfil; all places are parameters t."""
+    """A curve to split, and the requirements of its pieces; all places are parameters t."""
 
     curve: PlaneCurve
     ratio: float | None
@@ -133,13 +133,13 @@ class _Cut:
     tolerance: float
 
     def piece(self, start: float, end: float) -> PlaneCurve:
-        """The part between two places."""
+        """Return the part between two places."""
         if (start, end) == self.curve.domain:
             return self.curve
         return self.curve.trimmed(start, end)
 
     def ratio_of(self, start: float, end: float) -> float:
-        """Least stiffness ratio of a piece; infinite where no strip can take it."""
+        """Return the least stiffness ratio of a piece, infinite if no strip can take it."""
         try:
             piece, held, tolerance = self._held(start, end)
             if piece.is_straight:
@@ -149,7 +149,7 @@ class _Cut:
             return np.inf
 
     def _held(self, start: float, end: float) -> tuple[PlaneCurve, Supports, float]:
-        """A piece, its supports, and the tolerance in its own lengths."""
+        """Return a piece, its supports, and the tolerance in lengths of the piece."""
         low, high = self.curve.domain
         first, last = self.supports.ends
         piece = self.piece(start, end)
@@ -247,11 +247,11 @@ def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | Non
 
 
 def _forwards(cut: _Cut) -> list[float]:
-    """The latest places of the fewest supports."""
+    """Return the last possible places of the fewest supports."""
     start, high = cut.curve.domain
     found: list[float] = []
     while not cut.takes(start, high):
-        # a last piece is left that can be looked at: a closed curve needs a support for its ends' sake alone
+        # leave a last piece to check, because a closed curve needs a support only to have ends
         end = min(cut.reach(start), high - 10 * cut.short)
         if end <= start:
             raise NotRealizable(_stuck(cut, start))
@@ -261,7 +261,7 @@ def _forwards(cut: _Cut) -> list[float]:
 
 
 def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
-    """The earliest places of as many supports, from the other end of the curve."""
+    """Return the first possible places of as many supports, from the other end of the curve."""
     curve = cut.curve
     places = None if cut.places is None else cut.turned(cut.places)
     mirrored = _Cut(curve.reversed(), cut.ratio, cut.supports.reversed(), places, cut.tolerance)
@@ -269,7 +269,7 @@ def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
         found = cut.turned(np.array(_forwards(mirrored))).tolist()
     except NotRealizable:
         return latest
-    # both ways take as few, but for pieces on the verge
+    # both directions need equally many, except for pieces at the limit
     return found if len(found) == len(latest) else latest
 
 
@@ -292,7 +292,7 @@ def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
 
 
 def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, float]]) -> list[float]:
-    """Supports within their ranges of least sum of squared ratios: shortest paths over ever closer places."""
+    """Place supports in their ranges for the least sum of squared ratios, by shortest paths on refined grids."""
     places = list(latest)
     spans = list(ranges)
     for _ in range(_ROUNDS if cut.places is None else 1):
@@ -307,7 +307,7 @@ def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, fl
 
 
 def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
-    """One place of each stage, so that the pieces between have the least sum of squared ratios; none if inf."""
+    """Return a place in each stage for the least sum of squared ratios of the pieces; empty if infinite."""
     low, high = cut.curve.domain
     chain = [np.array([low]), *stages, np.array([high])]
     total, comes_from = np.zeros(1), []

@@ -76,19 +76,19 @@ class LocalModel:
 
 @dataclass(frozen=True, eq=False)
 class ConstraintRows:
-    """The constraints' rows that matter near a point, stacked: value + jacobian @ step.
+    """Stacked rows (value + jacobian @ step) of the constraints that matter near a point.
 
     Attributes
     ----------
     constraint, index : (j,) arrays
-        The number of each row's constraint, and its place among the values of that.
+        Number of each row's constraint, and its index in the values of the constraint.
     value : (j,) array
-        Once the point is closed, where the rows come from a linearization.
+        Value at the closed point, if the rows are from a linearization.
     jacobian : (j, p) array
     price : (j,) array
-        The most that breaking a row by 1 costs.
+        Largest cost of violating a row by 1.
     one_sided : (j,) boolean array
-        At least 0, not 0.
+        True if the row must be at least 0 instead of 0.
     """
 
     constraint: IntArray
@@ -154,7 +154,7 @@ class NonlinearProgram(ABC, Generic[Point]):
 
     @abstractmethod
     def objective(self, point: Point) -> float:
-        """The number to be minimised."""
+        """Return the number to minimise."""
 
     @abstractmethod
     def apart(self, one: Point, other: Point) -> float:
@@ -166,7 +166,7 @@ class NonlinearProgram(ABC, Generic[Point]):
 
     @abstractmethod
     def rows(self, point: Point, values: Sequence[FloatArray]) -> tuple[FloatArray, ConstraintRows]:
-        """The unknowns of a closed point with these values, and the constraints in steps between closed points."""
+        """Return the unknowns of a closed point, and the constraints for steps between closed points."""
 
     @abstractmethod
     def linearize(self, point: Point) -> Linearization[Point] | None:
@@ -227,7 +227,7 @@ class Iterate(Generic[Point]):
 
     @cached_property
     def objective(self) -> float:
-        """The objective of the closed point, to second order in the defect."""
+        """Objective of the closed point, to second order in the defect."""
         return self._expected(self.change[:-1])
 
     @cached_property
@@ -292,7 +292,7 @@ def meet_equalities(at: Iterate[Point]) -> Iterate[Point]:
 
 
 def all_equalities(at: Iterate[Point]) -> ActiveSet:
-    """Every equality, to be met."""
+    """Return the active set of all equalities."""
     keys = _row_keys(at.local.rows)[~at.local.rows.one_sided]
     return ActiveSet(keys, np.zeros(keys.size))
 

@@ -1,4 +1,4 @@
-"""A part with two rest shapes, cut in the plane of its sheet: outline, pads, holder, strain, and its travel."""
+"""A part with two rest shapes, cut from a sheet: outline, pads, holder, strain, and travel."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
@@ -503,7 +503,7 @@ class Flexure:
 
     @property
     def solid(self) -> FlatSolid:
-        """The unloaded part as a body, from z = 0 to the depth."""
+        """Body of the unloaded part, from z = 0 to the depth."""
         return FlatSolid(self.outline, self.holes, self.sheet.thickness)
 
     # --- from state to state
@@ -547,7 +547,7 @@ class Flexure:
 
     @property
     def force_text(self) -> Refusal:
-        """The largest force with its range, as a text."""
+        """Text of the largest force with its range."""
         low, high = self.force_range
         return note(
             "about {force:.2g} N ({low:.2g} to {high:.2g} N with {off} of thickness more or less and the sheet's "
@@ -560,12 +560,12 @@ class Flexure:
 
     @cached_property
     def travel_back(self) -> FlexureTravel | None:
-        """From the second state to the first, of a bistable part."""
+        """Path of a bistable part from the second state to the first."""
         return self._pushed(*self.rods[::-1]) if self.bistable else None
 
     @property
     def travel_strain(self) -> float:
-        """Largest strain on the way from state to state, and back if the part is bistable."""
+        """Largest strain on the path between the states, and back if the part is bistable."""
         return max(float(way.strain.max()) for way in (self.travel, self.travel_back) if way is not None)
 
     def _pushed(self, start: Rod, goal: Rod) -> FlexureTravel:
@@ -580,7 +580,7 @@ class Flexure:
         )  # fmt: skip
 
     def _push(self, start: Rod, scale: float, *snap: float) -> PushPath:
-        """Along the straight way of the pushed point to the other state, in finer steps up to a snap (mm)."""
+        """Push the point straight to its place in the other state, with finer steps up to a snap (mm)."""
         at, way = self.pushed
         way = way if start is self.rods[0] else -way
         travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*snap, float(np.hypot(*way)))]
@@ -591,7 +591,7 @@ class Flexure:
         return path if path.snap is None else self._push(start, scale, path.snap)
 
     def _nodal(self, shape: PushPath | RestShape) -> tuple[FloatArray, FloatArray]:
-        """kappa - kappa_0, 1/mm, and axial strain (..., n) at the rod's nodes."""
+        """Return kappa - kappa_0, 1/mm, and axial strain (..., n) at the nodes of the rod."""
         s = self.pair.first.s
         bend, stretch = (
             np.apply_along_axis(lambda row: np.interp(s, shape.s, row), -1, values)
@@ -601,7 +601,7 @@ class Flexure:
 
     @cached_property
     def _led_rods(self) -> Sequence[Rod]:
-        """The end led along a straight line while it turns evenly, the start staying where it is."""
+        """Rods while the end moves along a straight line and turns uniformly; the start is fixed."""
         first, second = self.rods
         end, angle = second.position[-1], float(second.angle[-1])
         steps = [
@@ -632,7 +632,7 @@ class Flexure:
 
     @cached_property
     def contacts(self) -> dict[str, float]:
-        """Gaps, mm, between stretches that come too near: of the unloaded part and of both states."""
+        """Gaps (mm) below the least gap, for the unloaded part and both states."""
         lines = {
             "unloaded": self.centre,
             "in its first state": self.states[0],
@@ -832,7 +832,7 @@ def root_factors(radius: float) -> tuple[float, float]:
 
 
 def curved_beam_factor(share: FloatArray) -> FloatArray:
-    """By how much the strain of the inner side exceeds h |kappa - kappa_0| / 2, for h |kappa_0| (n,).
+    """Return the strain of the inner side over h |kappa - kappa_0| / 2, for h |kappa_0| (n,).
 
     Winkler's theory of curved beams; about 1 + share / 3.
 
@@ -850,7 +850,7 @@ def curved_beam_factor(share: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class CentreLine:
-    """A line by arc length, straight on with its end's bend beyond its ends.
+    """A line by arc length, extended straight beyond its ends.
 
     Attributes
     ----------
@@ -868,13 +868,13 @@ class CentreLine:
 
     @cached_property
     def _place(self) -> tuple[Any, FloatArray]:
-        """The position over arc length: the integral of the tangent's spline."""
+        """Position over arc length, as the integral of the tangent's spline."""
         tangent = np.column_stack([np.cos(self.angle), np.sin(self.angle)])
         place = spline_through(self.s, tangent, 5).integral()
         return place, np.asarray(place(self.s[:1])[0])
 
     def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Positions (n, 2) and angles (n,) at arc lengths; beyond the ends straight on."""
+        """Return positions (n, 2) and angles (n,) at arc lengths, straight beyond the ends."""
         inside = np.clip(s, self.s[0], self.s[-1])
         place, zero = self._place
         angle = np.asarray(self._turn(inside))
@@ -887,7 +887,7 @@ def _lines(corners: Sequence[FloatArray]) -> list[Line | Arc | Spline]:
 
 
 def _distinct(places: FloatArray) -> list[FloatArray]:
-    """The places, each once."""
+    """Return the places without repetition."""
     kept: list[FloatArray] = []
     for place in places:
         if all(np.hypot(*(place - other)) > 0.01 for other in kept):

@@ -22,9 +22,9 @@ Kept: TypeAlias = Literal["ends", "shape"]
 ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
 """Distance (fraction of the length) and angle (rad) of two ends, below which they become the same clamp."""
 
-LONGEST_STEP = 0.02  # of the logarithm of the length, for Newton's method
+LONGEST_STEP = 0.02  # largest step of the logarithm of the length, for Newton's method
 NEWTON_STEPS = 20
-MET = 1e-13  # in lengths and rad
+MET = 1e-13  # tolerance in lengths and rad
 
 TANGENT_ERROR = 1e-9
 """Accuracy of the ends of the changed curve, as a share of the length."""
@@ -195,10 +195,10 @@ def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float
 
 @dataclass(frozen=True, eq=False)
 class _Drawn:
-    """A curve and the clamps that it is to have: start (2,), end (2,), both angles (2,).
+    """A curve and its desired clamps: start (2,), end (2,), both angles (2,).
 
-    With u the share of its length, its angle changes by c + alpha u + <beta, integral of position>; c is what the
-    angle of its start does.
+    With u the fraction of its length, its angle changes by c + alpha u + <beta, integral of position>; c is the
+    change at the start.
     """
 
     curve: PlaneCurve
@@ -211,7 +211,7 @@ class _Drawn:
 
     @property
     def chord(self) -> FloatArray:
-        """From start to end (2,), mm."""
+        """Vector from start to end (2,), mm."""
         return self.clamps[1] - self.clamps[0]
 
     @cached_property
@@ -276,7 +276,7 @@ class _Drawn:
         return float((functions @ found) ** 2 @ weight)
 
     def of_length(self, length: float) -> PlaneCurve:
-        """The changed curve."""
+        """Return the changed curve."""
         found = self.numbers(length)
         if found is None:
             raise NotConvergedError(f"no small change of the curve gives it the length {length}")

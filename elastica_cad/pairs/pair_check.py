@@ -142,7 +142,7 @@ def examine_pair(
 
 
 def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
-    """The second curve scaled about its start to the length of the first."""
+    """Return the second curve, scaled about its start to the length of the first."""
     for curve in (first, second):
         require_curve(curve)
         require_bendable(curve)
@@ -315,7 +315,7 @@ class PairedPanels:
 
     @classmethod
     def of(cls, check: PairCheck, difference: ExcessCurvature) -> "PairedPanels":
-        """The rows of two curves, zeros of d at ends of panels."""
+        """Return the rows of two curves, with the zeros of d at ends of panels."""
         zeros, first, second, size = check.zeros, check.first, check.second, check.length
         panels = cut_into_panels(
             first, [z.t for z in zeros], cuts=[t for t, _, _ in difference.kinks],

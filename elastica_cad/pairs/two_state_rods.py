@@ -1,4 +1,4 @@
-"""The rod that rests in two drawn curves: of least ratio and then least bend, or of the largest least thickness."""
+"""Rods that rest in two drawn curves, with the least ratio and bend or with the largest least thickness."""
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -222,7 +222,7 @@ def two_state_rod(
 
 
 def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> FloatArray:
-    """The numbers (6,) of the least ratio within the limits, and of those that have it of the least bend."""
+    """Return the numbers (6,) of the least ratio within the limits and, for this ratio, of the least bend."""
     numbers = np.append(paired.basis @ least, 0.0)
     if limits.natural_curvature is not None or limits.bend is not None:
         basis = np.concatenate([np.pad(paired.basis, ((0, 1), (0, 0))), paired.idle], axis=1)
@@ -405,7 +405,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
 
 
 def _rod_of(paired: PairedPanels, numbers: FloatArray, samples: int) -> TwoStateRod:
-    """Both states of the moments' numbers (6,)."""
+    """Return the rod for the numbers (6,) of the moments."""
     check, panels, size = paired.check, paired.panels, paired.check.length
     nodes = check.first.survey if samples == DEFAULT_SAMPLES else check.first.sample(samples)
     other = check.second.at(np.minimum(nodes.s, check.second.length))
@@ -442,7 +442,7 @@ DROWNS = "The stiffness would vanish somewhere between two places where the curv
 
 
 def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod:
-    """One state without load, and the other as `optimal_rod` has it of a blank of that shape."""
+    """Return a rod whose `free` state is its natural shape; the other state is an `optimal_rod`."""
     natural, held = (check.first, check.second) if free == "first" else (check.second, check.first)
     count = None if samples == DEFAULT_SAMPLES else samples
     bent = optimal_rod(held, natural_curvature=CurveOfRest.of(natural), samples=count)
@@ -458,7 +458,7 @@ def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod
 
 
 def _within(limits: PairLimits, pair: TwoStateRod) -> TwoStateRod:
-    """The pair; refused where it exceeds a limit."""
+    """Return the pair, or refuse it if it exceeds a limit."""
     found = {
         "ratio": pair.ratio,
         "natural_curvature": float(np.abs(pair.natural_curvature).max()),
@@ -472,7 +472,7 @@ def _within(limits: PairLimits, pair: TwoStateRod) -> TwoStateRod:
 
 
 def _refuse(check: PairCheck, limits: PairLimits, pair: TwoStateRod | None) -> NoReturn:
-    """Raise `NotRealizable`, with what the rod has that comes nearest."""
+    """Raise `NotRealizable` with the values of the nearest rod."""
     asked = {
         "a ratio": limits.ratio,
         "a natural curvature (1/mm)": limits.natural_curvature,
