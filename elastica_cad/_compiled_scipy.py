@@ -21,7 +21,7 @@ _ROUNDS = 100  # of Brent's method, which takes a dozen
 
 @cache
 def lapack() -> Any:
-    """The functions of `scipy.linalg.lapack` that end in d..: dgtsv, dpbsv and so on."""
+    """Return the double precision functions of `scipy.linalg.lapack`: dgtsv, dpbsv and so on."""
     return _alone("linalg", "_flapack", "dgtsv") or import_module("scipy.linalg.lapack")
 
 
@@ -43,7 +43,7 @@ def svd(matrix: FloatArray, *, full_matrices: bool = True) -> tuple[FloatArray, 
 def crossing(
     function: Callable[[float], float], low: float, high: float, *, absolute: float, relative: float
 ) -> float:
-    """The zero between two places of different signs, by Brent's method, to the larger tolerance.
+    """Return the zero between two places of different signs, by Brent's method, to the larger tolerance.
 
     Examples
     --------

@@ -29,7 +29,7 @@ def printable(text: str) -> str:
 
 
 def html_text(text: object) -> str:
-    """The text as HTML and SVG hold it.
+    """Return the text escaped for HTML and SVG.
 
     Examples
     --------

@@ -34,7 +34,7 @@ def is_number(value: object) -> TypeGuard[float]:
 
 
 def is_whole(value: object) -> TypeGuard[int]:
-    """A whole number? Fractions, texts and truth values are none.
+    """Return True if the value is an integer; fractions, texts and booleans are not integers.
 
     Examples
     --------
@@ -66,7 +66,7 @@ def require_positive(value: object, what: str, unit: str = "mm") -> None:
 
 
 def require_number(value: object, what: str, unit: str = "") -> float:
-    """The number; refused where it is none or not finite.
+    """Return the number, or raise InputError unless it is a finite number.
 
     Raises
     ------
@@ -109,7 +109,7 @@ def numbers(values: object, what: str) -> FloatArray:
 
 
 def pair(value: object, what: str) -> FloatArray:
-    """Two finite numbers, such as the coordinates of a point or a range, (2,).
+    """Return two finite numbers, such as the coordinates of a point or a range, (2,).
 
     Raises
     ------
@@ -197,7 +197,7 @@ def require_record(value: object, record: type[Any] | UnionType, what: str, cure
 
 
 def require_path(path: object) -> Path:
-    """The path that a user named.
+    """Return the path that a user named.
 
     Raises
     ------

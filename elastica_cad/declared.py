@@ -263,7 +263,7 @@ def _defaults(record: Record) -> list[tuple[str, Any]]:
 
 
 def kind_of(hint: Any) -> Kind:
-    """The kind of values of a type; None among the alternatives is what is not given.
+    """Return the kind of values of a type; the alternative None means that the value is not given.
 
     Examples
     --------

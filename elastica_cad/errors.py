@@ -115,7 +115,7 @@ class ElasticaError(Exception):
 
 
 def _restored(kind: type[ElasticaError], said: str) -> ElasticaError:
-    """An error as it was pickled, whatever its class is made from."""
+    """Return a pickled error, for any signature of its class."""
     return kind.__new__(kind, said)
 
 
@@ -156,7 +156,7 @@ class MissingDependencyError(ElasticaError, ImportError, RuntimeError):
 
 
 def quoted(value: object) -> str:
-    """A value of a file as a message shows it: long texts and lists in part.
+    """Return a value of a file for a message, with long texts and lists truncated.
 
     Examples
     --------
@@ -187,7 +187,7 @@ def toml_slip(text: str, error: Exception) -> str:
 
 
 def how_to_install(package: str) -> str:
-    """The command that installs a package where this program runs.
+    """Return the command that installs a package in the running environment.
 
     Examples
     --------
@@ -269,7 +269,7 @@ def rounded_up(value: float, figures: int = 4) -> float:
 
 
 def rounded_down(value: float, figures: int = 4) -> float:
-    """A largest value in the same way, never above.
+    """Return a largest value rounded down in the same way.
 
     Examples
     --------

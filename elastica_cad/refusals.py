@@ -127,11 +127,11 @@ class Wording(Formatter):
     unit, size, point = "mm", 1.0, "."
 
     def template(self, text: str) -> str:
-        """The template in the reader's language."""
+        """Return the template in the reader's language."""
         return text
 
     def sentence(self, said: str) -> str:
-        """A record as the reader has it; a plain text is its own template."""
+        """Return the sentence of a record for the reader; a plain text is its own template."""
         if not isinstance(said, Refusal):
             return self.template(said)
         text = self.template(said.text)
@@ -142,7 +142,7 @@ class Wording(Formatter):
         return SPELLING.get()(name)
 
     def format_field(self, value: Any, spec: str) -> str:
-        """A value as a text shows it."""
+        """Return a value as displayed in a text."""
         match value:
             case FieldName():
                 return self.field(str(value))
@@ -267,7 +267,7 @@ class Refusal(str):
         changes: Sequence[Change] = (),
         severity: Severity = "error",
     ) -> "Refusal":
-        """The record; its text is made here."""
+        """Return a new record with its formatted text."""
         values, where = dict(values or {}), dict(where or {})
         said = ENGLISH.template(text)
         said = ENGLISH.vformat(said, (), values) if values else said
@@ -350,7 +350,7 @@ def _with_places(said: str, where: Mapping[str, Any]) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """A value as JSON holds it."""
+    """Return a value for JSON."""
     if isinstance(value, bool | str) or value is None:
         return value
     if isinstance(value, int | float):

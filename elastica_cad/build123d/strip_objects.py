@@ -44,7 +44,7 @@ def add_joints(shape: Any, record: BodyRecord | PrismSolid) -> None:
 
 
 def _read_frame(location: bd.Location) -> Frame:
-    """A place of build123d as a frame."""
+    """Return a build123d location as a frame."""
     plane = bd.Plane(location)
     return Frame(tuple(plane.origin), tuple(plane.x_dir), tuple(plane.y_dir))
 
@@ -475,7 +475,7 @@ class PlacedStrip(_Made, bd.Part):
 
 
 def _jointed(records: Sequence[BodyRecord]) -> bd.Solid | bd.Part:
-    """The sheets of a strip with the joints of its base."""
+    """Return the sheets of a strip with the joints of its base."""
     solids = make_solids(records)
     body = solids[0] if len(solids) == 1 else bd.Part(bd.Compound(solids).wrapped)
     add_joints(body, records[0])

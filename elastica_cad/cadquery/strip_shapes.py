@@ -30,24 +30,24 @@ from elastica_cad.strip.strip import Strip
 
 
 def _read_frame(location: cq.Location) -> Frame:
-    """A place of CadQuery as a frame."""
+    """Return a CadQuery location as a frame."""
     plane = cq.Plane(location)
     return Frame(plane.origin.toTuple(), plane.xDir.toTuple(), plane.yDir.toTuple())
 
 
 def make_location(frame: Frame) -> cq.Location:
-    """A frame as a place of CadQuery."""
+    """Return a frame as a CadQuery location."""
     return cq.Location(occt.make_location(frame))
 
 
 def _plain_name(name: str) -> str:
-    """A name that CadQuery's queries can hold."""
+    """Return the name with characters that CadQuery's queries permit."""
     plain = re.sub(r"\W", "_", name, flags=re.ASCII)
     return plain if plain[:1].isalpha() else f"strip_{plain}"
 
 
 def free_name(name: str, assembly: cq.Assembly) -> str:
-    """A name that CadQuery's queries can hold, unlike those in the assembly."""
+    """Return a name for CadQuery's queries that is unique in the assembly."""
     plain = _plain_name(name)
     tries = (plain, *(f"{plain}_{number}" for number in range(2, len(assembly.children) + 3)))
     return next(text for text in tries if text not in assembly.objects)
@@ -80,7 +80,7 @@ class _Made(StripBody, cq.Shape):
 
     @lists(BendOptions)
     def bent(self, **moved: Unpack[BendOptions]) -> "StripSolid | StripCompound":
-        """The strip bent, on its curve; with new ends it is bent further: `rib.bent(end=(120, 0))`."""
+        """Return the bent strip on its curve, or bent further to other ends: `rib.bent(end=(120, 0))`."""
         if not moved:
             return bent_strip(self)
         return bent_strip(self._bent_anew(moved), plane=self.frame)
@@ -118,7 +118,7 @@ class _Made(StripBody, cq.Shape):
 
     @lists(FixtureSizes, BlockOptions)
     def fixture(self, end: "StripEnd" = "start", **sizes: Unpack[BlockOptions]) -> "FixtureSolid":
-        """The block that holds an end of the bent strip, in place."""
+        """Return the block that holds an end of the bent strip, in place."""
         return end_fixture(self, end=end, **sizes)
 
     def moved(self, *args: Any, **options: Any) -> Any:
@@ -245,7 +245,7 @@ class Slider:
         return make_location(self.travel.place) * cq.Location((0, 0, 0), (0, 0, 1), position)
 
     def bent(self, position: float) -> "StripSolid | StripCompound":
-        """The strip with its end `position` along the way, mm or degrees."""
+        """Return the strip with its end at a position on the path, mm or degrees."""
         travel = self.travel
         return bent_strip(replace(travel.strip, rod=travel.rod(position)), plane=travel.frame)
 
@@ -363,7 +363,7 @@ def flat_strip(
     max_width: float | None = None,
     **options: Unpack[StripOptions],
 ) -> StripSolid | StripCompound:
-    """The strip as cut, from z = 0 upward; errors and axes as in `strip_outline`."""
+    """Return the strip as cut, from z = 0 upward; errors and axes as in `strip_outline`."""
     made = make_strip_of(path, sheet, max_width=max_width, **options)
     return make_body(FlatSolid.layers(made.strip), made)
 
@@ -429,7 +429,7 @@ def make_strip_of(path: Drawn, sheet: Sheet | str | None, **options: Any) -> Mad
 
 
 def make_body(records: Sequence[BodyRecord | PrismSolid], made: MadeStrip) -> StripSolid | StripCompound:
-    """The body of a strip, of several sheets a compound, which knows its strip."""
+    """Return the body of a strip, a compound for several sheets, with the property `strip`."""
     solids = occt.make_sheets(records)
     shape: StripSolid | StripCompound
     if len(solids) == 1:
@@ -442,7 +442,7 @@ def make_body(records: Sequence[BodyRecord | PrismSolid], made: MadeStrip) -> St
 
 
 def dress(shape: S, joints: Mapping[str, Frame], made: MadeStrip) -> S:
-    """A shape with its strip, joints, name and colour."""
+    """Return the shape with its strip, joints, name and colour."""
     shape._made = made
     shape._joints = {name: make_location(frame) for name, frame in joints.items()}
     shape.label = made.strip.label or "strip"

@@ -30,10 +30,10 @@ def main(arguments: list[str] | None = None) -> None:
     """
     if arguments is None:
         if not sys.warnoptions:
-            warnings.simplefilter("ignore")  # Python's own are for programmers; what matters here is said
-        # its matrices are small: threads cost more than they help, and on one the bytes are those of every machine
+            warnings.simplefilter("ignore")  # warnings of Python are for programmers
+        # matrices are small, so threads are slower; with a single thread results are the same on every machine
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-        # looking for cycles among all that was imported would take a fifth of a command's time
+        # collecting cycles among the imported objects would take a fifth of a command's time
         gc.set_threshold(200_000, 20, 20)
     try:
         from elastica_cad.plot.drawing_process import drawing_process
@@ -73,7 +73,7 @@ def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
 
 
 def _unprinted(problem: OSError) -> int:
-    """The exit code where standard output takes no more, as on a full disk; what it still holds is dropped."""
+    """Return the exit code if standard output fails, as on a full disk; its buffer is discarded."""
     _drop_output(1)
     sys.stderr.write(f"Error: the answer can't be written: {problem.strerror or problem}\n")
     return 2
@@ -86,9 +86,9 @@ def _drop_output(*streams: int) -> None:
 
 
 def _command() -> "click.Group":
-    """The group of commands; without click, the end."""
+    """Return the group of commands, or exit if click is missing."""
     try:
-        import click  # noqa: F401 - only its presence is asked
+        import click  # noqa: F401 - only its presence is tested
     except ImportError:
         from elastica_cad.errors import how_to_install
 

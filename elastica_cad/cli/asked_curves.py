@@ -30,7 +30,7 @@ from elastica_cad.strip.lettering import engravable
 F = TypeVar("F", bound=Callable[..., Any])
 
 CHOICE = "--curve 1 .. --curve {count}, --curve ID or --layer NAME"
-"""How one curve of several is chosen."""
+"""Options that select a curve in a file with several curves."""
 
 
 def curve_argument(*, required: bool = True) -> Callable[[F], F]:
@@ -44,12 +44,12 @@ def curve_argument(*, required: bool = True) -> Callable[[F], F]:
 
 
 def _standard_input(ctx: click.Context) -> Path:
-    """What comes through standard input, in a file while the command runs; what it is, its contents tell.
+    """Return a temporary file with the contents of standard input, with a suffix that follows from the contents.
 
     Raises
     ------
     InputError
-        Nothing, or more than is read.
+        Standard input is empty or too large.
     """
     if ctx.find_root().params.get("watch"):
         raise InputError("standard input does not change: give --watch a file")
@@ -69,7 +69,7 @@ def _standard_input(ctx: click.Context) -> Path:
 
 
 def _kind(data: bytes) -> str:
-    """The suffix of files that begin like this."""
+    """Return the suffix of files with this beginning."""
     head = data[:4096].lstrip(b"\xef\xbb\xbf \t\r\n")
     if head.startswith((b"<", b"\x1f\x8b")):
         return ".svg"
@@ -83,7 +83,7 @@ def _kind(data: bytes) -> str:
 
 
 UNIT = click.Choice(["mm", "cm", "m", "in", "px", "pt"])
-"""What the numbers of a file may be in."""
+"""Units of the numbers in a file."""
 
 unit_option = click.option(
     "--unit", type=UNIT,
@@ -91,44 +91,44 @@ unit_option = click.option(
 )  # fmt: skip
 
 curve_options = join_options(curve_argument(), unit_option)
-"""The CURVE argument and how to read it."""
+"""The CURVE argument and the unit of its file."""
 
 which_options = join_options(
     click.option("--curve", "number", metavar="N|ID",
                  help="Which curve of the file: its number from 1, or its id."),
     click.option("--layer", metavar="NAME", help="Only curves on this layer of the drawing."),
 )  # fmt: skip
-"""Which curve of the file."""
+"""Options that select a curve of the file."""
 
 split_option = click.option(
     "--split-corners", is_flag=True, help="Cut curves at their corners; every piece is a curve of its own."
 )
-"""Curves in pieces between corners."""
+"""Option that splits curves at their corners."""
 
 
 @dataclass(frozen=True, eq=False)
 class AskedCurve:
-    """One curve that a command is asked for.
+    """Requested curve of a command.
 
     Attributes
     ----------
     path : Path
-        The file that draws it.
+        File with the curve.
     drawn : DrawnCurve
     whole : DrawnCurve
-        The curve that it is a piece of; itself where nothing is split.
+        Curve before splitting; the same as `drawn` if it was not split.
     count : int
-        Curves in the file.
+        Number of curves in the file.
     name : str
-        What files made from it are called.
+        Stem of the names of output files.
     which : tuple of str
-        Words that choose it in its file, where several were asked for.
+        Command line arguments that select the curve, if several curves were requested.
     unit : str or None
-        Of the file, where it was told.
+        Unit of the file, if it was given.
     own : str
-        The name that a person gave the curve, where several are in the file; else empty.
+        Name of the curve in a file with several curves; empty for a generated name.
     alone : bool
-        No other has that name.
+        True if no other curve has this name.
     """
 
     path: Path
@@ -143,7 +143,7 @@ class AskedCurve:
 
     @property
     def label(self) -> str:
-        """What is engraved on its strip unless it is told: its own name with the piece, or that of its files."""
+        """Default text engraved on the strip: the name of the curve with its piece, or the stem of its files."""
         piece = f"-{self.drawn.piece}" if self.drawn.pieces > 1 else ""
         return engravable(f"{self.own}{piece}" if self.own else self.name)
 
@@ -197,15 +197,16 @@ def asked_curves(
     corners: bool = True,
     how: str = CHOICE,
 ) -> tuple[AskedCurve, ...]:
-    """Return the one curve that number, id or layer select, or every one so selected; with `split` their pieces.
+    """Return the curve selected by number, id or layer, or `every` selected curve; with `split` their pieces.
 
-    Without `corners`, curves that meet at a corner stay apart, and nothing is printed about where curves meet.
-    `how` tells what to choose one of several by.
+    Without `corners`, curves that meet at a corner are not joined, and joints are not reported. `how` names the
+    options that select a single curve, for messages.
 
     Raises
     ------
     InputError
-        No such curve, or several of which one is asked for; the file is named.
+        There is no such curve, or there are several although a single curve is required. The message names the
+        file.
     """
     drawing = drawn_curves(path, unit, number, layer, how, corners=corners)
     several = every and len(drawing) > 1 and number is None
@@ -241,12 +242,12 @@ def drawn_curves(
     *,
     corners: bool = True,
 ) -> DrawnFile:
-    """Read a file, print a note where something was left out, and return what number, id or layer may select from.
+    """Read a file, print notes about omitted items, and return all its curves.
 
     Raises
     ------
     InputError
-        No such curve; the file is named.
+        No curve matches number, id or layer; the message names the file.
     """
     drawing = read_drawing(path, unit=unit, corners=corners)
     for text in drawing.notes:
@@ -262,8 +263,10 @@ def drawn_curves(
 
 
 def _names(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]]:
-    """What curves are called, by their numbers: the name that a person gave each, with its number where others have
-    that too, or empty for none; and whether no other has that name."""
+    """Return, by the number of each curve, its name and True if the name is unique.
+
+    A name that several curves have is followed by the number. Curves without a name from a user have an empty name.
+    """
     often = Counter(_word(one.name).casefold() for one in curves)
     found = {}
     for one in curves:
@@ -275,12 +278,12 @@ def _names(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]]:
 
 
 def _word(name: str) -> str:
-    """A name as files have it."""
+    """Return the name with characters that are valid in file names."""
     return re.sub(r"[^-.A-Za-z0-9_]+", "_", engravable(name.strip()))
 
 
 def _file_stem(path: Path, number: str | None, piece: int | None) -> str:
-    """The drawing's name, the curve's number or id, and the piece."""
+    """Return the stem of file names: the drawing's name, the curve's number or id, and the piece."""
     words = [] if number is None else [_word(number) or "1"]
     return "-".join([path.stem, *words, *([] if piece is None else [str(piece)])])
 
@@ -289,7 +292,7 @@ END_NAMES = get_args(EndName)
 
 
 def read_curves_told(path: Path, *, unit: str | None = None) -> list[PlaneCurve]:
-    """The one curve of a file, told where its size is in doubt."""
+    """Read the only curve of a file, and print a note if its size is doubtful."""
     (drawn,) = asked_curves(path, unit, None, None)
     return [drawn.bendable(None)]
 
@@ -346,4 +349,4 @@ support_options = join_options(
                  help="Curvature of the strip before bending (0: flat); along it as 'stations = [0, 300], "
                       "curvatures = [0, 0.01]', or a drawing of the bent blank."),
 )  # fmt: skip
-"""What the ends are held by, and a pre-curved rest shape."""
+"""Options for the supports of the ends and for a pre-curved rest shape."""

@@ -20,7 +20,7 @@ from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawi
 from elastica_cad.refusals import Length
 from elastica_cad.strip.strip import Strip
 
-LEAST_SHARE = 0.25  # of the stock's size, that is left unless told
+LEAST_SHARE = 0.25  # default for the least size, as a fraction of the stock's size
 MOST_STATIONS = 1000
 
 _STOCK = (
@@ -103,7 +103,7 @@ def batten(**chosen: Any) -> None:
 
 
 def _glue(made: Batten, chosen: dict[str, Any]) -> None:
-    """The batten of leaves: told and written."""
+    """Report and write the batten of glued plies."""
     leafed = made.of_leaves(chosen["leaves"])
     strip, rod, section = made.strip_of(leafed), leafed.rod, leafed.section
     depth, place = camber_of(rod)
@@ -137,7 +137,7 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
 
 
 def _tell_files(written: tuple[Path, ...]) -> None:
-    """What was written, and what could not be."""
+    """Report the written files, and the files that could not be written."""
     wrote(written)
     for missing in left_out(pictures=False, paper=True):
         say(missing)

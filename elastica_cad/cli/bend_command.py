@@ -1,4 +1,4 @@
-"""`elastica bend`: where a strip goes when its ends are moved."""
+"""`elastica bend`: the shape of a strip with moved ends."""
 
 from collections.abc import Sequence
 from functools import partial
@@ -151,7 +151,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         shapes = bend_path(rod, _steps(rod, chosen, held), side=side)
         verdicts = [stability(shape) for shape in shapes]
     else:
-        # at travel 0 the force on a straight strip may be any up to that at which it buckles
+        # at travel 0 the force on a straight strip may have any value up to the buckling load
         listed = curve is not None and chosen["steps"] > 1
         moved = bend_strip(strip, _steps(rod, chosen, held, listed=listed), side=side)
         shapes, verdicts = moved.rods, moved.verdicts
@@ -168,7 +168,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
 
 
 def _finished(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None:
-    """The strip of a report; None of another file, or of a report without a request."""
+    """Return the strip of a report, or None for another file or a report without a request."""
     record = read_request(path)
     if record is None:
         return None
@@ -185,7 +185,7 @@ def _refuse_settled(idle: set[str]) -> None:
 
 
 def _changed(finished: FinishedStrip, chosen: dict[str, Any], settings: dict[str, Any]) -> FinishedStrip:
-    """The strip of a report with what options and settings replace."""
+    """Return the strip of a report, changed by options and settings."""
     spec = finished.spec
     given = given_of(chosen, ("sheet", "thickness", "max_width"))
     if chosen["gravity"] or chosen["down"] is not None:
@@ -206,7 +206,7 @@ def _changed(finished: FinishedStrip, chosen: dict[str, Any], settings: dict[str
 
 
 def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any]) -> Strip | None:
-    """The strip before it is moved, where its material and its size are known."""
+    """Return the strip before its ends are moved, if its material and size are known."""
     sized = chosen["sheet"] is not None and (settings or chosen["max_width"] is not None)
     if not sized:
         return None
@@ -227,7 +227,7 @@ def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any])
 
 
 def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
-    """The rod before it is moved, of a strip without a width."""
+    """Return the rod before its ends are moved, for a strip without a width."""
     if curve is None:
         return Rod.straight(chosen["straight"], gravity=_gravity(chosen))
     (asked,) = asked_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
@@ -242,7 +242,7 @@ def _gravity(chosen: dict[str, Any]) -> Gravity | None:
 
 
 def _solved(spec: RodSpec) -> Rod | NearestRod:
-    """The rod, with what is to be said of its curve."""
+    """Return the rod, and report messages about its curve."""
     for note in spec.smoothing.notes:
         say(note)
     found = spec.solve()
@@ -252,14 +252,14 @@ def _solved(spec: RodSpec) -> Rod | NearestRod:
 
 
 def _widths_as_plate(sheet: Sheet, widest: float) -> WidthLaw | None:
-    """How the widths of a straight strip stiffen as it is bent, where the sheet's Poisson ratio is known."""
+    """Return the stiffening of a straight strip's widths by bending, if the sheet's Poisson ratio is known."""
     return WidthLaw(sheet, 0.0, widest) if sheet.poisson_known and sheet.poisson_ratio > 0 else None
 
 
 def _steps(
     rod: Rod, chosen: dict[str, Any], supports: Supports, *, listed: bool = False
 ) -> list[dict[str, Any]]:
-    """Keywords of `bend` for every shape on the way; forces are `listed` from travel 0 on."""
+    """Return the keywords of `bend` for every shape on the path; forces are `listed` from travel 0."""
     here = rod.position[[0, -1]]
     there = np.array(
         [
@@ -286,7 +286,7 @@ def _steps(
 
 
 def _shape_report(shape: Rod, verdict: Stability) -> dict[str, Any]:
-    """One shape, for programs."""
+    """Return the data of a shape for programs."""
     return {
         "start": shape.position[0], "end": shape.position[-1], "angles": shape.angle[[0, -1]],
         "size": np.ptp(shape.position, axis=0), "largest_curvature": np.abs(shape.curvature).max(),
@@ -295,7 +295,7 @@ def _shape_report(shape: Rod, verdict: Stability) -> dict[str, Any]:
 
 
 def _tell(rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability]) -> None:
-    """Every shape in a line."""
+    """Print a line for every shape."""
     say(f"{rod.length:.2f} mm long, stiffness ratio {rod.ratio:.4g}")
     for shape, verdict in zip(shapes, verdicts, strict=True):
         (x0, y0), (x1, y1) = np.round(shape.position[[0, -1]], 2) + 0.0

@@ -46,18 +46,18 @@ from elastica_cad.mechanics.theorem1 import EquilibriumCheck, changes_of, measur
 from elastica_cad.refusals import Length, Refusal, note
 
 TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm")
-"""What people have, for a curve whose sheet is not said: wood, plastic, card."""
+"""Common sheets for a curve without a given sheet: wood, plastic, card."""
 
 WIDTHS_MM = (8.0, 120.0)
-"""Of a strip for a curve of which no width is said."""
+"""Limits for the widths of a strip if no width is given."""
 
 
 MOST_SHEETS = 6
-"""Named in a sentence: those that can just do it, and those that need the least larger curve."""
+"""Largest number of sheets in a sentence: the best suitable sheets, and those with the least enlarged curve."""
 
-EVEN = 1.005  # ratio of widths that nobody sees
+EVEN = 1.005  # ratio of widths that is not visible
 WIDE_MM = 40.0
-"""A usual width, by which a ratio of widths is shown."""
+"""Usual width, with which a ratio of widths is illustrated."""
 
 
 @click.command()
@@ -137,7 +137,7 @@ def _suggestion(
     smooth: float | None,
     problem: ElasticaError | None = None,
 ) -> str:
-    """The command `elastica strip` that makes a strip near a curve that none takes, of one of the usual sheets."""
+    """Return the command `elastica strip` for the nearest strip, from a common sheet, to an impossible curve."""
     if natural_curvature or smooth is not None or Path("out").exists():
         return ""
     # these import all that makes strips
@@ -168,7 +168,7 @@ def _judged(
     *,
     alone: bool,
 ) -> dict[str, Any]:
-    """The report on one curve; of one among several also where it is no open, smooth curve."""
+    """Return the report on a curve; if there are several curves, also for a curve that is not open and smooth."""
     try:
         return _report(asked, supports, natural_curvature, smooth, alone=alone)
     except ElasticaError as problem:
@@ -191,7 +191,7 @@ def _report(
     outcome = _smoothed(asked, supports, natural_curvature, found)
     told = report_check(found)
     told["advice"] = " ".join([*outcome, told["advice"]])
-    of_curve = (one for one in smoothing.notes if one not in smoothing.noise)  # which the verdict tells of
+    of_curve = (one for one in smoothing.notes if one not in smoothing.noise)  # which the check reports
     told["notes"] = [*outcome, *([ends.told] if ends else []), *of_curve]
     if found.realizable and alone:
         told |= _told_sheets(smoothing.curve, supports, natural_curvature)
@@ -199,14 +199,14 @@ def _report(
 
 
 def _printed(told: dict[str, Any]) -> str:
-    """The report on one curve as it is printed."""
+    """Return the printed report on a curve."""
     return " ".join([told["advice"], *(one for one in told.get("notes", ()) if one not in told["advice"])])
 
 
 def _smoothed(
     asked: AskedCurve, supports: Supports, natural_curvature: NaturalCurvature, found: EquilibriumCheck
 ) -> tuple[Refusal, ...]:
-    """Is it fair but for the noise? Of points that waver and whose curve no strip takes: does one when smoothed?"""
+    """Return a note whether noisy points of an impossible curve give a possible curve after smoothing."""
     points = measured_points(found.curve)
     if found.realizable or points is None or points.stray:
         return ()
@@ -223,7 +223,7 @@ def _smoothed(
 def _examined(
     asked: AskedCurve, supports: Supports, natural_curvature: NaturalCurvature, smooth: float | None
 ) -> tuple[StraightEnds, Smoothing, EquilibriumCheck]:
-    """The verdict on what is bent of one curve, with what was taken off and moved before."""
+    """Return the check of the bent part of a curve, with the straight ends and the smoothing before it."""
     ends = StraightEnds.of(asked.bendable(smooth), supports, natural_curvature)
     spec = RodSpec(ends.bent, supports=supports, natural_curvature=natural_curvature, smooth=smooth)
     return ends, spec.smoothing, spec.check
@@ -238,7 +238,7 @@ def _draw(
     *,
     force: bool,
 ) -> None:
-    """The picture of the verdict on the one curve."""
+    """Write the picture of the check of a single curve."""
     from elastica_cad.plot.canvas import save_figure
     from elastica_cad.plot.check_picture import check as draw_check
 
@@ -254,7 +254,7 @@ def _draw(
 def _told_sheets(
     curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature
 ) -> dict[str, Any]:
-    """The least stiffness ratio, and which sheets bend so far at this size, or at which larger one."""
+    """Return the least stiffness ratio, and the sheets that bend to the curve at this or a larger size."""
     ratio = optimal_rod(curve, supports=supports, natural_curvature=natural_curvature).ratio
     known = sheets_for_curve(curve, natural_curvature)
     can = [one for one in known if one.fits]

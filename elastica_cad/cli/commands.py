@@ -37,14 +37,14 @@ COMMANDS = {
     "studio": "studio_command:studio",
     "help": "help_command:help_command",
 }
-"""Module and function of each command, imported when it is asked for."""
+"""Module and function of each command, imported on first use."""
 
 MM_IN_KEYS = ("settings",)
 PER_MM = ("natural_curvature",)
-"""Options that `--units` does not reach: keys as in a design file, and curvatures."""
+"""Options that `--units` does not change: keys as in a design file, and curvatures."""
 
 ALIKE = {"name": "label"}
-"""Options of one command by what others call them."""
+"""Options of a command, by the name of the same option in other commands."""
 
 FILES = {
     "curve": "give the file that it is drawn in (DXF, SVG, CSV, JSON, STEP), or - for standard input",
@@ -52,7 +52,7 @@ FILES = {
     "design": "give a design file; `elastica new pavilion` writes one to start from",
     "mesh": "give the file of a mesh (OBJ, STL, PLY) or of a STEP body",
 }
-"""Files that commands are given, by the name of their argument."""
+"""Instructions for missing input files, by the name of the argument."""
 
 TOLD: dict[type[ElasticaError], tuple[str, int]] = {
     NotRealizable: ("Not realizable", NOT_REALIZABLE),
@@ -60,7 +60,7 @@ TOLD: dict[type[ElasticaError], tuple[str, int]] = {
     NotMetError: ("Not within these limits", NOT_REALIZABLE),
     ElasticaError: ("Error", BAD_INPUT),
 }
-"""How a refusal begins, and the exit code, the first that fits."""
+"""Beginning of an error message and exit code by class of error; the first match counts."""
 
 
 def _tell_version(ctx: click.Context, _: click.Parameter, asked: bool) -> None:
@@ -77,7 +77,7 @@ def _tell_version(ctx: click.Context, _: click.Parameter, asked: bool) -> None:
 
 
 class _OnDemand(Mapping[str, click.Command]):
-    """The commands by name, each imported when it is asked for."""
+    """Commands by name, each imported on first use."""
 
     def __getitem__(self, name: str) -> click.Command:
         return _imported(name)
@@ -91,7 +91,7 @@ class _OnDemand(Mapping[str, click.Command]):
 
 @cache
 def _imported(name: str) -> click.Command:
-    """The command with what all have; raises KeyError where there is none."""
+    """Return the command with the common options, or raise KeyError."""
     module, function = COMMANDS[name].split(":")
     command = getattr(import_module(f"elastica_cad.cli.{module}"), function)
     return _complete(command, huge=name == "sections")
@@ -107,7 +107,7 @@ def _quiet_pipes() -> Iterator[None]:
 
 
 class _Sentences(click.Group):
-    """Errors of ours end as one sentence and an exit code, and where one was made with a suggestion."""
+    """Command group that prints errors of elastica_cad as sentences with suggestions, and sets the exit code."""
 
     def make_context(self, *args: Any, **options: Any) -> click.Context:
         with _quiet_pipes():
@@ -158,11 +158,11 @@ def _spelled(path: str) -> str:
 
 
 ANYWHERE = {"-q": 0, "--quiet": 0, "--watch": 0, "--units": 1}
-"""Options of `elastica` itself that may stand behind a command too, and how many words follow them."""
+"""Options of `elastica` that may also follow a command, and the number of their values."""
 
 
 def _own_first(args: list[str]) -> list[str]:
-    """The words with the options of `elastica` itself before the command."""
+    """Return the arguments with the options of `elastica` moved before the command."""
     first: list[str] = []
     others: list[str] = []
     words = iter(args)
@@ -177,7 +177,7 @@ def _own_first(args: list[str]) -> list[str]:
 
 
 def _instead_of(problem: click.NoSuchOption) -> str:
-    """What to type in place of an option that a command does not have."""
+    """Return the replacement for an option that a command does not have."""
     typed = problem.option_name
     name = typed.lstrip("-").replace("-", "_")
     context = problem.ctx
@@ -199,7 +199,7 @@ def _instead_of(problem: click.NoSuchOption) -> str:
 
 
 def _what_to_give(param: click.Parameter | None) -> str:
-    """What a command misses, "" where click lists the choices itself."""
+    """Return the missing parameter of a command, or "" if click lists the choices."""
     if isinstance(param, click.Option) and param.metavar and param.help:
         return f"give {param.opts[0]} {param.metavar}. {param.help.rstrip('.')}"
     return FILES.get(param.name or "", "") if isinstance(param, click.Argument) else ""
@@ -275,7 +275,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
                 _refuse(problem)
                 return
             if "force" in own:
-                chosen["force"] = True  # what it made itself is made anew
+                chosen["force"] = True  # files that it wrote itself are overwritten
 
         remake_on_change(make, partial(echo, err=True))
 
@@ -310,7 +310,7 @@ def _refuse_huge_numbers(chosen: Mapping[str, Any]) -> None:
 
 
 def _numbers(value: Any) -> Iterator[float]:
-    """The numbers in nested tuples; whole ones too large for a float as infinite."""
+    """Yield the numbers in nested tuples; integers too large for a float become 1e300."""
     if isinstance(value, tuple | list):
         for one in value:
             yield from _numbers(one)
@@ -319,7 +319,7 @@ def _numbers(value: Any) -> Iterator[float]:
 
 
 def _speaking(*names: str, help: str) -> click.Option:
-    """An option about how the command speaks: it says so to the voice before all else is read."""
+    """Return an option for the output of the command, which sets the voice before other options are processed."""
 
     def tell(_: click.Context, param: click.Parameter, value: bool) -> None:
         if value:
@@ -331,7 +331,7 @@ def _speaking(*names: str, help: str) -> click.Option:
 
 
 def _told_in_mm() -> list[str]:
-    """Of the options that were typed, those that `--units` does not reach, in sentences."""
+    """Return sentences on the given options that `--units` does not change."""
     context = click.get_current_context()
     sentences = {
         MM_IN_KEYS: 'lengths are mm, as in design files; 5 inches are "5*inch"',

@@ -1,4 +1,4 @@
-"""`elastica coupon`: a strip to cut, hang and measure, and what the measurement says of the sheet."""
+"""`elastica coupon`: a strip to cut, hang and measure, and the sheet properties from the measurement."""
 
 from dataclasses import replace
 from functools import partial
@@ -21,13 +21,13 @@ from elastica_cad.mechanics.sheets import Sheet, library_folders, plausible_numb
 from elastica_cad.strip.coupon import coupon_drawing, coupon_overhang
 
 GUESSED_MPA, GUESSED_STRAIN = 4000.0, 0.004
-"""Of a sheet that nobody knows: E between card and plywood, for the length of its coupon; what most boards bear."""
+"""Assumed modulus (between card and plywood) and strain limit of an unknown sheet, for the length of its coupon."""
 
 LEAST_DROOP_MM = 10.0
-"""Readings of less are mostly error: where the clamp begins, and how level it is, are hardly known to half a mm."""
+"""Least useful droop, mm; position and level of the clamp are hardly known to half a mm."""
 
 SIGMAS, LEAST_CONTRADICTION = 3.0, 0.1
-"""Readings contradict each other that differ by so many uncertainties, and by such a share."""
+"""Least difference of contradictory readings, in uncertainties and as a fraction."""
 
 
 @click.command()
@@ -157,7 +157,7 @@ def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Ca
 
 
 def _known(sheet: str | None, thickness: float | None, density: float | None, name: str | None) -> Sheet:
-    """The sheet named, at the thickness and density measured; or a guess at one that nobody knows."""
+    """Return the named sheet with the measured thickness and density, or an assumed sheet if it is unknown."""
     for option, value, key in (
         ("--thickness", thickness, "thickness_mm"),
         ("--density", density, "density_kg_m3"),
@@ -184,7 +184,7 @@ def _known(sheet: str | None, thickness: float | None, density: float | None, na
 
 
 def _kept() -> Path:
-    """The folder of the user's library."""
+    """Return the folder of the user's library."""
     places = library_folders()
     if not places:
         raise InputError(
@@ -209,7 +209,7 @@ def _calibrate(
     *,
     listed: bool,
 ) -> None:
-    """Print what the readings say, beside the list where the sheet is in it, and write the sheet."""
+    """Print the result of the readings, with the listed values of a known sheet, and write the sheet."""
     result = calibrate_cantilever(
         [reading[0] for reading in measured],
         [reading[1] for reading in measured],
@@ -252,7 +252,7 @@ def _calibrate(
 
 
 def _as_readings_tell(sheet: Sheet) -> Sheet:
-    """The sheet with a modulus of six digits, which is more than readings can tell."""
+    """Return the sheet with its modulus rounded to six digits, more than readings can determine."""
     given = (sheet.youngs_modulus, *(sheet.youngs_modulus_range or ()))
     E, *limits = (float(f"{modulus:.6g}") for modulus in given)
     return replace(sheet, youngs_modulus=E, youngs_modulus_range=(limits[0], limits[1]) if limits else None)

@@ -1,4 +1,4 @@
-"""`elastica help`: what can be asked for, key by key."""
+"""`elastica help`: all options, key by key."""
 
 from typing import Any
 
@@ -31,7 +31,7 @@ def help_command(key: str | None) -> None:
 
 
 def _in_words(kind: Kind) -> str:
-    """What a value may be, for people.
+    """Return a description of valid values.
 
     Examples
     --------
@@ -60,7 +60,7 @@ def _explained(path: str, option: str) -> str:
     Raises
     ------
     InputError
-        There is no such key.
+        The key does not exist.
     """
     record: Record = CommandKeys if path in paths_of(CommandKeys) else DesignKeys
     field = require_path_of(path.removeprefix("strips."), record)

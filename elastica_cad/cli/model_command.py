@@ -108,7 +108,7 @@ KEYS = {"nearest": "limits = {{}}", "lap": "shop = {{ lap = {value:g} }}"}
 
 
 def _suggestion(design: Design, problem: ElasticaError) -> str:
-    """The line that makes the one strip that was refused after all; it is made alone, not with its neighbours."""
+    """Return the command line that makes the rejected strip by itself."""
     asked = [one for one in design.entries if one.called == problem.refusal.where.get("strip")]
     if len(asked) != 1:
         return ""
@@ -124,16 +124,16 @@ def _suggestion(design: Design, problem: ElasticaError) -> str:
 
 
 def _read_told(path: Path, *, unit: str | None = None) -> CurveList:
-    """The curves of a file, told where their size is in doubt."""
+    """Read the curves of a file, and print a note if their size is doubtful."""
     curves = read_curves(path, unit=unit)
     told = f"{path.name}: {curves.file.unit.note}"
-    if curves.file.unit.note and told not in voice().notes:  # many strips may be drawn in one file
+    if curves.file.unit.note and told not in voice().notes:  # a file may have many strips
         warn(told)
     return curves
 
 
 def _tell(contents: KitContents, kit: Kit, output: Path) -> None:
-    """What was made, in a few lines."""
+    """Report the result in a few lines."""
     answer(kit.report | {"folder": output})
     voice().files += [str(output / file.name) for file in kit.files]
     model, listed = contents.model, contents.cut_list
@@ -178,7 +178,7 @@ def _tell(contents: KitContents, kit: Kit, output: Path) -> None:
 
 
 def _warnings(model: Model) -> list[Refusal]:
-    """What strips warn of: what several are told, with other numbers, once, with the first of them and how many."""
+    """Return warnings of strips; warnings that differ only in numbers are listed once, with their count."""
     warned: dict[str, list[Refusal]] = {}
     for part in model.parts:
         for said in part.strip.warnings:

@@ -64,12 +64,12 @@ def new(kind: str, output: Path, force: bool) -> None:
 
 
 def _holds(path: Path, text: str) -> bool:
-    """Is that file there, with this text?"""
+    """Return True if the file exists with this text."""
     return os.path.isfile(path) and path.read_bytes() == text.encode()
 
 
 def _bowl() -> str:
-    """A round surface about z as OBJ."""
+    """Return a surface of revolution about z as OBJ."""
     t = np.linspace(0.0, 1.0, UP)[:, None]
     turn = 2 * np.pi * np.arange(AROUND) / AROUND
     least, bulge, height = BOWL_MM

@@ -15,20 +15,20 @@ if TYPE_CHECKING:
 
 
 UNITS = {"mm": 1.0, "inch": MM_PER_INCH}
-"""What `--units` may say, in mm."""
+"""Values of `--units`, in mm."""
 
 _NAMED = MILLIMETRES | {"inch": MM_PER_INCH, '"': MM_PER_INCH}
 
 
 class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
-    """A length in mm: "38", "1.5in", "5/16in", "3.8cm"; without a unit it is of `elastica --units`.
+    """Length in mm: "38", "1.5in", "5/16in", "3.8cm"; the default unit is that of `elastica --units`.
 
     Parameters
     ----------
     positive : bool
-        Refuse zero and less.
+        Reject zero and negative lengths.
     words : tuple of str
-        What may stand instead of a length.
+        Permitted words instead of a length.
     """
 
     name = "length"
@@ -37,7 +37,7 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         self.positive, self.words = positive, words
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float | str:
-        """The length in mm, or one of the words; a default is mm already."""
+        """Return the length in mm, or a permitted word; defaults are in mm already."""
         if not isinstance(value, str):
             return float(value)
         if value in self.words:
@@ -77,14 +77,14 @@ def option_name(name: str) -> str:
 def option_of(
     field: Field, name: str = "", *, default: str = "", switch: bool = False, required: bool = False
 ) -> Callable[[Any], Any]:
-    """The option of a declared field, called as the field unless told otherwise.
+    """Return the option of a declared field, by default with the name of the field.
 
     Parameters
     ----------
     default : str
-        What help tells of an option that is not given.
+        Description of the default in help.
     switch : bool
-        It can only be turned on.
+        True for a flag that can only be switched on.
     """
     told = f"  [default: {default}]" if default else ""
     typed, help = option_name(name or field.name), f"{field.help.rstrip('.')}.{told}"
@@ -96,7 +96,7 @@ def option_of(
 
 
 def _typed_as(field: Field) -> tuple[Any, str | None]:
-    """What is typed behind an option, and how help shows it."""
+    """Return the type of an option's value and its placeholder in help."""
     from elastica_cad.design.records import written  # imports all records
 
     kinds = written(field.kind).alternatives
@@ -109,12 +109,12 @@ def _typed_as(field: Field) -> tuple[Any, str | None]:
 
 
 def given_of(chosen: Mapping[str, Any], names: Iterable[str]) -> dict[str, Any]:
-    """Return those of the named parameters that the user gave."""
+    """Return the named parameters that were given on the command line."""
     return {name: chosen[name] for name in names if chosen[name] is not None}
 
 
 def join_options(*options: Callable[[Any], Any]) -> Callable[[F], F]:
-    """Return one decorator that adds several options; help lists them in this order."""
+    """Return a decorator that adds several options; help lists them in this order."""
 
     def add(function: F) -> F:
         for option in reversed(options):
@@ -129,7 +129,7 @@ smooth_option = click.option(
     help="Smooth the curve (curvature without jumps) within this distance; 0: exactly as drawn  [default: "
     "0.1 or 5e-4 of the length where the width would step, 0 for all others]",
 )  # fmt: skip
-"""How far a curve may be moved to become fair."""
+"""Option for the largest movement of a curve by smoothing."""
 
 
 class _Folder(click.Path):
@@ -147,7 +147,7 @@ output_options = join_options(
     click.option("--force", is_flag=True, help="Overwrite files that exist."),
     click.option("-o", "--output", type=_Folder(path_type=Path), default=Path(), help="Folder for files."),
 )
-"""Where files are written, and over what."""
+"""Options for the output folder and for overwriting files."""
 
 
 def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:

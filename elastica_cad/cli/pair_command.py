@@ -1,4 +1,4 @@
-"""`elastica pair`: a part, cut from a sheet, that rests in one drawn curve and in another."""
+"""`elastica pair`: a part, cut from a sheet, with two drawn curves as rest shapes."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -39,7 +39,7 @@ FILE = click.Path(path_type=Path)
 
 @dataclass(frozen=True)
 class PairKeys:
-    """What `elastica pair` is asked for of its part."""
+    """Options of `elastica pair` for its part."""
 
     BESIDE: ClassVar[Record] = FlexureSpec
     WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet")
@@ -110,7 +110,7 @@ def _asked(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:
 
 
 def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
-    """Return both curves, in the order of the file where one drawing holds both."""
+    """Return both curves, in the order of the file if a single drawing has both."""
     path, unit = chosen["first"], chosen["unit"]
     if chosen["second"] is None and chosen["first_curve"] is None and chosen["second_curve"] is None:
         drawn = asked_curves(path, unit, None, None, every=True, split=True, corners=False)
@@ -132,7 +132,7 @@ def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
 
 
 def _tell(made: MadePair) -> None:
-    """What was made, in a few lines."""
+    """Report the result in a few lines."""
     part, pair_ = made.part, made.part.pair
     low, high = part.thickness_range
     say(

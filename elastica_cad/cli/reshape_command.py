@@ -101,7 +101,7 @@ def _map(
     handles: tuple[tuple[float, float, float, float], ...],
     corners: dict[str, tuple[float, float]],
 ) -> FloatArray:
-    """The map that the options ask for."""
+    """Return the map of the options."""
     if handles and corners:
         raise InputError("give corners of the box, or four handles of your own with --handle, not both")
     if corners:
@@ -120,7 +120,7 @@ def _map(
 
 
 def _verdict(curve: PlaneCurve) -> dict[str, Any]:
-    """Can it be bent, and what it asks of the strip."""
+    """Return whether the curve can be bent, and the data of the required strip."""
     measured = {"length": curve.length, "realizable": False, "inflections": (), "ratio": None}
     try:
         require_bendable(curve)

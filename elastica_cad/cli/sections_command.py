@@ -46,13 +46,13 @@ from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.refusals import Refusal
 
 ALONG = 10
-"""Planes along a path, unless told."""
+"""Default number of planes along a path."""
 
 GAP_MM = 20.0
-"""Between the curves of a drawing: enough to tell them apart."""
+"""Distance between the curves of a drawing, which keeps them distinguishable."""
 
 UPRIGHT = 1e-9
-"""Share of its length by which a direction may lean and still be upright: rounding."""
+"""Largest inclination of an upright direction, as a fraction of its length, for rounding errors."""
 
 _IDLE = {
     "--radial": ("up",), "--angle": ("up",), "--parallel": ("zero",), "--offset": ("zero",),
@@ -173,7 +173,7 @@ def _option_for(said: str, chosen: dict[str, Any]) -> str:
 
 
 def _family_named(chosen: dict[str, Any]) -> str:
-    """The option that says by which planes to cut."""
+    """Return the option that selects the cutting planes."""
     families = {
         "--radial": chosen["radial"], "--angle": chosen["angles"], "--parallel": chosen["parallel"],
         "--offset": chosen["offsets"], "--along": chosen["along"],
@@ -206,7 +206,7 @@ def _family_named(chosen: dict[str, Any]) -> str:
 
 
 def _spec(family: str, chosen: dict[str, Any], surface: Surface) -> SectionSpec:
-    """What the options ask for."""
+    """Return the request of the options."""
     splits: list[Split] = [PlaneSplit(one[3:], one[:3]) for one in chosen["splits"]]
     splits += [PointSplit(np.array(chosen["split_at"]))] if chosen["split_at"] else []
     if chosen["split_corners"] is not None:
@@ -221,7 +221,7 @@ def _spec(family: str, chosen: dict[str, Any], surface: Surface) -> SectionSpec:
 
 
 def _cuts(family: str, chosen: dict[str, Any], surface: Surface) -> RadialCuts | ParallelCuts | AlongPath:
-    """The planes; where they are not told after the box of the surface."""
+    """Return the planes; by default they follow from the bounding box of the surface."""
     if family == "--along":
         path = read_path_points(chosen["along"])
         if len(path) < 2:
@@ -250,14 +250,14 @@ def _cuts(family: str, chosen: dict[str, Any], surface: Surface) -> RadialCuts |
 
 
 def _up(chosen: dict[str, Any], along: Any) -> Triple:
-    """Which way is up in planes that stand across `along`: z, where that lies in them."""
+    """Return the upward direction in planes perpendicular to `along`: z, if it is in the planes."""
     upright = np.abs(along[:2]).max() <= UPRIGHT * np.abs(along).max()
     up: Triple = chosen["up"] or ((0.0, 1.0, 0.0) if upright else (0.0, 0.0, 1.0))
     return up
 
 
 def _strip_keys(sheet: str, chosen: dict[str, Any], output: Path) -> dict[str, Any]:
-    """What a design file says of all strips."""
+    """Return the table for all strips in a design file."""
     limits = {"ratio": chosen["ratio"]}
     limits |= {} if chosen["margin"] is None else {"margin": chosen["margin"]}
     strips: dict[str, Any] = {"sheet": seen_from(sheet, output) if ".toml" in sheet else sheet}
@@ -268,7 +268,7 @@ def _strip_keys(sheet: str, chosen: dict[str, Any], output: Path) -> dict[str, A
 
 
 def _verdict(curve: SectionCurve) -> dict[str, Any]:
-    """Whether a strip takes the curve of a section, and if not, why."""
+    """Return whether a strip can follow the curve of a section, and if not, why."""
     told: dict[str, Any] = {
         "name": curve.name, "length": curve.curve.length, "deviation": curve.deviation, "realizable": False,
         "ratio": None, "problem": None,

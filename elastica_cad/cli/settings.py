@@ -1,4 +1,4 @@
-"""Keys of requests by their path, such as `limits.ratio`: what `--set` gives and `elastica help` tells."""
+"""Keys of requests by their path, such as `limits.ratio`, for `--set` and `elastica help`."""
 
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -22,7 +22,7 @@ GROUPS = ("curve", "sheet", "widths", "ends", "limits", "weight", "files")
 
 @dataclass(frozen=True)
 class CurveKeys:
-    """Which curve of the file is taken, and whether it is split into pieces."""
+    """Selection of the curve in the file, and splitting at corners."""
 
     layer: Annotated[str | None, Asked("Only curves on this layer of the drawing.", group="curve")] = None
     split_corners: Annotated[
@@ -32,7 +32,7 @@ class CurveKeys:
 
 @dataclass(frozen=True)
 class FileKeys:
-    """Which files are written beside the cut pattern and the report."""
+    """Selection of files besides the cut pattern and the report."""
 
     paper: Annotated[
         Literal["A4", "A3", "A2", "A1", "A0", "letter", "tabloid"] | None,
@@ -51,7 +51,7 @@ class FileKeys:
 
 @dataclass(frozen=True)
 class CommandKeys(StripKeys):
-    """All keys of `elastica strip`: those of a strip in a design file, and which files are written."""
+    """All keys of `elastica strip`: the keys of a strip in a design file, and the selection of files."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = ("count", "let", "sections")
     curve: Annotated[CurveKeys, Asked("Which curve of the file.", group="curve")] = CurveKeys()
@@ -63,7 +63,7 @@ class CommandKeys(StripKeys):
 
 @dataclass(frozen=True)
 class BentKeys(StripKeys):
-    """What `elastica bend` is asked for of the strip that it bends."""
+    """Options of `elastica bend` for its strip."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = (
         "count", "let", "sections", "curve", "origin", "x_axis", "y_axis", "label", "engrave",
@@ -96,7 +96,7 @@ def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
 
 
 def _value(text: str) -> Any:
-    """A value as TOML has it; what is no TOML is a text, without quotes."""
+    """Return a TOML value, or the text itself if it is not valid TOML."""
     try:
         return parse_toml(f"value = {text}")["value"]
     except (tomllib.TOMLDecodeError, RecursionError):
@@ -110,7 +110,7 @@ def _value(text: str) -> Any:
 
 
 def twice(table: Mapping[str, Any], others: Mapping[str, Any], way: str = "") -> Iterator[str]:
-    """Yield paths to which two tables give different values; `true` agrees with any table or list."""
+    """Yield paths with different values in two tables; `true` matches any table or list."""
     for key in table.keys() & others.keys():
         mine, theirs = table[key], others[key]
         if isinstance(mine, dict) and isinstance(theirs, dict):

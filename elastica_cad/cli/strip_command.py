@@ -52,17 +52,17 @@ from elastica_cad.strip.makeable_strip import compensate_within
 from elastica_cad.strip.strip_spec import StripSpec
 
 STRAYED_SHARE = 3e-4
-"""Of the length: a strip that strays more as it is made is told what other widths would do."""
+"""Deviation of a strip as made, as a fraction of its length, above which corrected widths are suggested."""
 
 MOST_PIECES = 8
-"""Of a curve that is cut at its corners to see whether strips take them."""
+"""Largest number of pieces of a curve that is split at its corners for a suggestion."""
 
 MOST_ADVICE = 1
-"""Sentences after a success; each costs a solve or two."""
+"""Largest number of suggestions after a success; each needs one or two solutions."""
 
 
 def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:
-    """Which files the options ask for."""
+    """Return the files that the options select."""
     reader, below = Reader(), Table({"cut": {}, "files": {}, **table}, "", {})
     cutting, more = (
         reader.value(kind_of(one), below, key) for key, one in (("cut", Cutting), ("files", FileKeys))
@@ -176,14 +176,14 @@ def _save_design(path: Path, curves: Sequence[AskedCurve], table: Mapping[str, A
 
 
 def _curve_keys(asked: AskedCurve, folder: Path) -> dict[str, Any]:
-    """The curve as a design file in that folder names it."""
+    """Return the keys of the curve for a design file in this folder."""
     unit = {"unit": asked.unit} if asked.unit else {}
     which: dict[str, Any] = {"id": asked.own} if asked.alone else {"number": asked.drawn.number}
     return {"file": seen_from(asked.path, folder), **(which if asked.count > 1 else {}), **unit}
 
 
 def _made(asked: AskedCurve, spec: StripSpec) -> StripResult:
-    """The strip of one curve."""
+    """Return the strip of a curve."""
     say_step("looking for the nearest curve that can be made" if spec.may_change else "finding the widths")
     if not spec.may_change:
         _ = asked.bendable(spec.smooth)
@@ -192,12 +192,12 @@ def _made(asked: AskedCurve, spec: StripSpec) -> StripResult:
 
 
 def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], problem: ElasticaError) -> str:
-    """The command that makes a strip of this request after all, with the least change."""
+    """Return the command that makes a possible strip with the least change of the request."""
 
     def requests(change: Change) -> Sequence[StripSpec]:
         if change.field == "split_corners":
             pieces = split_at_corners(spec.curve)
-            drawn = spec.curve.degree > 1  # straight strips are not what a row of points means
+            drawn = spec.curve.degree > 1  # points of degree 1 are not meant as straight strips
             apart = drawn and 1 < len(pieces) <= MOST_PIECES and not (spec.slots or spec.may_change)
             return [spec.changed(curve=piece) for piece in pieces] if apart else []
         return changed_requests(spec, change)
@@ -212,9 +212,9 @@ def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], p
 
 
 def _nearest_to_working(spec: StripSpec, problem: ElasticaError) -> "Iterator[Candidate]":
-    """Of a strip that would break: the thickest sheet that bears this curve, and the size that its own bears.
+    """Yield, for a strip that would break, the thickest sheet that withstands this curve, and the possible size.
 
-    Sheets of its kind come first, and those alone where the user's own is in no list.
+    Sheets of the same kind are first; for an unlisted sheet of the user they are the only ones.
     """
     if not isinstance(problem, StrainError):
         return
@@ -232,7 +232,7 @@ def _nearest_to_working(spec: StripSpec, problem: ElasticaError) -> "Iterator[Ca
 
 
 def _is_taken(asked: AskedCurve, chosen: Mapping[str, Any]) -> bool:
-    """Do files stand where this command would write? It is refused then, whatever is changed."""
+    """Return True if output files exist already, because the command then fails with any change."""
     folder: Path = chosen["output"]
     there = next(one for one in (folder.absolute(), *folder.absolute().parents) if one.exists())
     if not there.is_dir():
@@ -243,7 +243,7 @@ def _is_taken(asked: AskedCurve, chosen: Mapping[str, Any]) -> bool:
 
 
 def _tell_compensation(result: StripResult) -> None:
-    """What other widths would leave, where the strip strays more than it needs."""
+    """Report the remaining deviation with corrected widths, if it is much smaller."""
     made = result.strip
     if (
         result.spec.compensate
@@ -258,7 +258,7 @@ def _tell_compensation(result: StripResult) -> None:
 
 
 def _tell(result: StripResult, written: Iterable[Path], *, several: bool) -> None:
-    """What was made, in a few lines; of one among several what is cut and how it is held, and what is wrong."""
+    """Report the result in a few lines; for one strip of several only cut size, supports and warnings."""
     made, near, verdict = result.strip, result.near, result.stability
     rod, whole = made.rod, voice().verbose or not several
     whose = f"{made.label}: " if several else ""
@@ -301,7 +301,7 @@ def _tell(result: StripResult, written: Iterable[Path], *, several: bool) -> Non
         say(blank)
     for warning in made.warnings:
         if warning in (tabs, *told_first) or (near is not None and warning == near.status.value):
-            continue  # told above
+            continue  # reported above
         warn(f"Warning: {whose}{warning}", told=is_told(warning))
     wrote(written)
     for joint, end in zip(result.joints, ("starts", "ends"), strict=True):
@@ -310,7 +310,7 @@ def _tell(result: StripResult, written: Iterable[Path], *, several: bool) -> Non
 
 
 def _tell_holding(result: StripResult) -> None:
-    """How far it strays as it creeps and as it is made and held."""
+    """Report the deviation of the strip by creep, and as made and held."""
     made = result.strip
     with suppress(NotConvergedError):
         if made.crept is not None:

@@ -1,4 +1,4 @@
-"""Options of one strip and its supports, and the request that they make together."""
+"""Options of a strip and its supports, and their request."""
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -27,14 +27,14 @@ CALLED = {
 
 BY_HAND = ("style", "keep", "ends", "supports", "gravity", "natural_curvature", "limits", "cut", "keep.ends",
            "keep.tangents", "limits.strain")  # fmt: skip
-"""Keys with options whose values are written otherwise than in a table, or that their own keys stand for."""
+"""Keys with options whose values have another form than in a table, or that are replaced by their subkeys."""
 
 FLAGS = ("keep.length", "ignore_limits")
 """Keys that an option without a value sets to true."""
 
 
 def typed_name(path: str) -> str:
-    """How a key is typed: its option where it has one, else by `--set`.
+    """Return the spelling of a key: its option, or else `--set`.
 
     Examples
     --------
@@ -51,7 +51,7 @@ CHANGED = {"nearest": "limits", "lap": "shop.lap", "split_corners": "curve.split
 
 
 def option_words(change: Change) -> tuple[str, ...]:
-    """The words that make a change that a refusal names; none where no key does."""
+    """Return the arguments for a change that an error suggests, or none if there is no such key."""
     path = CHANGED.get(change.field, change.field)
     name = typed_name(path)
     if not name:
@@ -63,7 +63,7 @@ def option_words(change: Change) -> tuple[str, ...]:
 
 
 def _common() -> dict[str, str]:
-    """The options of common keys, by the path of the key."""
+    """Return the options of common keys, by the path of the key."""
     found = {}
     for path, one in paths_of(CommandKeys).items():
         below_common = all(paths_of(CommandKeys)[way].asked.common for way in _ways(path))
@@ -89,11 +89,11 @@ OPTIONS = _common()
 DEFAULTS = {
     "label": "the file's name", "ends.length": "10", "style.kind": "plain", "cut.kerf": f"{KERF:g}",
 }  # fmt: skip
-"""What help tells of options that are not given."""
+"""Descriptions of defaults in help."""
 
 
 def _option(path: str, name: str) -> Callable[[Any], Any]:
-    """The option of a common key."""
+    """Return the option of a common key."""
     field = paths_of(CommandKeys)[path]
     return option_of(
         field, name, default=DEFAULTS.get(path, ""), switch=path in FLAGS, required=path == "sheet"
@@ -140,7 +140,7 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
 
 
 def strip_options(function: Any) -> Any:
-    """All that can be asked of one strip, but for its file: common keys, and `--set` for the others."""
+    """Add all options of a strip, except its file, to a command: common keys, and `--set` for other keys."""
     groups = []
     for group in GROUPS:
         own = [(path, name) for path, name in OPTIONS.items() if _group(path) == group]
@@ -153,7 +153,7 @@ def _group(path: str) -> str:
 
 
 def grouped(parameters: list[click.Parameter]) -> dict[str, list[click.Parameter]]:
-    """Options by the group in which help lists them; what every command has comes last."""
+    """Return options by their group in help; options of every command are last."""
     of = {name: _group(path) for path, name in OPTIONS.items()}
     for group, options in _HAND_MADE.items():
         probe: Any = join_options(*options)(lambda: None)
@@ -165,12 +165,12 @@ def grouped(parameters: list[click.Parameter]) -> dict[str, list[click.Parameter
 
 
 def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
-    """The table that options ask for, as a design file writes it; `--set` goes before them.
+    """Return the table of the options, as in a design file; `--set` is applied first.
 
     Raises
     ------
     InputError
-        Options that exclude each other or mean nothing, or a key that is not known.
+        Options exclude each other or have no effect, or a key is unknown.
     """
     table: dict[str, Any] = {}
     for path, name in OPTIONS.items():
@@ -202,12 +202,12 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict[str, Any]:
-    """The table of options with that of `--set`.
+    """Return the table of options merged with the table of `--set`.
 
     Raises
     ------
     InputError
-        Both say the same.
+        Both set the same key.
     """
     for path in twice(table, settings):
         raise InputError(
@@ -219,12 +219,12 @@ def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict
 
 
 def spec_from_options(curve: PlaneCurve, label: str, table: Mapping[str, Any]) -> StripSpec:
-    """The strip that the table of the options asks for, with this `label` unless it says another.
+    """Return the strip request of the options' table, with this default `label`.
 
     Raises
     ------
     InputError
-        What the reader or `StripSpec` refuses, with the options to look at.
+        The reader or `StripSpec` rejects the table; the message names the options.
     """
     keys = {
         "label": label,

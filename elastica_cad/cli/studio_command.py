@@ -1,4 +1,4 @@
-"""`elastica studio`: the page on which curves are drawn while the strip follows."""
+"""`elastica studio`: the web page for drawing curves, which shows the strip at once."""
 
 import webbrowser
 from importlib.util import find_spec

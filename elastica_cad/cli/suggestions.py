@@ -1,4 +1,4 @@
-"""The command that was typed, and suggestions of one that would work."""
+"""The typed command, and suggestions of a command that works."""
 
 import shutil
 import sys
@@ -37,14 +37,14 @@ MOST_REFUSALS = 7
 
 
 def _command_line(*words: str) -> str:
-    """A command as it is typed."""
+    """Return a command as typed."""
     return f"{name_program()} {quote_words(words)}"
 
 
 def typed_line(*added: str, instead: str | None = None) -> str:
-    """The running command as it was typed with options behind it, which outweigh those of the same name before.
+    """Return the running command as typed, with added options that override earlier options of the same name.
 
-    `instead` names another command that takes the same options, but for those that print.
+    `instead` is another command with the same options, except output options.
     """
     context = click.get_current_context()
     words: Sequence[str] = context.meta.get(TYPED, ())
@@ -61,27 +61,27 @@ def typed_length(mm: float) -> str:
 
 
 def first_told(refused: int) -> str:
-    """Return which of many refused curves are printed, behind how many there are."""
+    """Return a text on which of many rejected curves are printed."""
     if refused <= MOST_REFUSALS:
         return ""
     return f", of which the first {MOST_REFUSALS} are told: -v tells all"
 
 
 MOST_TRIED = 3
-"""Candidates of a refusal; each takes as long as the request."""
+"""Largest number of candidates after an error; each takes as long as the request."""
 
 WIDEST_SHARE = 0.5
-"""Of its length: what is wider bends as a plate."""
+"""Largest width of a strip as a fraction of its length; a wider one bends as a plate."""
 
 SUGGEST = "elastica.suggest"
-"""Key, in click's `meta`, of the function that looks for a suggestion below the refusal of the running command."""
+"""Key, in click's `meta`, of the function that searches for a suggestion after an error."""
 
 Candidate: TypeAlias = "tuple[str, Callable[[], Sequence[StripSpec]]]"
-"""What would be said of it, and the requests of its strips."""
+"""Message about a suggestion, and the requests of its strips."""
 
 
 def suggest_later(look: Callable[[ElasticaError], str]) -> None:
-    """Register a function that looks for a suggestion after a refusal of the running command was printed."""
+    """Register a function that searches for a suggestion after an error of the running command is printed."""
     context = click.get_current_context()
 
     def look_here(problem: ElasticaError) -> str:
@@ -92,22 +92,22 @@ def suggest_later(look: Callable[[ElasticaError], str]) -> None:
 
 
 def suggestion_below(problem: ElasticaError) -> str:
-    """Return a sentence with a request that would work; empty where none was found."""
+    """Return a sentence with a possible request, or "" if none was found."""
     look = click.get_current_context().meta.get(SUGGEST)
     return "" if look is None else look(problem)
 
 
 def changed_requests(spec: "StripSpec", change: Change) -> "Sequence[StripSpec]":
-    """Return the requests that a change makes of this one; none where it changes nothing."""
+    """Return the requests after a change of this request, or an empty list if nothing changes."""
     changed = spec.with_change(change)
     return [] if changed is None else [changed]
 
 
 def first_that_holds(candidates: Iterable[Candidate], nearest: Iterable[Candidate] = ()) -> str:
-    """Return a sentence with the first of `MOST_TRIED` candidates of which strips were made that hold.
+    """Return a sentence with the first of `MOST_TRIED` candidates whose strips are stable and strong enough.
 
-    If none holds, the sentence lists all of `nearest` that do, which change more than the request. It is empty if
-    none of them holds, or after Ctrl-C.
+    If there is none, the sentence lists all suitable candidates in `nearest`, which change more of the request. It
+    is empty if there are none, or after Ctrl-C.
     """
     found = []
     with suppress(KeyboardInterrupt, MemoryError):
@@ -121,7 +121,7 @@ def first_that_holds(candidates: Iterable[Candidate], nearest: Iterable[Candidat
 
 
 def _held(requests: Callable[[], Sequence["StripSpec"]]) -> str:
-    """How near strips come and how far they are strained; empty where one is not made or does not hold."""
+    """Return deviation and strain of the strips as a text, empty if a strip is impossible or unsuitable."""
     from elastica_cad.forming.limits import FAR_SHARE
     from elastica_cad.forming.nearest_record import NearestRod
     from elastica_cad.mechanics.stability import stability

@@ -1,4 +1,4 @@
-"""One voice for people and programs: what is said, warned and answered, and remaking on change."""
+"""Output of commands for people and programs: messages, warnings and answers; and re-running on change."""
 
 import json
 import sys
@@ -24,16 +24,16 @@ _KEY = "elastica.voice"
 
 @dataclass
 class Voice:
-    """How the running command speaks, and what it has to say to programs.
+    """Output settings of the running command, and its JSON record.
 
     Attributes
     ----------
     command : str
-        Its schema is "elastica-COMMAND/1".
+        Name of the command; the schema is "elastica-COMMAND/1".
     step : str
-        What it is doing.
+        Current step of the command.
     as_json, quiet, verbose : bool
-        One record instead of lines; problems only; every step and all notes.
+        Print a single record instead of lines; only problems; every step and all notes.
     """
 
     command: str
@@ -49,16 +49,16 @@ class Voice:
 
     @property
     def schema(self) -> str:
-        """The name of the JSON record's schema."""
+        """Name of the JSON record's schema."""
         return f"elastica-{self.command}/1"
 
     def begin(self) -> None:
-        """Forget all that an earlier run of the command said."""
+        """Reset the output of an earlier run of the command."""
         self.record, self.notes, self.files, self.read = {}, [], [], {}
         self.since, self.step = time.perf_counter(), "working"
 
     def conclude(self) -> None:
-        """Print the JSON record, where `--json` asks for one."""
+        """Print the JSON record if `--json` is set."""
         _clear_step()
         if not self.as_json:
             return
@@ -70,7 +70,7 @@ class Voice:
             _print_json({"schema": self.schema, **read, **self.record, **told})
 
     def refuse(self, said: str, problem: ElasticaError, code: int, suggest: Callable[[], str]) -> None:
-        """Print why there is no answer, then a suggestion, which is searched for until Ctrl-C."""
+        """Print the error, then a suggestion; Ctrl-C ends the search for a suggestion."""
         _clear_step()
         suggestion = ""
         echo(said, err=True)
@@ -114,7 +114,7 @@ def say(text: str = "") -> None:
 def warn(text: str, *, told: bool = True) -> None:
     """Print a warning to stderr, and add it to the notes of the JSON record.
 
-    Where it is not `told`, people read it with -v only.
+    Without `told` it is only printed with -v.
     """
     voice().notes.append(text)
     if not voice().quiet and (told or voice().verbose):
@@ -135,7 +135,7 @@ def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:
 
 
 def say_step(text: str, number: int = 0, count: int = 0) -> None:
-    """Report a step in progress to stderr: on a terminal one line that is overwritten, with -v one line each."""
+    """Report a step in progress to stderr: on a terminal in an overwritten line, with -v in separate lines."""
     speaker = voice()
     speaker.step = counted = f"{text} ({number} of {count})" if count > 1 else text
     if speaker.verbose:
@@ -181,7 +181,7 @@ def _print_json(record: Any) -> None:
 
 
 def _simplify(value: Any) -> Any:
-    """The value as JSON has it; numbers to ten digits, those that are not finite as null.
+    """Return the value for JSON, with numbers to ten digits and non-finite numbers as null.
 
     Examples
     --------
@@ -208,21 +208,21 @@ def _simplify(value: Any) -> Any:
 
 
 LOOK_S = 0.2
-"""Between two looks at the files: soon enough for people, nothing for the machine."""
+"""Interval between two checks of the files, s."""
 
 GONE_LOOKS = 5
-"""How long a file may be gone while a program replaces it."""
+"""Number of checks for which a file may be missing while a program replaces it."""
 
 
 def remake_on_change(make: Callable[[], None], tell: Callable[[str], None]) -> None:
     """Run `make`, and again after every change of a file that it read, until the user interrupts.
 
-    Files that programs replace, or are still writing, are waited for; changes while `make` runs count too.
+    It waits for files that programs replace or are still writing. Changes while `make` runs also count.
 
     Raises
     ------
     InputError
-        It read no file.
+        `make` did not read a file.
     """
     try:
         while True:
@@ -237,7 +237,7 @@ def remake_on_change(make: Callable[[], None], tell: Callable[[str], None]) -> N
 
 
 def _wait_for_change(read: dict[Path, FileMark]) -> None:
-    """Until a file is another than the one that was read, and all are at rest."""
+    """Wait until a file differs from the file that was read, and no file changes any more."""
     before, still = read, 0
     while True:
         time.sleep(LOOK_S)

@@ -53,7 +53,7 @@ def _has_faces(shape: Shape | Iterable[Shape]) -> bool:
 
 
 def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
-    """The rotation of the first edge's place, None where it has none."""
+    """Return the rotation of the first edge's location, or None if it has no rotation."""
     k = kernel()
     shape = bare(shape)
     if not isinstance(shape, k.TopoDS_Shape):
@@ -67,7 +67,7 @@ def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
 
 
 def free_chains(shape: Shape) -> tuple[list[Run], dict[str, int]]:
-    """The chains that the edges of a shape make, without those that bound faces; what was left out, counted."""
+    """Return the chains of a shape's edges, without edges of faces, and the number of omitted items."""
     k = kernel()
     kinds = k.TopAbs_ShapeEnum
     edges, skipped = [], Counter[str]()
@@ -97,7 +97,7 @@ def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
 
 
 def _drawn_edge(edge: Shape) -> DrawnEdge:
-    """An edge as an exact NURBS in space."""
+    """Return an edge as an exact NURBS in space."""
     k = kernel()
     curve = None if k.BRep_Tool.Degenerated_s(edge) else k.BRep_Tool.Curve_s(edge, 0.0, 1.0)
     if curve is None:

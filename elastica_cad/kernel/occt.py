@@ -21,7 +21,7 @@ def make_wire(path: Path, frame: Frame | None = None) -> Shape:
 
 
 def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = None) -> Shape:
-    """A plane TopoDS_Face with holes; its normal is the frame's z axis."""
+    """Return a plane TopoDS_Face with holes; its normal is the frame's z axis."""
     k = kernel()
     shell = _read(face_brep(outline, holes, frame or Frame()))
     return k.as_face(sub_shapes(shell, k.TopAbs_ShapeEnum.TopAbs_FACE)[0])

@@ -104,7 +104,7 @@ def _section(cut: Shape, frame: Frame, half: bool, name: str) -> PlaneSection:
 
 
 def _points(run: Sequence[Edge], frame: Frame) -> FloatArray:
-    """The chain's points in the plane, run the agreed way round."""
+    """Return the chain's points in the plane, in the standard direction."""
     parts = [frame.local(_places(edge))[:, :2] for edge in run]
     points = np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
     if np.linalg.norm(points[-1] - points[0]) <= JOIN:
@@ -113,7 +113,7 @@ def _points(run: Sequence[Edge], frame: Frame) -> FloatArray:
 
 
 def _places(edge: Edge) -> FloatArray:
-    """Points (n, 3) along an edge, its knots among them."""
+    """Return points (n, 3) along an edge, including its knots."""
     count = len(edge.spans.edges) - 1
     if edge.degree == 1 and count > 4 * POINTS:
         return edge.points

@@ -108,7 +108,7 @@ def _limit(parent: int, seconds: int) -> None:
 
 
 MANY_WIRES = 32
-"""Of one face: fewer are compared in no time."""
+"""Least number of holes of a face for which OpenCASCADE's comparison is slow."""
 
 
 def _has_many_wires(shape: Shape) -> bool:
@@ -373,7 +373,7 @@ def _scaled(chain: Run, scale: float) -> PlaneCurve:
 
 
 def read_step_shape(path: Path) -> Shape:
-    """All that a STEP or BREP file holds, mm.
+    """Read all shapes in a STEP or BREP file, mm.
 
     Raises
     ------

@@ -237,7 +237,7 @@ class StripBody:
         return replace(self.strip, rod=bend(self.strip.rod_to_bend, **led))
 
     def _in_plane(self, point: Point, name: str) -> tuple[float, ...]:
-        """A point in space in the plane of the curve; two numbers are taken as they are."""
+        """Return a point in space in coordinates of the curve's plane; two numbers stay as they are."""
         try:
             row = numbers_of(point)
         except (TypeError, ValueError):
@@ -258,7 +258,7 @@ class StripBody:
         return x, y
 
     def _layers(self) -> Iterator[tuple[Shape, str, Sheet]]:
-        """The bent sheets, the base first: TopoDS_Solid, name, material."""
+        """Return the bent sheets, the base first: TopoDS_Solid, name, material."""
         from elastica_cad.model.assembly import bent_names
 
         names = bent_names(self.strip.label or "strip", self.strip)

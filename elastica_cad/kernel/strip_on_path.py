@@ -63,7 +63,7 @@ class BlockOptions(FixtureSizes, total=False):
     """Options for the fixture of a finished strip; see `model.EndFixture`."""
 
     floor: Any
-    """Plane of any library that the block stands on; square to the tab unless given."""
+    """Plane under the block, of any library; by default perpendicular to the tab."""
     engrave: str | None
     """Text engraved on the block; the strip's name and the number of the end unless given, empty for none."""
 
@@ -208,7 +208,7 @@ def section_requests(
 
 @lru_cache(maxsize=KEPT_REQUESTS)
 def _made(spec: "StripSpec") -> tuple[Strip, float]:
-    """The strip and its deviation."""
+    """Return the strip and its deviation."""
     from elastica_cad.forming.nearest_record import NearestRod
 
     found = spec.rod_spec.solve()

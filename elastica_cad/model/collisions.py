@@ -87,7 +87,7 @@ class Body:
 
     @classmethod
     def of(cls, placed: Placed) -> "Body":
-        """A placed strip, everywhere as thick as where it is thinnest; of a round rod the square in it."""
+        """Return the body of a placed strip with its least thickness; a round rod becomes its inscribed square."""
         strip = placed.strip
         ruled = RuledStrip(strip.rod.curve, placed.frame, strip.width)
         for quantity, size in strip.tapered.items():
@@ -232,7 +232,7 @@ class _Meeting:
     beside_slots: Collision | None = None
 
     def told(self, more: str = "") -> str:
-        """A sentence; `more` counts the other pairs."""
+        """Return a sentence; `more` is the text on other pairs."""
         (a, b), (s, r) = self.names, map(Length, self.places)
         if self.beside_slots is not None:
             return note(

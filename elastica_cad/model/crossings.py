@@ -69,7 +69,7 @@ class RuledStrip:
         return self.width(s) / 2
 
     def motion(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Points of the curve in space and unit tangents, (n, 3) each, at arc lengths (n,)."""
+        """Return points of the curve in space and unit tangents, (n, 3) each, at arc lengths (n,)."""
         p, d = self.in_plane(s)
         return self.frame.point(p), self.frame.direction(d)
 
@@ -235,7 +235,7 @@ class Ruling:
         return np.linspace(-self.reach, self.reach, 9)
 
     def at(self, q: FloatArray) -> IntersectionPoints:
-        """Points on the ruling."""
+        """Return points on the ruling."""
         s_a, s_b = np.full(q.size, self.s_a), np.full(q.size, self.s_b)
         on_curves = self.strips[0].in_plane(s_a), self.strips[1].in_plane(s_b)
         return IntersectionPoints(s_a, s_b, q, self.sign * (q - self.offset), on_curves)
@@ -338,7 +338,7 @@ IntersectionCurve: TypeAlias = Branch | Ruling
 
 
 def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
-    """The level set as polylines (s_a, s_b), each as long as it goes."""
+    """Return the level set as polylines (s_a, s_b) of maximal length."""
     first = _monotone(heights, heights.a)
     second = _monotone(heights, heights.b)
     pieces: list[tuple[FloatArray, FloatArray]] = []

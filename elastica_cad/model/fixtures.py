@@ -102,7 +102,7 @@ class PlacedTab:
 
 
 def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
-    """The tabs of all strips at these ends, strip by strip, called like the strips."""
+    """Return the tabs of all strips at these ends, strip by strip, with names from the strips."""
     return [
         PlacedTab.of(one.strip, end, one.frame, name=name)
         for one, name in zip(placed, strip_names(placed), strict=True)
@@ -111,7 +111,7 @@ def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> lis
 
 
 def tabs_to_hold(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
-    """Place the tabs for which holders are to be made; refuses strips that none of our holders fits."""
+    """Return the placed tabs for holders, or raise InputError for strips that no holder fits."""
     require_ends(ends)
     for one, name in zip(require_placed(placed), strip_names(placed), strict=True):
         _require_holdable(one.strip, name)
@@ -360,7 +360,7 @@ class EndFixture(EqualByValue):
         return FlatSolid(_polygon(corners), (), across, self._profile.shifted(z=-across / 2))
 
     def _pocket(self) -> FlatSolid:
-        """The room of the tab, open to the strip."""
+        """Return the pocket of the tab, open to the strip."""
         half = self.tab.thickness / 2 + self.clearance
         back, front = self.tab.length + self.clearance, -BEYOND_MM
         shift, turn = self.lean
@@ -371,7 +371,7 @@ class EndFixture(EqualByValue):
         return self._prism(leaned, self.tab.width + 2 * self.clearance)
 
     def _clamp_holes(self, body: FloatArray) -> list[FlatSolid]:
-        """The tab's own holes, through the whole block."""
+        """Return the holes of the tab through the whole block."""
         low, high = body[:, 1].min() - BEYOND_MM, body[:, 1].max() + BEYOND_MM
         frame = self.tab.frame.shifted(z=float(low))
         return [
@@ -400,7 +400,7 @@ class EndFixture(EqualByValue):
         return FlatSolid(Path.circle((0.0, 0.0), self.screw / 2), (), self.foot_height + 2 * BEYOND_MM, frame)
 
     def _letters(self) -> list[FlatSolid]:
-        """The engraved text as grooves in the side, along the tab."""
+        """Return the engraved text as grooves in the side, along the tab."""
         if not self.engrave:
             return []
         (_, low), (long, high) = self._core[0], self._core[2]
@@ -411,7 +411,7 @@ class EndFixture(EqualByValue):
 
 
 def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[FlatSolid]:
-    """The grooves of letters of this height in a face whose normal is the z axis of `side`.
+    """Return the grooves of letters of this height in a face whose normal is the z axis of `side`.
 
     Every line or arc of a stroke is a groove of its own with a flat bottom; grooves that meet overlap.
     """
@@ -425,7 +425,7 @@ def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[FlatSo
 
 
 def _groove(way: Segment, width: float) -> Path:
-    """The outline of a groove along a line or an arc; a dot where it is shorter than wide."""
+    """Return the outline of a groove along a line or an arc, or a dot if it is shorter than wide."""
     if way.length <= width:
         return Path.circle(way.at(0.5), width / 2)
     ends, along = way.at(np.array([0.0, 1.0])), way.tangent_at(np.array([0.0, 1.0]))

@@ -19,7 +19,7 @@ from elastica_cad.strip.tab_seats import WALL_PLACES, TabSeat
 
 
 def _seat_between(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> TabSeat:
-    """The walls (2, n, 2) of a slot beside its tab, in the plane of the strip's curve."""
+    """Return the seat between the walls (2, n, 2) of a slot, in the plane of the strip's curve."""
     # of a wall that begins beyond the tab's tip its edge counts
     reached = [places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in walls]
     left, right = sorted(reached, key=lambda places: -float(places[:, 1].mean()))

@@ -75,7 +75,7 @@ def _bent_slot_width(
 
 
 def _on_face(strip: RuledStrip, flat: FloatArray, height: FloatArray) -> FloatArray:
-    """Points (n, 3) at heights (n, 1) to the left of the curve over flat places (n, 2)."""
+    """Return points (n, 3) at heights (n, 1) to the left of the curve over flat places (n, 2)."""
     points, tangents = strip.in_plane(flat[:, 0])
     left = np.column_stack([-tangents[:, 1], tangents[:, 0]])
     return strip.frame.point(points + height * left) + flat[:, 1:] * strip.axis

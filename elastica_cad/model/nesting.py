@@ -404,7 +404,7 @@ class CutList:
         return CutList(tuple(replace(row, file=files.get(row.part, row.file)) for row in self.rows))
 
     def __str__(self) -> str:
-        """A table for people, with the sums below."""
+        """Return a printed table with the sums below."""
         body = [[text.format(row) for text in FOR_PEOPLE.values()] for row in self.rows]
         sums = [FOR_PEOPLE[name].format(self) if name in SUMMED else "" for name in FOR_PEOPLE]
         return _table([[*FOR_PEOPLE], *body, ["in all", *sums[1:]]], right=(2, 3, 4, 5, 6))

@@ -140,7 +140,7 @@ def _properties() -> dict[str, str | None]:
 
 
 def _needs_matplotlib(what: str) -> MissingDependencyError:
-    """The refusal where it is not installed; `what` are the files or pictures that need it."""
+    """Return the error for a missing matplotlib; `what` are the files or pictures that need it."""
     return MissingDependencyError(f"{what} need matplotlib: {how_to_install('matplotlib')}")
 
 

@@ -109,7 +109,7 @@ Plate: TypeAlias = BasePlate | Rib
 
 
 def _plate_faces(holders: Sequence[Holder]) -> list[Frame]:
-    """The planes of both faces of the plates that tabs go through."""
+    """Return the planes of both faces of the plates with slots for tabs."""
     plates = [holder for holder in single_holders(holders) if isinstance(holder, BasePlate)]
     return [plate.frame.shifted(z=z) for plate in plates for z in (0.0, -plate.sheet.thickness)]
 
@@ -136,7 +136,7 @@ def _loops(holder: Plate) -> tuple[Path, ...]:
 def _patches(
     solid: FlatSolid, loops: Sequence[Path], color: Color, size: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Both faces and the rims of a plate."""
+    """Return patches of both faces and the rims of a plate."""
     low, high = np.array([loop.bounds for loop in loops[:1]])[0]
     stations = np.linspace(low[0], high[0], int(np.ceil((high[0] - low[0]) / size)) + 1)
     flat = [part for slab in trapezoids(loops, stations, size) for part in _split(slab, size)]
@@ -165,7 +165,7 @@ def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
 
 
 def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
-    """A closed polygon with no side longer than `size`."""
+    """Return a closed polygon with no side longer than `size`."""
     found = []
     for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
         count = max(1, int(np.ceil(np.hypot(*(b - a)) / size)))

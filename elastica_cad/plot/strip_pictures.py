@@ -152,7 +152,7 @@ def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)
 
 
 def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ()) -> Panel:
-    """The room of a bent rod."""
+    """Return the panel of a bent rod."""
     if wish is not None:
         require_curve(wish)
     shown = [rod.position, comb_tips(rod), *([] if wish is None else [wish.sample(200).position])]
@@ -201,7 +201,7 @@ def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[He
 
 
 def _paint_stiffness(axes: Axes, rod: Rod) -> None:
-    """The stiffness along a rod."""
+    """Draw the stiffness along a rod."""
     s = np.linspace(0.0, rod.length, 1201)
     stiffness = rod.profile(s)
     axes.plot(s, stiffness, color=INK, linewidth=1.6)
@@ -216,14 +216,14 @@ def _paint_stiffness(axes: Axes, rod: Rod) -> None:
 
 
 def _flat_panel(strip: Strip) -> Panel:
-    """The room of a flat strip."""
+    """Return the panel of a flat strip."""
     (left, bottom), (right, top) = strip.outline.bounds
     tall = float(np.clip(WIDE * ((top - bottom) / (right - left) + 0.13), 1.2, 4.5))
     return STIFFNESS._replace(height=tall, below=0.08)
 
 
 def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
-    """The flat strip with its dimensions."""
+    """Draw the flat strip with its dimensions."""
     paint_flat(axes, strip)
     (left, bottom), (right, top) = strip.outline.bounds
     length, free = right - left, strip.rod.length

@@ -178,7 +178,7 @@ def save_templates(
 
 
 def _pages(drawing: Drawing, tiling: Tiling, overlap: float) -> Iterator[Any]:
-    """One figure a tile."""
+    """Yield one figure for each tile."""
     from matplotlib.figure import Figure
 
     for k, name in enumerate(tiling.names):
@@ -189,7 +189,7 @@ def _pages(drawing: Drawing, tiling: Tiling, overlap: float) -> Iterator[Any]:
 
 
 def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, overlap: float, title: str) -> None:
-    """One tile: its axes are the page itself, in mm of the drawing."""
+    """Draw a tile; its axes are the page itself, in mm of the drawing."""
     low = tiling.origins[k]
     high = low + tiling.size
     axes = figure.add_axes((0, 0, 1, 1))

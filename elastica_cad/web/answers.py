@@ -123,7 +123,7 @@ def answer(request: Mapping[str, Any], saved: FilePath | None = None) -> Record 
 
 
 def refused(problem: ElasticaError) -> Record:
-    """The record of a refusal, with the message that is to be put in the user's language."""
+    """Return the record of an error, with the message to be translated."""
     return {"refused": problem.refusal.record | {"message": problem.refusal}}
 
 
@@ -268,13 +268,13 @@ def _flat(drawings: Iterable[Drawing]) -> list[Record]:
 
 
 def _line(path: Path) -> FloatArray:
-    """A path as a line of points (n, 2) on the screen, which ends where it begins if it is closed."""
+    """Return a path as a line of points (n, 2) on the screen; a closed line ends at its start."""
     points = path.points(CHORD_MM)
     return np.concatenate([points, points[:1]]) if path.closed else points
 
 
 def _nearest(request: Mapping[str, Any]) -> Record:
-    """The nearest curve that can be made, stays, and keeps the sheet whole, or within the limits of the design."""
+    """Return the nearest possible curve that is stable and does not break, or within the design's limits."""
     spec = _spec(request)
     if not spec.may_change:
         strain = (1 - SLACK) * spec.material.max_strain
@@ -357,7 +357,7 @@ def _frame(made: Strip, travel: Any, k: int, part: float) -> Record:
 
 
 def _model(request: Mapping[str, Any]) -> Record:
-    """Every strip in its place, with what holds it."""
+    """Return every strip in its place, with its holders."""
     design = _design(request)
     kit = kit_contents(design.model(), design.kit, entries=design.entries, effects=True)
     told = list(dict.fromkeys((*kit.notes, *kit.model.reports)))
@@ -417,7 +417,7 @@ def _matrix(frame: Frame) -> list[float]:
 
 
 def _pair(request: Mapping[str, Any]) -> Record:
-    """Both states of a part that rests in two curves, its flat pattern and what holds it, and its numbers."""
+    """Return both states of a part with two rest shapes, its flat pattern, holders and numbers."""
     part = _pair_spec(request).make()
     pair, limit, places = part.pair, part.sheet.max_strain, []
     for rod, strain in zip((pair.first, pair.second), part.strain, strict=True):
@@ -501,7 +501,7 @@ def without_point(curve: PlaneCurve, k: object) -> PlaneCurve:
 
 
 def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
-    """The curves of a file that was dropped on the page, or the design in it."""
+    """Return the curves, or the design, in a file that was dropped on the page."""
     name, text = FilePath(str(request.get("name", ""))).name, request.get("text")
     if not isinstance(text, str) or FilePath(name).suffix.lower() not in DROPPED:
         raise InputError(
@@ -529,7 +529,7 @@ def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
 
 
 def _open(_: Mapping[str, Any], saved: FilePath | None) -> Record:
-    """The design file as it is now, and its mark."""
+    """Return the present design file and its mark."""
     mark = file_mark(saved)
     return {"mark": mark, "design": open_design(saved) if saved and mark else None}
 
@@ -548,7 +548,7 @@ def _save(request: Mapping[str, Any], saved: FilePath | None) -> Record:
 
 
 def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
-    """One file, or all of a model in a zip."""
+    """Return a file, or all files of a model in a zip."""
     kind = request.get("kind")
     if kind not in DOWNLOADS:
         raise InputError("{file!r} is not a file that is made here", file=kind)

@@ -26,7 +26,7 @@ STARTS = ("pavilion", "revolution")
 
 
 def open_design(path: Path) -> Tables:
-    """The tables of a design file, its curves as splines that can be drawn on.
+    """Return the tables of a design file, with curves as editable splines.
 
     Raises
     ------

@@ -97,7 +97,7 @@ class _PageWords(Translated):
 
 
 def _worded(value: Any, words: Wording) -> Any:
-    """The same with every record of a sentence as the sentence in the user's language."""
+    """Return the answer with every message as a sentence in the user's language."""
     if isinstance(value, Refusal):
         return words.sentence(value)
     if isinstance(value, dict):
