@@ -49,6 +49,17 @@ class FieldName(str):
         return ENGLISH.format_field(self, spec)
 
 
+class MaterialWidth(FieldName):
+    """The name `max_width` where it limits the ligaments or the backing of a strip with an outline of its own.
+
+    FreeCAD has a property for that limit; files and options do not.
+    """
+
+    __slots__ = ()
+
+
+MATERIAL_WIDTH = MaterialWidth("max_width")
+
 SPELLING: ContextVar[Callable[[str], str]] = ContextVar("spelling", default=str)
 """Spelling of a field's name in English messages; the command line replaces it by the spelling of options."""
 

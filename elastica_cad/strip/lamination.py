@@ -14,7 +14,7 @@ from elastica_cad.mechanics.laminated_section import BoundedBacking, LaminatedSe
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Either, FieldName, Length, Refusal, note
+from elastica_cad.refusals import MATERIAL_WIDTH, Either, Length, Refusal, note
 from elastica_cad.strip.styles import (
     Backing,
     Layout,
@@ -144,7 +144,7 @@ class Laminated:
             raise InputError(
                 "a backing of at least {least:g} at {low:.1f} is wider than {field} {most:g} at "
                 "{high:.1f}: raise {field}",
-                field=FieldName("max_width"),
+                field=MATERIAL_WIDTH,
                 least=Length(least),
                 low=Length(low),
                 most=Length(most or 0.0),

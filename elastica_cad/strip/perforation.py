@@ -21,7 +21,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
 from elastica_cad.mechanics.sections import PerforatedSection
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import Either, FieldName, note
+from elastica_cad.refusals import MATERIAL_WIDTH, Either, FieldName, note
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.corner_rounding import rounded_where_they_fit, too_small_for
 from elastica_cad.strip.outline import Ends, Tab, close_chain, graphs
@@ -495,7 +495,7 @@ class _Fit:
                 raise InputError(
                     "the rod's bending stiffness asks for {needed:.4g} of material at {s:.1f}, "
                     "{given:.4g} fit: widen the outline or raise {field}",
-                    field=FieldName("max_width"),
+                    field=MATERIAL_WIDTH,
                     needed=Mm(asked * self.K[i] / rigidity),
                     s=Mm(self.s[i]),
                     given=Mm(scale * self.K[i] / rigidity),
@@ -503,7 +503,7 @@ class _Fit:
             scale = asked
         if scale < self.lowest * (1 - SLACK):
             way = (
-                note("raise {field}", field=FieldName("max_width"))
+                note("raise {field}", field=MATERIAL_WIDTH)
                 if self.rod.bending_stiffness is None
                 else note("use a thinner or softer sheet")
             )

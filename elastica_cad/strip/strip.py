@@ -52,6 +52,7 @@ from elastica_cad.strip.styles import (
     Style,
     bends_along,
     correct_layout,
+    outline_field,
     require_style,
     stations_of,
 )
@@ -263,7 +264,7 @@ def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[s
             )  # fmt: skip
 
 
-def _warn_of_width(width: Profile, length: float, *, closed: bool) -> Iterator[str]:
+def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: bool) -> Iterator[str]:
     """Warn of ends of a closed strip that do not match, and of strips wider than long."""
     start, end = width([0.0, length]).tolist()
     if closed and abs(end - start) > UNEVEN_JOINT_MM:
@@ -277,7 +278,7 @@ def _warn_of_width(width: Profile, length: float, *, closed: bool) -> Iterator[s
         yield note(
             "it is {width} wide and {length} long: what is wider than long bends as a plate, not as a "
             "strip; give a smaller {field}, and look at its unit",
-            field=FieldName("max_width"),
+            field=field,
             width=Length(widest), length=Length(length), severity="warning",
         )  # fmt: skip
 
@@ -616,7 +617,7 @@ class Strip:
             *self.rod.warnings,
             *self.layout.warnings,
             *self.strain_warnings,
-            *_warn_of_width(self.width, self.rod.length, closed=self.is_closed),
+            *_warn_of_width(self.width, self.rod.length, outline_field(self.style), closed=self.is_closed),
         )
         if self.layout.size is not None:
             return warnings

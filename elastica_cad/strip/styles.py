@@ -251,6 +251,11 @@ class Plain:
         return Layout(sheet, width, material=width, bending_stiffness=factor * rigidity)
 
 
+def outline_field(style: object) -> FieldName:
+    """Return the field that sets the width of the outline of a strip in a style."""
+    return FieldName("max_width" if isinstance(style, Plain) else "style.width")
+
+
 def require_style(style: object) -> None:
     """Refuse a value that is not a style."""
     if not callable(getattr(style, "laid_out", None)):

@@ -18,7 +18,7 @@ from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.layers import Layer
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.styles import Plain
+from elastica_cad.strip.styles import PLAIN, Plain, outline_field
 
 LEAST_STRIP_MM = 3.0  # narrower strips of any sheet break when they are lifted out
 THICKNESSES = 3.0  # a strip narrower than this many thicknesses bends sideways and twists rather than flat
@@ -408,7 +408,7 @@ def find_strip_faults(
         if max(long, width) < FAR_LARGER * stock[0]:
             web = min(least, shop.bridge_for(layer.sheet))
             faults += _thin_strip(called, strip, layer, least, web, wavers=wavers)
-        faults += _too_large(called, long, width, layer.sheet, stock)
+        faults += _too_large(called, long, width, layer.sheet, stock, strip.style)
     style = strip.style
     if isinstance(style, Perforated) and style.least_ligament < ligament:
         allowed = style.least_ligament
@@ -524,7 +524,7 @@ def _thin_strip(
 def _cures_of_necks(strip: Strip, times: float, least: float, wavers: bool) -> tuple[str, tuple[Change, ...]]:
     """Return suggestions for a strip that must be `times` as wide to have no neck below `least` mm."""
     wider = _wider(strip, times)
-    field = FieldName("max_width")
+    field = outline_field(strip.style)
     if not wider:
         cure = note("make it wider ({field}), or ask for the nearest curve with a smaller ratio", field=field)
     elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
@@ -599,7 +599,7 @@ def _faults_at(
 
 
 def _too_large(
-    name: str, length: float, width: float, sheet: Sheet, stock: tuple[float, float]
+    name: str, length: float, width: float, sheet: Sheet, stock: tuple[float, float], style: object = PLAIN
 ) -> Iterator[Fault]:
     long, short = max(length, width), min(length, width)
     if long > stock[0] or short > stock[1]:
@@ -612,8 +612,9 @@ def _too_large(
             sheet=sheet.name,
         )  # fmt: skip
         if width > length or (width > stock[1] and length <= stock[0]):
-            fits = Change("max_width", rounded_down(min(stock[1], length / TIMES_AS_LONG), 2))
-            cure = note("give a smaller {field}, or name a larger stock", field=FieldName("max_width"))
+            field = outline_field(style)
+            fits = Change(field, rounded_down(min(stock[1], length / TIMES_AS_LONG), 2))
+            cure = note("give a smaller {field}, or name a larger stock", field=field)
             yield Fault(name, what, cure, (fits,))
         else:
             cure = note("name a larger stock, join a strip of pieces by plates (lap), or scale the curve")

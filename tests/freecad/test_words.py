@@ -161,6 +161,24 @@ def test_fields_have_freecads_names():
     assert capital("rib: too narrow") == "rib: too narrow"
 
 
+SMALL = {"Style": "Perforated", "OuterWidth": 24.0, "MaterialWidth": 2.0}
+BACKED = {"Style": "Laminated", "OuterWidth": 24.0, "MaterialWidth": 3.0, "LeastBacking": 2.9}
+
+
+@pytest.mark.parametrize("asked", [SMALL, BACKED])
+def test_a_limit_of_the_material_is_called_by_its_own_property(document, sketch, asked):
+    from freecad.elastica_wb.features import strip
+
+    made = strip.create(document, sketch)
+    made.Backing = made.Sheet
+    for name, value in asked.items():
+        setattr(made, name, value)
+    document.recompute()
+    said = " ".join([made.Verdict, *made.Reasons])
+    assert "MaterialWidth" in said, said
+    assert "MaxWidth" not in said, said
+
+
 @pytest.mark.usefixtures("german")
 def test_a_strip_that_breaks_says_so_in_german(document, sketch):
     from freecad.elastica_wb.features import strip

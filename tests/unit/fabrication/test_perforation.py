@@ -16,6 +16,7 @@ from elastica_cad.strip.lettering import text_strokes
 from elastica_cad.strip.outline import Hole
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.slots import Slot
+from elastica_cad.strip.uncuttable_parts import find_strip_faults
 
 CARD = ec.Sheet.named("card-200gsm")
 STATIONS = 1000
@@ -357,3 +358,11 @@ def test_a_blunt_end_narrower_than_the_radius_is_rounded_as_its_tip_would_be():
     found = shapely.Polygon(round_corners(loop, 0.5).points(1e-5))
     assert found.symmetric_difference(opened(loop, 0.5)).area < 1e-4
     assert found.is_valid
+
+
+def test_a_wide_outline_is_narrowed_by_its_own_width():
+    style = Perforated(width=24.0, columns=2, rows=1)
+    strip = ec.Strip(ec.Rod.straight(20.0, [1, 2, 1]), ec.Sheet.named("card-200gsm"), style=style)
+    assert any("give a smaller style.width" in warning for warning in strip.warnings)
+    (fault,) = find_strip_faults(strip, ec.FabricationLimits(stock=(60.0, 22.0)))
+    assert "give a smaller style.width" in fault.cure

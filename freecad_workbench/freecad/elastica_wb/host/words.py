@@ -9,12 +9,14 @@ template that is not in the catalogue stays in English.
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 import FreeCAD as App
 from freecad.elastica_wb.host.property_names import name_of
 from freecad.elastica_wb.host.resources import translate
 
 from elastica_cad._text import printable
+from elastica_cad.refusals import MaterialWidth
 from elastica_cad.words import Translated
 
 USUAL_MM = 10.0  # mm: FreeCAD shows all lengths in its unit for the width of a strip
@@ -44,6 +46,10 @@ class Words(Translated):
     def field(self, name: str) -> str:
         """Return the property of a field."""
         return name_of(name)
+
+    def format_field(self, value: Any, spec: str) -> str:
+        """Return a value as text; `max_width` has two properties."""
+        return "MaterialWidth" if isinstance(value, MaterialWidth) else super().format_field(value, spec)
 
 
 def user_language() -> str:
