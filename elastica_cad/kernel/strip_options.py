@@ -17,35 +17,35 @@ if TYPE_CHECKING:
 
 
 class StripOptions(TypedDict, total=False):
-    """Options of every function besides path, sheet and max_width; see `StripSpec`.
+    """What every function takes besides path, sheet and max_width; see `StripSpec`.
 
-    `gravity` may also be a vector of the library, a direction in space.
+    `gravity` may be a vector of the library too, a direction in space.
     """
 
     plane: Any
-    """Plane of the curve, with z towards the strip's upper edge: a plane of the library, or a `Frame`."""
+    """Of the curve, its z axis to the strip's upper edge: a plane of the library, or a `Frame`."""
     min_width: "float | None"
     """Width of the narrowest place, or its limit (mm)."""
     style: "Style"
-    """Style that realizes the stiffness."""
+    """How stiffness becomes material."""
     limits: "Limits | None"
-    """Limits within which the curve may change; the change is as small as possible."""
+    """The curve may change, as little as these limits ask for."""
     keep: "Keep | None"
-    """Properties that a curve keeps when it changes."""
+    """What a curve that may change keeps."""
     gravity: "Gravity | bool | Sequence[float] | Point | None"
-    """Weight of the strip: true, a direction of gravity, or a `Gravity`."""
+    """The strip carries its own weight: true, the direction in which it falls, or a length of its own."""
     loads: "PointMass | Sequence[PointMass] | Weight"
     """Masses hung on the strip, or all weight in newtons."""
     supports: "Supports"
-    """Supports of the start and the end of the curve."""
+    """What holds the start and the end of the curve."""
     natural_curvature: "float | RestCurvature"
-    """Curvature of the strip before bending, or a pre-bent strip (1/mm)."""
+    """Curvature of the strip before it is bent, or a blank that is bent beforehand (1/mm)."""
     samples: "int | None"
-    """Number of nodes of the rod; by default it is chosen automatically."""
+    """Nodes of the rod; chosen unless given."""
     ends: "Tab | Sequence[Tab]"
-    """Tab of both ends, or the tabs of start and end."""
+    """Tab of both ends, or the two of start and end."""
     seam_position: "float | None"
-    """Position of the joint of a closed strip along its curve; by default where it is bent least (mm)."""
+    """Where a closed strip is joined, along its curve; where it is bent least unless given (mm)."""
     straight_ends: "bool"
     """Straight first and last pieces of the curve become the tabs; false: the whole curve is bent."""
     slots: "Slot | Sequence[Slot]"
@@ -53,21 +53,21 @@ class StripOptions(TypedDict, total=False):
     label: "str"
     """Name of the strip, which is engraved on it."""
     engrave: "str | None"
-    """Text engraved instead of the label; empty for no text."""
+    """Text engraved in place of the label; empty for none."""
     smooth: "float | None"
-    """Largest movement of the curve for smoothing; 0 follows it exactly as drawn (mm)."""
+    """How far the curve may be moved to become fair; 0 follows it exactly as drawn (mm)."""
     shop: "FabricationLimits"
-    """Limits of the workshop."""
+    """What the workshop can make."""
     compensate: "bool | None"
-    """Compensate slots, narrow tabs and bending by the widths; by default anticlastic bending alone."""
+    """Make up in the widths for slots, narrow tabs and bending; unless given for anticlastic bending alone."""
     creep: "float"
-    """Long-term creep factor of the sheet; 0 for no creep."""
+    """Creep factor of the sheet in the long run; 0 leaves creep out."""
     law: "BoundedLaw | None"
-    """Stiffness law instead of width: thickness, a rod, a tube, or glued plies."""
+    """What stiffness is made of in place of width: thickness, a rod, a tube, or glued leaves."""
     ignore_limits: "bool"
-    """Make a strip beyond the limits of the workshop, with warnings."""
+    """Make a strip that cannot be cut or handled, and say so."""
     tolerance: "MakingTolerance"
-    """Tolerances of sheet, cut and clamps; their effect is reported."""
+    """What is off in sheet, cut and clamps; what that adds is told."""
 
 
 class FixtureSizes(TypedDict, total=False):

@@ -26,7 +26,7 @@ def _verdicts(row, _):
         assert not verdict([(-100, 60), (-50, -60), (0, 60), (50, -60), (100, 60)], 4)  # y = x^4
     elif row[0].startswith("straight pieces"):
         proved_by(
-            "tests/unit/fabrication/test_straight_ends.py::"
+            "tests/unit/model/test_straight_ends.py::"
             "test_straight_ends_become_tabs_of_that_length_with_holes_where_circles_are_drawn"
         )
     elif row[0].startswith("a straight piece"):
@@ -92,7 +92,7 @@ TESTS_OF_TASKS = {
     "a curve that cannot be bent": f"{NEAREST}::test_near_curve_is_realizable_and_asks_for_the_limit",
     "stability (Algorithm 2)": f"{NEAREST}::test_an_unstable_wave_becomes_stable",
     "rest shape": "tests/unit/mechanics/test_rest_shape.py::test_it_converges_to_the_drawn_curve",
-    "slots": "tests/unit/fabrication/test_interlock.py::test_all_crossings_are_found_and_exact",
+    "slots": "tests/unit/model/test_interlock.py::test_all_crossings_are_found_and_exact",
     "layers glued on": f"{VALIDATION}/test_laminate_section.py::test_error_of_the_published_formula",
     "cutting curves": "tests/unit/formats/test_cutting_files.py::test_splines_keep_their_knots",
 }
@@ -107,7 +107,7 @@ def _algorithms(row, _):
 @asks("docs/how_to/holding.md", "cause", "what helps")
 def _what_helps(row, _):
     """Each remedy in the table leaves less."""
-    tests = "tests/unit/fabrication/test_holding.py"
+    tests = "tests/unit/model/test_holding.py"
     arch = ec.PlaneCurve.ellipse((0, 0), (100, 130), start=0, end=math.pi)
 
     def strayed(**asked):
@@ -145,5 +145,5 @@ def _what_helps(row, _):
         assert strayed() < joined(10.0) < joined(20.0)
     else:
         assert row[0].startswith("the lap")
-        proved_by("tests/unit/fabrication/test_closed_strips.py::test_widths_make_up_for_the_lap_and_close")
-        proved_by("tests/unit/fabrication/test_closed_strips.py::test_the_lap_straightens_the_joint_as_told")
+        proved_by("tests/unit/strip/test_closed_strips.py::test_widths_make_up_for_the_lap_and_close")
+        proved_by("tests/unit/strip/test_closed_strips.py::test_the_lap_straightens_the_joint_as_told")
