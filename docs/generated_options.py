@@ -26,13 +26,13 @@ HEAD = '''"""Typed options of the CAD libraries: made by `make generate` from th
 {imports}
 
 class StripOptions(TypedDict, total=False):
-    """What every function takes besides path, sheet and max_width; see `StripSpec`.
+    """Options of every function besides path, sheet and max_width; see `StripSpec`.
 
-    `gravity` may be a vector of the library too, a direction in space.
+    `gravity` may also be a vector of the library, a direction in space.
     """
 
     plane: Any
-    """Of the curve, its z axis to the strip's upper edge: a plane of the library, or a `Frame`."""
+    """Plane of the curve, with z towards the strip's upper edge: a plane of the library, or a `Frame`."""
 {strip}
 
 class FixtureSizes(TypedDict, total=False):

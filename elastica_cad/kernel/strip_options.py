@@ -17,13 +17,13 @@ if TYPE_CHECKING:
 
 
 class StripOptions(TypedDict, total=False):
-    """What every function takes besides path, sheet and max_width; see `StripSpec`.
+    """Options of every function besides path, sheet and max_width; see `StripSpec`.
 
-    `gravity` may be a vector of the library too, a direction in space.
+    `gravity` may also be a vector of the library, a direction in space.
     """
 
     plane: Any
-    """Of the curve, its z axis to the strip's upper edge: a plane of the library, or a `Frame`."""
+    """Plane of the curve, with z towards the strip's upper edge: a plane of the library, or a `Frame`."""
     min_width: "float | None"
     """Width of the narrowest place, or its limit (mm)."""
     style: "Style"
