@@ -21,7 +21,7 @@ from pathlib import Path
 import numpy as np
 
 from tests.campaign.trust.command_lines import DRAWN, LINES
-from tests.unit.formats.test_design_schema import DESIGNS
+from tests.unit.design.test_design_schema import DESIGNS
 
 ROOT = Path(__file__).resolve().parents[3]
 PAGES = ("how_to", "tutorials", "explanation")
