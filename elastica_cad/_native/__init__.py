@@ -76,7 +76,7 @@ def sensitivities(
     carried: tuple[FloatArray, FloatArray] | None, length: float, start_moment: float, start_angle: float,
     closing: bool,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:  # fmt: skip
-    """The derivatives of `forming.nearest.rod_map.StripGrid.sensitivities`: of angles, moments and positions."""
+    """The derivatives of `forming.rod_map.StripGrid.sensitivities`: of angles, moments and positions."""
     nodes, coefficients = basis.shape
     columns = coefficients + 7 + closing
     out = np.empty((nodes + 1, columns)), np.empty((nodes, columns)), np.empty((nodes, 2, columns))
@@ -104,7 +104,7 @@ def interior_points(
     hessian: FloatArray, gradient: FloatArray, lower: FloatArray, upper: FloatArray, rows: FloatArray,
     right: FloatArray, price: FloatArray, one_sided: BoolArray, accuracy: float,
 ) -> tuple[tuple[FloatArray, FloatArray, FloatArray, FloatArray], bool, int]:  # fmt: skip
-    """The steps of `forming.optimizer.quadratic_program`: x with the multipliers of rows, lower and upper bounds,
+    """The steps of `forming.quadratic_program`: x with the multipliers of rows, lower and upper bounds,
     whether they converged, and after how many factorisations."""
     n, m = gradient.size, right.size
     out = np.empty(n), np.empty(m), np.empty(n), np.empty(n)
