@@ -55,7 +55,7 @@ def check_drawing_file(path, *, open_cuts=False):
 
 def check_drawing(drawing, folder, *, open_cuts=False, **options):
     """Write a drawing as DXF and SVG, and check that both files are sound and match the drawing."""
-    from elastica_cad.formats.drawing_files import write_drawing
+    from elastica_cad.formats import write_drawing
 
     for suffix in (".dxf", ".svg"):
         first = write_drawing(drawing, Path(folder) / f"checked{suffix}", force=True, **options)

@@ -4,11 +4,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.model import Model
-from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad import Model, Placed, PlaneCurve, Sheet, Strip, optimal_rod
 
 
 def arch(number):

@@ -5,18 +5,18 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.integrate import solve_bvp
 
-from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.laminated_section import LaminatedSection
-from elastica_cad.mechanics.least_ratio import optimal_laminate, optimal_rod
-from elastica_cad.mechanics.loads import Gravity
-from elastica_cad.mechanics.sections import WidthLaw
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.strip import Strip
+from elastica_cad import (
+    Gravity,
+    Limits,
+    Perforated,
+    PlaneCurve,
+    Profile,
+    Sheet,
+    Strip,
+    nearest_rod,
+    optimal_rod,
+)
+from elastica_cad.mechanics import LaminatedSection, RoundLaw, ThicknessLaw, WidthLaw, optimal_laminate
 
 GLASS = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.012)
 RUBBERY = Sheet("rubbery", 2.0, 900.0, density=1150.0, max_strain=0.05, poisson_ratio=0.4)

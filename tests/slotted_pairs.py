@@ -3,12 +3,7 @@
 import numpy as np
 from scipy.spatial import cKDTree
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.model import Model
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad import Model, Placed, PlaneCurve, Sheet, Strip, Tab, optimal_rod
 
 PLYWOOD = Sheet.named("birch-plywood-0.8")
 

@@ -2,19 +2,24 @@
 
 import pytest
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.profile import Profile
+from elastica_cad import (
+    Hole,
+    Model,
+    Placed,
+    PlaneCurve,
+    Profile,
+    Rod,
+    Sheet,
+    Slot,
+    Strip,
+    Tab,
+    bend,
+    make_strip,
+)
 from elastica_cad.kernel import occt
 from elastica_cad.kernel import step_files as step
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.rod import Rod, integrate_edges
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.model import Model
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.solids import BentSolid, FlatSolid
-from elastica_cad.strip.strip import Placed, Strip
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad.mechanics.rod import integrate_edges
+from elastica_cad.strip import BentSolid, FlatSolid
 from tests.benchmarks.timing import seconds
 
 ENDS = (Tab(12, holes=(Hole(6, 3.2),)), Tab(12, holes=(Hole(6, 3.2),)))

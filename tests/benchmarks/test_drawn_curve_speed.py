@@ -9,9 +9,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad import PlaneCurve, check_equilibrium, optimal_rod
 
 pytestmark = pytest.mark.benchmark(timer=process_time)
 

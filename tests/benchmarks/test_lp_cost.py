@@ -5,8 +5,7 @@ import runpy
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads import Gravity
+from elastica_cad import Gravity, PlaneCurve
 from elastica_cad.mechanics.minimax_lp import minimax_ratio
 from elastica_cad.published.sampled_lp import sampled_rows, sampled_stiffness
 from tests.benchmarks.timing import seconds

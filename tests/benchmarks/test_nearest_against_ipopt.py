@@ -13,10 +13,8 @@ import casadi
 import numpy as np
 import pytest
 
-from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest_search import nearest_rod
+from elastica_cad import Limits, PlaneCurve, nearest_rod
 from elastica_cad.forming.rod_map import StiffnessBasis
-from elastica_cad.geometry.plane_curve import PlaneCurve
 
 RATIO, NODES, COEFFICIENTS = 2.5, 201, 20
 QUIET = {"ipopt.print_level": 0, "print_time": 0, "ipopt.sb": "yes", "ipopt.tol": 1e-10}

@@ -6,12 +6,7 @@ import time
 import numpy as np
 import pytest
 
-from elastica_cad import _native
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest_record import Status
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads import Gravity
+from elastica_cad import Gravity, Keep, Limits, PlaneCurve, Status, _native, nearest_rod
 
 pytestmark = pytest.mark.benchmark(timer=time.process_time)
 

@@ -5,9 +5,7 @@ import pytest
 import scipy.linalg
 from scipy.integrate import solve_bvp
 
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.stability import stability
+from elastica_cad import Rod, bend, stability
 from tests.benchmarks.timing import seconds
 
 

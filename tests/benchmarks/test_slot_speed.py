@@ -2,7 +2,7 @@
 
 from time import process_time
 
-from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad import optimal_rod
 from tests.benchmarks.timing import seconds
 
 

@@ -7,11 +7,7 @@ from importlib.util import find_spec
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.strip import Strip
+from elastica_cad import Hole, PlaneCurve, Sheet, Strip, Tab, optimal_rod
 
 SKINS = {"build123d", "cadquery"}
 NEEDS = {
@@ -158,7 +154,7 @@ class Measure:
 @pytest.fixture(scope="session")
 def tilted():
     """A frame that is none of the world's, and orthonormal."""
-    from elastica_cad.geometry.frame import Frame
+    from elastica_cad import Frame
 
     x = np.array([2.0, -1.0, 2.0]) / 3
     y = np.array([2.0, 2.0, -1.0]) / 3

@@ -12,10 +12,8 @@ from OCP.GeomAPI import GeomAPI_PointsToBSpline
 from OCP.gp import gp_Ax2, gp_Circ, gp_Dir, gp_Pnt
 from OCP.TopoDS import TopoDS_Edge
 
-from elastica_cad.errors import MissingDependencyError
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import MissingDependencyError, PlaneCurve, Slot
 from elastica_cad.kernel import ocp_import
-from elastica_cad.strip.slots import Slot
 
 SHEET = "birch-plywood-0.8"
 

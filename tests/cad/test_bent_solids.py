@@ -3,22 +3,24 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.geometry.segments import Arc, Line, Spline
+from elastica_cad import (
+    InputError,
+    Limits,
+    Path,
+    Perforated,
+    PlaneCurve,
+    Profile,
+    Rod,
+    Sheet,
+    Strip,
+    Tab,
+    bend,
+    nearest_rod,
+    optimal_rod,
+)
+from elastica_cad.geometry import Arc, Line, Spline
 from elastica_cad.kernel import occt
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.solids import BentSolid, FlatSolid
-from elastica_cad.strip.strip import Strip
+from elastica_cad.strip import BentSolid, FlatSolid
 
 
 def flat_area(outline, holes):

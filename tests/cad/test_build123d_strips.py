@@ -6,6 +6,7 @@ import build123d as bd
 import numpy as np
 import pytest
 
+from elastica_cad import Hole, InputError, Tab
 from elastica_cad.build123d import (
     BentStrip,
     EndFixture,
@@ -14,8 +15,6 @@ from elastica_cad.build123d import (
     elastic_strip,
     section_strips,
 )
-from elastica_cad.errors import InputError
-from elastica_cad.strip.outline import Hole, Tab
 
 POINTS = [(0, 0), (40, 40), (90, 50), (140, 0)]
 SHEET = "birch-plywood-0.8"

@@ -4,6 +4,7 @@ import cadquery as cq
 import numpy as np
 import pytest
 
+from elastica_cad import Hole, InputError, Tab
 from elastica_cad.cadquery import (
     StripSolid,
     StripWarning,
@@ -13,8 +14,6 @@ from elastica_cad.cadquery import (
     register,
     strip_outline,
 )
-from elastica_cad.errors import InputError
-from elastica_cad.strip.outline import Hole, Tab
 
 POINTS = [(0, 0), (40, 40), (90, 50), (140, 0)]
 SHEET = "birch-plywood-0.8"

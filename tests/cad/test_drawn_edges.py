@@ -8,11 +8,8 @@ from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeWire,
 from OCP.Geom import Geom_Ellipse, Geom_OffsetCurve
 from OCP.gp import gp_Ax1, gp_Ax2, gp_Circ, gp_Dir, gp_Elips, gp_Lin, gp_Pnt, gp_Trsf, gp_Vec
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Line, Spline
+from elastica_cad import Frame, InputError, Path, PlaneCurve
+from elastica_cad.geometry import Line, Spline
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.drawn_edges import drawn_edges, plane_curve
 
@@ -161,7 +158,7 @@ def test_face_with_a_hole(measure):
 
 
 def test_open_wire_of_lines_and_clockwise_arcs(measure):
-    from elastica_cad.geometry.segments import Arc
+    from elastica_cad.geometry import Arc
 
     path = Path([Line((0, 0), (10, 0)), Arc((10, -5), 5, np.pi / 2, 0)])
     curve, _ = plane_curve(occt.make_wire(path))

@@ -5,7 +5,7 @@ import warnings
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
+from elastica_cad import InputError
 from elastica_cad.kernel.strip_body import StripWarning, end_angles
 
 

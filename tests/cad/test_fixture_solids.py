@@ -6,20 +6,13 @@ import numpy as np
 import pytest
 import trimesh
 
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import Frame, Hole, Model, Path, Placed, PlaneCurve, Sheet, Strip, Tab, optimal_rod
 from elastica_cad.kernel import occt, ocp_import
 from elastica_cad.kernel.mesh_files import write_stl
 from elastica_cad.kernel.step_files import NamedShape, read_step_shape, step_bytes
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.fixtures import EndFixture, engraved
-from elastica_cad.model.model import Model
-from elastica_cad.strip.lettering import Text, text_strokes
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.solids import BentSolid, FlatSolid, PrismSolid
-from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad.model import EndFixture
+from elastica_cad.model.fixtures import engraved
+from elastica_cad.strip import BentSolid, FlatSolid, PrismSolid, Text, text_strokes
 
 UPRIGHT = Frame((0, 0, 0), (1, 0, 0), (0, 0, 1))
 

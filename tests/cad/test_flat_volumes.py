@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.geometry.frame import Frame
+from elastica_cad import Frame
 from elastica_cad.kernel import occt, ocp_import
-from elastica_cad.strip.solids import FlatSolid
+from elastica_cad.strip import FlatSolid
 
 CURVES = {
     2.0: [(0, 0), (60, 70), (120, -50), (180, 60), (240, -30), (300, 40)],

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import PlaneCurve
 from elastica_cad.kernel.strip_body import StripWarning
 
 SHEET = "polypropylene-0.8"

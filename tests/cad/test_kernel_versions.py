@@ -10,11 +10,10 @@ from pathlib import Path as Files
 
 import pytest
 
-from elastica_cad.errors import MissingDependencyError
-from elastica_cad.geometry.path import Path
+from elastica_cad import MissingDependencyError, Path
 from elastica_cad.kernel import occt, ocp_import
 from elastica_cad.kernel import step_files as step
-from elastica_cad.strip.solids import FlatSolid
+from elastica_cad.strip import FlatSolid
 
 PLATE = FlatSolid(Path.rectangle(10, 5), (), 1.0)
 

@@ -84,7 +84,7 @@ def test_volumes(bodies, campaign):
 
 def test_the_laser_goes_round_in_one_go(bodies):
     """The drawing keeps one spline a side and one closed loop."""
-    from elastica_cad.geometry.segments import Spline
+    from elastica_cad.geometry import Spline
 
     drawing = bodies.strip.drawing()
     (cut,) = [layered.path for layered in drawing.paths if layered.layer == "CUT_OUTER"]

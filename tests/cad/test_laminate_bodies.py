@@ -6,17 +6,21 @@ import build123d as bd
 import cadquery as cq
 import pytest
 
-from elastica_cad import build123d, cadquery
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
+from elastica_cad import (
+    Frame,
+    Hole,
+    InputError,
+    Laminated,
+    Path,
+    Sheet,
+    Strip,
+    Tab,
+    build123d,
+    cadquery,
+    optimal_rod,
+)
 from elastica_cad.kernel import occt
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.solids import BentSolid, FlatSolid
-from elastica_cad.strip.strip import Strip
+from elastica_cad.strip import BentSolid, FlatSolid
 from tests.campaign.bank import CURVES
 
 BASES = ("card-200gsm", "pom-0.5", "birch-plywood-0.8")

@@ -5,19 +5,11 @@ import re
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import Frame, InputError, Laminated, Model, Placed, PlaneCurve, Sheet, Slot, make_strip
 from elastica_cad.kernel import occt
 from elastica_cad.kernel import step_files as step
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.model import slotted_frame
 from elastica_cad.model.assembly import assembly_parts, require_model
-from elastica_cad.model.frames import slotted_frame
-from elastica_cad.model.model import Model
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip import Placed
-from elastica_cad.strip.strip_spec import make_strip
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
 S = PlaneCurve.spline([(20, 0), (50, 60), (100, 10), (150, -40), (200, 20)])

@@ -4,19 +4,22 @@ from dataclasses import fields
 
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.forming.limits import Limits
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import (
+    Hole,
+    InputError,
+    Laminated,
+    Limits,
+    Model,
+    PlaneCurve,
+    Sheet,
+    Slot,
+    Strip,
+    StripSpec,
+    Tab,
+    optimal_rod,
+)
 from elastica_cad.kernel.strip_body import StripWarning
 from elastica_cad.kernel.strip_on_path import StripOptions
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.model import Model
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.strip_spec import StripSpec
 
 CURVE = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
 SHEET = "birch-plywood-0.8"

@@ -2,8 +2,7 @@
 
 import pytest
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.strip.outline import Hole, Tab
+from elastica_cad import Hole, PlaneCurve, Tab
 
 HOLE = 3.4
 TABS = (Tab(12, holes=(Hole(6, HOLE),)),) * 2

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.forming.limits import Limits
+from elastica_cad import InputError, Limits
 from elastica_cad.forming.section_spec import ParallelCuts, PlaneSplit, SectionSpec
 from elastica_cad.kernel.strip_body import StripWarning
 

@@ -5,14 +5,9 @@ import warnings
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import Model, Placed, PlaneCurve, Slot, Tab, make_strip
 from elastica_cad.kernel.strip_body import StripWarning
 from elastica_cad.model.collisions import self_contact
-from elastica_cad.model.model import Model
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip import Placed
-from elastica_cad.strip.strip_spec import make_strip
 
 SHEET = "card-200gsm"
 LOOP = PlaneCurve.spline([(0, 0), (90, 0), (140, 90), (60, 140), (-20, 90), (30, 0), (120, 0)], degree=4)
@@ -69,8 +64,8 @@ class TestWarnings:
 @pytest.mark.parametrize("gap", [-0.02, 0.02])
 def test_grazing_tabs(gap):
     """The legs of a U that leans inward: between their tips there are `gap` mm, or they run into each other."""
+    from elastica_cad import Sheet
     from elastica_cad.build123d import BentStrip
-    from elastica_cad.mechanics.sheets import Sheet
 
     thickness, lean, radius = Sheet.named(SHEET).thickness, 0.1, 20.0
     # the inner corner of a tip lies half a thickness off the middle line, square to the leg

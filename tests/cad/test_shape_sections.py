@@ -5,9 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.forming.section_lines import section_curves
-from elastica_cad.forming.section_spec import parallel_planes, radial_planes
+from elastica_cad import InputError
+from elastica_cad.forming import parallel_planes, radial_planes, section_curves
 from elastica_cad.kernel.shape_sections import shape_sections
 
 

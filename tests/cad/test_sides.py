@@ -3,9 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.strip.slots import Slot
+from elastica_cad import Frame, InputError, Slot
 
 POINTS = [(0, 0), (40, 40), (90, 50), (140, 0)]
 OPTIONS = {"max_width": 30, "slots": (Slot(60, 1.5, 5),)}
@@ -140,14 +138,11 @@ class TestCadQuery:
 
 def test_mirrored(measure):
     """A curve and its mirror image: frames are right-handed, and the free part lies on each."""
+    from elastica_cad import PlaneCurve, Sheet, Strip, optimal_rod
     from elastica_cad.formats.edges import Edge
     from elastica_cad.formats.placed_curve import placed_curve
-    from elastica_cad.geometry.plane_curve import PlaneCurve
     from elastica_cad.kernel import occt
-    from elastica_cad.mechanics.least_ratio import optimal_rod
-    from elastica_cad.mechanics.sheets import Sheet
-    from elastica_cad.strip.solids import BentSolid
-    from elastica_cad.strip.strip import Strip
+    from elastica_cad.strip import BentSolid
 
     curve = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
     place = Frame((1, 2, 3), (2, 0, 1), (-1, 0, 2))

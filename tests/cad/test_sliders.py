@@ -7,15 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.frame import Frame
+from elastica_cad import Frame, InputError, Laminated, Strip, bend, stability
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.end_travel import Travel, skin_meshes
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.stability import stability
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.solids import BentSolid
-from elastica_cad.strip.strip import Strip
+from elastica_cad.strip import BentSolid
 
 END = (118.0, 9.0)
 

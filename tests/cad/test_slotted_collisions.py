@@ -5,7 +5,7 @@ import pytest
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.strip_body import StripWarning, warn_of_missing_slots
 from elastica_cad.model.collisions import SHARED_MM, Body, deepest_collision
-from elastica_cad.strip.solids import BentSolid
+from elastica_cad.strip import BentSolid
 
 
 def depth_in(placed, point):

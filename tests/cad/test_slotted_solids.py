@@ -3,15 +3,9 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import Model, Placed, PlaneCurve, Rod, Sheet, Slot, Strip, optimal_rod
 from elastica_cad.kernel import occt
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.model import Model
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.solids import BentSolid
-from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad.strip import BentSolid
 
 CARD = Sheet.named("card-200gsm")
 

@@ -4,8 +4,7 @@ import build123d as bd
 import cadquery as cq
 import pytest
 
-from elastica_cad import build123d, cadquery
-from elastica_cad.strip.outline import Tab
+from elastica_cad import Tab, build123d, cadquery
 
 SHEET = "birch-plywood-0.8"
 OPTIONS = {"max_width": 30, "ends": (Tab(10), Tab(10)), "label": "same"}

@@ -8,21 +8,23 @@ import numpy as np
 import pytest
 from build123d import Bezier, export_step
 
-from elastica_cad.errors import InputError
-from elastica_cad.files import read_curves
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path as Chain
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Spline
+from elastica_cad import (
+    Frame,
+    InputError,
+    Perforated,
+    PlaneCurve,
+    Sheet,
+    Strip,
+    Tab,
+    optimal_rod,
+    read_curves,
+)
+from elastica_cad import Path as Chain
+from elastica_cad.geometry import Spline
 from elastica_cad.kernel import occt
 from elastica_cad.kernel import step_files as step
 from elastica_cad.kernel.ocp_import import kernel
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.solids import FlatSolid
-from elastica_cad.strip.strip import Strip
+from elastica_cad.strip import FlatSolid
 
 
 def entities(path, name):
@@ -97,7 +99,7 @@ def test_curves_come_back_from_a_file(curve, tilted, tmp_path):
 
 
 def test_several_curves_and_a_solid_in_one_file(plain, tmp_path):
-    from elastica_cad.geometry.segments import Arc, Line
+    from elastica_cad.geometry import Arc, Line
 
     path = tmp_path / "mixed.step"
     step.write_step(

@@ -6,12 +6,12 @@ import subprocess
 
 import pytest
 
-from elastica_cad.geometry.frame import Frame
+from elastica_cad import Frame
 from elastica_cad.kernel import occt
 from elastica_cad.kernel import step_files as step
 from elastica_cad.mechanics.sheets import sheet_color
-from elastica_cad.model.fixtures import EndFixture
-from elastica_cad.strip.solids import BentSolid, FlatSolid
+from elastica_cad.model import EndFixture
+from elastica_cad.strip import BentSolid, FlatSolid
 
 FREECAD = shutil.which("freecadcmd")
 

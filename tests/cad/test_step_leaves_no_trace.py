@@ -17,9 +17,7 @@ from OCP.Message import Message, Message_Gravity
 from OCP.STEPControl import STEPControl_Writer
 from OCP.TopoDS import TopoDS_Iterator
 
-from elastica_cad.errors import InputError
-from elastica_cad.files import save
-from elastica_cad.geometry.frame import Frame
+from elastica_cad import Frame, InputError, save
 from elastica_cad.kernel.step_files import read_step_shape, try_in_a_copy, write_strip_step
 
 ROOT = str(Path(__file__).resolve().parents[2])

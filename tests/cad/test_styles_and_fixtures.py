@@ -3,18 +3,21 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import (
+    Hole,
+    InputError,
+    Laminated,
+    Model,
+    Perforated,
+    Placed,
+    PlaneCurve,
+    Sheet,
+    Tab,
+    make_strip,
+)
 from elastica_cad.kernel import occt
 from elastica_cad.kernel import step_files as step
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.model import Model
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.solids import BentSolid, FlatSolid
-from elastica_cad.strip.strip import Placed
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad.strip import BentSolid, FlatSolid
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
 ENDS = (Tab(14, holes=(Hole(7, 3),)), Tab(14, holes=(Hole(7, 3),)))

@@ -5,15 +5,11 @@ from importlib.util import find_spec
 
 import pytest
 
-from elastica_cad.forming.limits import Keep
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import Keep, PlaneCurve, Sheet, Tab, make_strip
 from elastica_cad.kernel.occt import make_solid
 from elastica_cad.kernel.step_files import write_strip_step
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.solids import BentSolid, FlatSolid
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad.mechanics import LeavesLaw, RoundLaw, ThicknessLaw
+from elastica_cad.strip import BentSolid, FlatSolid
 
 GLASS = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.02)
 ARCH = PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)])

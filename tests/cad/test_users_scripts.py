@@ -10,10 +10,7 @@ import sys
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad import Hole, InputError, PlaneCurve, StripSpec, Tab
 
 CURVE = PlaneCurve.arc((60, 0), 50, -0.6, 0.9)
 END = 60 + 50 * math.cos(0.9), 50 * math.sin(0.9)

@@ -3,13 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.model import Model
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.strip import Placed
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad import Hole, Laminated, Model, Placed, PlaneCurve, Sheet, Tab, make_strip
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
 PLY = Sheet.named("birch-plywood-0.8")

@@ -4,15 +4,8 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Arc
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip import Strip
+from elastica_cad import Hole, Laminated, Perforated, PlaneCurve, Sheet, Slot, Strip, Tab, optimal_rod
+from elastica_cad.geometry import Arc
 
 __all__ = ["CURVES", "SHEET", "STYLES", "made"]
 

@@ -10,12 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.geometry.segments import Segment, Spline
+from elastica_cad import Path, Profile, Strip
+from elastica_cad.geometry import Segment, Spline
+from elastica_cad.strip import BentSolid, FlatSolid
 from elastica_cad.strip.outline import graph
-from elastica_cad.strip.solids import BentSolid, FlatSolid
-from elastica_cad.strip.strip import Strip
 
 __all__ = ["KERNELS", "OPERATIONS", "PATIENCE", "SHARED", "Bodies", "kernel_named"]
 

@@ -11,10 +11,7 @@ import ezdxf
 import numpy as np
 import pytest
 
-from elastica_cad.errors import ElasticaError
-from elastica_cad.files import save
-from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad import ElasticaError, Strip, make_strip, save
 from tests.contract.table import Request
 
 LABEL = "S1"

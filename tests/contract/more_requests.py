@@ -5,10 +5,8 @@ A row may be refused: then all front ends must refuse it alike.
 
 from itertools import product
 
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.mechanics.loads import PointMass, RestCurvature, Supports
-from elastica_cad.mechanics.stiffness_law import ThicknessLaw
-from elastica_cad.strip.lamination import Laminated
+from elastica_cad import Keep, Laminated, Limits, PointMass, Supports
+from elastica_cad.mechanics import RestCurvature, ThicknessLaw
 from tests.contract.table import (
     ARCH,
     BOW,

@@ -9,17 +9,27 @@ limit, and all that a curve may keep.
 from dataclasses import dataclass
 from typing import Any
 
-from elastica_cad.forming.limits import Box, HalfPlane, Keep, Limits
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads import Gravity, PointMass, RestCurvature, Supports, Weight
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.outline import Hole, Tab, TSlot
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.uncuttable_parts import FabricationLimits
+from elastica_cad import (
+    Box,
+    FabricationLimits,
+    Frame,
+    Gravity,
+    HalfPlane,
+    Hole,
+    Keep,
+    Laminated,
+    Limits,
+    Perforated,
+    PlaneCurve,
+    PointMass,
+    Sheet,
+    Slot,
+    Supports,
+    Tab,
+    Weight,
+)
+from elastica_cad.mechanics import LeavesLaw, RestCurvature, RoundLaw, ThicknessLaw
+from elastica_cad.strip import TSlot
 
 Points = list[tuple[float, float]]
 """Control points of a clamped uniform spline, mm."""

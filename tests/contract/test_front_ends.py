@@ -18,15 +18,10 @@ from OCP.gp import gp_Pnt
 from OCP.TColgp import TColgp_Array1OfPnt
 from OCP.TColStd import TColStd_Array1OfInteger, TColStd_Array1OfReal
 
-from elastica_cad import build123d, cadquery
+from elastica_cad import ElasticaError, Frame, Strip, build123d, cadquery, read_curves, write_curves
 from elastica_cad.cli.commands import elastica
-from elastica_cad.design.design_file import read_design
-from elastica_cad.errors import ElasticaError
-from elastica_cad.files import read_curves
-from elastica_cad.formats.curve_writer import write_curves
-from elastica_cad.geometry.frame import Frame
+from elastica_cad.design import read_design
 from elastica_cad.refusals import Wording
-from elastica_cad.strip.strip import Strip
 from elastica_cad.web.answers import asked_spec
 from tests.contract import answers
 from tests.contract.more_requests import MORE_REQUESTS

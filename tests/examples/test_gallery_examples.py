@@ -10,8 +10,8 @@ import pytest
 from scipy.integrate import trapezoid
 
 import elastica_cad as ec
-from elastica_cad.design.design_file import read_design
-from elastica_cad.strip.drawing import CUT_OUTER
+from elastica_cad.design import read_design
+from elastica_cad.strip import CUT_OUTER
 
 CARD = ec.Sheet.named("card-200gsm")
 REALIZED = 0.1  # mm between the bent strip as made and its design

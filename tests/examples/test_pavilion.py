@@ -9,11 +9,11 @@ import pytest
 import shapely
 from click.testing import CliRunner
 
+from elastica_cad import read_curves
 from elastica_cad.cli.commands import elastica
-from elastica_cad.design.design_file import read_design
-from elastica_cad.files import read_curves
-from elastica_cad.model.held_tabs import rocking_tabs
-from elastica_cad.strip.drawing import CUT_OUTER
+from elastica_cad.design import read_design
+from elastica_cad.model import rocking_tabs
+from elastica_cad.strip import CUT_OUTER
 
 MARGIN = 2.0
 

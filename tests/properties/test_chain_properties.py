@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from elastica_cad import PlaneCurve
 from elastica_cad.formats.chains import curve_from_run, join_runs
 from elastica_cad.formats.edges import Edge
-from elastica_cad.geometry.plane_curve import PlaneCurve
 
 pytestmark = pytest.mark.core
 

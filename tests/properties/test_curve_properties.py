@@ -5,8 +5,8 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve, line_crossings
+from elastica_cad import InputError, PlaneCurve
+from elastica_cad.geometry import line_crossings
 
 pytestmark = pytest.mark.core
 

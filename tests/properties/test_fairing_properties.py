@@ -5,9 +5,8 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from elastica_cad.errors import InputError
+from elastica_cad import InputError, PlaneCurve
 from elastica_cad.geometry.fairing import fair_curve, two_sided_distance
-from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.tangent_healing import SURE, heal_tangents
 
 pytestmark = pytest.mark.core

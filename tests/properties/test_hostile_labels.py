@@ -15,8 +15,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import elastica_cad as ec
-from elastica_cad.errors import InputError
-from elastica_cad.kit.model_kit import save_model
+from elastica_cad import InputError, save_model
 from elastica_cad.strip.lettering import engravable
 from elastica_cad.strip.pieces import file_word
 

@@ -5,10 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads import Gravity
+from elastica_cad import Gravity, Limits, PlaneCurve, nearest_rod
 
 pytestmark = pytest.mark.core
 

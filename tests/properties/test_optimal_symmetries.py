@@ -5,12 +5,15 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Gravity, Supports
-from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad import (
+    Gravity,
+    InputError,
+    NotRealizable,
+    PlaneCurve,
+    Supports,
+    check_equilibrium,
+    optimal_rod,
+)
 
 pytestmark = pytest.mark.core
 

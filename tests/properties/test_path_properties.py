@@ -6,12 +6,8 @@ import shapely
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.approximations import as_arcs, as_polyline
-from elastica_cad.geometry.offset import offset_path
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Spline
+from elastica_cad import InputError, Path, PlaneCurve
+from elastica_cad.geometry import Spline, as_arcs, as_polyline, offset_path
 
 few = settings(max_examples=40, deadline=None)
 unit = st.floats(0, 1)

@@ -5,10 +5,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.projective_maps import four_point_map
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad import InputError, PlaneCurve, check_equilibrium, four_point_map
 
 pytestmark = pytest.mark.core
 

@@ -15,7 +15,7 @@ import warnings
 import pytest
 
 import elastica_cad
-from elastica_cad.errors import ElasticaError
+from elastica_cad import ElasticaError
 
 pytestmark = pytest.mark.core
 

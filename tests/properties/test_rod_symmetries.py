@@ -7,12 +7,9 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from elastica_cad.mechanics.bending import bend
+from elastica_cad import Gravity, Rod, Supports, bend, stability
 from elastica_cad.mechanics.discrete_rod import edge_forces, node_weights, shoot
-from elastica_cad.mechanics.loads import Gravity, Supports
-from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.rod_system import RodSystem
-from elastica_cad.mechanics.stability import stability
 
 pytestmark = pytest.mark.core
 

@@ -5,10 +5,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastica_cad.mechanics.laminated_section import LaminatedSection
-from elastica_cad.mechanics.moment_curvature import ElasticPlasticLaw, PolynomialLaw, TabulatedLaw
-from elastica_cad.mechanics.sections import anticlastic_factor, plate_width
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad import Sheet
+from elastica_cad.mechanics import (
+    ElasticPlasticLaw,
+    LaminatedSection,
+    PolynomialLaw,
+    TabulatedLaw,
+    anticlastic_factor,
+)
+from elastica_cad.mechanics.sections import plate_width
 
 pytestmark = pytest.mark.core
 

@@ -6,11 +6,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from shapely.geometry import LineString, Polygon
 
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.slots import Slot, slot_cut
-from elastica_cad.strip.strip import Strip
+from elastica_cad import Rod, Sheet, Slot, Strip, Tab
+from elastica_cad.strip.slots import slot_cut
 
 CARD = Sheet.named("card-200gsm")
 EXACT = 1e-4  # mm, of the polygons

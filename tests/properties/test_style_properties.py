@@ -8,11 +8,8 @@ from hypothesis import assume, given, reject, settings
 from hypothesis import strategies as st
 
 import elastica_cad as ec
-from elastica_cad.errors import InputError
-from elastica_cad.mechanics.laminated_section import LaminatedSection
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.slots import Slot
+from elastica_cad import InputError, Laminated, Perforated, Slot
+from elastica_cad.mechanics import LaminatedSection
 
 pytestmark = pytest.mark.core
 

@@ -7,10 +7,7 @@ import pytest
 from hypothesis import given, reject, settings
 from hypothesis import strategies as st
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad import NotRealizable, PlaneCurve, check_equilibrium, optimal_rod
 
 pytestmark = pytest.mark.core
 

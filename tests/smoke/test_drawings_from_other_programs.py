@@ -7,15 +7,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from elastica_cad.errors import ElasticaError
-from elastica_cad.files import read_curves, read_drawing, save
-from elastica_cad.forming.fairing_request import smooth_curve
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad import (
+    ElasticaError,
+    PlaneCurve,
+    Sheet,
+    Strip,
+    check_equilibrium,
+    optimal_rod,
+    read_curves,
+    save,
+)
+from elastica_cad.files import read_drawing
+from elastica_cad.forming import smooth_curve
 from elastica_cad.mechanics.theorem1 import require_bendable
-from elastica_cad.strip.strip import Strip
 
 PRECISION = """<inkscape xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" version="1">
 <group id="options"><group id="svgoutput" numericprecision="{digits}"/></group></inkscape>"""

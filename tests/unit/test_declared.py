@@ -7,12 +7,11 @@ from typing import Annotated, Literal
 
 import pytest
 
+from elastica_cad import InputError, StripSpec
 from elastica_cad.declared import Asked, declared, kind_of
 from elastica_cad.design.records import Reader, described, parsed_line
 from elastica_cad.design.strip_table import StripKeys
 from elastica_cad.design.tables import Table
-from elastica_cad.errors import InputError
-from elastica_cad.strip.strip_spec import StripSpec
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -7,13 +7,12 @@ import sys
 import numpy as np
 import pytest
 
-from elastica_cad import _native
+from elastica_cad import End, Supports, _native
 from elastica_cad.forming import rod_map
 from elastica_cad.forming.quadratic_program import QuadraticProgram, solve_quadratic
 from elastica_cad.forming.rod_map import StiffnessBasis
-from elastica_cad.mechanics import discrete_rod
-from elastica_cad.mechanics.discrete_rod import DiscreteRod, node_weights
-from elastica_cad.mechanics.loads import End, Supports
+from elastica_cad.mechanics import DiscreteRod, discrete_rod
+from elastica_cad.mechanics.discrete_rod import node_weights
 
 CLOSE = 1e-12
 SEEDS = range(12)

@@ -4,14 +4,12 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
+from elastica_cad import InputError
 from elastica_cad.design import Cutting
-from elastica_cad.errors import InputError
-from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad.forming import smooth_curve
 from elastica_cad.mechanics import bend_path
 from elastica_cad.model import BasePlate, PlateOptions, Rib
-from elastica_cad.strip.drawing import ENGRAVE
-from elastica_cad.strip.lettering import Text
-from elastica_cad.strip.measuring import Measuring
+from elastica_cad.strip import ENGRAVE, Measuring, Text
 
 ARCH = ec.PlaneCurve.spline([(0, 0), (30, 14), (70, 14), (100, 0)], degree=3)
 PROFILE = ec.meridian_through([(70, 0), (85, 16), (125, 55), (90, 115), (75, 140)])

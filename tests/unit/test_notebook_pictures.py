@@ -5,16 +5,19 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.model import Model
-from elastica_cad.strip.drawing import CUT_OUTER
-from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad import (
+    Limits,
+    Model,
+    NearestRod,
+    Placed,
+    PlaneCurve,
+    Sheet,
+    Strip,
+    check_equilibrium,
+    nearest_rod,
+    optimal_rod,
+)
+from elastica_cad.strip import CUT_OUTER
 
 pytestmark = pytest.mark.core
 

@@ -7,16 +7,9 @@ from multiprocessing import get_context
 import pytest
 from click.testing import CliRunner
 
-from elastica_cad import PlaneCurve
+from elastica_cad import InputError, NotConvergedError, NotRealizable, PlaneCurve, check_equilibrium
 from elastica_cad.cli.commands import elastica
-from elastica_cad.errors import (
-    Change,
-    InputError,
-    Length,
-    NotConvergedError,
-)
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad.errors import Change, Length
 from elastica_cad.refusals import Listed, Point, note, sentences
 
 WAVE = [(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)]  # no strip takes it

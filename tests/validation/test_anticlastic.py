@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.mechanics.laminated_section import LaminatedSection, laminate_factor
-from elastica_cad.mechanics.sections import anticlastic_factor, plate_width
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad import InputError, Sheet
+from elastica_cad.mechanics import LaminatedSection, anticlastic_factor
+from elastica_cad.mechanics.laminated_section import laminate_factor
+from elastica_cad.mechanics.sections import plate_width
 
 pytestmark = pytest.mark.core
 

@@ -6,12 +6,9 @@ from numpy.polynomial import legendre
 from scipy.integrate import solve_bvp
 from scipy.interpolate import CubicSpline
 
-from elastica_cad.forming.limits import Limits
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.laminated_section import LaminatedSection, laminate_factor
-from elastica_cad.mechanics.sections import anticlastic_factor
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad import Limits, PlaneCurve, Sheet, make_strip
+from elastica_cad.mechanics import LaminatedSection, anticlastic_factor
+from elastica_cad.mechanics.laminated_section import laminate_factor
 
 pytestmark = pytest.mark.core
 

@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.mechanics.calibration import calibrate_cantilever, cantilever_droop
-from elastica_cad.mechanics.sheets import Sheet, load_sheets
+from elastica_cad import InputError, Sheet, load_sheets
+from elastica_cad.mechanics import calibrate_cantilever, cantilever_droop
 
 pytestmark = pytest.mark.core
 

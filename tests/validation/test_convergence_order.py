@@ -3,10 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.loads import Gravity, Supports
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.stability import stability
+from elastica_cad import Gravity, Rod, Supports, bend, stability
 
 pytestmark = pytest.mark.core
 

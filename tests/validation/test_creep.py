@@ -7,14 +7,19 @@ import pytest
 from scipy.integrate import solve_bvp
 from scipy.optimize import root
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.creep_study import creep
-from elastica_cad.mechanics.loads import Gravity, PointMass, Supports, Weight
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad import (
+    Gravity,
+    InputError,
+    PlaneCurve,
+    PointMass,
+    Rod,
+    Sheet,
+    StripSpec,
+    Supports,
+    Weight,
+    bend,
+)
+from elastica_cad.mechanics import creep
 
 pytestmark = pytest.mark.core
 
@@ -176,7 +181,7 @@ def test_what_creep_tells_of_a_strip():
     assert "keeps 44 % of its bend" in str(strip.crept)
     tight = spec.changed(sheet=Sheet("tight", 1.0, 9000.0, 700.0, max_strain=0.008)).make()
     assert any("creep is not linear" in warning for warning in tight.warnings)
-    from elastica_cad.design.reports import report_strip
+    from elastica_cad.design import report_strip
 
     record = report_strip(strip, name="arch", files={})["creep"]
     assert record["basis"] == "exact"

@@ -5,11 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from elastica_cad.mechanics.bending import bend, bend_path
-from elastica_cad.mechanics.loads import Supports
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.stability import stability
-from elastica_cad.mechanics.stability_limits import stability_limit
+from elastica_cad import Rod, Supports, bend, stability, stability_limit
+from elastica_cad.mechanics import bend_path
 
 pytestmark = pytest.mark.core
 

@@ -5,14 +5,8 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.control_point_constraints import (
-    EndPositions,
-    EndTangents,
-    FixedLength,
-    InflectionsOnLine,
-    least_norm_newton,
-)
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import PlaneCurve
+from elastica_cad.geometry import EndPositions, EndTangents, FixedLength, InflectionsOnLine, least_norm_newton
 
 pytestmark = pytest.mark.core
 

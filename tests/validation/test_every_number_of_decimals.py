@@ -9,12 +9,10 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from elastica_cad import InputError, PlaneCurve, check_equilibrium
 from elastica_cad.cli.commands import elastica
-from elastica_cad.errors import InputError
 from elastica_cad.files import read_drawing
-from elastica_cad.forming.fairing_request import smooth_curve
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.forming import smooth_curve
 from elastica_cad.mechanics.theorem1 import require_bendable
 
 pytest.importorskip("svgelements")

@@ -8,19 +8,25 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
-from elastica_cad.errors import InputError
-from elastica_cad.forming.leaf_ends import FINE_NODES, NODES, LeafedRod, _Search, lay_leaves, leaf_bends
-from elastica_cad.forming.limits import Box, Keep, Limits
-from elastica_cad.forming.nearest_record import Status
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Gravity, Supports
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stability import stability
-from elastica_cad.mechanics.stiffness_law import LaidLeaves, LeavesLaw
+from elastica_cad import (
+    Box,
+    Gravity,
+    InputError,
+    Keep,
+    Limits,
+    PlaneCurve,
+    Rod,
+    Sheet,
+    Status,
+    Supports,
+    bend,
+    nearest_rod,
+    optimal_rod,
+    stability,
+)
+from elastica_cad.forming import LeafedRod, lay_leaves
+from elastica_cad.forming.leaf_ends import FINE_NODES, NODES, _Search, leaf_bends
+from elastica_cad.mechanics import LaidLeaves, LeavesLaw
 from tests.section_designs import camber_place, designs
 
 pytestmark = pytest.mark.core

@@ -10,12 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest_record import Status
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Gravity
+from elastica_cad import Gravity, Keep, Limits, PlaneCurve, Status, nearest_rod, optimal_rod
 
 pytestmark = pytest.mark.core
 

@@ -7,15 +7,19 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, PointMass, Weight
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import ThicknessLaw
-from elastica_cad.mechanics.theorem1 import NotRealizable
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad import (
+    InputError,
+    NotRealizable,
+    PlaneCurve,
+    PointMass,
+    Sheet,
+    Weight,
+    bend,
+    make_strip,
+    optimal_rod,
+)
+from elastica_cad.mechanics import ThicknessLaw
+from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2
 
 pytestmark = pytest.mark.core
 

@@ -3,14 +3,17 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.laminated_section import LaminatedSection
-from elastica_cad.mechanics.least_ratio import optimal_laminate, optimal_rod
-from elastica_cad.mechanics.loads import PointMass
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad import (
+    InputError,
+    NotConvergedError,
+    PlaneCurve,
+    PointMass,
+    Profile,
+    Sheet,
+    bend,
+    optimal_rod,
+)
+from elastica_cad.mechanics import LaminatedSection, optimal_laminate
 
 pytestmark = pytest.mark.core
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from elastica_cad.mechanics.laminated_section import LaminatedSection
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad import Sheet
+from elastica_cad.mechanics import LaminatedSection
 
 pytestmark = pytest.mark.core
 

@@ -4,13 +4,8 @@ import numpy as np
 import pytest
 from scipy.linalg import null_space
 
-from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.sections import WidthLaw
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stability import stability
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad import Limits, PlaneCurve, Sheet, make_strip, nearest_rod, stability
+from elastica_cad.mechanics import WidthLaw
 from tests.validation.test_blanks_that_curl import moment
 
 pytestmark = pytest.mark.core

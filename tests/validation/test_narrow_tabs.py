@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from elastica_cad.mechanics.sections import crack_energy
+from elastica_cad.mechanics import crack_energy
 from elastica_cad.strip.as_made import idle_length
 from tests.campaign.finite_elements.drawn_by_seed import tab_requests
 

@@ -5,14 +5,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.many_rods import nearest_rods
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend, bend_path
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Gravity
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.stability import stability
+from elastica_cad import Gravity, Limits, PlaneCurve, Rod, bend, nearest_rods, optimal_rod, stability
+from elastica_cad.mechanics import bend_path
 
 pytestmark = pytest.mark.core
 

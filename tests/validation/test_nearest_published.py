@@ -7,17 +7,21 @@ import pytest
 from scipy.interpolate import BSpline
 from scipy.spatial import cKDTree
 
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.forming.plane_sections import mesh_sections
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend, bend_path
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Gravity
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.stability import stability
+from elastica_cad import (
+    Frame,
+    Gravity,
+    Keep,
+    Limits,
+    PlaneCurve,
+    Rod,
+    bend,
+    check_equilibrium,
+    nearest_rod,
+    optimal_rod,
+    stability,
+)
+from elastica_cad.forming import mesh_sections
+from elastica_cad.mechanics import bend_path
 
 pytestmark = pytest.mark.core
 

@@ -3,12 +3,8 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import ElasticaError
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.loads import Gravity, Supports
-from elastica_cad.mechanics.moment_curvature import ElasticPlasticLaw, PlasticLaw, PolynomialLaw
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.stability import stability
+from elastica_cad import ElasticaError, Gravity, Rod, Supports, bend, stability
+from elastica_cad.mechanics import ElasticPlasticLaw, PlasticLaw, PolynomialLaw
 
 pytestmark = pytest.mark.core
 

@@ -5,12 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Gravity, Supports
-from elastica_cad.mechanics.moment_curvature import ElasticPlasticLaw, PlasticLaw, PolynomialLaw, TabulatedLaw
+from elastica_cad import Gravity, InputError, PlaneCurve, Supports, bend, optimal_rod
+from elastica_cad.mechanics import ElasticPlasticLaw, PlasticLaw, PolynomialLaw, TabulatedLaw
 
 pytestmark = pytest.mark.core
 

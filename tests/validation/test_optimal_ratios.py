@@ -9,9 +9,7 @@ from scipy.integrate import solve_bvp
 from scipy.optimize import brentq, linprog
 from scipy.sparse import lil_matrix
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Gravity, Supports
+from elastica_cad import Gravity, PlaneCurve, Supports, optimal_rod
 from elastica_cad.published.sampled_lp import sampled_stiffness
 
 pytestmark = pytest.mark.core

@@ -6,13 +6,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.design.design_file import read_design
-from elastica_cad.files import read_curves
+from elastica_cad import Tab, read_curves
+from elastica_cad.design import read_design
+from elastica_cad.model import held_shapes, plate_pair
 from elastica_cad.model.collisions import missing_slots
-from elastica_cad.model.held_tabs import held_shapes
 from elastica_cad.model.model import interlock_compensated
-from elastica_cad.model.plate_pairs import plate_pair
-from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, find_strip_faults
 
 

@@ -5,15 +5,19 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads import Gravity, PointMass
-from elastica_cad.mechanics.sections import anticlastic_factor
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import ThicknessLaw
+from elastica_cad import (
+    FabricationLimits,
+    Gravity,
+    Keep,
+    Limits,
+    PlaneCurve,
+    PointMass,
+    Sheet,
+    StripSpec,
+    make_strip,
+)
+from elastica_cad.mechanics import ThicknessLaw, anticlastic_factor
 from elastica_cad.strip.held_shape import LEAST_TOLD_MM
-from elastica_cad.strip.strip_spec import StripSpec, make_strip
-from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
 pytestmark = pytest.mark.core
 

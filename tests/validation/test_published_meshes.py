@@ -5,11 +5,9 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.formats.mesh_files import read_mesh
-from elastica_cad.forming.plane_sections import mesh_sections
-from elastica_cad.forming.section_lines import section_curves
-from elastica_cad.forming.section_spec import radial_planes
-from elastica_cad.geometry.frame import Frame
+from elastica_cad import Frame
+from elastica_cad.formats import read_mesh
+from elastica_cad.forming import mesh_sections, radial_planes, section_curves
 
 UNIT = 60.0  # mm per mesh unit
 

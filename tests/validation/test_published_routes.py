@@ -5,21 +5,11 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.control_point_constraints import (
-    EndPositions,
-    EndTangents,
-    FixedLength,
-    InflectionsOnLine,
-)
+from elastica_cad import PlaneCurve, check_equilibrium, optimal_rod, stability
+from elastica_cad.geometry import EndPositions, EndTangents, FixedLength, InflectionsOnLine, Spline
 from elastica_cad.geometry.path import distances
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Spline
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.stability import stability
-from elastica_cad.mechanics.theorem1 import InflectionLine
-from elastica_cad.published.control_points import enforce_constraints
-from elastica_cad.published.recovery import optimize_ratio, recover_stability
+from elastica_cad.mechanics import InflectionLine
+from elastica_cad.published import enforce_constraints, optimize_ratio, recover_stability
 
 pytestmark = pytest.mark.core
 

@@ -5,12 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from elastica_cad import Flexure, NotRealizable, PlaneCurve, read_curves
 from elastica_cad.design.pair_table import read_pair
-from elastica_cad.files import read_curves
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.theorem1 import NotRealizable
-from elastica_cad.pairs.flexure import Flexure
-from elastica_cad.pairs.flexure_spec import FlexureSpec
+from elastica_cad.pairs import FlexureSpec
 from tests.extensible_rod import ExtensibleRod
 from tests.two_states import drawn_pairs
 

@@ -6,20 +6,26 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_bvp
 
-from elastica_cad.errors import InputError
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest_record import Status
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import ExcessCurvature, Gravity, RestCurvature, Supports
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.stability import stability
-from elastica_cad.mechanics.theorem1 import NotRealizable
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad import (
+    Gravity,
+    InputError,
+    Keep,
+    Limits,
+    NotRealizable,
+    PlaneCurve,
+    Profile,
+    Rod,
+    Status,
+    Supports,
+    bend,
+    check_equilibrium,
+    make_strip,
+    nearest_rod,
+    optimal_rod,
+    stability,
+)
+from elastica_cad.mechanics import RestCurvature
+from elastica_cad.mechanics.loads import ExcessCurvature
 from tests.section_designs import Design
 
 pytestmark = pytest.mark.core

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad import InputError, NotConvergedError, meridian, meridian_through
 from elastica_cad.forming import meridians as meridian_module
-from elastica_cad.forming.meridians import meridian, meridian_through
 
 pytestmark = pytest.mark.core
 

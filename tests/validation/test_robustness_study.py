@@ -5,10 +5,8 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.loads import Gravity
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.tolerances import Imperfection, perturb_rod
+from elastica_cad import Gravity, Rod, bend
+from elastica_cad.mechanics import Imperfection, perturb_rod
 
 pytestmark = pytest.mark.core
 

@@ -3,17 +3,22 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Gravity, PointMass, Weight
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stability import stability
-from elastica_cad.mechanics.stiffness_law import RoundLaw
-from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad import (
+    Gravity,
+    InputError,
+    Limits,
+    NotConvergedError,
+    NotRealizable,
+    PlaneCurve,
+    PointMass,
+    Sheet,
+    Weight,
+    bend,
+    nearest_rod,
+    optimal_rod,
+    stability,
+)
+from elastica_cad.mechanics import RoundLaw
 from tests.section_designs import LAWS, Design, designs, errors, judged, laminates, perforated
 
 pytestmark = pytest.mark.core

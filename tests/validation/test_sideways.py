@@ -12,18 +12,23 @@ from scipy.sparse import lil_matrix
 from scipy.sparse.linalg import spsolve
 from scipy.special import ellipeinc, ellipj, ellipk
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.laminated_section import LaminatedSection
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import End, Gravity, Supports
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.sideways import SidewaysSection, sideways_margin, sideways_stability
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.strip import Strip, strip_sideways
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad import (
+    End,
+    Gravity,
+    Laminated,
+    Perforated,
+    PlaneCurve,
+    Rod,
+    Sheet,
+    Strip,
+    Supports,
+    bend,
+    make_strip,
+    optimal_rod,
+)
+from elastica_cad.mechanics import LaminatedSection, sideways_stability
+from elastica_cad.mechanics.sideways import SidewaysSection, sideways_margin
+from elastica_cad.strip.strip import strip_sideways
 
 pytestmark = pytest.mark.core
 

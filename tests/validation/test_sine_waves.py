@@ -7,9 +7,7 @@ is (1 + (A w)^2)^(3/2) times the least.
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad import PlaneCurve, check_equilibrium, optimal_rod
 
 pytestmark = pytest.mark.core
 

@@ -5,16 +5,9 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.discrete_rod import DiscreteRod, bending_moments, node_weights, shoot
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.stability import (
-    conjugate_point,
-    determinant_gradient,
-    stability,
-    stability_determinant,
-)
+from elastica_cad import PlaneCurve, bend, optimal_rod, stability
+from elastica_cad.mechanics import DiscreteRod, conjugate_point, determinant_gradient, stability_determinant
+from elastica_cad.mechanics.discrete_rod import bending_moments, node_weights, shoot
 
 pytestmark = pytest.mark.core
 

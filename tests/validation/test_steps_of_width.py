@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.strip.makeable_strip import compensate_widths
+from elastica_cad import Profile
+from elastica_cad.strip import compensate_widths
 from tests.campaign.finite_elements.cases import CASES
 
 pytestmark = pytest.mark.core

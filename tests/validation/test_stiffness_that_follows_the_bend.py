@@ -9,12 +9,10 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import RectBivariateSpline
 from scipy.optimize import root
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.laminated_section import LaminatedSection, laminate_factor
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.lamination import Laminated
+from elastica_cad import Laminated, PlaneCurve, Sheet, make_strip
+from elastica_cad.mechanics import LaminatedSection
+from elastica_cad.mechanics.laminated_section import laminate_factor
 from elastica_cad.strip.layers import PLATE_CUT, PLATE_END, LapPlates
-from elastica_cad.strip.strip_spec import make_strip
 
 pytestmark = pytest.mark.core
 

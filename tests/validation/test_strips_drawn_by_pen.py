@@ -3,14 +3,9 @@
 import numpy as np
 import pytest
 
+from elastica_cad import Profile, Rod, Supports, bend, check_equilibrium, optimal_rod
 from elastica_cad.files import read_drawing
-from elastica_cad.forming.fairing_request import smooth_curve
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Supports
-from elastica_cad.mechanics.rod import Rod
+from elastica_cad.forming import smooth_curve
 from tests.validation.test_every_number_of_decimals import smooth_path, written
 
 pytest.importorskip("svgelements")

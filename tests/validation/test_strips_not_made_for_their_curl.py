@@ -6,14 +6,10 @@ import numpy as np
 import pytest
 from scipy.interpolate import RectBivariateSpline
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.laminated_section import LaminatedSection, laminate_factor
-from elastica_cad.mechanics.sheets import NominalRatio, Sheet
-from elastica_cad.mechanics.stability import stability
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.strip_spec import make_strip
-from elastica_cad.strip.travel import bend_strip
+from elastica_cad import Laminated, PlaneCurve, Sheet, bend, bend_strip, make_strip, stability
+from elastica_cad.mechanics import LaminatedSection
+from elastica_cad.mechanics.laminated_section import laminate_factor
+from elastica_cad.mechanics.sheets import NominalRatio
 
 pytestmark = pytest.mark.core
 

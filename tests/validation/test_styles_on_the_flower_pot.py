@@ -7,13 +7,8 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.laminated_section import LaminatedSection
-from elastica_cad.mechanics.least_ratio import optimal_laminate
-from elastica_cad.model.revolution_model import touching_widths
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.perforation import Perforated
+from elastica_cad import Frame, InputError, Laminated, Perforated, touching_widths
+from elastica_cad.mechanics import LaminatedSection, optimal_laminate
 
 pytestmark = pytest.mark.core
 

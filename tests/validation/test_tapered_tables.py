@@ -10,14 +10,8 @@ import pytest
 from scipy.optimize import brentq
 from scipy.special import jv, yv
 
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.loads import End, Gravity, Supports, Weight
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sections import WidthLaw
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stability import stability
-from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
+from elastica_cad import End, Gravity, Profile, Rod, Sheet, Supports, Weight, bend, stability
+from elastica_cad.mechanics import RoundLaw, ThicknessLaw, WidthLaw
 
 pytestmark = pytest.mark.core
 

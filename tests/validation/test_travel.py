@@ -7,12 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.loads import Supports
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.travel import bend_strip
+from elastica_cad import Rod, Sheet, Strip, Supports, bend, bend_strip
 
 pytestmark = pytest.mark.core
 

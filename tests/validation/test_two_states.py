@@ -4,14 +4,23 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from elastica_cad import PlaneCurve, Rod, check_equilibrium, matched_pair, optimal_rod, stability
-from elastica_cad.errors import InputError
+from elastica_cad import (
+    InputError,
+    NotRealizable,
+    PairLimits,
+    PlaneCurve,
+    Rod,
+    TwoStateRod,
+    check_equilibrium,
+    check_pair,
+    matched_pair,
+    optimal_rod,
+    stability,
+    two_state_rod,
+)
 from elastica_cad.geometry.plane_curve import integrate_tangents
-from elastica_cad.mechanics.loads import RestCurvature
-from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad.mechanics import RestCurvature
 from elastica_cad.pairs.matching import same_way
-from elastica_cad.pairs.pair_check import check_pair
-from elastica_cad.pairs.two_state_rods import PairLimits, TwoStateRod, two_state_rod
 from tests.two_states import DensePair, astray, dense_margin, drawn_pairs
 
 pytestmark = pytest.mark.core

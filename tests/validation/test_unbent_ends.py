@@ -4,10 +4,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Gravity, RestCurvature, Supports
+from elastica_cad import Gravity, PlaneCurve, Supports, check_equilibrium, optimal_rod
+from elastica_cad.mechanics import RestCurvature
 
 pytestmark = pytest.mark.core
 

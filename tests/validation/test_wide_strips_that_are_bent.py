@@ -5,20 +5,31 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.bending import bend, bend_path
-from elastica_cad.mechanics.rod import CurlingLaw, Rod, resample
-from elastica_cad.mechanics.sections import SheetCurl, WidthLaw
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad import (
+    InputError,
+    PlaneCurve,
+    Profile,
+    Rod,
+    Sheet,
+    Strip,
+    bend,
+    bend_strip,
+    make_strip,
+    stability,
+    stability_limit,
+)
+from elastica_cad.mechanics import (
+    Imperfection,
+    ToleranceRanges,
+    WidthLaw,
+    bend_path,
+    perturb_rod,
+    tolerance_study,
+)
+from elastica_cad.mechanics.rod import CurlingLaw, resample
+from elastica_cad.mechanics.sections import SheetCurl
 from elastica_cad.mechanics.sideways import SidewaysSection, sideways_stability_of, stations_of_sideways
-from elastica_cad.mechanics.stability import stability
-from elastica_cad.mechanics.stability_limits import stability_limit
-from elastica_cad.mechanics.tolerances import Imperfection, ToleranceRanges, perturb_rod, tolerance_study
-from elastica_cad.strip.strip import Strip, strip_sideways
-from elastica_cad.strip.strip_spec import make_strip
-from elastica_cad.strip.travel import bend_strip
+from elastica_cad.strip.strip import strip_sideways
 
 pytestmark = pytest.mark.core
 

@@ -2,9 +2,8 @@
 
 import build123d as bd
 
+from elastica_cad import Slot, Tab
 from elastica_cad.build123d import BentStrip, Elastica, EndFixture, FlatStrip, StripOutline, elastic_strip
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.slots import Slot
 
 
 def mistakes() -> None:

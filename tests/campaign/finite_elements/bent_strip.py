@@ -6,9 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from elastica_cad.formats.drawing_files import write_drawing
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.strip.strip import Strip
+from elastica_cad import PlaneCurve, Strip
+from elastica_cad.formats import write_drawing
 from tests.campaign.finite_elements.bricks import Bricks, extrude
 from tests.campaign.finite_elements.calculix import Answer, Material, solve
 from tests.campaign.finite_elements.flat_mesh import mesh_cut_files

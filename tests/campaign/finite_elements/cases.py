@@ -6,13 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad import Laminated, Perforated, PlaneCurve, Sheet, Slot, StripSpec, Tab
 
 __all__ = ["CASES", "CURVES", "Case"]
 

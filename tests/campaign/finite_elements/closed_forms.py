@@ -7,10 +7,7 @@ from pathlib import Path
 import numpy as np
 from scipy.special import ellipeinc, ellipj
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.strip import Strip
+from elastica_cad import PlaneCurve, Rod, Sheet, Strip
 from tests.campaign.finite_elements.bent_strip import bend_cut_strip
 
 __all__ = ["Known", "arc", "elastica", "known_answers", "uniform_strip"]

@@ -10,18 +10,20 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad.errors import ElasticaError
-from elastica_cad.forming.limits import Keep
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import LeavesLaw, ThicknessLaw
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad import (
+    ElasticaError,
+    Keep,
+    Laminated,
+    Perforated,
+    PlaneCurve,
+    Sheet,
+    Slot,
+    Strip,
+    StripSpec,
+    Tab,
+    optimal_rod,
+)
+from elastica_cad.mechanics import LeavesLaw, ThicknessLaw
 from tests.campaign.finite_elements.bent_strip import bend_cut_strip
 from tests.campaign.finite_elements.tapered import WIDTH, bend_tapered
 

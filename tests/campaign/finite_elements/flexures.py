@@ -7,13 +7,11 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial import cKDTree
 
+from elastica_cad import Flexure, PlaneCurve, Rod, read_curves
 from elastica_cad.design.pair_table import read_pair
-from elastica_cad.files import read_curves
-from elastica_cad.formats.drawing_files import write_drawing
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.pairs.flexure import CentreLine, Flexure, FlexureTravel
-from elastica_cad.pairs.flexure_spec import FlexureSpec
+from elastica_cad.formats import write_drawing
+from elastica_cad.pairs import FlexureSpec, FlexureTravel
+from elastica_cad.pairs.flexure import CentreLine
 from tests.campaign.finite_elements.bricks import Bricks, extrude
 from tests.campaign.finite_elements.calculix import Material, displaced, model_cards, run_deck, strict
 from tests.campaign.finite_elements.flat_mesh import mesh_cut_files

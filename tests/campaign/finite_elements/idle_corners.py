@@ -17,7 +17,7 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.linalg import spsolve
 
-from elastica_cad.mechanics.sections import crack_energy
+from elastica_cad.mechanics import crack_energy
 from elastica_cad.strip.as_made import CUT, CUT_GRAIN, RESTRAINT, STEP, TAB, TAB_REACH, idle_length
 
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(4)

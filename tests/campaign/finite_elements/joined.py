@@ -6,10 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
-from elastica_cad.formats.drawing_files import write_drawing
+from elastica_cad import Strip
+from elastica_cad.formats import write_drawing
+from elastica_cad.strip import compensate_widths
 from elastica_cad.strip.layers import LapPlates
-from elastica_cad.strip.makeable_strip import compensate_widths
-from elastica_cad.strip.strip import Strip
 from tests.campaign.finite_elements.bent_strip import in_tabs, middle_line, on_curve
 from tests.campaign.finite_elements.bricks import Bricks, extrude
 from tests.campaign.finite_elements.calculix import Material, solve

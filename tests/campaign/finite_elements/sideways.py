@@ -10,13 +10,9 @@ from pathlib import Path
 import numpy as np
 from scipy.special import ellipk
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.rod import Rod
+from elastica_cad import Laminated, Perforated, PlaneCurve, Rod, Strip, bend
 from elastica_cad.mechanics.sections import areal_weight
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.strip import Strip, strip_sideways
+from elastica_cad.strip.strip import strip_sideways
 from tests.campaign.finite_elements.bent_strip import BentStrip, bend_cut_strip
 from tests.campaign.finite_elements.closed_forms import GRAVITY_MM_S2, LENGTH, arc, elastica, uniform_strip
 

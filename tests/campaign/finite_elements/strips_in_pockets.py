@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.tab_seats import TabSeat
+from elastica_cad import Strip
+from elastica_cad.strip import TabSeat
 from tests.campaign.finite_elements.bent_strip import flat_body, middle_line, on_curve
 from tests.campaign.finite_elements.calculix import Material
 from tests.campaign.finite_elements.cases import CASES

@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from elastica_cad.strip.makeable_strip import compensate_widths
+from elastica_cad.strip import compensate_widths
 from tests.campaign.finite_elements.bent_strip import bend_cut_strip
 from tests.campaign.finite_elements.cases import Case
 

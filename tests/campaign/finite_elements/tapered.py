@@ -11,13 +11,10 @@ from typing import Any
 import ezdxf
 import numpy as np
 
-from elastica_cad.formats.drawing_files import write_drawing
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
-from elastica_cad.strip.drawing import CUT_OUTER, Drawing, LayeredPath
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad import Drawing, Sheet, Strip, StripSpec, Tab
+from elastica_cad.formats import write_drawing
+from elastica_cad.mechanics import RoundLaw, ThicknessLaw
+from elastica_cad.strip import CUT_OUTER, LayeredPath
 from elastica_cad.strip.tapered_solids import side_view
 from tests.campaign.finite_elements.bent_strip import middle_line, on_curve
 from tests.campaign.finite_elements.bricks import Bricks, extrude

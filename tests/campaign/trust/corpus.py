@@ -68,8 +68,8 @@ def _svg() -> list[bytes]:
 
 
 def _json() -> list[bytes]:
-    from elastica_cad.formats.json_curves import curves_json
-    from elastica_cad.geometry.plane_curve import PlaneCurve
+    from elastica_cad import PlaneCurve
+    from elastica_cad.formats import curves_json
 
     arc, line = PlaneCurve.arc((0, 0), 50, 0, 2), PlaneCurve.line((0, 0), (30, 5))
     wave = PlaneCurve.spline([(0, 0), (40, 60), (90, -60), (130, 0)], degree=3)

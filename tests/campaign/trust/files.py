@@ -53,10 +53,9 @@ def case(seed: int, number: int) -> tuple[str, bytes]:
 
 def read(path: Path) -> str:
     """What a file gives: "curves", or the sentence that refuses it."""
-    from elastica_cad.design.design_file import read_design
-    from elastica_cad.errors import ElasticaError
-    from elastica_cad.files import read_curves, read_drawing, read_surface
-    from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+    from elastica_cad import ElasticaError, check_equilibrium, read_curves
+    from elastica_cad.design import read_design
+    from elastica_cad.files import read_drawing, read_surface
 
     try:
         if path.suffix == ".toml":

@@ -22,7 +22,7 @@ from ezdxf import path as flattened
 from ezdxf.units import conversion_factor
 from scipy.spatial import cKDTree
 
-from elastica_cad.errors import ElasticaError
+from elastica_cad import ElasticaError
 from elastica_cad.files import read_drawing
 from tests.campaign.trust.corpus import originals
 from tests.campaign.trust.numbered_cases import arguments, run_cases

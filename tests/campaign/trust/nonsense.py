@@ -24,7 +24,7 @@ from enum import Enum
 
 import numpy as np
 
-from elastica_cad.errors import ElasticaError
+from elastica_cad import ElasticaError
 from tests.properties.test_public_doors import INNER, example_calls
 
 FLOORS = (

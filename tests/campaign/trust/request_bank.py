@@ -134,8 +134,7 @@ def typed_line(line: str) -> object:
 
 def keyed_design(number: int) -> object:
     """A design of those that together use every key."""
-    from elastica_cad.formats.curve_writer import write_curves
-    from elastica_cad.geometry.plane_curve import PlaneCurve
+    from elastica_cad import PlaneCurve, write_curves
     from tests.campaign.trust.corpus import originals
 
     write_curves([PlaneCurve.arc((0, 0), 50, 0.2, 2.0)], "one.json")
@@ -230,7 +229,7 @@ def rod(rng: random.Random) -> object:
 def strip(rng: random.Random) -> object:
     """A strip of any style, its drawings in lines and arcs, and its sheets."""
     import elastica_cad as ec
-    from elastica_cad.model.nesting import nest_pieces
+    from elastica_cad.model import nest_pieces
     from elastica_cad.strip.pieces import strip_pieces
     from tests.campaign.trust.written import STOCK_MM, strip_of
 
@@ -249,7 +248,7 @@ def strip(rng: random.Random) -> object:
 def file(kind: str, number: int) -> object:
     """A sound file, or a broken one, as its reader gives it."""
     import elastica_cad as ec
-    from elastica_cad.design.design_file import read_design
+    from elastica_cad.design import read_design
     from elastica_cad.files import read_drawing, read_surface
     from tests.campaign.trust.corpus import originals
     from tests.campaign.trust.mutations import mutated

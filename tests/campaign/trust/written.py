@@ -17,7 +17,7 @@ import numpy as np
 import shapely
 
 import elastica_cad as ec
-from elastica_cad.model.nesting import nest_pieces
+from elastica_cad.model import nest_pieces
 from elastica_cad.strip.pieces import strip_pieces
 from tests.campaign.trust.numbered_cases import arguments, run_cases
 

@@ -10,14 +10,11 @@ import pytest
 from click.testing import CliRunner
 from scipy.integrate import solve_bvp
 
+from elastica_cad import NotConvergedError, PlaneCurve, Sheet, StripSpec
 from elastica_cad.cli.commands import elastica
-from elastica_cad.errors import NotConvergedError
-from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
+from elastica_cad.mechanics import RoundLaw, ThicknessLaw
 from elastica_cad.model.batten import BattenSpec, bench_drawing
-from elastica_cad.strip.strip_spec import StripSpec
 
 ASKED = ("--sheet", "pom-1", "--length", "2400", "--camber", "10", "--at", "40")
 

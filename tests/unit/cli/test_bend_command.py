@@ -8,7 +8,7 @@ from click.testing import CliRunner
 
 import elastica_cad as ec
 from elastica_cad.cli.commands import elastica
-from elastica_cad.formats.json_curves import curves_json
+from elastica_cad.formats import curves_json
 
 
 def run(*arguments):

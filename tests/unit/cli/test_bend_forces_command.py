@@ -9,14 +9,8 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from elastica_cad import Rod, Sheet, bend, bend_strip, make_strip, read_curves, stability_limit
 from elastica_cad.cli.commands import elastica
-from elastica_cad.files import read_curves
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stability_limits import stability_limit
-from elastica_cad.strip.strip_spec import make_strip
-from elastica_cad.strip.travel import bend_strip
 
 ARCH = "0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n"
 

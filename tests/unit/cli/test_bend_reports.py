@@ -9,18 +9,25 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from elastica_cad import (
+    Hole,
+    Limits,
+    PlaneCurve,
+    PointMass,
+    Sheet,
+    StripSpec,
+    Supports,
+    Tab,
+    bend,
+    bend_strip,
+    make_strip,
+    read_curves,
+)
 from elastica_cad.cli.commands import elastica
 from elastica_cad.design.strip_request import RECORDS, SOLVED, FinishedStrip, request_record
-from elastica_cad.files import read_curves, read_drawing
-from elastica_cad.forming.limits import Limits
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.loads import PointMass, RestCurvature, Supports
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import LeavesLaw, ThicknessLaw
-from elastica_cad.strip.outline import Hole, Tab, TSlot
-from elastica_cad.strip.strip_spec import StripSpec, make_strip
-from elastica_cad.strip.travel import bend_strip
+from elastica_cad.files import read_drawing
+from elastica_cad.mechanics import LeavesLaw, RestCurvature, ThicknessLaw
+from elastica_cad.strip import TSlot
 
 ARCH = "0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n"
 SINE = PlaneCurve.fit(

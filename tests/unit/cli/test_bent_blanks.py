@@ -5,13 +5,11 @@ import json
 import pytest
 from click.testing import CliRunner
 
+from elastica_cad import PlaneCurve, make_strip, read_curves
 from elastica_cad.cli.commands import elastica
-from elastica_cad.design.design_file import read_design
-from elastica_cad.files import read_curves
-from elastica_cad.formats.json_curves import curves_json
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads import RestCurvature
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad.design import read_design
+from elastica_cad.formats import curves_json
+from elastica_cad.mechanics import RestCurvature
 
 ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)], degree=4)
 FLATTER = PlaneCurve.spline([(0, 0), (40, 30), (90, 42), (140, 30), (184, 0)], degree=4)

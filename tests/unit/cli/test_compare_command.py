@@ -7,10 +7,10 @@ import pytest
 from click.testing import CliRunner
 
 import elastica_cad as ec
+from elastica_cad import InputError
 from elastica_cad.cli.commands import elastica
 from elastica_cad.design.measuring_sheet import read_measuring, read_readings
-from elastica_cad.errors import InputError
-from elastica_cad.formats.json_curves import curves_json
+from elastica_cad.formats import curves_json
 
 
 @pytest.fixture(scope="module")

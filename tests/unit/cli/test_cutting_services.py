@@ -6,11 +6,9 @@ import ezdxf
 import pytest
 from click.testing import CliRunner
 
+from elastica_cad import InputError, read_curves, save_model
 from elastica_cad.cli.commands import elastica
 from elastica_cad.design import Cutting, read_design
-from elastica_cad.errors import InputError
-from elastica_cad.files import read_curves
-from elastica_cad.kit.model_kit import save_model
 
 KIT = """schema = 1
 name = "kit"

@@ -6,10 +6,9 @@ import ezdxf
 import pytest
 from click.testing import CliRunner
 
+from elastica_cad import PlaneCurve, write_curves
 from elastica_cad._text import MADE_BY, command_of_drawings, quote_words
 from elastica_cad.cli.commands import elastica
-from elastica_cad.formats.curve_writer import write_curves
-from elastica_cad.geometry.plane_curve import PlaneCurve
 
 ARCH = PlaneCurve.spline([(0, 0), (60, 150), (150, 190), (240, 150), (300, 0)])
 

@@ -13,13 +13,13 @@ from click.testing import CliRunner
 import elastica_cad as ec
 from elastica_cad.cli import model_command
 from elastica_cad.cli.commands import elastica
-from elastica_cad.design.design_file import read_design
-from elastica_cad.formats.json_curves import curves_json
+from elastica_cad.design import read_design
+from elastica_cad.formats import curves_json
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.model.assembly import list_assembly_steps
-from elastica_cad.plot.assembly_sheet import save_assembly_sheet
+from elastica_cad.plot import save_assembly_sheet
 from elastica_cad.plot.drawing_process import drawing_process
-from elastica_cad.strip.drawing import CUT_OUTER
+from elastica_cad.strip import CUT_OUTER
 
 DESIGN = """
 schema = 1

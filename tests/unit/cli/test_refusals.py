@@ -14,9 +14,9 @@ import pytest
 from click.testing import CliRunner
 
 import elastica_cad as ec
+from elastica_cad import write_curves
 from elastica_cad.cli import suggestions
 from elastica_cad.cli.commands import elastica
-from elastica_cad.formats import write_curves
 
 CURVES = {
     "wave": [(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)],  # no strip takes it

@@ -5,9 +5,9 @@ import pytest
 from click.testing import CliRunner
 
 import elastica_cad as ec
+from elastica_cad import InputError
 from elastica_cad.cli.commands import elastica
-from elastica_cad.design.design_file import read_design
-from elastica_cad.errors import InputError
+from elastica_cad.design import read_design
 
 WAVE = ec.PlaneCurve.spline([(10, 0), (40, 150), (130, 160), (170, 20), (230, -10), (290, 110)])
 

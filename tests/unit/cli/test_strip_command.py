@@ -10,7 +10,7 @@ from click.testing import CliRunner
 
 import elastica_cad as ec
 from elastica_cad.cli import commands
-from elastica_cad.formats.json_curves import curves_json
+from elastica_cad.formats import curves_json
 
 
 def elastica(*arguments, cwd="."):
@@ -359,7 +359,7 @@ def test_a_strip_that_only_stiffens_across_is_told_what_compensates(tmp_path, we
 )
 def test_what_tapers_is_told_in_words_numbers_and_picture(law, quantity, words, tmp_path):
     pytest.importorskip("matplotlib")
-    from elastica_cad.plot.strip_pictures import strip_sheet
+    from elastica_cad.plot import strip_sheet
 
     points = [(0, 0), (60, 150), (140, 200), (260, 150), (300, 0)]
     curve = ec.PlaneCurve.spline(points, degree=4)

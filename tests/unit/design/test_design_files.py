@@ -3,19 +3,21 @@
 import numpy as np
 import pytest
 
-from elastica_cad.design.design_file import read_design
+from elastica_cad import (
+    InputError,
+    Laminated,
+    NotRealizable,
+    Perforated,
+    PlaneCurve,
+    load_sheets,
+    read_curves,
+    write_curves,
+)
+from elastica_cad.design import read_design
 from elastica_cad.design.records import parsed_line
 from elastica_cad.design.tables import Slips
-from elastica_cad.errors import InputError
-from elastica_cad.files import read_curves
-from elastica_cad.formats.curve_writer import write_curves
-from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kit.kit_contents import kit_contents
-from elastica_cad.mechanics.sheets import load_sheets
-from elastica_cad.mechanics.theorem1 import NotRealizable
-from elastica_cad.model.held_tabs import rocking_tabs
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.perforation import Perforated
+from elastica_cad.model import rocking_tabs
 
 ARC = "curve.ellipse = { semi_axes = [90, 60], start = 0.2, end = 2.9 }"
 HEAD = 'schema = 1\nsheet = "card-200gsm"\nmax_width = 20\n'

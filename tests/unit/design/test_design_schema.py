@@ -11,13 +11,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from elastica_cad.design.design_file import read_design
+from elastica_cad import InputError, PlaneCurve, read_curves, write_curves
+from elastica_cad.design import read_design
 from elastica_cad.design.design_schema import SCHEMA_FILE, design_schema, tables
 from elastica_cad.design.pair_table import read_pair
-from elastica_cad.errors import InputError
-from elastica_cad.files import read_curves
-from elastica_cad.formats.curve_writer import write_curves
-from elastica_cad.geometry.plane_curve import PlaneCurve
 
 ROOT = Path(__file__).resolve().parents[3]
 TABLES = tables()

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from elastica_cad import InputError
 from elastica_cad.design.tables import CONSTANTS, FUNCTIONS, Formula
-from elastica_cad.errors import InputError
 
 pytestmark = pytest.mark.core
 

@@ -5,7 +5,7 @@ import json
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.design.design_file import read_design
+from elastica_cad.design import read_design
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.kit.model_kit import model_kit
 

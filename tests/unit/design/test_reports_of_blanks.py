@@ -5,14 +5,12 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.design.design_file import read_design
+from elastica_cad import PlaneCurve, make_strip, read_curves
+from elastica_cad.design import read_design
 from elastica_cad.design.reports import report_blank, tell_blank
-from elastica_cad.files import read_curves
-from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.kit.model_kit import model_kit
-from elastica_cad.mechanics.loads import RestCurvature
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad.mechanics import RestCurvature
 
 LEFT = PlaneCurve.arc((0, 0), 100, 0, 1)
 DESIGN = """schema = 1

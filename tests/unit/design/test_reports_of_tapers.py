@@ -2,11 +2,9 @@
 
 import pytest
 
-from elastica_cad.design.reports import report_strip
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad import PlaneCurve, Sheet, make_strip
+from elastica_cad.design import report_strip
+from elastica_cad.mechanics import RoundLaw, ThicknessLaw
 
 ARCH = PlaneCurve.spline([(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)])
 GLASS = Sheet("glass", 3.0, 38000.0, density=1900.0, max_strain=0.02)

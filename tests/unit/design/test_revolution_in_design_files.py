@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.design.design_file import read_design
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad import InputError, NotConvergedError
+from elastica_cad.design import read_design
 from elastica_cad.kit.kit_contents import kit_contents
 
 HEAD = 'schema = 1\nname = "vase"\nsheet = "card-200gsm"\n'

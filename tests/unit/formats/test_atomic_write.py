@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.formats.write_files import write_atomically
+from elastica_cad import InputError
+from elastica_cad.formats import write_atomically
 
 pytestmark = pytest.mark.core
 

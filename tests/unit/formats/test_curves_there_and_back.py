@@ -6,11 +6,9 @@ import warnings
 import numpy as np
 import pytest
 
-from elastica_cad.files import read_curves
-from elastica_cad.formats.curve_writer import FitWarning, write_curves
+from elastica_cad import PlaneCurve, StripSpec, read_curves, write_curves
+from elastica_cad.formats.curve_writer import FitWarning
 from elastica_cad.geometry.fairing import two_sided_distance
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.strip.strip_spec import StripSpec
 
 PIECES = (0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2)
 CURVES = {

@@ -8,25 +8,12 @@ import pytest
 import svgelements
 from scipy.interpolate import BSpline
 
-from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.formats.drawing_files import encode_svg, write_drawing
-from elastica_cad.formats.drawing_style import CURVES, style_layers
-from elastica_cad.formats.dxf_drawing import DXF_VERSIONS, encode_dxf
+from elastica_cad import Drawing, InputError, MissingDependencyError, Path, PlaneCurve
+from elastica_cad.formats import CURVES, DXF_VERSIONS, encode_dxf, encode_svg, style_layers, write_drawing
+from elastica_cad.geometry import Arc, Line, Spline
 from elastica_cad.geometry.approximations import as_beziers
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Arc, Line, Spline
-from elastica_cad.strip.drawing import (
-    CUT_INNER,
-    CUT_OUTER,
-    ENGRAVE,
-    MARK,
-    SHEET,
-    Drawing,
-    LayeredPath,
-    separate_parts,
-)
-from elastica_cad.strip.lettering import Text
+from elastica_cad.strip import CUT_INNER, CUT_OUTER, ENGRAVE, MARK, LayeredPath, Text
+from elastica_cad.strip.drawing import SHEET, separate_parts
 
 
 def waved(degree=3):

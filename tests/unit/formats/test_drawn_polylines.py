@@ -6,8 +6,7 @@ import ezdxf
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.files import read_curves
+from elastica_cad import InputError, read_curves
 from elastica_cad.geometry.fairing import round_corners
 from elastica_cad.mechanics.theorem1 import require_bendable
 

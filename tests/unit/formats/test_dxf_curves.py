@@ -6,13 +6,11 @@ import numpy as np
 import pytest
 from scipy.interpolate import BSpline, CubicSpline
 
-from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.files import read_curves, read_drawing
-from elastica_cad.formats.dxf_drawing import encode_dxf
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.segments import Line
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.strip.drawing import MARK, Drawing, LayeredPath
+from elastica_cad import Drawing, InputError, MissingDependencyError, Path, check_equilibrium, read_curves
+from elastica_cad.files import read_drawing
+from elastica_cad.formats import encode_dxf
+from elastica_cad.geometry import Line
+from elastica_cad.strip import MARK, LayeredPath
 
 S_POINTS = np.array([(0, 0), (30, 40), (60, -40), (90, 10), (120, 0)], dtype=float)
 

@@ -1,11 +1,10 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
+from elastica_cad import Frame, InputError
 from elastica_cad.formats.chains import curve_from_points, curve_from_run, join_runs, near_ends
 from elastica_cad.formats.edges import Edge
 from elastica_cad.formats.placed_curve import flatten_run, placed_curve
-from elastica_cad.geometry.frame import Frame
 
 pytestmark = pytest.mark.core
 

@@ -8,11 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from elastica_cad.errors import ElasticaError, InputError
-from elastica_cad.files import read_curves, read_drawing
-from elastica_cad.formats.json_curves import curves_json
+from elastica_cad import ElasticaError, InputError, PlaneCurve, read_curves
+from elastica_cad.files import read_drawing
+from elastica_cad.formats import curves_json
 from elastica_cad.formats.source_file import require_file
-from elastica_cad.geometry.plane_curve import PlaneCurve
 
 pytest.importorskip("svgelements")
 ezdxf = pytest.importorskip("ezdxf")

@@ -3,11 +3,8 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.files import read_curves
-from elastica_cad.formats.curve_writer import write_curves
-from elastica_cad.formats.json_curves import curve_record, curves_json
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import InputError, PlaneCurve, read_curves, write_curves
+from elastica_cad.formats import curve_record, curves_json
 
 pytestmark = pytest.mark.core
 

@@ -5,8 +5,8 @@ import sys
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.formats.mesh_files import read_mesh
+from elastica_cad import InputError, MissingDependencyError
+from elastica_cad.formats import read_mesh
 
 TENT = "v 0 0 0\nv 90 0 0\nv 90 90 50\nv 0 90 50\nf 1 2 3 4\n"
 STL = (

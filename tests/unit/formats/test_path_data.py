@@ -5,7 +5,7 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
-from elastica_cad.errors import InputError
+from elastica_cad import InputError
 from elastica_cad.formats.source_file import half_last_place
 from elastica_cad.formats.svg_path_data import path_data
 

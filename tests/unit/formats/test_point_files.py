@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.files import read_curves, read_drawing
+from elastica_cad import InputError, read_curves
+from elastica_cad.files import read_drawing
 from elastica_cad.mechanics.theorem1 import require_bendable
 
 pytestmark = pytest.mark.core

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad import ElasticaError, InputError, check_equilibrium
 from elastica_cad.files import read_drawing
-from elastica_cad.forming.fairing_request import SEEN, smooth_curve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.forming import smooth_curve
+from elastica_cad.forming.fairing_request import SEEN
 from elastica_cad.mechanics.theorem1 import require_bendable
 
 pytest.importorskip("svgelements")

@@ -3,13 +3,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.files import CURVE_SUFFIXES, read_curves, save
-from elastica_cad.formats.json_curves import curves_json
-from elastica_cad.geometry.path import Path as GeometryPath
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Spline
-from elastica_cad.strip.drawing import Drawing, LayeredPath
+from elastica_cad import Drawing, InputError, MissingDependencyError, PlaneCurve, read_curves, save
+from elastica_cad import Path as GeometryPath
+from elastica_cad.files import CURVE_SUFFIXES
+from elastica_cad.formats import curves_json
+from elastica_cad.geometry import Spline
+from elastica_cad.strip import LayeredPath
 
 
 def test_the_suffix_chooses_the_reader(tmp_path):

@@ -5,10 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.files import read_curves, read_drawing
-from elastica_cad.forming.fairing_request import smooth_curve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad import InputError, check_equilibrium, read_curves
+from elastica_cad.files import read_drawing
+from elastica_cad.forming import smooth_curve
 from elastica_cad.mechanics.theorem1 import require_bendable
 
 pytest.importorskip("svgelements")

@@ -5,8 +5,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError, MissingDependencyError
-from elastica_cad.files import read_curves, read_drawing
+from elastica_cad import InputError, MissingDependencyError, read_curves
+from elastica_cad.files import read_drawing
 
 PX = 25.4 / 96
 

@@ -7,15 +7,20 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from elastica_cad import (
+    Box,
+    Keep,
+    Limits,
+    NearestRod,
+    NotConvergedError,
+    PlaneCurve,
+    Sheet,
+    Status,
+    nearest_rod,
+    stability,
+)
 from elastica_cad.cli.commands import elastica
-from elastica_cad.errors import NotConvergedError
-from elastica_cad.formats.json_curves import curves_json
-from elastica_cad.forming.limits import Box, Keep, Limits
-from elastica_cad.forming.nearest_record import NearestRod, Status
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stability import stability
+from elastica_cad.formats import curves_json
 
 ARCH = PlaneCurve.spline([(0, 0), (20, 70), (60, 90), (110, 60), (120, 0)], degree=4)
 WAVE = PlaneCurve.spline([(0, 0), (40, 60), (70, -60), (110, 70), (150, -40), (190, 10)], degree=4)

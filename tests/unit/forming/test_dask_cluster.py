@@ -4,10 +4,8 @@ import distributed
 import numpy as np
 import pytest
 
-from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.many_rods import nearest_rods, stream_nearest_rods
-from elastica_cad.forming.nearest_record import Status
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import Limits, PlaneCurve, Status, nearest_rods
+from elastica_cad.forming import stream_nearest_rods
 
 ARCHES = [PlaneCurve.spline([(0, 0), (20, h), (80, h), (100, 0)], degree=3) for h in (40, 60, 80)]
 

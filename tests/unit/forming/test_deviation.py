@@ -5,8 +5,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from elastica_cad import PlaneCurve
 from elastica_cad.forming.curve_distance import SPANS, TargetCurve, measure_deviation
-from elastica_cad.geometry.plane_curve import PlaneCurve
 
 pytestmark = pytest.mark.core
 

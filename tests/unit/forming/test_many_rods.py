@@ -9,14 +9,18 @@ from threading import Barrier
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.forming import many_rods
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.many_rods import nearest_rods, stream_nearest_rods
-from elastica_cad.forming.nearest_record import NearestRod, Status
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads import Gravity
+from elastica_cad import (
+    Gravity,
+    InputError,
+    Keep,
+    Limits,
+    NearestRod,
+    PlaneCurve,
+    Status,
+    nearest_rod,
+    nearest_rods,
+)
+from elastica_cad.forming import many_rods, stream_nearest_rods
 
 pytestmark = pytest.mark.core
 

@@ -4,18 +4,19 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from elastica_cad.errors import InputError
-from elastica_cad.forming.plane_sections import Mesh, mesh_sections
-from elastica_cad.forming.section_lines import (
+from elastica_cad import Frame, InputError, PlaneCurve
+from elastica_cad.forming import (
+    Mesh,
     SectionLine,
+    mesh_sections,
+    parallel_planes,
+    planes_along,
+    radial_planes,
     remove_false_inflections,
     section_curves,
     smooth_polyline,
-    tidy_points,
 )
-from elastica_cad.forming.section_spec import parallel_planes, planes_along, radial_planes
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.forming.section_lines import tidy_points
 
 pytestmark = pytest.mark.core
 

@@ -5,18 +5,26 @@ import pickle
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad import (
+    Box,
+    Gravity,
+    HalfPlane,
+    InputError,
+    Keep,
+    Limits,
+    NearestRod,
+    NotConvergedError,
+    PlaneCurve,
+    Sheet,
+    Status,
+    Supports,
+    bend,
+    check_equilibrium,
+    nearest_rod,
+    optimal_rod,
+    stability,
+)
 from elastica_cad.forming.editable_curve import coarse_curve
-from elastica_cad.forming.limits import Box, HalfPlane, Keep, Limits
-from elastica_cad.forming.nearest_record import NearestRod, Status
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Gravity, Supports
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stability import stability
 
 pytestmark = pytest.mark.core
 

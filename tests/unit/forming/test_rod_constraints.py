@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from elastica_cad import Box, HalfPlane, PlaneCurve, Sheet, Supports
 from elastica_cad.forming import constraints as kept
 from elastica_cad.forming import constraints as limits
 from elastica_cad.forming.curve_distance import (
@@ -14,12 +15,8 @@ from elastica_cad.forming.curve_distance import (
     TargetCurve,
     measure_deviation,
 )
-from elastica_cad.forming.limits import Box, HalfPlane
 from elastica_cad.forming.rod_map import SectionScale, StiffnessBasis, StripGrid
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads import Supports
-from elastica_cad.mechanics.sections import WidthLaw
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics import WidthLaw
 
 pytestmark = pytest.mark.core
 

@@ -5,13 +5,15 @@ from itertools import combinations, pairwise
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.forming.splitting import split
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Supports
-from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad import (
+    InputError,
+    NotRealizable,
+    PlaneCurve,
+    Supports,
+    check_equilibrium,
+    optimal_rod,
+    split,
+)
 
 pytestmark = pytest.mark.core
 

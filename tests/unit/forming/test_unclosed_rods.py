@@ -3,14 +3,12 @@
 import numpy as np
 import pytest
 
+from elastica_cad import Limits, PlaneCurve, nearest_rod
 from elastica_cad.forming.constraints import EndPosition
 from elastica_cad.forming.curve_distance import LargestDistance, MeanDistance, TargetCurve
-from elastica_cad.forming.limits import Limits
-from elastica_cad.forming.nearest_search import nearest_rod
 from elastica_cad.forming.rod_map import StiffnessBasis, StripGrid
 from elastica_cad.forming.rod_problem import RodProblem
 from elastica_cad.forming.sqp import all_equalities, close_iterate, follow_step, iterate_at, meet_equalities
-from elastica_cad.geometry.plane_curve import PlaneCurve
 
 pytestmark = pytest.mark.core
 

@@ -3,10 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest_record import Status
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import Keep, Limits, PlaneCurve, Status, nearest_rod
 
 pytestmark = pytest.mark.core
 

@@ -1,11 +1,8 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.approximations import as_arcs, as_cubics, as_polyline
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Arc, Line, Spline
+from elastica_cad import InputError, Path, PlaneCurve
+from elastica_cad.geometry import Arc, Line, Spline, as_arcs, as_cubics, as_polyline
 
 pytestmark = pytest.mark.core
 

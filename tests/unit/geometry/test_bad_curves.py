@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve, line_crossings
+from elastica_cad import InputError, PlaneCurve
+from elastica_cad.geometry import line_crossings
 
 pytestmark = pytest.mark.core
 

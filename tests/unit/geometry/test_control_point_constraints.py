@@ -1,18 +1,16 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import NotConvergedError
-from elastica_cad.geometry.control_point_constraints import (
+from elastica_cad import NotConvergedError, PlaneCurve
+from elastica_cad.geometry import (
     CollinearInflections,
-    CurvatureAt,
     EndPositions,
     EndTangents,
     FixedLength,
     InflectionsOnLine,
-    PointsOnLine,
     least_norm_newton,
 )
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.control_point_constraints import CurvatureAt, PointsOnLine
 
 WAVE = np.array(
     [

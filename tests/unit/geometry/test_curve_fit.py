@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import PlaneCurve
 
 pytestmark = pytest.mark.core
 

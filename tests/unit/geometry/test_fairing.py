@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad import InputError, PlaneCurve, check_equilibrium, optimal_rod
+from elastica_cad.forming import smooth_curve
 from elastica_cad.geometry.fairing import (
     fair_curve,
     may_step,
@@ -13,10 +13,7 @@ from elastica_cad.geometry.fairing import (
     usual_tolerance,
 )
 from elastica_cad.geometry.measured_points import Provenance
-from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.splines import elevate_degree
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.theorem1 import begin_at, require_bendable
 
 pytestmark = pytest.mark.core

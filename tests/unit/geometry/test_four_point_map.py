@@ -3,9 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.projective_maps import four_point_map
+from elastica_cad import InputError, PlaneCurve, four_point_map
 
 pytestmark = pytest.mark.core
 

@@ -3,11 +3,10 @@
 import numpy as np
 import pytest
 
-from elastica_cad.forming.fairing_request import smooth_curve
+from elastica_cad import PlaneCurve, check_equilibrium
+from elastica_cad.forming import smooth_curve
 from elastica_cad.geometry.fairing import round_corners
 from elastica_cad.geometry.measured_points import MeasuredPoints, Provenance, estimate_waver
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
 
 pytestmark = pytest.mark.core
 

@@ -3,11 +3,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.path import Path
+from elastica_cad import InputError, Path, PlaneCurve
+from elastica_cad.geometry import Arc, Line, Spline
 from elastica_cad.geometry.path_intersections import clip_across, self_crossing, trim_across
-from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
-from elastica_cad.geometry.segments import Arc, Line, Spline, trim_segment
+from elastica_cad.geometry.plane_curve import clamp_ends
+from elastica_cad.geometry.segments import trim_segment
 from elastica_cad.strip.outline import graph
 
 pytestmark = pytest.mark.core

@@ -7,8 +7,7 @@ from scipy.integrate import quad
 from scipy.interpolate import BSpline
 from scipy.special import ellipeinc
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import InputError, PlaneCurve
 
 pytestmark = pytest.mark.core
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from elastica_cad import PlaneCurve
+from elastica_cad.geometry import Spline
 from elastica_cad.geometry.path import distances, largest_deviation
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Spline
 
 pytestmark = pytest.mark.core
 

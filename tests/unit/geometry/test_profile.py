@@ -2,9 +2,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import BSpline
 
-from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.profile import Profile
+from elastica_cad import InputError, NotConvergedError, PlaneCurve, Profile
 
 pytestmark = pytest.mark.core
 

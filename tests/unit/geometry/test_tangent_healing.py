@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import PlaneCurve
 from elastica_cad.geometry.splines import elevate_degree
 from elastica_cad.geometry.tangent_healing import SURE, heal_tangents
 

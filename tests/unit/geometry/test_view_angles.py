@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import PlaneCurve
 from elastica_cad.geometry.self_intersections import find_view_angles
 
 pytestmark = pytest.mark.core

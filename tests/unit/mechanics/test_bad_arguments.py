@@ -3,15 +3,21 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import End, Gravity, PointMass, Supports, Weight
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.stability import stability
-from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad import (
+    End,
+    Gravity,
+    InputError,
+    NotRealizable,
+    PlaneCurve,
+    PointMass,
+    Rod,
+    Supports,
+    Weight,
+    bend,
+    check_equilibrium,
+    optimal_rod,
+    stability,
+)
 
 pytestmark = pytest.mark.core
 

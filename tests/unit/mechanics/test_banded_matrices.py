@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import scipy.linalg
 
-from elastica_cad.errors import NotConvergedError
+from elastica_cad import NotConvergedError
 from elastica_cad.mechanics.discrete_rod import (
     constrained_inertia,
     count_negative,

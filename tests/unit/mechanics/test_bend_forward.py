@@ -3,13 +3,19 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.bending import bend, bend_path
-from elastica_cad.mechanics.loads import Gravity, PointMass, Supports, Weight
-from elastica_cad.mechanics.moment_curvature import PolynomialLaw
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.stability import stability
+from elastica_cad import (
+    Gravity,
+    InputError,
+    NotConvergedError,
+    PointMass,
+    Profile,
+    Rod,
+    Supports,
+    Weight,
+    bend,
+    stability,
+)
+from elastica_cad.mechanics import PolynomialLaw, bend_path
 
 pytestmark = pytest.mark.core
 

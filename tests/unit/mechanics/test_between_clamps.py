@@ -5,10 +5,8 @@ import pytest
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
-from elastica_cad.errors import InputError
-from elastica_cad.mechanics.between_clamps import elastica_between
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Gravity
+from elastica_cad import Gravity, InputError, optimal_rod
+from elastica_cad.mechanics import elastica_between
 
 pytestmark = pytest.mark.core
 

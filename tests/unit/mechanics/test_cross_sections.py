@@ -3,12 +3,18 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.mechanics.laminated_section import LaminatedSection
-from elastica_cad.mechanics.section_limits import ScaleRange
-from elastica_cad.mechanics.sections import PerforatedSection, PlainSection, WidthLaw
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import LeavesLaw, RoundLaw, StiffnessLaw, ThicknessLaw
+from elastica_cad import InputError, Sheet
+from elastica_cad.mechanics import (
+    LaminatedSection,
+    LeavesLaw,
+    PerforatedSection,
+    PlainSection,
+    RoundLaw,
+    ScaleRange,
+    StiffnessLaw,
+    ThicknessLaw,
+    WidthLaw,
+)
 
 pytestmark = pytest.mark.core
 

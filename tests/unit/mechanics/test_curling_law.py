@@ -7,11 +7,9 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.loads import Supports
-from elastica_cad.mechanics.moment_curvature import PolynomialLaw
-from elastica_cad.mechanics.rod import CurlingLaw, Rod, as_bent
-from elastica_cad.mechanics.sections import anticlastic_factor
+from elastica_cad import Rod, Supports, bend
+from elastica_cad.mechanics import PolynomialLaw, anticlastic_factor
+from elastica_cad.mechanics.rod import CurlingLaw, as_bent
 
 pytestmark = pytest.mark.core
 

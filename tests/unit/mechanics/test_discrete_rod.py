@@ -4,11 +4,10 @@ import numpy as np
 import pytest
 import scipy.linalg
 
-from elastica_cad.mechanics.bending import bend, state_of, system_of
-from elastica_cad.mechanics.discrete_rod import DiscreteRod, edge_forces
-from elastica_cad.mechanics.loads import Gravity, Supports
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.stability import conjugate_point, determinant_gradient, stability_determinant
+from elastica_cad import Gravity, Rod, Supports, bend
+from elastica_cad.mechanics import DiscreteRod, conjugate_point, determinant_gradient, stability_determinant
+from elastica_cad.mechanics.bending import state_of, system_of
+from elastica_cad.mechanics.discrete_rod import edge_forces
 
 pytestmark = pytest.mark.core
 

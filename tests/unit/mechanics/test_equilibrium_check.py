@@ -6,15 +6,9 @@ import re
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import (
-    check_equilibrium,
-    find_separating_line,
-    fit_inflection_line,
-)
-from elastica_cad.mechanics.loads import End, Supports
-from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
+from elastica_cad import End, InputError, NotRealizable, PlaneCurve, Supports, check_equilibrium
+from elastica_cad.mechanics import InflectionLine
+from elastica_cad.mechanics.equilibrium_check import find_separating_line, fit_inflection_line
 
 pytestmark = pytest.mark.core
 

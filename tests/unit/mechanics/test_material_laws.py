@@ -5,9 +5,8 @@ import pickle
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.mechanics.moment_curvature import ElasticPlasticLaw, PlasticLaw, PolynomialLaw, TabulatedLaw
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad import InputError, Sheet
+from elastica_cad.mechanics import ElasticPlasticLaw, PlasticLaw, PolynomialLaw, TabulatedLaw
 
 pytestmark = pytest.mark.core
 

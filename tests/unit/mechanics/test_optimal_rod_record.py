@@ -6,15 +6,22 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, Gravity, PointMass, Supports, Weight
-from elastica_cad.mechanics.rod import DEFAULT_SAMPLES, Rod
-from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad import (
+    Gravity,
+    InputError,
+    NotRealizable,
+    PlaneCurve,
+    PointMass,
+    Profile,
+    Rod,
+    Supports,
+    Weight,
+    bend,
+    check_equilibrium,
+    optimal_rod,
+)
+from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2
+from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
 
 pytestmark = pytest.mark.core
 

@@ -7,13 +7,9 @@ from dataclasses import asdict
 import numpy as np
 import pytest
 
-from elastica_cad.design.reports import report_check
-from elastica_cad.files import read_curves
+from elastica_cad import NotRealizable, PlaneCurve, check_equilibrium, optimal_rod, read_curves
+from elastica_cad.design import report_check
 from elastica_cad.formats.chains import curve_from_points
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.theorem1 import NotRealizable
 
 pytestmark = pytest.mark.core
 

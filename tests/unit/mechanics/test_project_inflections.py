@@ -3,16 +3,9 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import NotConvergedError
+from elastica_cad import NotConvergedError, PlaneCurve, Supports, check_equilibrium, optimal_rod
 from elastica_cad.geometry.fairing import fair_curve
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import (
-    check_equilibrium,
-    fit_inflection_line,
-    project_inflections,
-)
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.equilibrium_check import fit_inflection_line, project_inflections
 
 pytestmark = pytest.mark.core
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import PlaneCurve
 from elastica_cad.geometry.polynomials import LEFT, NODES, RIGHT, WEIGHTS, PanelFunction
 from elastica_cad.mechanics.quadrature_panels import cut_into_panels
 

@@ -3,11 +3,8 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.rod import Rod, has_even_edges
+from elastica_cad import PlaneCurve, Profile, Rod, bend, optimal_rod
+from elastica_cad.mechanics.rod import has_even_edges
 
 pytestmark = pytest.mark.core
 

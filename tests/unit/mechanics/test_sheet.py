@@ -6,17 +6,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
+from elastica_cad import InputError, Sheet, load_sheets, sheet_names
 from elastica_cad.mechanics.sheets import (
     NominalRatio,
-    Sheet,
     least_plywood_radius,
     library_files,
     library_folders,
     library_sheets,
-    load_sheets,
     sheet_keys,
-    sheet_names,
 )
 
 pytestmark = pytest.mark.core

@@ -5,12 +5,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.loads import Gravity, PointMass, Supports, Weight
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.stability import stability
-from elastica_cad.mechanics.stability_limits import stability_limit
+from elastica_cad import (
+    Gravity,
+    InputError,
+    NotConvergedError,
+    PointMass,
+    Rod,
+    Supports,
+    Weight,
+    bend,
+    stability,
+    stability_limit,
+)
 
 pytestmark = pytest.mark.core
 

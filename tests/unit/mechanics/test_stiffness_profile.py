@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
+from elastica_cad import Profile
 from elastica_cad.geometry import splines as approximation
-from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.moment_conditions import RodRequest
 from elastica_cad.mechanics.optimal_balance import balance_without_weight
 

@@ -4,10 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from elastica_cad import PlaneCurve, Sheet, make_strip
+from elastica_cad import PlaneCurve, Sheet, make_strip, sheet_names
 from elastica_cad.errors import Change, StrainError
 from elastica_cad.mechanics.section_limits import StrainState, breaking_strain, judge_strain
-from elastica_cad.mechanics.sheets import sheet_names
 
 ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
 

@@ -7,16 +7,22 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.profile import Profile
+from elastica_cad import (
+    Gravity,
+    InputError,
+    NotConvergedError,
+    PlaneCurve,
+    PointMass,
+    Profile,
+    Rod,
+    Sheet,
+    Supports,
+    Weight,
+    bend,
+    optimal_rod,
+)
+from elastica_cad.mechanics import Imperfection, ToleranceRanges, perturb_rod, tolerance_study
 from elastica_cad.mechanics import tolerances as tolerance
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Gravity, PointMass, Supports, Weight
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.tolerances import Imperfection, ToleranceRanges, perturb_rod, tolerance_study
 
 pytestmark = pytest.mark.core
 

@@ -5,18 +5,23 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.fixtures import EndFixture, PlacedTab, end_fixtures
-from elastica_cad.model.model import Model
-from elastica_cad.model.plates import BasePlate, TabSlot, base_plate
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.solids import FlatSolid, convex_corners
-from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad import (
+    Frame,
+    Hole,
+    InputError,
+    Model,
+    Path,
+    Placed,
+    PlaneCurve,
+    Sheet,
+    Strip,
+    Tab,
+    optimal_rod,
+)
+from elastica_cad.model import BasePlate, EndFixture, PlacedTab, base_plate, end_fixtures
+from elastica_cad.model.plates import TabSlot
+from elastica_cad.strip import FlatSolid
+from elastica_cad.strip.solids import convex_corners
 
 PLY = Sheet.named("birch-plywood-0.8")
 MDF = Sheet.named("mdf-3")
@@ -176,7 +181,7 @@ def test_every_tab_goes_through_its_slot(arch, shape, check_drawing):
 def test_labels_keep_off_the_slots(arch):
     import shapely
 
-    from elastica_cad.strip.lettering import text_strokes
+    from elastica_cad.strip import text_strokes
 
     base = standing(arch, *np.linspace(0, 6, 16)).base_plate(MDF)
     slots = shapely.MultiPolygon([shapely.Polygon(slot.corners) for slot in base.slots])

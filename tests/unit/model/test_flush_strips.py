@@ -6,16 +6,9 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
+from elastica_cad import Model, Placed, PlaneCurve, Rod, Sheet, Strip, Tab, make_strip, optimal_rod
+from elastica_cad.mechanics import RoundLaw, ThicknessLaw
 from elastica_cad.model.collisions import missing_slots, tell_missing_slots
-from elastica_cad.model.model import Model
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.strip import Placed, Strip
-from elastica_cad.strip.strip_spec import make_strip
 
 pytestmark = pytest.mark.core
 

@@ -7,28 +7,42 @@ import numpy as np
 import pytest
 from scipy.optimize import nnls
 
-from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.forming.meridians import meridian, meridian_through
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sections import anticlastic_factor
-from elastica_cad.mechanics.sheets import Sheet, sheet_names
-from elastica_cad.model.fixtures import EndFixture, PlacedTab
-from elastica_cad.model.frames import add_feet, slotted_frame
-from elastica_cad.model.held_tabs import held_shapes, holder_plays, rocking_tabs, tab_seats
-from elastica_cad.model.plate_pairs import end_plates, plate_pair
-from elastica_cad.model.plates import base_plate
-from elastica_cad.model.revolution_model import revolve
+from elastica_cad import (
+    InputError,
+    NotConvergedError,
+    Perforated,
+    Placed,
+    PlaneCurve,
+    Rod,
+    Sheet,
+    Slot,
+    Strip,
+    Tab,
+    bend,
+    meridian,
+    meridian_through,
+    optimal_rod,
+    revolve,
+    sheet_names,
+)
+from elastica_cad.mechanics import anticlastic_factor
+from elastica_cad.model import (
+    EndFixture,
+    PlacedTab,
+    add_feet,
+    base_plate,
+    held_shapes,
+    holder_plays,
+    plate_pair,
+    rocking_tabs,
+    slotted_frame,
+    tab_seats,
+)
+from elastica_cad.model.plate_pairs import end_plates
+from elastica_cad.strip import TabSeat, compensate_widths
 from elastica_cad.strip.as_made import stiffness_shares
 from elastica_cad.strip.held_shape import LEAST_TOLD_MM
-from elastica_cad.strip.makeable_strip import compensate_widths
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip import Placed, Strip
-from elastica_cad.strip.tab_seats import TabSeat, lean_against, rest_in_seats
+from elastica_cad.strip.tab_seats import lean_against, rest_in_seats
 
 pytestmark = pytest.mark.core
 

@@ -6,21 +6,24 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad import (
+    Frame,
+    InputError,
+    Laminated,
+    Model,
+    Placed,
+    PlaneCurve,
+    Profile,
+    Rod,
+    Sheet,
+    Slot,
+    Strip,
+    optimal_rod,
+)
+from elastica_cad.model import slot_width
 from elastica_cad.model.collisions import missing_slots, tell_missing_slots
 from elastica_cad.model.crossings import RuledStrip, strip_crossings, strips_may_meet
-from elastica_cad.model.interlocking import slot_width
-from elastica_cad.model.model import Model
-from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.pieces import cut_key
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip import Placed, Strip
 
 pytestmark = pytest.mark.core
 

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.errors import InputError
-from elastica_cad.model.fixtures import PlacedTab
+from elastica_cad import InputError, Tab
+from elastica_cad.model import PlacedTab
 from elastica_cad.model.plate_pairs import end_plates
-from elastica_cad.strip.lettering import text_strokes
-from elastica_cad.strip.outline import ENDS, Tab
+from elastica_cad.strip import text_strokes
+from elastica_cad.strip.outline import ENDS
 
 CARD = ec.Sheet.named("card-200gsm")
 MDF = ec.Sheet.named("mdf-3")

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from elastica_cad import InputError
 from elastica_cad.design.kit_spec import KitSpec
-from elastica_cad.errors import InputError
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.model.collisions import missing_slots
 

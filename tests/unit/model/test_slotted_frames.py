@@ -4,17 +4,10 @@ import numpy as np
 import pytest
 import shapely
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.fixtures import PlacedTab
-from elastica_cad.model.frames import SHOULDER_MM, slotted_frame
-from elastica_cad.model.model import Model
-from elastica_cad.strip.lettering import text_strokes
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad import Frame, InputError, Model, Placed, PlaneCurve, Sheet, Strip, Tab, optimal_rod
+from elastica_cad.model import PlacedTab, slotted_frame
+from elastica_cad.model.frames import SHOULDER_MM
+from elastica_cad.strip import text_strokes
 
 PLY = Sheet.named("birch-plywood-0.8")
 MDF = Sheet.named("mdf-3")
@@ -98,7 +91,7 @@ def test_nothing_collides(model, frame):
     from OCP.GProp import GProp_GProps
 
     from elastica_cad.kernel.occt import make_solid
-    from elastica_cad.strip.solids import BentSolid
+    from elastica_cad.strip import BentSolid
 
     plates = [make_solid(solid) for _, solid in frame.solids]
     bent = [make_solid(BentSolid.of(p.strip, p.frame)) for p in model.placed]

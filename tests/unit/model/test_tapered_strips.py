@@ -5,23 +5,27 @@ import dataclasses
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import PointMass
-from elastica_cad.mechanics.sections import WidthLaw
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
-from elastica_cad.model.fixtures import EndFixture
-from elastica_cad.model.leaf_stack import LeafStack
-from elastica_cad.model.model import Model
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.solids import BentSolid, FlatSolid, bent_sheets
-from elastica_cad.strip.strip import Placed
-from elastica_cad.strip.strip_spec import StripSpec, make_strip
+from elastica_cad import (
+    Frame,
+    Hole,
+    InputError,
+    Keep,
+    Limits,
+    Model,
+    Placed,
+    PlaneCurve,
+    PointMass,
+    Sheet,
+    Slot,
+    StripSpec,
+    Tab,
+    make_strip,
+    optimal_rod,
+)
+from elastica_cad.mechanics import LeavesLaw, RoundLaw, ThicknessLaw, WidthLaw
+from elastica_cad.model import EndFixture, LeafStack
+from elastica_cad.strip import BentSolid, FlatSolid
+from elastica_cad.strip.solids import bent_sheets
 
 pytestmark = pytest.mark.core
 

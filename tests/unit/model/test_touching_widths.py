@@ -5,13 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.revolution_model import touching_widths
-from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad import Frame, InputError, Placed, PlaneCurve, Rod, Sheet, Strip, touching_widths
 
 pytestmark = pytest.mark.core
 

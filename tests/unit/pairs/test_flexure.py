@@ -5,13 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError, StrainError
+from elastica_cad import Flexure, InputError, PlaneCurve, Sheet
+from elastica_cad.errors import StrainError
+from elastica_cad.geometry import Spline
 from elastica_cad.geometry.path import distances
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Spline
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.pairs.flexure import Flexure, Pad, curved_beam_factor, root_factors
-from elastica_cad.pairs.flexure_spec import FlexureSpec
+from elastica_cad.pairs import FlexureSpec, Pad
+from elastica_cad.pairs.flexure import curved_beam_factor, root_factors
 from elastica_cad.pairs.pushed_rod import push_path
 
 pytestmark = pytest.mark.core
@@ -138,8 +137,7 @@ def test_the_push_is_the_slope_of_the_energy_and_ends_in_the_other_state(clip):
 
 def test_a_pushed_arch_gives_as_half_of_it_led_does():
     """Pushed in its middle an arch stays symmetrical at first, so half of it, led so, tells the force."""
-    from elastica_cad.mechanics.bending import bend
-    from elastica_cad.mechanics.rod import Rod
+    from elastica_cad import Rod, bend
 
     whole = bend(Rod.straight(200.0), end=(196.0, 0.0))
     half = bend(Rod.straight(100.0), end=tuple(whole.position[300]), angles=(0.0, 0.0))

@@ -9,12 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad import InputError, PlaneCurve, StripSpec
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.plot import canvas
 from elastica_cad.plot.drawing_process import DrawingProcess, drawing_process
-from elastica_cad.strip.strip_spec import StripSpec
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals")
 

@@ -7,19 +7,10 @@ from hypothesis import strategies as st
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from elastica_cad import plot
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.fixtures import PlacedTab
-from elastica_cad.model.model import Model
-from elastica_cad.model.plates import ring_plate
+from elastica_cad import Hole, Model, Path, Placed, PlaneCurve, Sheet, Slot, Tab, make_strip, plot
+from elastica_cad.model import PlacedTab, ring_plate
 from elastica_cad.plot.canvas import paint_patches
 from elastica_cad.plot.model_pictures import trapezoids
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip import Placed
-from elastica_cad.strip.strip_spec import make_strip
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
 SLOTS = (Slot(at=60, width=2), Slot(at=120, width=2, side="lower"))

@@ -7,16 +7,19 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from elastica_cad import plot
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.strip.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
-from elastica_cad.strip.lettering import Text
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.strip_spec import make_strip
-from elastica_cad.strip.uncuttable_parts import FabricationLimits
+from elastica_cad import (
+    Drawing,
+    FabricationLimits,
+    Hole,
+    InputError,
+    Path,
+    PlaneCurve,
+    Rod,
+    Tab,
+    make_strip,
+    plot,
+)
+from elastica_cad.strip import CUT_OUTER, ENGRAVE, LayeredPath, Text
 
 CURVES = {
     "arch": PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]),

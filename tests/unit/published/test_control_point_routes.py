@@ -3,14 +3,16 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.stability import stability
-from elastica_cad.mechanics.theorem1 import NotRealizable
-from elastica_cad.published.control_points import enforce_constraints
-from elastica_cad.published.recovery import optimize_ratio, recover_stability
+from elastica_cad import (
+    InputError,
+    NotConvergedError,
+    NotRealizable,
+    PlaneCurve,
+    check_equilibrium,
+    optimal_rod,
+    stability,
+)
+from elastica_cad.published import enforce_constraints, optimize_ratio, recover_stability
 
 pytestmark = pytest.mark.core
 

@@ -3,11 +3,10 @@
 import numpy as np
 import pytest
 
+from elastica_cad import PlaneCurve, optimal_rod, stability
 from elastica_cad.forming.equilibrium_curve import EquilibriumCurve, collinear, kept
-from elastica_cad.geometry.control_point_constraints import curvature_rows, least_norm_newton
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.stability import stability
+from elastica_cad.geometry import least_norm_newton
+from elastica_cad.geometry.control_point_constraints import curvature_rows
 from elastica_cad.published.control_points import CurveChanges
 
 pytestmark = pytest.mark.core

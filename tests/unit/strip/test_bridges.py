@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.errors import InputError
-from elastica_cad.formats.drawing_files import write_drawing
-from elastica_cad.strip.drawing import Drawing, HoldingTabs, LayeredPath, add_holding_tabs
+from elastica_cad import Drawing, InputError
+from elastica_cad.formats import write_drawing
+from elastica_cad.strip import HoldingTabs, LayeredPath, add_holding_tabs
 
 CARD = ec.Sheet.named("card-200gsm")
 

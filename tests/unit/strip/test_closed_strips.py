@@ -8,23 +8,26 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
-from elastica_cad.design.reports import report_strip
-from elastica_cad.errors import InputError
-from elastica_cad.forming.limits import Limits
+from elastica_cad import (
+    Gravity,
+    InputError,
+    Laminated,
+    Limits,
+    PlaneCurve,
+    Sheet,
+    StripSpec,
+    Tab,
+    bend,
+    check_equilibrium,
+    make_strip,
+    optimal_rod,
+    stability,
+)
+from elastica_cad.design import report_strip
 from elastica_cad.geometry.measured_points import Provenance
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import Gravity
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.theorem1 import begin_at, flattest_place
 from elastica_cad.model.collisions import self_contact
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.solids import BentSolid
-from elastica_cad.strip.strip_spec import StripSpec, make_strip
+from elastica_cad.strip import BentSolid
 
 pytestmark = pytest.mark.core
 

@@ -3,12 +3,9 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.mechanics.calibration import cantilever_droop
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.coupon import coupon_drawing, coupon_overhang
-from elastica_cad.strip.drawing import CUT_OUTER, ENGRAVE
-from elastica_cad.strip.lettering import text_width
+from elastica_cad import InputError, Sheet
+from elastica_cad.mechanics import cantilever_droop
+from elastica_cad.strip import CUT_OUTER, ENGRAVE, coupon_drawing, coupon_overhang, text_width
 
 pytestmark = pytest.mark.core
 

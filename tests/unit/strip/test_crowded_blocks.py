@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.model.fixtures import crowded_blocks, end_fixtures
-from elastica_cad.strip.strip import Placed
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad import Placed, PlaneCurve, make_strip
+from elastica_cad.model import end_fixtures
+from elastica_cad.model.fixtures import crowded_blocks
 
 pytestmark = pytest.mark.core
 

@@ -1,20 +1,18 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Line, Spline
-from elastica_cad.strip.drawing import (
+from elastica_cad import Drawing, InputError, Path, PlaneCurve
+from elastica_cad.geometry import Line, Spline
+from elastica_cad.strip import (
     CUT_INNER,
     CUT_OUTER,
     ENGRAVE,
     MARK,
-    Drawing,
     LayeredPath,
+    Text,
     compensate_kerf,
+    text_strokes,
 )
-from elastica_cad.strip.lettering import Text, text_strokes
 
 pytestmark = pytest.mark.core
 

@@ -6,12 +6,10 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.tolerances import Imperfection, perturb_rod
-from elastica_cad.strip.held_shape import HeldShape, MakingTolerance, about
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip import Strip
+from elastica_cad import InputError, Profile, Slot, Strip
+from elastica_cad.mechanics import Imperfection, perturb_rod
+from elastica_cad.strip import HeldShape, MakingTolerance
+from elastica_cad.strip.held_shape import about
 
 pytestmark = pytest.mark.core
 

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.errors import InputError
-from elastica_cad.strip.outline import Hole
+from elastica_cad import Hole, InputError
 
 pytestmark = pytest.mark.core
 CARD = ec.Sheet.named("card-200gsm")

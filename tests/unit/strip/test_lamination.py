@@ -7,16 +7,9 @@ import pytest
 import shapely
 
 import elastica_cad as ec
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.laminated_section import LaminatedSection
-from elastica_cad.mechanics.least_ratio import optimal_laminate
-from elastica_cad.mechanics.loads import Weight
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.outline import Hole
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.solids import BentSolid
+from elastica_cad import Frame, Hole, InputError, Laminated, Perforated, Slot, Weight
+from elastica_cad.mechanics import LaminatedSection, optimal_laminate
+from elastica_cad.strip import BentSolid
 
 CARD = ec.Sheet.named("card-200gsm")
 THICK = ec.Sheet("card-400", 0.4, 2.5 * CARD.youngs_modulus, density=900.0, max_strain=0.006)

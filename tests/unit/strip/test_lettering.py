@@ -3,8 +3,8 @@ import string
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.strip.lettering import Text, text_strokes, text_width
+from elastica_cad import InputError
+from elastica_cad.strip import Text, text_strokes, text_width
 
 pytestmark = pytest.mark.core
 

@@ -5,14 +5,7 @@ import pickle
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.forming.limits import Keep
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads import Gravity
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad import Gravity, InputError, Keep, Laminated, PlaneCurve, Sheet, Tab, make_strip
 
 pytestmark = pytest.mark.core
 

@@ -4,14 +4,18 @@ from dataclasses import replace
 
 import pytest
 
-from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.nearest_search import nearest_rod
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.theorem1 import NotRealizable
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad import (
+    InputError,
+    Keep,
+    Limits,
+    NotConvergedError,
+    NotRealizable,
+    Perforated,
+    PlaneCurve,
+    Sheet,
+    make_strip,
+    nearest_rod,
+)
 
 ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
 WAVE = PlaneCurve.spline([(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)], degree=4)

@@ -6,18 +6,22 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError, StrainError
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.strip_spec import make_strip
-from elastica_cad.strip.uncuttable_parts import (
+from elastica_cad import (
     FabricationLimits,
+    Hole,
+    InputError,
+    Path,
+    Perforated,
+    PlaneCurve,
+    Rod,
+    Sheet,
+    Slot,
+    Strip,
+    Tab,
+    make_strip,
+)
+from elastica_cad.errors import StrainError
+from elastica_cad.strip.uncuttable_parts import (
     find_plate_faults,
     find_slot_faults,
     find_strip_faults,

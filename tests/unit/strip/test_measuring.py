@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.errors import InputError
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.measuring import Measuring, _measured
-from elastica_cad.strip.strip import Strip
+from elastica_cad import InputError, Laminated, Strip
+from elastica_cad.strip import Measuring
+from elastica_cad.strip.measuring import _measured
 
 pytestmark = pytest.mark.core
 

@@ -8,16 +8,9 @@ import numpy as np
 import pytest
 import shapely
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.path import Path
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.model import Model
-from elastica_cad.model.nesting import cut_list, nest_pieces
-from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath, compensate_kerf
-from elastica_cad.strip.pieces import Piece
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip import Placed, Strip
+from elastica_cad import Drawing, InputError, Model, Path, Placed, Rod, Sheet, Slot, Strip
+from elastica_cad.model import cut_list, nest_pieces
+from elastica_cad.strip import CUT_INNER, CUT_OUTER, LayeredPath, Piece, compensate_kerf
 
 CARD = Sheet.named("card-200gsm")
 MDF = Sheet("board", 3.0, 3000.0, 700.0, 0.01, kerf=0.16)  # no grain

@@ -7,15 +7,10 @@ import pytest
 import shapely
 
 import elastica_cad as ec
-from elastica_cad.errors import InputError
-from elastica_cad.mechanics.section_limits import ScaleRange
-from elastica_cad.mechanics.sections import PerforatedSection
+from elastica_cad import Hole, InputError, Perforated, Slot
+from elastica_cad.mechanics import PerforatedSection, ScaleRange
+from elastica_cad.strip import compensate_kerf, text_strokes
 from elastica_cad.strip.corner_rounding import round_corners
-from elastica_cad.strip.drawing import compensate_kerf
-from elastica_cad.strip.lettering import text_strokes
-from elastica_cad.strip.outline import Hole
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.uncuttable_parts import find_strip_faults
 
 CARD = ec.Sheet.named("card-200gsm")

@@ -5,19 +5,10 @@ import pytest
 from shapely.geometry import MultiLineString, Polygon
 from shapely.ops import unary_union
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Line, Spline
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER
-from elastica_cad.strip.lettering import text_strokes
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.slots import TEXT_DISTANCE_MM, Slot
-from elastica_cad.strip.solids import BentSolid
-from elastica_cad.strip.strip import Strip
+from elastica_cad import Hole, InputError, Perforated, PlaneCurve, Rod, Sheet, Slot, Strip, Tab, optimal_rod
+from elastica_cad.geometry import Line, Spline
+from elastica_cad.strip import CUT_INNER, CUT_OUTER, BentSolid, text_strokes
+from elastica_cad.strip.slots import TEXT_DISTANCE_MM
 
 CARD = Sheet.named("card-200gsm")
 ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])

@@ -3,16 +3,10 @@
 import numpy as np
 import pytest
 
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.geometry.segments import Arc, Line, Spline
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad import Path, PlaneCurve, Profile, Rod, Sheet, Strip, optimal_rod
+from elastica_cad.geometry import Arc, Line, Spline
 from elastica_cad.strip import flat_pattern
 from elastica_cad.strip.flat_pattern import in_smooth_pieces
-from elastica_cad.strip.strip import Strip
 
 pytestmark = pytest.mark.core
 

@@ -12,17 +12,15 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
 import elastica_cad as ec
+from elastica_cad import InputError, Path
 from elastica_cad.cli.commands import elastica
 from elastica_cad.design.kit_spec import HolderSpec, KitSpec
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import clip_across
 from elastica_cad.kit.kit_contents import kit_contents
-from elastica_cad.mechanics.stiffness_law import ThicknessLaw
+from elastica_cad.mechanics import ThicknessLaw
 from elastica_cad.model.nesting import Nesting
-from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK
+from elastica_cad.strip import CUT_INNER, CUT_OUTER, MARK, text_strokes
 from elastica_cad.strip.layers import PLATE_CUT, PLATE_END, LapPlates
-from elastica_cad.strip.lettering import text_strokes
 from elastica_cad.strip.makeable_strip import Splice, joined_within, splice, spliced
 
 PLY = ec.Sheet.named("birch-plywood-4")

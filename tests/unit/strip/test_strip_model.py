@@ -3,22 +3,27 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.forming.limits import Limits
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.rod import Rod, csv_text
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.theorem1 import NotRealizable
-from elastica_cad.model.model import Model
-from elastica_cad.model.plate_pairs import end_plates, plate_pair, ring_pair
-from elastica_cad.model.plates import ring_plate
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.perforation import Perforated
+from elastica_cad import (
+    Hole,
+    InputError,
+    Limits,
+    Model,
+    NotRealizable,
+    Perforated,
+    Placed,
+    PlaneCurve,
+    Rod,
+    Sheet,
+    Slot,
+    Strip,
+    Tab,
+    make_strip,
+    optimal_rod,
+)
+from elastica_cad.mechanics.rod import csv_text
+from elastica_cad.model import plate_pair, ring_pair, ring_plate
+from elastica_cad.model.plate_pairs import end_plates
 from elastica_cad.strip.pieces import count_shapes
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip import Placed, Strip
-from elastica_cad.strip.strip_spec import make_strip
 
 pytestmark = pytest.mark.core
 

@@ -3,13 +3,9 @@
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Arc, Line
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad import Frame, Hole, InputError, Path, PlaneCurve, Sheet, Strip, Tab, optimal_rod
+from elastica_cad.geometry import Arc, Line
+from elastica_cad.strip import BentSolid
 from elastica_cad.strip.bent_boundary import (
     CylinderSurface,
     ExtrudedSurface,
@@ -19,9 +15,7 @@ from elastica_cad.strip.bent_boundary import (
     bent_maps,
 )
 from elastica_cad.strip.flat_pattern import cut_across, on_segment
-from elastica_cad.strip.outline import Hole, Tab, long_sides
-from elastica_cad.strip.solids import BentSolid
-from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.outline import long_sides
 
 pytestmark = pytest.mark.core
 

@@ -5,17 +5,25 @@ import math
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.forming.limits import HalfPlane, Keep, Limits
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.loads import Gravity, PointMass, Supports, Weight
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.outline import Tab
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip_spec import StripSpec, make_strip
+from elastica_cad import (
+    Frame,
+    Gravity,
+    HalfPlane,
+    InputError,
+    Keep,
+    Laminated,
+    Limits,
+    Perforated,
+    PlaneCurve,
+    PointMass,
+    Sheet,
+    Slot,
+    StripSpec,
+    Supports,
+    Tab,
+    Weight,
+    make_strip,
+)
 
 POLES = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 CARD = Sheet.named("card-200gsm")

@@ -6,13 +6,9 @@ import numpy as np
 import pytest
 import shapely
 
-from elastica_cad.errors import InputError
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.fixtures import EndFixture
-from elastica_cad.strip.outline import Hole, Tab, TSlot
-from elastica_cad.strip.solids import FlatSolid
-from elastica_cad.strip.strip import Strip
+from elastica_cad import Hole, InputError, Rod, Sheet, Strip, Tab
+from elastica_cad.model import EndFixture
+from elastica_cad.strip import FlatSolid, TSlot
 
 PLY = Sheet.named("birch-plywood-3")
 

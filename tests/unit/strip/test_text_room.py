@@ -4,16 +4,8 @@ import numpy as np
 import pytest
 import shapely
 
-from elastica_cad.errors import InputError
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.lettering import text_strokes
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip import Strip
+from elastica_cad import Hole, InputError, Laminated, Perforated, Rod, Sheet, Slot, Strip, Tab
+from elastica_cad.strip import CUT_INNER, CUT_OUTER, MARK, text_strokes
 
 CARD = Sheet.named("card-200gsm")
 LONG = "pergola-north-west-segment-042"

@@ -5,41 +5,45 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad.errors import InputError
-from elastica_cad.files import read_curves
-from elastica_cad.formats.curve_writer import write_curves
-from elastica_cad.formats.drawing_files import write_drawing
-from elastica_cad.forming.limits import Keep, Limits
-from elastica_cad.forming.many_rods import nearest_rods
-from elastica_cad.forming.meridians import meridian
-from elastica_cad.forming.splitting import split
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Arc
-from elastica_cad.kit.model_kit import save_model
-from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.loads import End, Gravity, PointMass, Weight
-from elastica_cad.mechanics.moment_curvature import PolynomialLaw, TabulatedLaw
-from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sections import anticlastic_factor
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import RoundLaw
-from elastica_cad.model.fixtures import EndFixture
-from elastica_cad.model.interlocking import interlock
-from elastica_cad.model.model import Model
-from elastica_cad.model.nesting import nest_pieces
-from elastica_cad.model.revolution_model import touching_widths
-from elastica_cad.strip.drawing import Drawing, HoldingTabs, compensate_kerf
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.lettering import Text
-from elastica_cad.strip.outline import Hole, Tab, TSlot
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.pieces import Piece, strip_pieces
-from elastica_cad.strip.slots import Slot
-from elastica_cad.strip.strip import Placed, Strip
-from elastica_cad.strip.strip_spec import StripSpec
-from elastica_cad.strip.uncuttable_parts import FabricationLimits
+from elastica_cad import (
+    Drawing,
+    End,
+    FabricationLimits,
+    Frame,
+    Gravity,
+    Hole,
+    InputError,
+    Keep,
+    Laminated,
+    Limits,
+    Model,
+    Path,
+    Perforated,
+    Placed,
+    PlaneCurve,
+    PointMass,
+    Rod,
+    Sheet,
+    Slot,
+    Strip,
+    StripSpec,
+    Tab,
+    Weight,
+    bend,
+    meridian,
+    nearest_rods,
+    read_curves,
+    save_model,
+    split,
+    touching_widths,
+    write_curves,
+)
+from elastica_cad.formats import write_drawing
+from elastica_cad.geometry import Arc
+from elastica_cad.mechanics import PolynomialLaw, RoundLaw, TabulatedLaw, anticlastic_factor
+from elastica_cad.model import EndFixture, interlock, nest_pieces
+from elastica_cad.strip import HoldingTabs, Piece, Text, TSlot, compensate_kerf
+from elastica_cad.strip.pieces import strip_pieces
 
 pytestmark = pytest.mark.core
 
