@@ -11,7 +11,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, numbers, require_flag, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import box_around, is_similarity
+from elastica_cad.geometry.plane_points import box_around, is_similarity, require_affine
 from elastica_cad.geometry.segments import (
     Arc,
     Line,
@@ -270,7 +270,7 @@ class Path:
 
     def transformed(self, matrix: ArrayLike) -> "Path":
         """Return the path moved by a 3x3 affine matrix; arcs become splines unless it is a similarity."""
-        m = numbers(matrix, "the matrix that a path is moved by")
+        m = require_affine(matrix)
         even = is_similarity(m)
         plain = [s.as_spline() if isinstance(s, Arc) and not even else s for s in self.segments]
         return Path([s.transformed(m) for s in plain], self.closed)

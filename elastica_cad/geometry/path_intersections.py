@@ -92,6 +92,11 @@ def encloses(loop: FloatArray, point: FloatArray) -> bool:
     return bool(np.count_nonzero(x > 0) % 2)
 
 
+def anticlockwise(loop: FloatArray) -> FloatArray:
+    """Return the vertices (n, 2) of a polygon in anticlockwise order."""
+    return loop if cross(loop, np.roll(loop, -1, axis=0)).sum() > 0 else loop[::-1]
+
+
 def self_crossing(p: FloatArray, *, closed: bool) -> FloatArray | None:
     """Return a point (2,) where the polyline through p (n, 2) meets itself, or None.
 

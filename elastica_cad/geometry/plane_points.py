@@ -9,9 +9,8 @@ from elastica_cad._values import numbers
 from elastica_cad.errors import InputError
 
 
-def transform_points(matrix: ArrayLike, points: ArrayLike) -> FloatArray:
+def transform_points(m: FloatArray, points: ArrayLike) -> FloatArray:
     """Return points (..., 2) moved by a 3x3 affine matrix."""
-    m = require_affine(matrix)
     moved = (np.asarray(points, dtype=float) @ m[:2, :2].T + m[:2, 2]) / m[2, 2]
     return np.asarray(moved, dtype=float)
 
@@ -21,7 +20,7 @@ def require_affine(matrix: ArrayLike) -> FloatArray:
     m = numbers(matrix, "the matrix that a path is moved by")
     if m.shape != (3, 3):
         raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
-    (a, b, x), (c, d, y), last = m.tolist()  # plain numbers, because this runs once for every segment
+    (a, b, x), (c, d, y), last = m.tolist()  # plain numbers, because this runs for many segments
     if not all(map(isfinite, (a, b, x, c, d, y))) or last[:2] != [0.0, 0.0] or not 0 < abs(last[2]) < inf:
         raise InputError("a path is moved by a finite 3x3 matrix with the last row 0, 0, 1")
     if abs(a * d - b * c) <= 1e-14 * max(abs(a), abs(b), abs(c), abs(d)) ** 2:
@@ -29,9 +28,9 @@ def require_affine(matrix: ArrayLike) -> FloatArray:
     return m
 
 
-def is_similarity(matrix: ArrayLike) -> bool:
+def is_similarity(matrix: FloatArray) -> bool:
     """Return True if a 3x3 affine matrix maps circles to circles."""
-    (a, b, _), (c, d, _), _ = require_affine(matrix).tolist()
+    (a, b, _), (c, d, _), _ = matrix.tolist()
     slack = 1e-12 * max(abs(a), abs(b), abs(c), abs(d))
     turned = bool(abs(b + c) <= slack and abs(d - a) <= slack)
     return turned or bool(abs(b - c) <= slack and abs(d + a) <= slack)
@@ -157,7 +156,8 @@ def near_pairs(points: FloatArray, others: FloatArray, reach: float) -> tuple[In
     counts = in_order.searchsorted(near + 1, side="right") - first
     i = (np.arange(near.size) // 3).repeat(counts)
     j = order[first.repeat(counts) + numbers_in_groups(counts)]
-    kept = ((points[i] - others[j]) ** 2).sum(axis=1) <= reach**2
+    gap = points[i] - others[j]
+    kept = np.einsum("ij,ij->i", gap, gap) <= reach**2  # a sum over a short axis is slow
     return i[kept], j[kept]
 
 

@@ -99,7 +99,7 @@ class Line:
 
     def transformed(self, matrix: ArrayLike) -> "Line":
         """Return the line moved by a 3x3 affine matrix."""
-        return Line(transform_points(matrix, self.start), transform_points(matrix, self.end))
+        return Line(*transform_points(require_affine(matrix), [self.start, self.end]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -399,7 +399,7 @@ def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
     return Spline(segment.curve.trimmed(float(segment.parameter(u0)), float(segment.parameter(u1))))
 
 
-_PROBES = np.array([0.0, 0.25, 0.5, 0.75, 1.0])
+_PROBES = np.array([0.25, 0.5, 0.75])
 """Fractions of a span at which its distance from the chord is measured."""
 
 _ENDS, _HALVES = np.array([0.0, 1.0]), np.array([0.0, 0.5, 1.0])
@@ -460,22 +460,26 @@ def _halve_chords(
     tolerance : float
         mm.
     """
-    rounds = [(which, u)]
     spans = np.flatnonzero(bent[:-1] & (which[1:] == which[:-1]))
     number, low, high = which[spans], u[spans], u[spans + 1]
-    for _ in range(MOST_ROUNDS):
-        probes = low[:, None] + (high - low)[:, None] * _PROBES
-        points = at(np.repeat(number, _PROBES.size), probes.ravel()).reshape(*probes.shape, 2)
-        bad = _chord_errors(points[:, 0], points[:, -1], points[:, 1:-1]) > 0.95 * tolerance
+    inner = low[:, None] + (high - low)[:, None] * _PROBES
+    points = at(np.append(which, np.repeat(number, _PROBES.size)), np.append(u, inner))
+    points, probes = points[: u.size], points[u.size :].reshape(*inner.shape, 2)
+    begins, ends = points[spans], points[spans + 1]
+    rounds = [(which, u, points)]
+    while len(rounds) <= MOST_ROUNDS:
+        bad = _chord_errors(begins, ends, probes) > 0.95 * tolerance
         if not bad.any():
             break
-        number, low, high = number[bad], low[bad], high[bad]
-        middle = low + (high - low) / 2
-        rounds.append((number, middle))
-        number, low, high = np.tile(number, 2), np.append(low, middle), np.append(middle, high)
-    which, u = (np.concatenate(parts) for parts in zip(*rounds, strict=True))
+        number, middle, points = number[bad], inner[bad, 1], probes[bad, 1]
+        rounds.append((number, middle, points))
+        number, low, high = np.tile(number, 2), np.append(low[bad], middle), np.append(middle, high[bad])
+        begins, ends = np.concatenate([begins[bad], points]), np.concatenate([points, ends[bad]])
+        inner = low[:, None] + (high - low)[:, None] * _PROBES
+        probes = at(np.repeat(number, _PROBES.size), inner.ravel()).reshape(*inner.shape, 2)
+    which, u, points = (np.concatenate(parts) for parts in zip(*rounds, strict=True))
     order = np.lexsort((u, which))
-    return which[order], u[order], at(which[order], u[order])
+    return which[order], u[order], points[order]
 
 
 def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:

@@ -235,17 +235,28 @@ class SplineFunction:
         """Return values or derivatives at x of any shape; the end pieces are extrapolated beyond the ends."""
         if derivative > self.degree:
             return np.zeros((*x.shape, *self.coefficients.shape[1:]))
-        spans = self._spans
-        index = spans.edges[1:-1].searchsorted(x, side="right")
-        after = x.shape + (1,) * (self.coefficients.ndim - 1)
-        width = spans.widths[index].reshape(after)
-        u = (x - spans.edges[index]).reshape(after) / width
-        rows = self._rows.take(index, axis=1)
+        rows, u, width = self._at(x)
         for k in range(derivative):
             rows = (rows[1:] - rows[:-1]) * ((self.degree - k) / width)
         while len(rows) > 1:  # de Casteljau
             rows = rows[:-1] + (rows[1:] - rows[:-1]) * u
         return np.asarray(rows[0])
+
+    def value_and_slope(self, x: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return values and first derivatives at x, as two calls would, in the time of a single call."""
+        rows, u, width = self._at(x)
+        while len(rows) > 2:
+            rows = rows[:-1] + (rows[1:] - rows[:-1]) * u
+        step = rows[1] - rows[0]
+        return rows[0] + step * u, step * (self.degree / width)
+
+    def _at(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Return the coefficients (degree + 1, ...) of the pieces at x, the places on them, and their widths."""
+        spans = self._spans
+        index = spans.edges[1:-1].searchsorted(x, side="right")
+        after = x.shape + (1,) * (self.coefficients.ndim - 1)
+        width = spans.widths[index].reshape(after)
+        return self._rows.take(index, axis=1), (x - spans.edges[index]).reshape(after) / width, width
 
     def integral(self) -> "SplineFunction":
         """Return the antiderivative of the spline function that is 0 at the start."""

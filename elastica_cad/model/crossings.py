@@ -86,7 +86,7 @@ class RuledStrip:
 
     def in_plane(self, s: FloatArray) -> InPlane:
         """Points and tangents at arc lengths (n,)."""
-        return self._spline(s), self._spline(s, 1)
+        return self._spline.value_and_slope(s)
 
     @property
     def _spline(self) -> SplineFunction:

@@ -12,9 +12,8 @@ from elastica_cad.declared import Asked, require_declared
 from elastica_cad.defaults import BORDER, CLEARANCE, PLAY
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.nurbs_curve import cross
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.path_intersections import self_crossing
+from elastica_cad.geometry.path_intersections import anticlockwise, self_crossing
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import tabs_to_hold
 from elastica_cad.model.plate_pairs import lean_pair, tab_plane, through_slots
@@ -306,7 +305,7 @@ class _RibPlan:
             *(a.at(-rest, under), a.at(rest, under), a.at(rest, half), b.at(rest, half), b.at(rest, under)),
             *(b.at(-rest, under), b.at(-rest, full), b.at(rest, full), a.at(rest, full), a.at(-rest, full)),
         ]
-        for loop in (convex_corners(np.array(block)), _anticlockwise(np.array(bar))):
+        for loop in (convex_corners(np.array(block)), anticlockwise(np.array(bar))):
             drawn: FloatArray | None = loop
             for base in bases:
                 drawn = None if drawn is None else _with_tongue(drawn, base, (behind, under), step)
@@ -356,10 +355,6 @@ def _stations(rails: Sequence[_RailPlan], across: FloatArray, count: int, room: 
         if free:
             chosen.append(min(free, key=lambda gap: abs(gap - wanted)))
     return sorted(chosen)
-
-
-def _anticlockwise(loop: FloatArray) -> FloatArray:
-    return loop if cross(loop, np.roll(loop, -1, axis=0)).sum() > 0 else loop[::-1]
 
 
 def _with_tongue(

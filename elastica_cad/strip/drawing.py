@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._notebook import BLUE, GREY, INK, RED, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import is_number, numbers, require_number, require_record, several
+from elastica_cad._values import is_number, require_number, require_record, several
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.nurbs_curve import turn_between
@@ -20,6 +20,7 @@ from elastica_cad.geometry.plane_points import (
     box_around,
     is_similarity,
     near_pairs,
+    require_affine,
     similarity_of,
     transform_points,
 )
@@ -132,7 +133,7 @@ class Drawing:
 
     def transformed(self, matrix: ArrayLike) -> "Drawing":
         """Return the drawing moved by a 3x3 affine matrix; texts that would be mirrored or skewed become paths."""
-        m = numbers(matrix, "the matrix that a drawing is moved by")
+        m = require_affine(matrix)
         even = is_similarity(m)
         paths = [LayeredPath(item.layer, item.path.transformed(m)) for item in self.paths]
         if even and np.linalg.det(m[:2, :2]) > 0:

@@ -11,6 +11,7 @@ from elastica_cad._values import and_more, require_record, told_apart
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
 from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.path_intersections import anticlockwise
 from elastica_cad.geometry.plane_points import near_pairs, numbers_in_groups
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import FieldName, Length, Listed, Point, note, sentences
@@ -287,9 +288,8 @@ class _Chords:
     @classmethod
     def of(cls, outlines: Sequence[Path], holes: Sequence[Path], flat: float) -> "_Chords":
         """Return the chords of closed cuts with the flatness `flat`, mm."""
-        sided = [*((path, True) for path in outlines), *((path, False) for path in holes)]
-        runs = [path if (path.area > 0) == outer else path.reversed() for path, outer in sided]
-        lines = [path.points(flat) for path in runs]
+        lines = [anticlockwise(path.points(flat)) for path in (*outlines, *holes)]
+        lines[len(outlines) :] = [line[::-1] for line in lines[len(outlines) :]]
         start = np.concatenate(lines)
         vectors = np.concatenate([np.roll(line, -1, axis=0) - line for line in lines])
         loop = np.repeat(np.arange(len(lines)), [len(line) for line in lines])
