@@ -38,7 +38,8 @@ from elastica_cad.formats.json_curves import curves_json
 from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.forming.rod_spec import RodSpec, accepted_rod
+from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
+from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.mechanics.bending import bend_path
 from elastica_cad.mechanics.loads import Gravity, Supports
 from elastica_cad.mechanics.rod import Rod
@@ -245,7 +246,7 @@ def _solved(spec: RodSpec) -> Rod | NearestRod:
     """Return the rod, and report messages about its curve."""
     for note in spec.smoothing.notes:
         say(note)
-    found = spec.solve()
+    found = solve_rod(spec)
     if isinstance(found, NearestRod):
         say(f"the strip is {found.deviation:.2g} mm off the drawn curve at most")
     return found

@@ -39,6 +39,7 @@ from elastica_cad.errors import (
     rounded_up,
 )
 from elastica_cad.formats.write_files import File, check_folder, write_files, write_text
+from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry.plane_curve import split_at_corners
 from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
@@ -187,7 +188,7 @@ def _made(asked: AskedCurve, spec: StripSpec) -> StripResult:
     say_step("looking for the nearest curve that can be made" if spec.may_change else "finding the widths")
     if not spec.may_change:
         _ = asked.bendable(spec.smooth)
-    found = spec.rod_spec.solve()
+    found = solve_rod(spec.rod_spec)
     return StripResult(spec, found, spec.make(found), asked.name, asked.drawn.joints)
 
 

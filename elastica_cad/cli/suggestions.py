@@ -13,6 +13,7 @@ import numpy as np
 
 from elastica_cad._text import quote_words
 from elastica_cad.errors import Change, ElasticaError
+from elastica_cad.forming.rod_solution import solve_rod
 
 if TYPE_CHECKING:
     from elastica_cad.strip.strip_spec import StripSpec
@@ -129,7 +130,7 @@ def _held(requests: Callable[[], Sequence["StripSpec"]]) -> str:
     farthest, used, name = 0.0, 0, ""
     try:
         for spec in requests():
-            found = spec.rod_spec.solve()
+            found = solve_rod(spec.rod_spec)
             made = spec.make(found)
             away = spec.rod_spec.smoothing.moved + (found.deviation if isinstance(found, NearestRod) else 0.0)
             size = float(np.hypot(*np.ptp(spec.curve.bounds, axis=0)))

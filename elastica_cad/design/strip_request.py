@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.loads import (
@@ -127,7 +128,7 @@ class FinishedStrip:
         laid = isinstance(asked.section, LaidLeaves)  # piecewise constant, unlike that of a solved rod
         # a law and the layers of a heavy laminate determine weight and size
         solved = spec if spec.law is not None or asked.layers is not None else designed
-        rod = replace(solved.rod_spec, section=None if laid else solved.rod_spec.section).solve()
+        rod = solve_rod(replace(solved.rod_spec, section=None if laid else solved.rod_spec.section))
         assert isinstance(rod, Rod)  # a request without limits
         if not np.allclose(rod.stiffness, self.stiffness(rod.s), rtol=SAME_SHARE):
             rod = rod.with_stiffness(self.stiffness)

@@ -85,7 +85,7 @@ class EquilibriumCurve:
             raise InputError(
                 "the curve is straight, so a strip of one width takes it: there is nothing to change"
             )
-        balance = balance_without_weight(RodRequest(check, supports))
+        balance = balance_without_weight(RodRequest(curve, supports=supports, known_check=check))
         dense = balance.panels.dense_places(_PARTS)
         extremes = balance.stiffness.extreme_places
         panel, x = (np.concatenate(pair) for pair in zip(dense, extremes, strict=True))

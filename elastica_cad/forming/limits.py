@@ -14,6 +14,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.mechanics.sheets import Sheet
 
 Symmetry: TypeAlias = Literal["mirror", "turn"]
+Measure: TypeAlias = Literal["mean", "closest", "max"]
 Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
 
 MET = 1e-6  # worst broken limit, in lengths, radians or shares of the limit, that counts as met

@@ -10,14 +10,14 @@ import numpy as np
 
 from elastica_cad._notebook import BLUE, GREY, svg_of_lines
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.forming.limits import MET, Keep, Limits, require_limits
+from elastica_cad.forming.limits import MET, Keep, Limits, Measure, require_limits
 from elastica_cad.geometry.plane_curve import DRAWN_POINTS, PlaneCurve
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.refusals import Either, Length, note, sentences
 
 if TYPE_CHECKING:
-    from elastica_cad.forming.nearest_task import Measure, SearchPoint
+    from elastica_cad.forming.nearest_task import SearchPoint
 
 
 _UNLIKE = 0.05  # largest distance, in diagonals of the target, beyond which a rod no longer looks like it
@@ -117,7 +117,7 @@ class NearestRod:
     limits: Limits
     keep: Keep
     message: str = ""
-    measure: "Measure" = "mean"
+    measure: Measure = "mean"
     distance: float = np.inf
     ties: tuple[Rod, ...] = ()
     ended: "SearchPoint | None" = field(default=None, repr=False)

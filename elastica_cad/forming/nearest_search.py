@@ -12,15 +12,16 @@ from elastica_cad._values import is_one_of
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
 from elastica_cad.forming.curve_distance import TargetCurve, measure_deviation
 from elastica_cad.forming.leaf_ends import LeafedRod, lay_leaves, leaf_bends
-from elastica_cad.forming.limits import MET, Keep, Limits, require_limits
+from elastica_cad.forming.limits import MET, Keep, Limits, Measure, require_limits
 from elastica_cad.forming.nearest_record import Binding, NearestRod, judge_search
-from elastica_cad.forming.nearest_task import Measure, NearestRequest, NearestTask, SearchPoint, Weights
+from elastica_cad.forming.nearest_task import NearestTask, SearchPoint
 from elastica_cad.forming.rod_map import MappedRod
 from elastica_cad.forming.rod_problem import RodOutcome, RodProblem, Search, list_bindings, pose_problem
+from elastica_cad.forming.rod_spec import RodSpec, Weights
 from elastica_cad.forming.sqp import SETTINGS as SQP
 from elastica_cad.forming.sqp import lift, minimize, worst_broken
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.least_ratio import rod_of_request
 from elastica_cad.mechanics.loads import (
     Gravity,
     NaturalCurvature,
@@ -128,7 +129,7 @@ def _find_rod(task: NearestTask, start: NearestRod | None = None) -> NearestRod:
         status=judge_search(outcome.violation, deviation / (target.diagonal * target.size), outcome.settled),
         mean_deviation=found.task.off(outcome.point) * target.size,
         binding=list_bindings(task, problem, outcome), violation=outcome.violation,
-        iterations=found.steps, limits=task.limits, keep=task.request.keep, measure=measure,
+        iterations=found.steps, limits=task.limits, keep=task.keep, measure=measure,
         distance=distance * target.size,
         ties=tuple(task.rod_of(tie.point) for tie in found.ties),
         ended=found.ended,
@@ -351,9 +352,9 @@ _BEYOND = 1.2  # factor on the violation of a limit, by which the next taper is 
 _WHOLE = 1e-9  # fraction of a ply that exceeds rounding
 
 
-def _find_leaves(request: NearestRequest, law: LeavesLaw) -> NearestRod:
+def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
     """Return a stack of glued plies near the nearest taper; if it violates a limit, use a stricter taper."""
-    curve, limits, keep = request.curve, request.limits, request.keep
+    curve, limits, keep = request.curve, request.limits or Limits(), request.keep or Keep()
     if limits.stiffness_bounds is not None or keep.points or keep.symmetry or keep.line:
         raise InputError(
             "leaves keep ends, tangents and length, within ratio, margin, curvature, strain and regions: leave out "
@@ -364,7 +365,7 @@ def _find_leaves(request: NearestRequest, law: LeavesLaw) -> NearestRod:
     fewest = int(np.ceil(law.leaves / limits.largest_ratio ** (1 / 3) - _WHOLE))
     law = replace(law, fewest=min(max(law.fewest, fewest), law.leaves))
     laid, steps = None, 0
-    taper = _taper_on_curve(request, law)
+    taper = _taper_on_curve(request, law, limits.length)
     if taper is not None:
         laid = lay_leaves(taper, law, tangents=keep.both_tangents)
     strict = limits
@@ -392,9 +393,8 @@ def _find_leaves(request: NearestRequest, law: LeavesLaw) -> NearestRod:
     )  # fmt: skip
 
 
-def _taper_on_curve(request: NearestRequest, law: LeavesLaw) -> Rod | None:
+def _taper_on_curve(request: RodSpec, law: LeavesLaw, length: tuple[float, float] | None) -> Rod | None:
     """Return the taper that rests in the drawn curve, as thick as the stack may be, or None."""
-    length = request.limits.length
     if length is not None and not length[0] <= request.curve.length <= length[1]:
         return None
     try:
@@ -403,11 +403,9 @@ def _taper_on_curve(request: NearestRequest, law: LeavesLaw) -> Rod | None:
         return None
 
 
-def _rod_on_curve(request: NearestRequest, section: BoundedLaw | None) -> Rod:
+def _rod_on_curve(request: RodSpec, section: BoundedLaw | None) -> Rod:
     """Return the rod of least ratio that rests in the drawn curve."""
-    return optimal_rod(
-        request.curve, request.gravity, request.supports, request.natural_curvature, section=section
-    )
+    return rod_of_request(replace(request, section=section, samples=None))
 
 
 def _broken_by(laid: LeafedRod, limits: Limits) -> tuple[Binding, ...]:
@@ -546,15 +544,15 @@ f"half as many as there are edges ({samples - 1})")  # fmt: skip
             f"start is {start!r}: give the record that nearest_rod gave for a like curve, or None"
         )
     return find_nearest(
-        NearestRequest(
-            curve, limits or Limits(), keep or Keep(), gravity, supports, weights, measure, samples,
-            coefficients, section, natural_curvature,
+        RodSpec(
+            curve, gravity, supports, natural_curvature, samples, section=section, limits=limits, keep=keep,
+            smooth=0.0, weights=weights, measure=measure, coefficients=coefficients,
         ),
         start,
     )  # fmt: skip
 
 
-def find_nearest(request: NearestRequest, start: NearestRod | None = None) -> NearestRod:
+def find_nearest(request: RodSpec, start: NearestRod | None = None) -> NearestRod:
     """Return the nearest rod of a checked request, as `nearest_rod` does."""
     if isinstance(request.section, LeavesLaw):
         return _find_leaves(request, request.section)
@@ -567,6 +565,6 @@ def find_nearest(request: NearestRequest, start: NearestRod | None = None) -> Ne
         raise NotConvergedError(far_too_heavy(gravity, length)) from error
 
 
-def _again(request: NearestRequest, limits: Limits, keep: Keep) -> NearestRod:
+def _again(request: RodSpec, limits: Limits, keep: Keep) -> NearestRod:
     """Repeat a request within other limits."""
     return find_nearest(replace(request, limits=limits, keep=keep))

@@ -1,13 +1,11 @@
-"""Requests for a nearest rod, and the same in lengths of the drawn curve."""
+"""Request for a nearest rod in lengths of the drawn curve."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal, TypeAlias
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers
 from elastica_cad.errors import InputError
 from elastica_cad.forming.curve_distance import (
@@ -20,43 +18,20 @@ from elastica_cad.forming.curve_distance import (
 )
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.rod_map import MappedRod, SectionScale, StiffnessBasis, Unknowns
-from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.forming.rod_spec import RodSpec, Weights
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.loads import (
-    Gravity,
     NaturalCurvature,
     RestCurvature,
-    Supports,
     nodal_curvature,
 )
 from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod, scaled_to_least
 from elastica_cad.mechanics.rod_system import RodState, RodSystem
-from elastica_cad.mechanics.stiffness_law import BoundedLaw
 from elastica_cad.refusals import Length as Mm
-
-Measure: TypeAlias = Literal["mean", "closest", "max"]
-Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
 
 _FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60  # default number of stiffness coefficients
 _COEFFICIENTS_PER_HALF_TURN = 4.2  # a curve that turns more needs a finer stiffness
-
-
-@dataclass(frozen=True, eq=False)
-class NearestRequest:
-    """Checked arguments of `nearest_rod`, which describes them."""
-
-    curve: PlaneCurve
-    limits: Limits
-    keep: Keep
-    gravity: Gravity | None
-    supports: Supports
-    weights: Weights = None
-    measure: Measure = "mean"
-    samples: int = SEARCH_SAMPLES
-    coefficients: int | None = None
-    section: BoundedLaw | None = None
-    natural_curvature: NaturalCurvature = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,10 +40,11 @@ class NearestTask:
 
     Attributes
     ----------
-    request : NearestRequest
+    request : RodSpec
     target : TargetCurve
     limits : Limits
         Limits of the request, with the ratio that its section allows.
+    keep : Keep
     weights : (nodes,) array
         Weights of the nodes, mean 1.
     coefficients : int
@@ -82,9 +58,10 @@ class NearestTask:
         True if a strip that follows its bend keeps its scale, and each node stays within the largest width there.
     """
 
-    request: NearestRequest
+    request: RodSpec
     target: TargetCurve
     limits: Limits
+    keep: Keep
     weights: FloatArray
     coefficients: int
     line: tuple[FloatArray, FloatArray] | None
@@ -93,7 +70,7 @@ class NearestTask:
     keeps_scale: bool = False
 
     @classmethod
-    def of(cls, request: NearestRequest) -> "NearestTask":
+    def of(cls, request: RodSpec) -> "NearestTask":
         """The task of a request.
 
         Raises
@@ -101,7 +78,8 @@ class NearestTask:
         InputError
             Limits that contradict each other or the curve.
         """
-        target, limits, samples = TargetCurve.of(request.curve), request.limits, int(request.samples)
+        target, samples = TargetCurve.of(request.curve), request.samples or SEARCH_SAMPLES
+        limits, keep = request.limits or Limits(), request.keep or Keep()
         coefficients = request.coefficients
         if coefficients is None:
             half_turns = float(np.abs(np.diff(target.angle)).sum()) / np.pi
@@ -114,7 +92,7 @@ class NearestTask:
             scale = SectionScale.of(law, limits, heavy=request.gravity is not None)
             limits = replace(limits, ratio=scale.ratio)
         for region in limits.keep_out:
-            ends = zip(("start", "end"), request.keep.both_ends, target.position[[0, -1]], strict=True)
+            ends = zip(("start", "end"), keep.both_ends, target.position[[0, -1]], strict=True)
             for side, kept, point in ends:
                 inside = -float(region.clearance((point * target.size + target.origin)[None])[0][0])
                 if kept and inside > 1e-9 * target.size:
@@ -125,14 +103,14 @@ class NearestTask:
                         inside=Mm(inside),
                     )
         return cls(
-            request, target, limits, _node_weights(request.weights, samples, target.size), int(coefficients),
-            _inflection_line(request), scale,
+            request, target, limits, keep, _node_weights(request.weights, samples, target.size), int(coefficients),
+            _inflection_line(request, keep), scale,
         )  # fmt: skip
 
     @property
     def nodes(self) -> int:
         """Number of nodes of the rod."""
-        return int(self.request.samples)
+        return int(self.weights.size)
 
     @property
     def is_scaled_freely(self) -> bool:
@@ -249,7 +227,7 @@ class NearestTask:
     @property
     def basis(self) -> StiffnessBasis:
         """Basis functions of K."""
-        return StiffnessBasis(self.coefficients, mirrored=bool(self.request.keep.symmetry))
+        return StiffnessBasis(self.coefficients, mirrored=bool(self.keep.symmetry))
 
     @property
     def distance(self) -> Distance:
@@ -321,9 +299,9 @@ class SearchPoint:
         return np.asarray(z)
 
 
-def _inflection_line(request: NearestRequest) -> tuple[FloatArray, FloatArray] | None:
+def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArray] | None:
     """Two points of the inflection line that is kept."""
-    line, curve = request.keep.line, request.curve
+    line, curve = keep.line, request.curve
     if not line:
         return None
     if request.gravity is not None:

@@ -220,9 +220,9 @@ def _box(task: NearestTask, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
     lower, upper = np.full(u.count, -np.inf), np.full(u.count, np.inf)
     lower[u.stiffness], upper[u.stiffness] = _stiffness_box(task, u.coefficients)
     start = task.request.supports.ends[0]
-    if task.request.keep.both_ends[0]:
+    if task.keep.both_ends[0]:
         lower[u.position] = upper[u.position] = target.position[0]
-    if task.request.keep.both_tangents[0]:
+    if task.keep.both_tangents[0]:
         lower[u.angle] = upper[u.angle] = target.angle[0]
     if not start.angle:
         lower[u.moment] = upper[u.moment] = 0.0
@@ -239,8 +239,8 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
     rest = task.request.natural_curvature
     blank = rest.length if isinstance(rest, RestCurvature) else None
     if blank is not None:
-        asked = "keep length asks" if task.request.keep.length else "the limit length asks"
-        least, most = (1.0, 1.0) if task.request.keep.length else (low, high)
+        asked = "keep length asks" if task.keep.length else "the limit length asks"
+        least, most = (1.0, 1.0) if task.keep.length else (low, high)
         room = LENGTHS_APART * (1 - _SAME_LENGTH)
         low, high = (
             max(low, (1 - room) * blank / target.size),
@@ -255,7 +255,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
                 size_2=Length(most * target.size),
                 blank=Length(blank),
             )
-    if task.request.keep.length:
+    if task.keep.length:
         if not low * (1 - 1e-12) <= 1 <= high * (1 + 1e-12):
             raise InputError(
                 "keep length asks for {size:.6g}, outside the limit length of {size_2:.6g} to "
@@ -265,7 +265,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
                 size_3=Length(high * target.size),
             )
         low = high = 1.0
-    if all(task.request.keep.both_ends):
+    if all(task.keep.both_ends):
         chord = float(np.hypot(*(target.position[-1] - target.position[0])))
         if high < chord * (1 - 1e-12):
             raise InputError(
@@ -278,7 +278,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
 
 
 def _constraints(task: NearestTask) -> list[Constraint]:
-    target, limits, keep = task.target, task.limits, task.request.keep
+    target, limits, keep = task.target, task.limits, task.keep
     end = task.request.supports.ends[1]
     found: list[Constraint] = []
     if keep.symmetry:
@@ -408,7 +408,7 @@ def list_bindings(task: NearestTask, problem: RodProblem, outcome: Outcome[Mappe
     found: list[Binding] = []
     at_ratio = float(outcome.at_upper[u.stiffness].sum())
     found.append(Binding("ratio", limits.largest_ratio, per * at_ratio))
-    if limits.length is not None or task.request.keep.length:
+    if limits.length is not None or task.keep.length:
         pull = float(outcome.at_upper[u.length] - outcome.at_lower[u.length])
         found.append(Binding("length", float(outcome.point.length * size), per * abs(pull) / size))
     for name, part, unit in (("start position", u.position, size), ("start tangent", u.angle, 1.0)):

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from elastica_cad._values import is_series
 from elastica_cad.errors import InputError, UnknownOptionError, refuse_unknown
+from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.drawn_edges import plane_curve
@@ -211,7 +212,7 @@ def _made(spec: "StripSpec") -> tuple[Strip, float]:
     """Return the strip and its deviation."""
     from elastica_cad.forming.nearest_record import NearestRod
 
-    found = spec.rod_spec.solve()
+    found = solve_rod(spec.rod_spec)
     changed = found.deviation if isinstance(found, NearestRod) else 0.0
     return spec.make(found), changed + spec.rod_spec.smoothing.moved
 

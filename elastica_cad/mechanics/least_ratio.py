@@ -299,8 +299,8 @@ def optimal_rod(
         check = examine(curve, supports, natural_curvature, tolerance, heavy=gravity is not None)
     require_record(check, EquilibriumCheck, "check", "what check_equilibrium answers")
     return rod_of_request(RodRequest(
-        check, supports, natural_curvature, gravity, weight, bending_stiffness, largest_stiffness,
-        least_stiffness, law, section, samples,
+        curve, gravity, supports, natural_curvature, samples, weight, bending_stiffness, largest_stiffness,
+        least_stiffness, law, section, check,
     ))  # fmt: skip
 
 

@@ -19,8 +19,9 @@ import numpy as np
 
 from elastica_cad._compiled_scipy import svd
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._values import EqualByValue
 from elastica_cad.errors import NotConvergedError
-from elastica_cad.geometry.plane_curve import CurveSamples
+from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.geometry.polynomials import (
     DENSE_PARTS,
     LEFT,
@@ -31,6 +32,7 @@ from elastica_cad.geometry.polynomials import (
     PanelFunction,
     in_panels,
 )
+from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.loads import Gravity, NaturalCurvature, PointMass, Supports, Weight
 from elastica_cad.mechanics.minimax_lp import (
     METHOD,
@@ -496,20 +498,37 @@ class StateFamily:
 
 
 @dataclass(frozen=True, eq=False)
-class RodRequest:
-    """Input of the search for an optimal rod: a checked curve and the arguments of `optimal_rod`."""
+class RodRequest(EqualByValue):
+    """Request for a rod that rests in a curve. `optimal_rod` describes the fields.
 
-    check: EquilibriumCheck
+    `known_check` is the check of the curve if it exists already.
+    """
+
+    curve: PlaneCurve
+    gravity: Gravity | None = None
     supports: Supports = field(default_factory=Supports)
     natural_curvature: NaturalCurvature = 0.0
-    gravity: Gravity | None = None
+    samples: int | None = None
     weight: Weight | None = None
     bending_stiffness: float | None = None
     largest_stiffness: float | None = None
     least_stiffness: float | None = None
     law: MaterialLaw | None = None
     section: BoundedLaw | None = None
-    samples: int | None = None
+    known_check: EquilibriumCheck | None = None
+
+    @property
+    def curve_to_bend(self) -> PlaneCurve:
+        """Curve that the rod follows."""
+        return self.curve
+
+    @cached_property
+    def check(self) -> EquilibriumCheck:
+        """Theorem 1 on the curve that is bent; a strip that feels its weight needs no line."""
+        if self.known_check is not None:
+            return self.known_check
+        heavy = self.gravity is not None
+        return examine(self.curve_to_bend, self.supports, self.natural_curvature, heavy=heavy)
 
     @cached_property
     def nodes(self) -> CurveSamples:

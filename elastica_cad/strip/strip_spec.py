@@ -15,7 +15,8 @@ from elastica_cad.errors import Change, InputError, refuse_unknown, rounded_up
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.forming.rod_spec import LaminateLayers, RodSpec, accepted_rod
+from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
+from elastica_cad.forming.rod_spec import LaminateLayers, RodSpec
 from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.fairing import may_step
 from elastica_cad.geometry.frame import Frame
@@ -159,6 +160,43 @@ def _check_law(
             name=other.name,
             name_2=sheet.name,
             where={"field": "law"},
+        )
+
+
+def _check_together(spec: RodSpec) -> None:
+    """Refuse requests for a rod that exclude each other."""
+    if spec.layers is not None and (spec.may_change or spec.natural_curvature != 0.0):
+        raise InputError(
+            "a laminate that carries its weight follows its curve exactly, from flat sheets: do without the "
+            "nearest curve ({limits}) and {natural_curvature}, or without {gravity}",
+            limits=FieldName("limits"),
+            natural_curvature=FieldName("natural_curvature"),
+            gravity=FieldName("gravity"),
+            where={"field": ("limits", "natural_curvature", "gravity")},
+        )
+    if spec.weight is not None and spec.gravity is None:
+        raise InputError(
+            "loads hang where gravity pulls in the plane of the curve: set {gravity}, with a direction "
+            "in that plane, or leave out {loads}",
+            gravity=FieldName("gravity"),
+            loads=FieldName("loads"),
+            where={"field": ("gravity", "loads")},
+        )
+    if spec.may_change and spec.samples is not None:
+        raise InputError(
+            "samples are of a strip that follows its curve exactly: do without the nearest curve ({limits}), "
+            "or without {samples}",
+            limits=FieldName("limits"),
+            samples=FieldName("samples"),
+            where={"field": ("limits", "samples")},
+        )
+    if spec.may_change and spec.weight is not None:
+        raise InputError(
+            "a strip with loads hung on it follows its curve exactly: do without the nearest curve ({limits}), "
+            "or without {loads}",
+            limits=FieldName("limits"),
+            loads=FieldName("loads"),
+            where={"field": ("limits", "loads")},
         )
 
 
@@ -497,7 +535,7 @@ class StripSpec(EqualByValue):
         }
         for name, value in settled.items():
             object.__setattr__(self, name, value)
-        _ = self.rod_spec
+        _check_together(self.rod_spec)
 
     @property
     def material(self) -> Sheet:
@@ -678,7 +716,7 @@ class StripSpec(EqualByValue):
         Parameters
         ----------
         found : Rod or NearestRod, optional
-            Result of `rod_spec.solve()`, if it is already known.
+            Result of `solve_rod(rod_spec)`, if it is already known.
 
         Raises
         ------
@@ -692,7 +730,7 @@ class StripSpec(EqualByValue):
         StrainError
             It would break.
         """
-        rod = accepted_rod(self.rod_spec.solve() if found is None else found)
+        rod = accepted_rod(solve_rod(self.rod_spec) if found is None else found)
         if self.makes_up_for_curl and rod.section is None:
             rod = replace(rod, section=self._width_law)
         if isinstance(self.style, Laminated):  # the style computes the section for the stiffness of the rod

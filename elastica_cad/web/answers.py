@@ -19,7 +19,7 @@ from elastica_cad.files import read_curves
 from elastica_cad.formats.source_file import read_below
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.forming.rod_spec import accepted_rod
+from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -172,7 +172,7 @@ def _strip(request: Mapping[str, Any]) -> Record:
     check = spec.rod_spec.check
     told: Record = {"theorem": _theorem(check), "text": str(check)}
     try:
-        found = spec.rod_spec.solve()
+        found = solve_rod(spec.rod_spec)
         made = spec.make(found)
     except ElasticaError as problem:
         return told | _drawn(spec) | refused(problem)
@@ -285,7 +285,7 @@ def _nearest(request: Mapping[str, Any]) -> Record:
         limits = spec.rod_spec.limits  # with the ratio that the widths allow
         if isinstance(limits, Limits) and limits.ratio is not None:
             spec = spec.changed(limits=replace(limits, ratio=max(1.0, (1 - SLACK) * limits.ratio)))
-    near = spec.rod_spec.solve()
+    near = solve_rod(spec.rod_spec)
     accepted_rod(near)
     assert isinstance(near, NearestRod)
     try:
@@ -572,7 +572,7 @@ def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
         model_kit(contents).write(folder / name)
         return Download(f"{name}.zip", _zipped(folder))
     strip_spec = _spec(request)
-    found = strip_spec.rod_spec.solve()
+    found = solve_rod(strip_spec.rod_spec)
     paper = "A4" if kind == "pdf" else None
     wanted = StripFiles(design.kit.cutting, paper, step=kind == "step", pictures=False, stl=kind == "stl")
     kit = StripResult(strip_spec, found, strip_spec.make(found), name).kit(wanted)

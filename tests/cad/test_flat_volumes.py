@@ -5,6 +5,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad import Frame
+from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.kernel import occt, ocp_import
 from elastica_cad.strip import FlatSolid
 
@@ -24,7 +25,7 @@ def limited():
     for ratio, points in CURVES.items():
         limits = ec.Limits(ratio=ratio)
         spec = ec.StripSpec(ec.PlaneCurve.spline(points), "birch-plywood-0.8", max_width=40, limits=limits)
-        made[ratio] = spec.make(spec.rod_spec.solve())
+        made[ratio] = spec.make(solve_rod(spec.rod_spec))
     return made
 
 

@@ -12,6 +12,7 @@ from freecad.elastica_wb.shapes.part_shapes import make_face, make_solid, make_w
 from elastica_cad.errors import InputError
 from elastica_cad.formats.binary_brep import boundary_brep
 from elastica_cad.forming.limits import Limits
+from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -79,7 +80,7 @@ def test_freecad_reads_the_volume_of_a_flat_part_whose_sides_have_many_spans():
     """Its walls were extruded, which runs along the strip in u: 2.3 % were missing."""
     drawn = PlaneCurve.spline([(0, 0), (60, 120), (130, -60), (220, 100), (300, 0)])
     spec = StripSpec(drawn, "birch-plywood-0.8", max_width=40, limits=Limits(ratio=6.0))
-    strip = spec.make(spec.rod_spec.solve())
+    strip = spec.make(solve_rod(spec.rod_spec))
     body = make_solid(FlatSolid(strip.outline, strip.holes, 0.8, PLACE))
     assert body.isValid()
     assert body.Volume == pytest.approx(0.8 * strip.area, rel=1e-3)

@@ -26,6 +26,7 @@ from elastica_cad import (
 from elastica_cad.cli.commands import elastica
 from elastica_cad.design.strip_request import RECORDS, SOLVED, FinishedStrip, request_record
 from elastica_cad.files import read_drawing
+from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.mechanics import LeavesLaw, RestCurvature, ThicknessLaw
 from elastica_cad.strip import TSlot
 
@@ -238,7 +239,7 @@ def report(spec, path):
     """Write the report of a strip as `elastica strip` does, without its drawings."""
     from elastica_cad.kit.strip_kit import StripFiles, StripResult
 
-    found = spec.rod_spec.solve()
+    found = solve_rod(spec.rod_spec)
     result = StripResult(spec, found, spec.make(found), path.stem)
     kit = result.kit(StripFiles(step=False, pictures=False))
     path.write_text(json.dumps(kit.report, default=lambda value: np.asarray(value).tolist()))

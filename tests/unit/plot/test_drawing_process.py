@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from elastica_cad import InputError, PlaneCurve, StripSpec
+from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.plot import canvas
 from elastica_cad.plot.drawing_process import DrawingProcess, drawing_process
@@ -21,7 +22,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals")
 def kit():
     curve = PlaneCurve.spline([(0, 0), (40, 60), (90, 60), (130, 0)], degree=3)
     spec = StripSpec(curve, "card-200gsm", max_width=20)
-    rod = spec.rod_spec.solve()
+    rod = solve_rod(spec.rod_spec)
     return StripResult(spec, rod, spec.make(rod), "bow").kit(StripFiles(paper="A4", step=False))
 
 

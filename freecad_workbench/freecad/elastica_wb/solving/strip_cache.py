@@ -18,6 +18,7 @@ from freecad.elastica_wb.shapes.part_shapes import make_solid
 from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError
 from elastica_cad.forming.editable_curve import coarse_curve
 from elastica_cad.forming.nearest_record import NearestRod
+from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
@@ -220,7 +221,7 @@ def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
 @remembered
 def _found(asked: RodSpec) -> Any:
     """Return the rod, or the nearest rod if the curve may change."""
-    return asked.solve()
+    return solve_rod(asked)
 
 
 @remembered

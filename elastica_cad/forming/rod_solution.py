@@ -1,0 +1,97 @@
+"""Solution of a request for a rod: the rod in the curve, or the nearest rod within limits."""
+
+from dataclasses import replace
+from typing import Any
+
+from elastica_cad._values import require_record
+from elastica_cad.errors import Change, InputError, NotMetError, rounded_up
+from elastica_cad.forming.nearest_record import NearestRod, Status
+from elastica_cad.forming.rod_spec import RodSpec
+from elastica_cad.mechanics.least_ratio import optimal_laminate, rod_of_request
+from elastica_cad.mechanics.optimal_balance import OverloadError
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sections import PlainSection, WidthRange
+from elastica_cad.refusals import FieldName, Length, note
+
+
+def solve_rod(spec: RodSpec) -> Rod | NearestRod:
+    """Return the rod that rests in the curve, or the nearest rod if the curve may change.
+
+    Raises
+    ------
+    NotRealizable
+        No rod takes the curve, and it may not change.
+    InputError, NotConvergedError
+        As `optimal_rod`, `optimal_laminate` and `nearest_rod`.
+    """
+    curve, layers, widths = spec.curve_to_bend, spec.layers, spec.widths
+    if spec.may_change:
+        from elastica_cad.forming.nearest_search import find_nearest
+
+        return find_nearest(replace(spec, curve=curve, smooth=0.0))
+    if layers is not None and spec.gravity is not None:
+        return optimal_laminate(
+            curve, layers.section, layers.base_width, direction=spec.gravity.direction, supports=spec.supports,
+            samples=spec.samples, least_backing=layers.least_backing, masses=spec.masses,
+        ).rod  # fmt: skip
+    bounds: Any = {} if widths is None else widths.stiffness
+    try:
+        rod = rod_of_request(replace(spec, curve=curve, smooth=0.0, known_check=spec.check, **bounds))
+    except OverloadError as error:
+        raise (error if widths is None else _too_narrow(widths, error)) from None
+    return rod if widths is None else _with_widest(rod, widths)
+
+
+WIDTH_TOLERANCE_MM = 0.1
+"""Difference between the largest width and `max_width`, mm, above which there is a warning."""
+
+
+def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
+    """Return the rod, with a warning if its largest width is below the allowed width."""
+    widest = rod.profile.extremes[1] * (rod.bending_stiffness or 0.0) / PlainSection(widths.sheet).rigidity
+    if widths.largest is None or widest > widths.largest - WIDTH_TOLERANCE_MM:
+        return rod
+    told = note(
+        "This load determines the width: the widest place is {widest:.4g} wide, below {field} {largest:g}.",
+        field=FieldName("max_width"), widest=Length(widest), largest=Length(widths.largest), severity="warning",
+    )  # fmt: skip
+    return replace(rod, warnings=(*rod.warnings, told))
+
+
+def _too_narrow(widths: WidthRange, error: OverloadError) -> InputError:
+    """Return the error for a load that no strip of these widths carries."""
+    needed = rounded_up(error.needed / PlainSection(widths.sheet).rigidity, 4)
+    changes, otherwise = [Change("max_width", needed)], ""
+    if error.thickening is not None:
+        thickness = rounded_up(error.thickening * widths.sheet.thickness, 4)
+        changes.append(Change("thickness", thickness))
+        otherwise = note(", or use a sheet {thickness:.4g} thick or thicker", thickness=Length(thickness))
+    return InputError(
+        "No strip between {least:.4g} and {largest:.4g} wide carries this load. Set {field} to {needed:.4g} "
+        "or more{otherwise}.",
+        field=FieldName("max_width"),
+        least=Length(widths.least),
+        largest=Length(widths.largest or 0.0),
+        needed=Length(needed),
+        otherwise=otherwise,
+        where={"field": "max_width"},
+        changes=changes,
+    )
+
+
+def accepted_rod(found: Rod | NearestRod) -> Rod:
+    """Return the rod of a result, with the warning of the search if there is one.
+
+    Raises
+    ------
+    NotMetError
+        No rod near the curve meets the limits; the message has suggestions.
+    """
+    if isinstance(found, Rod):
+        return found
+    require_record(found, NearestRod, "what was found", "a Rod or NearestRod")
+    if not found.met:
+        raise NotMetError(str(found))
+    if found.status is Status.MET:
+        return found.rod
+    return replace(found.rod, warnings=(*found.rod.warnings, found.status.value))
