@@ -209,7 +209,7 @@ class FreeCAD:
     def __init__(self, bodies: Bodies) -> None:
         import FreeCAD as App
         import Part
-        from freecad.elastica_wb.shapes import part_shapes as shapes
+        from freecad.elastica_wb.curves import part_shapes as shapes
 
         self.app, self.part, self.bodies = App, Part, bodies
         self.bent = shapes.make_solid(bodies.bent)

@@ -6,10 +6,10 @@ import re
 import FreeCAD as App
 import pytest
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
-from freecad.elastica_wb.export.cutting_files import write_cutting_files
+from freecad.elastica_wb.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import curves, flat, model, nest, strip
 from freecad.elastica_wb.features.pieces import cuts_of, told_blanks_of
-from freecad.elastica_wb.features.strip_request import nearest_spec_of
+from freecad.elastica_wb.features.strip_properties import nearest_spec_of
 
 UPRIGHT = App.Rotation(App.Vector(1, 0, 0), 90)
 BAD = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]

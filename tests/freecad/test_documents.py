@@ -12,6 +12,7 @@ import numpy as np
 import Part
 import pytest
 import Sketcher
+from freecad.elastica_wb.curves.part_shapes import make_wire
 from freecad.elastica_wb.curves.sketch_curves import (
     box_around,
     curve_into,
@@ -20,7 +21,7 @@ from freecad.elastica_wb.curves.sketch_curves import (
     lost_constraints,
     sketch_curve,
 )
-from freecad.elastica_wb.export.cutting_files import (
+from freecad.elastica_wb.cutting_files import (
     KINDS,
     cutting_of,
     tell_later_features,
@@ -30,7 +31,6 @@ from freecad.elastica_wb.features import flat, nest, proxy, strip
 from freecad.elastica_wb.features.pieces import cuts_of
 from freecad.elastica_wb.host import sheet_store as library
 from freecad.elastica_wb.live.sketch_drag import Dragged
-from freecad.elastica_wb.shapes.part_shapes import make_wire
 
 from elastica_cad.errors import InputError, MissingDependencyError, NotConvergedError
 from elastica_cad.geometry.path import Path as PlanePath

@@ -1,7 +1,7 @@
 """Engraved letters in FreeCAD's own kernel: every letter leaves a valid body."""
 
 import pytest
-from freecad.elastica_wb.shapes import part_shapes
+from freecad.elastica_wb.curves import part_shapes
 
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path

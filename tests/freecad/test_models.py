@@ -7,12 +7,12 @@ import FreeCAD as App
 import Part
 import pytest
 from freecad.elastica_wb.curves.copies import originals
+from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import linked
-from freecad.elastica_wb.export.cutting_files import write_cutting_files
+from freecad.elastica_wb.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import baseplate, curves, fixtures, flat, model, nest, proxy, strip
 from freecad.elastica_wb.features.pieces import cuts_of
 from freecad.elastica_wb.host.refusal import why_not_made
-from freecad.elastica_wb.shapes.part_shapes import make_solid
 from freecad.elastica_wb.solving import strip_cache
 
 from elastica_cad.errors import InputError

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from freecad.elastica_wb.live.curve_picture import comb_scale, curve_picture, width_lines
-from freecad.elastica_wb.live.verdict import Verdict, refusal_answer, sentence_of, strip_answer
 from freecad.elastica_wb.solving.strip_cache import solve_strip
+from freecad.elastica_wb.solving.verdicts import Verdict, refusal_answer, sentence_of, strip_answer
 
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.equilibrium_check import check_equilibrium

@@ -6,7 +6,7 @@ import Part
 import pytest
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
 from freecad.elastica_wb.features import strip
-from freecad.elastica_wb.features.strip_request import spec_of
+from freecad.elastica_wb.features.strip_properties import spec_of
 from freecad.elastica_wb.live.curve_picture import curve_picture
 
 WAVY = [(0, 0), (40, 90), (110, 130), (190, 150), (260, 120), (310, 60), (330, -20)]

@@ -2,7 +2,7 @@
 
 import Part
 import pytest
-from freecad.elastica_wb.export.cutting_files import write_cutting_files
+from freecad.elastica_wb.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import strip
 
 from elastica_cad.kernel.step_files import write_strip_step

@@ -8,8 +8,8 @@ import FreeCAD as App
 import numpy as np
 import Part
 import pytest
+from freecad.elastica_wb.curves.part_shapes import make_face, make_solid, make_wire
 from freecad.elastica_wb.features import flat, strip
-from freecad.elastica_wb.shapes.part_shapes import make_face, make_solid, make_wire
 
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import PlaneCurve

@@ -8,13 +8,12 @@ from math import cos, pi, sin
 import ezdxf
 import FreeCAD as App
 import pytest
-from freecad.elastica_wb.export.cutting_files import cutting_of
+from freecad.elastica_wb.cutting_files import cutting_of
 from freecad.elastica_wb.features import strip
 from freecad.elastica_wb.host.words import together
 from freecad.elastica_wb.live.curve_picture import curve_picture
-from freecad.elastica_wb.live.verdict import Verdict, refusal_answer, strip_answer
 from freecad.elastica_wb.solving.strip_cache import find_nearest_now, sharpest_bend, solve_strip
-from freecad.elastica_wb.solving.strip_faults import strip_faults
+from freecad.elastica_wb.solving.verdicts import Verdict, refusal_answer, strip_answer, strip_faults
 
 from elastica_cad.errors import ElasticaError, StrainError
 from elastica_cad.files import save

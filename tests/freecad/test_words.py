@@ -241,8 +241,7 @@ def test_refused_properties_are_told_in_german(document, sketch, asked):
 
 def test_a_line_that_cannot_be_read_is_told_what_its_property_takes(document, sketch):
     from freecad.elastica_wb.features import strip
-    from freecad.elastica_wb.features.strip_properties import EXAMPLES
-    from freecad.elastica_wb.features.strip_request import MASS_LINE, TAB_LINE, WEIGHT_LINE
+    from freecad.elastica_wb.features.strip_properties import EXAMPLES, MASS_LINE, TAB_LINE, WEIGHT_LINE
 
     made = strip.create(document, sketch)
     made.Gravity, made.GravityDirection = True, (0, -1, 0)

@@ -7,9 +7,9 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
+from freecad.elastica_wb.curves.part_shapes import spline_geometry
 from freecad.elastica_wb.features import flat, strip
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.shapes.part_shapes import spline_geometry
 
 from elastica_cad.geometry.plane_curve import PlaneCurve
 

@@ -7,7 +7,8 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from freecad.elastica_wb.host import view_providers
+from freecad.elastica_wb.features.views import KINDS
+from freecad.elastica_wb.host.lifetime import view_providers
 from freecad.elastica_wb.host.resources import RESOURCES, icon
 from freecad.elastica_wb.live import live_command, observers
 
@@ -44,26 +45,12 @@ class ElasticaWorkbench(Gui.Workbench):
             self.appendContextMenu("", names)
 
 
-def _dress(provider: Any, kind: str) -> None:
-    """Give a feature its icon and panel, if there is a window."""
-    from freecad.elastica_wb.features import views
-
-    views.KINDS[kind](provider)
-
-
-def _panel_of(obj: Any) -> Any:
-    """Return the panel of a feature. The panels are imported when the first panel opens."""
-    from freecad.elastica_wb.panels.feature_panels import panel_of
-
-    return panel_of(obj)
-
-
 def _begin() -> Any:
     Gui.addLanguagePath(str(RESOURCES / "translations"))
     Gui.updateLocale()
     Gui.addIconPath(str(RESOURCES / "icons"))
     Gui.addPreferencePage(str(RESOURCES / "ui" / "preferences.ui"), "Elastica")
-    view_providers.register(_dress, _panel_of)
+    view_providers.update(KINDS)
     observers.install()
     live_command.register()
     workbench = ElasticaWorkbench()

@@ -72,7 +72,7 @@ class ElasticaTest(unittest.TestCase):
 
     def test_cutting_files(self) -> None:
         """Check that the kit holds a DXF (with and without ezdxf), STEP, SVG and a cut list."""
-        from freecad.elastica_wb.export.cutting_files import write_cutting_files
+        from freecad.elastica_wb.cutting_files import write_cutting_files
 
         strip = make_strip(self.draw(ARCH))
         with tempfile.TemporaryDirectory() as folder:

@@ -184,9 +184,9 @@ def export():
     folders = {"first": str(folder), "again": str(folder), "nowhere": "cut"}
     folders |= {"to nobody": "~nobody-of-that-name/cut", "too far": f"/tmp/{'far' * 100}"}
     for name, words in folders.items():
-        from freecad.elastica_wb.host import telling
+        from freecad.elastica_wb.host import dialogs
 
-        telling._told.clear()
+        dialogs._told.clear()
         open_panel("Elastica_Export", document.getObject("Strip"))
         typed("folder", words)
         press_button("Ok")
@@ -194,7 +194,7 @@ def export():
             lambda: told() or ":" in panel().form.message.text() or "path" in panel().form.message.text(), 10
         )
         answers[f"export {name}"] = told() or panel().form.message.text()
-        for box in telling._told:
+        for box in dialogs._told:
             box.close()
         if Gui.Control.activeDialog():
             button("Cancel")

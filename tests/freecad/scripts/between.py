@@ -54,7 +54,7 @@ def told(drawn):
 
 def opened():
     """The tool by its button."""
-    from freecad.elastica_wb.panels.curves import between_clamps
+    from freecad.elastica_wb.panels import between_clamps
 
     press("Elastica_Between")
     until(lambda: between_clamps.running() is not None)
@@ -91,7 +91,7 @@ def work():
     Gui.activateWorkbench("ElasticaWorkbench")
     window()
     from freecad.elastica_wb.live import observers
-    from freecad.elastica_wb.panels.curves import between_clamps
+    from freecad.elastica_wb.panels import between_clamps
 
     drawn = document.addObject("Sketcher::SketchObject", "Drawn")
     observers.remember(drawn, True)

@@ -56,7 +56,7 @@ def report(document, feature):
 def work():
     import numpy
     import scipy
-    from freecad.elastica_wb.export.cutting_files import write_cutting_files
+    from freecad.elastica_wb.cutting_files import write_cutting_files
 
     import elastica_cad
 

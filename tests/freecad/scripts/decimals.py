@@ -9,7 +9,7 @@ from inside import ARCH, answers, begun, button, open_panel, panel, run, sketch,
 
 
 def work():
-    from freecad.elastica_wb.panels.widgets.fields import value_of
+    from freecad.elastica_wb.host.fields import value_of
 
     window()
     document = begun("Decimals")

@@ -116,7 +116,7 @@ def member(document):
 
 def exported(document):
     """The flat part in sight has slots, and so have its files."""
-    from freecad.elastica_wb.host import telling
+    from freecad.elastica_wb.host import dialogs
 
     folder = OUT / "cut"
     folder.mkdir()
@@ -125,7 +125,7 @@ def exported(document):
     type_into(panel().form.folder, str(folder))
     press_button("Ok")
     until(told)
-    for box in telling._told:
+    for box in dialogs._told:
         box.close()
     return sorted(file.name for file in folder.iterdir())
 
@@ -148,7 +148,7 @@ def cancel():
 
 def in_error():
     """A strip that cannot be made: what is to be made from it says why, and leaves nothing behind."""
-    from freecad.elastica_wb.host import telling
+    from freecad.elastica_wb.host import dialogs
 
     document = App.newDocument("Error")
     document.UndoMode = 1
@@ -168,7 +168,7 @@ def in_error():
     press("Elastica_Nest")
     until(told, 10)
     found.append(told())
-    for box in telling._told:
+    for box in dialogs._told:
         box.close()
     open_panel("Elastica_Interlock", narrow, document.Strip001)
     found.append(panel().form.message.text())

@@ -222,7 +222,7 @@ def use_nearest(document):
 
 def export(strip):
     """OK, then the button that opens the folder."""
-    from freecad.elastica_wb.host import telling
+    from freecad.elastica_wb.host import dialogs
 
     folders = Folders()
     QtGui.QDesktopServices.setUrlHandler("file", folders, "shown")
@@ -230,11 +230,11 @@ def export(strip):
     press("Elastica_Export")
     until(is_open)
     panel().form.folder.setText(str(OUT / "files"))
-    telling._told.clear()
+    dialogs._told.clear()
     press_button("Ok")
     until(told)
     answers["told"] = told()
-    button = telling._told[0].findChild(QtWidgets.QPushButton, "openFolder")
+    button = dialogs._told[0].findChild(QtWidgets.QPushButton, "openFolder")
     still(lambda: (button.isVisible(), button.mapToGlobal(button.rect().center()).toTuple()))
     click(button)
     until(lambda: "folder opened" in answers)

@@ -46,7 +46,7 @@ answers["trouble"] = []
 
 
 def told():
-    from freecad.elastica_wb.host import telling as base
+    from freecad.elastica_wb.host import dialogs as base
 
     words = [box.text() for box in base._told]
     for box in base._told:
@@ -225,7 +225,7 @@ def nonsense(command):
 def edits():
     """The sketch is deleted, undone, its document closed, while it is being edited."""
     from freecad.elastica_wb.live import session as live
-    from freecad.elastica_wb.live.verdict import Verdict
+    from freecad.elastica_wb.solving.verdicts import Verdict
 
     parts = scene()
     document, (drawn,) = parts["document"], parts["sketch"]

@@ -291,7 +291,7 @@ class Dialog:
 
 def fill(panel, **values):
     """What a user types into fields of a panel, with everything that follows from it."""
-    from freecad.elastica_wb.panels.widgets.fields import send_change, set_value
+    from freecad.elastica_wb.host.fields import send_change, set_value
 
     for name, value in values.items():
         widget = getattr(panel.form, name)
@@ -397,9 +397,9 @@ def typed(name, words):
 
 def told():
     """What a window of the workbench says."""
-    from freecad.elastica_wb.host import telling
+    from freecad.elastica_wb.host import dialogs
 
-    return telling._told[0].text() if telling._told and telling._told[0].isVisible() else ""
+    return dialogs._told[0].text() if dialogs._told and dialogs._told[0].isVisible() else ""
 
 
 def window():

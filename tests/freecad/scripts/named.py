@@ -101,7 +101,7 @@ def held(document):
 
 def exported(document):
     """Names in the STEP file of the model, the cutting files, and the cut list."""
-    from freecad.elastica_wb.host import telling
+    from freecad.elastica_wb.host import dialogs
 
     folder = OUT / "cut"
     folder.mkdir()
@@ -109,7 +109,7 @@ def exported(document):
     typed("folder", str(folder))
     press_button("Ok")
     until(told)
-    for box in telling._told:
+    for box in dialogs._told:
         box.close()
     step = (folder / "Lamp.step").read_text(encoding="utf-8")
     return re.findall(r"PRODUCT\('([^']*)'", step), sorted(file.name for file in folder.iterdir())

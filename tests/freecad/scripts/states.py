@@ -35,8 +35,8 @@ answers["trouble"], answers["grey"], answers["pressed"] = [], {}, 0
 
 def strangers():
     """What filters make of a widget that PySide hands them for an event."""
+    from freecad.elastica_wb.host.fields import _Keeper
     from freecad.elastica_wb.host.qt import EscapeKey, QtCore, kind_of
-    from freecad.elastica_wb.panels.widgets.fields import _Keeper
 
     found = [_Keeper().eventFilter(QtWidgets.QLineEdit(), QtWidgets.QGraphicsView())]
     found += [EscapeKey().eventFilter(None, QtWidgets.QGraphicsView())]
@@ -48,9 +48,9 @@ answers["strangers"] = strangers()
 
 def put_away():
     """Close what the button opened."""
-    from freecad.elastica_wb.host import telling
+    from freecad.elastica_wb.host import dialogs
 
-    for box in telling._told:
+    for box in dialogs._told:
         box.close()
     if Gui.Control.activeDialog():
         for kind in ("Cancel", "Close"):

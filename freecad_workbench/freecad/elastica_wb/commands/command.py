@@ -9,9 +9,9 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
+from freecad.elastica_wb.host.dialogs import tell
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import icon
-from freecad.elastica_wb.host.telling import tell
 from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.feature_panels import panel_of
 from freecad.elastica_wb.recording import (

@@ -14,9 +14,9 @@ from freecad.elastica_wb.features import curves
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.live import observers
 from freecad.elastica_wb.live.sketches import edited_sketch
-from freecad.elastica_wb.panels.curves import between_clamps
-from freecad.elastica_wb.panels.curves.check import CheckPanel
-from freecad.elastica_wb.panels.curves.projective import ProjectivePanel
+from freecad.elastica_wb.panels import between_clamps
+from freecad.elastica_wb.panels.check import CheckPanel
+from freecad.elastica_wb.panels.projective import ProjectivePanel
 
 
 class CurveCommand(Command):

@@ -7,9 +7,9 @@ import FreeCAD as App
 from freecad.elastica_wb.commands.command import Command, answers, show_panel, undo_step
 from freecad.elastica_wb.commands.selection import chosen_sources, chosen_strips
 from freecad.elastica_wb.features import flat, model, nest
+from freecad.elastica_wb.host.dialogs import tell
 from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
-from freecad.elastica_wb.host.telling import tell
 from freecad.elastica_wb.panels.feature_panels import panel_of
 from freecad.elastica_wb.panels.fixtures import FixturesPanel
 from freecad.elastica_wb.recording import record_recompute, record_step, record_value, recorded

@@ -11,10 +11,10 @@ from typing import Any
 import FreeCAD as App
 import numpy as np
 import Part
+from freecad.elastica_wb.curves.part_shapes import is_bounded, spline_geometry
 from freecad.elastica_wb.curves.sketch_curves import container, placement_of
 from freecad.elastica_wb.host.progress import Step, go_on, in_background
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
-from freecad.elastica_wb.shapes.part_shapes import is_bounded, spline_geometry
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError

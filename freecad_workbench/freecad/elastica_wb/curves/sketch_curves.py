@@ -9,8 +9,8 @@ from typing import Any
 import FreeCAD as App
 import numpy as np
 import Part
+from freecad.elastica_wb.curves.part_shapes import plane_curve, report_on_edges, spline_geometry
 from freecad.elastica_wb.host.refusal import why_not_made
-from freecad.elastica_wb.shapes.part_shapes import plane_curve, report_on_edges, spline_geometry
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError

@@ -5,12 +5,12 @@
 
 from typing import Any, ClassVar
 
+from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import frame_of
 from freecad.elastica_wb.features.fixtures import source_model, tell_plays
 from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
 from freecad.elastica_wb.host.property_table import Property, declared_property, values_of
 from freecad.elastica_wb.host.sheet_store import sheet_called
-from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.declared import declared
 from elastica_cad.geometry.frame import Frame

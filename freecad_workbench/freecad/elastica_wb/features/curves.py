@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 
 import FreeCAD as App
 import Part
+from freecad.elastica_wb.curves.part_shapes import spline_geometry
 from freecad.elastica_wb.curves.plane_sections import (
     AXES,
     CLOSED,
@@ -22,13 +23,11 @@ from freecad.elastica_wb.curves.plane_sections import (
 from freecad.elastica_wb.curves.sketch_curves import container, curve_into, drawn_curve, is_sketch
 from freecad.elastica_wb.features.proxy import REPORTS, Feature, added
 from freecad.elastica_wb.features.strip import is_strip, strip_of
-from freecad.elastica_wb.features.strip_properties import NEAREST
-from freecad.elastica_wb.features.strip_request import nearest_spec_of
+from freecad.elastica_wb.features.strip_properties import NEAREST, nearest_spec_of
 from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.property_table import Property, put, result
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.words import report, worded
-from freecad.elastica_wb.shapes.part_shapes import spline_geometry
 from freecad.elastica_wb.solving.strip_cache import find_nearest_to_drag, find_nearest_to_draw
 
 from elastica_cad.errors import InputError

@@ -9,6 +9,7 @@ from typing import Any
 
 import Part
 from freecad.elastica_wb.curves.copies import not_repeated
+from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import container
 from freecad.elastica_wb.features.model import strips_model
 from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
@@ -16,7 +17,6 @@ from freecad.elastica_wb.host.progress import in_steps
 from freecad.elastica_wb.host.property_table import Property, declared_property, put, values_of
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.words import worded
-from freecad.elastica_wb.shapes.part_shapes import make_solid
 from freecad.elastica_wb.solving.strip_cache import remembered
 
 from elastica_cad.declared import declared

@@ -7,13 +7,13 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import FreeCAD as App
+from freecad.elastica_wb.curves.part_shapes import is_bounded
 from freecad.elastica_wb.features.model import is_model, shown_model
 from freecad.elastica_wb.features.proxy import Feature
 from freecad.elastica_wb.features.strip import is_strip, shown_strip
+from freecad.elastica_wb.host.lifetime import dress
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.view_providers import dress
-from freecad.elastica_wb.shapes.part_shapes import is_bounded
 from freecad.elastica_wb.solving.strip_cache import flat_shape
 
 from elastica_cad.errors import InputError

@@ -22,8 +22,8 @@ from freecad.elastica_wb.host.property_table import Property, declared_property,
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.words import report_warning, worded
-from freecad.elastica_wb.solving.bent_blanks import told_blanks
 from freecad.elastica_wb.solving.strip_cache import bent_shape, remembered
+from freecad.elastica_wb.solving.verdicts import told_blanks
 
 from elastica_cad.declared import declared
 from elastica_cad.errors import ElasticaError, InputError

@@ -8,6 +8,7 @@ from typing import Any
 
 import FreeCAD as App
 import Part
+from freecad.elastica_wb.curves.part_shapes import is_bounded, make_wire
 from freecad.elastica_wb.curves.sketch_curves import container
 from freecad.elastica_wb.features.pieces import counted, cuts_of, later_features, told_blanks_of
 from freecad.elastica_wb.features.proxy import REPORTS, Feature, added
@@ -15,7 +16,6 @@ from freecad.elastica_wb.host.property_table import Property, put, result
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import report_warning
-from freecad.elastica_wb.shapes.part_shapes import is_bounded, make_wire
 
 from elastica_cad.model.nesting import nest_pieces
 

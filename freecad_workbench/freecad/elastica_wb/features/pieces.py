@@ -18,7 +18,7 @@ from freecad.elastica_wb.features.flat import is_flat
 from freecad.elastica_wb.features.model import is_model, model_of
 from freecad.elastica_wb.features.proxy import why_left_out
 from freecad.elastica_wb.features.strip import is_strip, shown_strips, strip_of
-from freecad.elastica_wb.solving.bent_blanks import told_blanks
+from freecad.elastica_wb.solving.verdicts import told_blanks
 
 from elastica_cad.errors import InputError
 from elastica_cad.strip.pieces import Piece, distinct

@@ -8,8 +8,7 @@ from contextlib import suppress
 from typing import Any, ClassVar
 
 import FreeCAD as App
-from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.lifetime import Unsaved, is_ours
+from freecad.elastica_wb.host.lifetime import Unsaved, dress, is_ours
 from freecad.elastica_wb.host.property_table import (
     Property,
     choose_again,
@@ -28,8 +27,13 @@ from freecad.elastica_wb.host.refusal import (
     why_not_computed,
     why_not_made,
 )
-from freecad.elastica_wb.host.sheet_store import sheet_called, sheet_from_text, sheet_list, text_of
-from freecad.elastica_wb.host.view_providers import dress
+from freecad.elastica_wb.host.sheet_store import (
+    default_sheet,
+    sheet_called,
+    sheet_from_text,
+    sheet_list,
+    text_of,
+)
 from freecad.elastica_wb.host.words import report_error
 
 from elastica_cad.errors import ElasticaError, InputError
@@ -86,7 +90,7 @@ class Feature(Unsaved):
         known = {name: getattr(obj, name) for name in self.sheets if name in obj.PropertiesList}
         ensure(obj, (*self.properties, HIDDEN_BY_ERROR, SHOWN_BY_ERROR))
         for name in self.sheets:
-            chosen = known.get(name) or preferences.default_sheet()
+            chosen = known.get(name) or default_sheet()
             setattr(obj, name, list(dict.fromkeys([*sheet_list(), chosen])))
             setattr(obj, name, chosen)
 

@@ -12,16 +12,14 @@ import FreeCAD as App
 from freecad.elastica_wb.curves.copies import Standing, copies, repeated
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve, is_sketch
 from freecad.elastica_wb.features.proxy import Feature, parents
-from freecad.elastica_wb.features.strip_properties import PROPERTIES
-from freecad.elastica_wb.features.strip_request import spec_of
+from freecad.elastica_wb.features.strip_properties import PROPERTIES, spec_of
 from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.lifetime import dress
 from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_called
-from freecad.elastica_wb.host.view_providers import dress
 from freecad.elastica_wb.host.words import capital, worded
-from freecad.elastica_wb.solving.bent_blanks import is_bent_beforehand
 from freecad.elastica_wb.solving.strip_cache import (
     bent_shape,
     find_nearest,
@@ -30,7 +28,7 @@ from freecad.elastica_wb.solving.strip_cache import (
     judged,
     solve_strip,
 )
-from freecad.elastica_wb.solving.strip_faults import strip_faults
+from freecad.elastica_wb.solving.verdicts import is_bent_beforehand, strip_faults
 
 from elastica_cad.design.reports import tell_blank
 from elastica_cad.errors import ElasticaError, InputError, StrainError

@@ -1,23 +1,43 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The table of a strip's options and results.
+"""The options and results of a strip, and the table of a design file that its options make, which the core reads.
 
 Most properties are made from the declared fields of a strip. Properties that do not match one field are declared
 here.
 """
 
-from collections.abc import Iterator
+import math
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from typing import Any
 
 import FreeCAD as App
+from freecad.elastica_wb.curves.sketch_curves import DrawnCurve
 from freecad.elastica_wb.features.proxy import CONTAINERS
-from freecad.elastica_wb.host.property_names import name_of
-from freecad.elastica_wb.host.property_table import Property, declared_property, result
+from freecad.elastica_wb.host.property_table import (
+    NOTHING,
+    Property,
+    declared_property,
+    require_choices,
+    result,
+)
+from freecad.elastica_wb.host.sheet_store import sheet_called
+from freecad.elastica_wb.host.words import name_of
 
 from elastica_cad.declared import Field, declared
 from elastica_cad.defaults import MAX_WIDTH, RATIO, TAB_LENGTH
-from elastica_cad.design.records import paths_of
-from elastica_cad.design.strip_table import StripKeys
+from elastica_cad.design.records import BY_KIND, Reader, names_of, parsed_line, paths_of, put
+from elastica_cad.design.strip_table import StripKeys, read_fields, read_request
+from elastica_cad.design.tables import Table, merged
+from elastica_cad.errors import InputError
+from elastica_cad.forming.limits import BOTH_ENDS
+from elastica_cad.forming.rod_spec import RodSpec
+from elastica_cad.mechanics.loads import Gravity, Supports
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.refusals import Length, note
+from elastica_cad.strip.strip_spec import StripSpec, pull_in_plane
+from elastica_cad.strip.styles import Style
 
 FORMS = ["Bent", "Flat"]
 STYLES = ["Plain", "Perforated", "Laminated"]
@@ -200,3 +220,249 @@ NEAREST = tuple(
     )
 )
 """Options and results of a separate nearest curve."""
+
+
+LONGEST_MM, THINNEST_MM = 1e6, 1e-3  # one kilometre; thinner than any foil
+BLANK_LINE = "stations = [0, 300], curvatures = [0, 0.01]"
+MASS_LINE, WEIGHT_LINE, TAB_LINE = "at = 90, mass = 3", "alpha = 1, own = true", "length = 12, chamfer = 2"
+LENGTHS = tuple(p.name for p in PROPERTIES if p.kind == "Length" and not p.result)
+
+SHEET, BACKING = "sheet", "backing"
+"""Names of a strip's sheets in its table. The document stores their numbers."""
+
+
+def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
+    """Return the request that the properties make, without those of other styles or of an unused nearest curve.
+
+    Raises
+    ------
+    InputError
+        A size is far out of range: a typing error, or another unit.
+    """
+    _refuse_slips(obj, drawn)
+    table = table_of(obj, drawn, nearest=obj.Follow == "Nearest")
+    return read_request(Table(table, "", {}), _reader(obj), drawn.curve, drawn.plane)
+
+
+def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
+    """Return the request for the nearest rod within the limits, even if the strip follows its curve."""
+    fields = read_fields(Table(table_of(obj, drawn, nearest=True), "", {}), _reader(obj))
+    gravity, _ = pull_in_plane(fields.get("gravity"), _sheet(obj), drawn.plane)
+    return RodSpec(
+        drawn.curve, gravity, fields.get("supports", Supports()), fields.get("natural_curvature", 0.0),
+        limits=fields["limits"], keep=fields["keep"],
+    )  # fmt: skip
+
+
+def table_of(obj: Any, drawn: DrawnCurve, *, nearest: bool) -> dict[str, Any]:
+    """Return the table of a design file that requests the same strip as the properties.
+
+    Raises
+    ------
+    InputError
+        A line is not a table, or the limits of a range are in the wrong order.
+    """
+    table: dict[str, Any] = {}
+    for path, field in FIELDS.items():
+        if name_of(path) in obj.PropertiesList and _counts(obj, path, nearest=nearest):
+            value = _value(obj, name_of(path), field)
+            if value is not None:
+                put(table, path, value)
+    if (gravity := _gravity(obj, drawn)) is not None:
+        table["gravity"] = gravity
+    for key, read in READ.items():
+        if key in ("limits", "keep") and not nearest:
+            continue
+        value = read(obj)
+        if value is not None:
+            table[key] = merged(table.get(key, {}), value) if isinstance(value, dict) else value
+    return table
+
+
+def _reader(obj: Any) -> Reader:
+    sheets = {SHEET: _sheet(obj)}
+    if getattr(obj, "Style", "") == "Laminated":
+        sheets[BACKING] = sheet_called(obj.Backing, obj.BackingData)
+    return Reader(sheets)
+
+
+def _counts(obj: Any, path: str, *, nearest: bool) -> bool:
+    """Return True if the property of a key applies to this strip."""
+    table, _, key = path.rpartition(".")
+    if table == "style":
+        return key in names_of(BY_KIND[Style][obj.Style.lower()])
+    if table in ("limits", "keep"):
+        return nearest
+    if path in ("max_width", "min_width"):  # a width law has its own limits
+        return not obj.Law.strip() and (path == "min_width" or obj.Style == "Plain")
+    return path != "samples" or not nearest
+
+
+def _value(obj: Any, name: str, field: Field) -> Any:
+    """Return the value of a property as in a design file, or None if it is not set."""
+    value = getattr(obj, name)
+    value = getattr(value, "Value", value)
+    if field.asked.unit == "rad":
+        value = math.radians(value)
+    if field.kind.name == "list" and field.kind.of[0].name != "number":
+        return _lines(value, name, EXAMPLES.get(name, "")) or None
+    if field.kind.name in ("table", "list", "either"):
+        return (
+            parsed_line(value, name, EXAMPLES.get(name, "")) if isinstance(value, str) else list(value)
+        ) or None
+    return None if field.default is None and value in (0, NOTHING) and value is not False else value
+
+
+def _lines(lines: Iterable[str], name: str, example: str) -> list[dict[str, Any]]:
+    return [parsed_line(line, name, example) for line in lines if line.strip()]
+
+
+def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
+    require_choices(obj, PROPERTIES)
+    lengths = {name: getattr(obj, name).Value for name in LENGTHS}
+    for name, value in (lengths | {"the length of the curve": drawn.curve.length}).items():
+        if value > LONGEST_MM:
+            raise InputError(
+                "{name} is {size}, more than a kilometre: is its unit right?",
+                name=note(name),
+                size=Length(value),
+            )
+    if 0 < lengths["Thickness"] < THINNEST_MM:
+        raise InputError(
+            "the thickness of the sheet is {thickness}, less than any foil's: is its unit right?",
+            thickness=Length(lengths["Thickness"]),
+        )
+
+
+def _sheet(obj: Any) -> Sheet:
+    """Return the sheet with its measured thickness. The thickness range is left out if the thickness differs."""
+    sheet, thickness = sheet_called(obj.Sheet, obj.SheetData), obj.Thickness.Value
+    if sheet.thickness == thickness:
+        return sheet
+    return replace(sheet, thickness=thickness, thickness_range=None)
+
+
+def _style(obj: Any) -> dict[str, Any] | None:
+    if "Style" not in obj.PropertiesList:
+        return None
+    kind = obj.Style.lower()
+    return {"kind": kind, "backing": BACKING} if kind == "laminated" else {"kind": kind}
+
+
+def _max_width(obj: Any) -> float | None:
+    """Return the limit on the material width of a styled outline. A plain strip has its own property."""
+    if getattr(obj, "Style", "Plain") == "Plain" or obj.Law.strip():
+        return None
+    return obj.MaterialWidth.Value or None
+
+
+def _shop(obj: Any) -> dict[str, Any] | None:
+    """Return the shop limits: the smallest ligament is that of the style."""
+    perforated = getattr(obj, "Style", "") == "Perforated"
+    return {"least_ligament": obj.LeastLigament.Value} if perforated else None
+
+
+def _compensate(obj: Any) -> bool | None:
+    """Return True (compensate everything), False (nothing) or None (the default)."""
+    if "Compensate" not in obj.PropertiesList or (obj.Anticlastic and not obj.Compensate):
+        return None
+    return bool(obj.Compensate)
+
+
+def _gravity(obj: Any, drawn: DrawnCurve) -> Any:
+    """Return the direction of the strip's weight in space."""
+    if not obj.Gravity:
+        return None
+    direction = list(obj.GravityDirection)
+    if not any(direction):
+        raise InputError("the direction of gravity is zero: give a vector such as (0, 0, -1)")
+    if not obj.GravityLength.Value:
+        return direction
+    felt = Gravity.in_plane(obj.GravityLength.Value, direction, drawn.plane.x_axis, drawn.plane.y_axis)
+    return None if felt is None else {"length": felt.length, "direction": list(felt.direction)}
+
+
+def _natural_curvature(obj: Any) -> Any:
+    return parsed_line(obj.Blank, "Blank", BLANK_LINE) if obj.Blank.strip() else obj.NaturalCurvature or None
+
+
+def _loads(obj: Any) -> Any:
+    if "Loads" not in obj.PropertiesList:
+        return None
+    weight = obj.WeightLaw.strip()
+    return (
+        parsed_line(weight, "WeightLaw", WEIGHT_LINE)
+        if weight
+        else _lines(obj.Loads, "Loads", MASS_LINE) or None
+    )
+
+
+def _limits(obj: Any) -> dict[str, Any]:
+    strain = (obj.StrainLimit / 100 or True) if obj.LimitStrain else None
+    limits = {
+        "margin": obj.MarginLimit if obj.LimitMargin else None,
+        "strain": strain,
+        "length": _range(obj, "Length"),
+        "width": _range(obj, "Width"),
+    }
+    return {key: value for key, value in limits.items() if value is not None}
+
+
+def _range(obj: Any, kind: str) -> list[float] | None:
+    """Return the smallest and largest value, mm, or None if there is no largest value."""
+    least, most = getattr(obj, f"Least{kind}").Value, getattr(obj, f"Most{kind}").Value
+    if not most:
+        return None
+    if not 0 < least <= most:
+        raise InputError(
+            "Least{name} is {least:g} and Most{name} is {most:g}: give both, the least above 0 "
+            "and not above the most",
+            name=kind,
+            least=Length(least),
+            most=Length(most),
+        )
+    return [least, most]
+
+
+def _keep(obj: Any) -> dict[str, Any]:
+    line = list(obj.InflectionLine)
+    ends, tangents = BOTH_ENDS[obj.KeepEnds], BOTH_ENDS[obj.TangentEnds] if obj.KeepTangents else False
+    keep: dict[str, Any] = {"ends": ends, "tangents": tangents}
+    keep = {key: value if isinstance(value, bool) else list(value) for key, value in keep.items()}
+    if line:
+        return keep | {"line": [line[:2], line[2:]]}
+    return keep | ({"line": True} if obj.KeepLine else {})
+
+
+def _ends(obj: Any) -> list[dict[str, Any]] | None:
+    if "StartTab" not in obj.PropertiesList:
+        return None
+    tabs = []
+    for side in ("Start", "End"):
+        keys, length = getattr(obj, f"{side}TabKeys"), getattr(obj, f"{side}Tab").Value
+        tabs.append(parsed_line(keys, f"{side}TabKeys", TAB_LINE) if keys.strip() else _tab(obj, length))
+    return tabs
+
+
+def _tab(obj: Any, length: float) -> dict[str, Any]:
+    hole = obj.TabHole.Value
+    if not length:
+        return {"length": 0.0}
+    holes = {"holes": [{"at": length / 2, "diameter": hole}]} if hole else {}
+    return {"length": length, "corner_radius": obj.TabRadius.Value, **holes}
+
+
+READ: dict[str, Callable[[Any], Any]] = {
+    "sheet": lambda _: SHEET,
+    "style": _style,
+    "max_width": _max_width,
+    "shop": _shop,
+    "compensate": _compensate,
+    "supports": lambda obj: [obj.StartSupport, obj.EndSupport],
+    "natural_curvature": _natural_curvature,
+    "loads": _loads,
+    "ends": _ends,
+    "limits": _limits,
+    "keep": _keep,
+}
+"""Readers of keys that do not match one property: two properties for one value, or one for two."""

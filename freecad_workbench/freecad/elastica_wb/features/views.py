@@ -6,7 +6,6 @@
 from typing import Any
 
 import FreeCADGui as Gui
-from freecad.elastica_wb.host import view_providers
 from freecad.elastica_wb.host.lifetime import Unsaved
 from freecad.elastica_wb.host.resources import icon
 
@@ -27,7 +26,9 @@ class _View(Unsaved):
         """Open the panel. Leave other edit modes, such as Transform, to FreeCAD."""
         if mode != 0:
             return None
-        Gui.Control.showDialog(view_providers.panel_of(provider.Object))
+        from freecad.elastica_wb.panels.feature_panels import panel_of
+
+        Gui.Control.showDialog(panel_of(provider.Object))
         return True
 
     def unsetEdit(self, _provider: Any, mode: int = 0) -> None:

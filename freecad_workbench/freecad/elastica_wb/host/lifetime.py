@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Checks for deleted or foreign objects, proxies that save nothing, and sensors that hold no references."""
+"""Features and documents: whether they exist, their proxies and view providers, and sensors without references."""
 
 from collections.abc import Callable
 from typing import Any
@@ -10,6 +10,9 @@ from weakref import WeakMethod
 import FreeCAD as App
 
 FEATURES = "freecad.elastica_wb.features."
+
+view_providers: dict[str, Callable[[Any], Any]] = {}
+"""Makers of view providers by kind of feature. The graphical interface fills it."""
 
 
 def lives(obj: Any) -> bool:
@@ -60,3 +63,12 @@ class Unsaved:
 
     __getstate__ = dumps
     __setstate__ = loads
+
+
+def dress(obj: Any, kind: str) -> None:
+    """Give a feature the view provider of its kind, if there is a window and it has no view provider.
+
+    A file that freecadcmd wrote holds no view providers.
+    """
+    if kind in view_providers and isinstance(getattr(obj.ViewObject, "Proxy", None), (int, type(None))):
+        view_providers[kind](obj.ViewObject)

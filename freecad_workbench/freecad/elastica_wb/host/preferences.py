@@ -56,11 +56,3 @@ def put(name: str, value: Any) -> None:
         group.SetFloat(name, float(value))
     else:
         group.SetString(name, str(value))
-
-
-def default_sheet() -> str:
-    """Return the default sheet of new strips. An unknown name in the preferences is ignored."""
-    from freecad.elastica_wb.host.sheet_store import sheet_list
-
-    name = get("DefaultSheet")
-    return name if name in sheet_list() else DEFAULTS["DefaultSheet"]

@@ -8,6 +8,7 @@ from functools import lru_cache
 from pathlib import Path
 
 import FreeCAD as App
+from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.words import report_warning
 
 from elastica_cad.errors import InputError
@@ -73,6 +74,12 @@ def sheet_list() -> list[str]:
     """Return the names of all sheets, the user's own first."""
     user_sheets = list(own_sheets())
     return user_sheets + [name for name in sheet_names() if name not in user_sheets]
+
+
+def default_sheet() -> str:
+    """Return the default sheet of new strips. An unknown name in the preferences is ignored."""
+    name = preferences.get("DefaultSheet")
+    return name if name in sheet_list() else preferences.DEFAULTS["DefaultSheet"]
 
 
 def sheet_called(name: str, kept: str = "") -> Sheet:

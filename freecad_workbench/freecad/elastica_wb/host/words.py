@@ -12,12 +12,30 @@ from dataclasses import dataclass
 from typing import Any
 
 import FreeCAD as App
-from freecad.elastica_wb.host.property_names import name_of
 from freecad.elastica_wb.host.resources import translate
 
 from elastica_cad._text import printable
 from elastica_cad.refusals import MaterialWidth
 from elastica_cad.words import Translated
+
+NAMES = {
+    "style.width": "OuterWidth", "style.corner_radius": "HoleRadius", "style.sides": "HoleSides",
+    "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText", "limits": "Follow",
+    "limits.keep_out": "KeepOut", "limits.stiffness_bounds": "StiffnessBounds",
+}  # fmt: skip
+"""Properties whose names do not follow from their keys. Users' files contain these names."""
+
+
+def name_of(path: str) -> str:
+    """Return the property of a key, such as MaxWidth, RatioLimit or KeepLength."""
+    if path in NAMES:
+        return NAMES[path]
+    table, _, key = path.rpartition(".")
+    name = key.title().replace("_", "")
+    if table == "limits":
+        return f"{name}Limit"
+    return f"Keep{name}" if table == "keep" else name
+
 
 USUAL_MM = 10.0  # mm: FreeCAD shows all lengths in its unit for the width of a strip
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.live.verdict import Answer, Verdict, quick_answer
+from freecad.elastica_wb.solving.verdicts import Answer, Verdict, quick_answer
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError

@@ -11,8 +11,8 @@ import numpy as np
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live.curve_picture import Picture
-from freecad.elastica_wb.live.verdict import Verdict
-from freecad.elastica_wb.preview.handles import plane_node
+from freecad.elastica_wb.live.preview import plane_node
+from freecad.elastica_wb.solving.verdicts import Verdict
 from pivy import coin
 
 from elastica_cad._types import FloatArray

@@ -17,28 +17,28 @@ from freecad.elastica_wb.curves.sketch_curves import (
     read_line,
     sketch_curve,
 )
-from freecad.elastica_wb.features.strip_request import nearest_spec_of, spec_of
+from freecad.elastica_wb.features.strip_properties import nearest_spec_of, spec_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.lifetime import sensor
 from freecad.elastica_wb.host.progress import begun
 from freecad.elastica_wb.host.qt import later
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live import sketches
 from freecad.elastica_wb.live.curve_picture import comb_scale, curve_picture, width_lines
 from freecad.elastica_wb.live.overlay import Overlay
 from freecad.elastica_wb.live.sketch_drag import Dragged
-from freecad.elastica_wb.live.verdict import Answer, Verdict, refusal_answer, strip_answer
 from freecad.elastica_wb.live.verdict_card import VerdictCard
 from freecad.elastica_wb.recording import record_call, record_end_of_step, record_step, recorded
 from freecad.elastica_wb.solving.strip_cache import (
     SEARCHING,
+    default_spec,
     find_nearest_now,
     find_nearest_to_drag,
     solve_strip,
 )
+from freecad.elastica_wb.solving.verdicts import Answer, Verdict, refusal_answer, strip_answer
 from pivy import coin
 
 from elastica_cad.defaults import CUTTABLE_RATIO
@@ -245,9 +245,8 @@ class Session:
     def _spec(self) -> StripSpec:
         """Return the request for the strip of this sketch. It cannot change during a drag."""
         if self._asks is None:
-            sheet = sheet_called(preferences.default_sheet())
-            asks = StripSpec(self._curve, sheet, max_width=preferences.get("MaxWidth"))
-            allows = RodSpec(self._curve, limits=Limits(CUTTABLE_RATIO, SAFE_MARGIN, sheet=sheet))
+            asks = default_spec(self._curve)
+            allows = RodSpec(self._curve, limits=Limits(CUTTABLE_RATIO, SAFE_MARGIN, sheet=asks.material))
             for strip in sketches.followers(self.sketch):
                 drawn = drawn_curve(strip.Curve, strip)
                 asks, allows = spec_of(strip, drawn), nearest_spec_of(strip, drawn)

@@ -14,7 +14,7 @@ from freecad.elastica_wb.host.qt import QtCore, QtWidgets, kind_of, later, surfa
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live.overlay import COLORS, PARTS
-from freecad.elastica_wb.live.verdict import Answer
+from freecad.elastica_wb.solving.verdicts import Answer
 from pivy import coin
 
 GAP_PX = 12  # distance from the view's edges, and around the places to keep visible

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from freecad.elastica_wb.features.curves import MOVES, bent, largest_move, moved
 from freecad.elastica_wb.features.strip import strip_of
+from freecad.elastica_wb.host.fields import set_value
 from freecad.elastica_wb.host.resources import translate
+from freecad.elastica_wb.live.preview import Preview
 from freecad.elastica_wb.panels.panel import Panel, active_view, placement_of_strip
-from freecad.elastica_wb.panels.widgets.fields import set_value
-from freecad.elastica_wb.preview.handles import Preview
 from freecad.elastica_wb.recording import record_value, recorded
 
 from elastica_cad.errors import ElasticaError

@@ -9,16 +9,22 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from freecad.elastica_wb.curves.part_shapes import make_solid
+from freecad.elastica_wb.cutting_files import usual_cutting
 from freecad.elastica_wb.features.proxy import keep_sheets
-from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.dialogs import ask_file
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
+from freecad.elastica_wb.host.sheet_store import (
+    default_sheet,
+    own_sheets,
+    save_own_sheets,
+    sheet_called,
+    sheet_list,
+)
 from freecad.elastica_wb.host.words import decimal_point
 from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.panels.widgets.file_dialogs import ask_file, usual_cutting
 from freecad.elastica_wb.recording import recorded
-from freecad.elastica_wb.shapes.part_shapes import make_solid
 
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
@@ -40,7 +46,7 @@ class CouponPanel(Panel):
         super().__init__(document)
         self.calibration: Calibration | None = None
         self.form.sheet.addItems(sheet_list())
-        self.form.sheet.setCurrentText(preferences.default_sheet())
+        self.form.sheet.setCurrentText(default_sheet())
         self.watch("sheet", "readings", "error")
         for button in (self.make, self.write, self.keep):
             getattr(self.form, button.__name__).clicked.connect(partial(self._pressed, button))

@@ -8,7 +8,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from freecad.elastica_wb.export.cutting_files import (
+from freecad.elastica_wb.cutting_files import (
     KINDS,
     cutting_of,
     tell_later_features,
@@ -17,12 +17,11 @@ from freecad.elastica_wb.export.cutting_files import (
 from freecad.elastica_wb.features.model import is_model, overlaps_of
 from freecad.elastica_wb.features.pieces import counted, cuts_of, told_blanks_of
 from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.dialogs import ask_folder, tell_files
+from freecad.elastica_wb.host.fields import put_choices, set_value
 from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
-from freecad.elastica_wb.host.telling import tell_files
 from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.panels.widgets.fields import put_choices, set_value
-from freecad.elastica_wb.panels.widgets.file_dialogs import ask_folder
 
 from elastica_cad.errors import InputError
 from elastica_cad.formats.drawing_style import CURVES

@@ -26,7 +26,7 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel, Told
-from freecad.elastica_wb.solving.bent_blanks import told_blanks
+from freecad.elastica_wb.solving.verdicts import told_blanks
 
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.held_shape import about

@@ -7,11 +7,11 @@ from typing import Any
 
 from freecad.elastica_wb.features import baseplate, fixtures
 from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.fields import set_value
 from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.sheet_store import sheet_list
+from freecad.elastica_wb.host.sheet_store import default_sheet, sheet_list
 from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.panels.widgets.fields import set_value
 from freecad.elastica_wb.recording import record_call, record_value, recorded
 
 from elastica_cad.errors import InputError
@@ -32,7 +32,7 @@ class FixturesPanel(Panel):
             dict.fromkeys(held)
         )
         self.form.sheet.addItems(sheet_list())
-        self.form.sheet.setCurrentText(preferences.default_sheet())
+        self.form.sheet.setCurrentText(default_sheet())
         set_value(self.form.slot, preferences.get("Clearance"))
 
     def finished(self) -> None:

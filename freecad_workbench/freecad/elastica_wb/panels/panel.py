@@ -9,13 +9,13 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
+from freecad.elastica_wb.host.fields import calm, into_sight, on_change, set_value, value_of
 from freecad.elastica_wb.host.lifetime import document_lives, lives
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import icon, load_panel, quantities_of, translate
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live import session as live
-from freecad.elastica_wb.panels.widgets.fields import calm, into_sight, on_change, set_value, value_of
 from freecad.elastica_wb.recording import record_end_of_step, record_recompute, record_step
 
 from elastica_cad._text import printable

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of a feature: a widget for each property, updated in both directions."""
+"""The panel of a feature: a labelled widget for each property, updated in both directions."""
 
 import gc
 from collections.abc import Callable, Iterable, Mapping
@@ -12,18 +12,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.curves.sketch_curves import is_edge, is_sketch, linked, picked
 from freecad.elastica_wb.features.strip import could_follow_another
-from freecad.elastica_wb.host.lifetime import lives
-from freecad.elastica_wb.host.property_table import Property
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
-from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
-from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.words import report_error, together, worded
-from freecad.elastica_wb.live.overlay import COLORS
-from freecad.elastica_wb.live.verdict import Verdict
-from freecad.elastica_wb.live.verdict_card import hex_of
-from freecad.elastica_wb.panels.labels import LABELS
-from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.panels.widgets.fields import (
+from freecad.elastica_wb.host.fields import (
     field_for,
     on_change,
     put_away,
@@ -31,7 +20,17 @@ from freecad.elastica_wb.panels.widgets.fields import (
     set_value,
     value_of,
 )
+from freecad.elastica_wb.host.lifetime import lives
+from freecad.elastica_wb.host.property_table import Property
+from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
+from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
+from freecad.elastica_wb.host.words import report_error, together, worded
+from freecad.elastica_wb.live.overlay import COLORS
+from freecad.elastica_wb.live.verdict_card import hex_of
+from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.recording import record_value, recorded
+from freecad.elastica_wb.solving.verdicts import Verdict
 
 from elastica_cad.refusals import note
 
@@ -336,3 +335,62 @@ def _verdict_of(strip: Any) -> list[str]:
 def _plain(value: Any) -> Any:
     """Return the number of a quantity. Other values stay as they are."""
     return getattr(value, "Value", value)
+
+
+LABELS = {
+    "Axis": QT_TRANSLATE_NOOP("Elastica", "Axis"),
+    "Backing": QT_TRANSLATE_NOOP("Elastica", "Backing"),
+    "Border": QT_TRANSLATE_NOOP("Elastica", "Border"),
+    "Clearance": QT_TRANSLATE_NOOP("Elastica", "Clearance"),
+    "Closed": QT_TRANSLATE_NOOP("Elastica", "Closed lines"),
+    "Columns": QT_TRANSLATE_NOOP("Elastica", "Columns of holes"),
+    "Count": QT_TRANSLATE_NOOP("Elastica", "How many"),
+    "EndSupport": QT_TRANSLATE_NOOP("Elastica", "End is held"),
+    "EndTab": QT_TRANSLATE_NOOP("Elastica", "Tab at the end"),
+    "EngravedText": QT_TRANSLATE_NOOP("Elastica", "Engraved text"),
+    "Family": QT_TRANSLATE_NOOP("Elastica", "Planes"),
+    "Fit": QT_TRANSLATE_NOOP("Elastica", "Width of slots"),
+    "Follow": QT_TRANSLATE_NOOP("Elastica", "Follow the curve"),
+    "Foot": QT_TRANSLATE_NOOP("Elastica", "Foot (0 = none)"),
+    "FootHeight": QT_TRANSLATE_NOOP("Elastica", "Height of the foot"),
+    "Form": QT_TRANSLATE_NOOP("Elastica", "Shape shown"),
+    "Gravity": QT_TRANSLATE_NOOP("Elastica", "Carries its weight"),
+    "Interlock": QT_TRANSLATE_NOOP("Elastica", "Cut slots where strips cross"),
+    "KeepEnds": QT_TRANSLATE_NOOP("Elastica", "Keep the ends"),
+    "KeepLength": QT_TRANSLATE_NOOP("Elastica", "Keep the length"),
+    "KeepSymmetry": QT_TRANSLATE_NOOP("Elastica", "Keep the symmetry"),
+    "KeepTangents": QT_TRANSLATE_NOOP("Elastica", "Keep end tangents"),
+    "Layer": QT_TRANSLATE_NOOP("Elastica", "Layer"),
+    "LimitMargin": QT_TRANSLATE_NOOP("Elastica", "Must stay in its shape"),
+    "LimitStrain": QT_TRANSLATE_NOOP("Elastica", "Must not break"),
+    "Margin": QT_TRANSLATE_NOOP("Elastica", "Distance between parts"),
+    "MarginLimit": QT_TRANSLATE_NOOP("Elastica", "Least stability margin"),
+    "MaxWidth": QT_TRANSLATE_NOOP("Elastica", "Largest width"),
+    "MinWidth": QT_TRANSLATE_NOOP("Elastica", "Least width"),
+    "OuterWidth": QT_TRANSLATE_NOOP("Elastica", "Outer width"),
+    "Outline": QT_TRANSLATE_NOOP("Elastica", "Outline"),
+    "Play": QT_TRANSLATE_NOOP("Elastica", "Play beside tabs"),
+    "Quantity": QT_TRANSLATE_NOOP("Elastica", "Quantity"),
+    "RatioLimit": QT_TRANSLATE_NOOP("Elastica", "Largest stiffness ratio"),
+    "Relief": QT_TRANSLATE_NOOP("Elastica", "Inner ends of slots"),
+    "Rows": QT_TRANSLATE_NOOP("Elastica", "Rows of holes (0 = chosen)"),
+    "Screw": QT_TRANSLATE_NOOP("Elastica", "Screw holes (0 = none)"),
+    "Sheet": QT_TRANSLATE_NOOP("Elastica", "Sheet"),
+    "SheetHeight": QT_TRANSLATE_NOOP("Elastica", "Sheet height"),
+    "SheetWidth": QT_TRANSLATE_NOOP("Elastica", "Sheet width"),
+    "Smooth": QT_TRANSLATE_NOOP("Elastica", "Smooth the curve by"),
+    "StartSupport": QT_TRANSLATE_NOOP("Elastica", "Start is held"),
+    "StartTab": QT_TRANSLATE_NOOP("Elastica", "Tab at the start"),
+    "StrainLimit": QT_TRANSLATE_NOOP("Elastica", "Largest strain, % (0 = sheet)"),
+    "Style": QT_TRANSLATE_NOOP("Elastica", "Style"),
+    "Sweep": QT_TRANSLATE_NOOP("Elastica", "Spread over"),
+    "TabHole": QT_TRANSLATE_NOOP("Elastica", "Hole in tabs"),
+    "TabRadius": QT_TRANSLATE_NOOP("Elastica", "Rounding of tabs"),
+    "Thickness": QT_TRANSLATE_NOOP("Elastica", "Thickness"),
+    "ThroughX": QT_TRANSLATE_NOOP("Elastica", "Axis at x"),
+    "ThroughY": QT_TRANSLATE_NOOP("Elastica", "Axis at y"),
+    "ThroughZ": QT_TRANSLATE_NOOP("Elastica", "Axis at z"),
+    "Tolerance": QT_TRANSLATE_NOOP("Elastica", "Tolerance"),
+    "Wall": QT_TRANSLATE_NOOP("Elastica", "Wall"),
+    "Waves": QT_TRANSLATE_NOOP("Elastica", "Smooth waves below"),
+}

@@ -7,10 +7,10 @@ from dataclasses import replace
 from typing import Any
 
 from freecad.elastica_wb.features.proxy import keep_sheets
+from freecad.elastica_wb.host.fields import set_value
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
 from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.panels.widgets.fields import set_value
 
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import Length, note

@@ -10,10 +10,12 @@ from typing import Any
 
 import numpy as np
 import Part
+from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import MOST_DRAGGED
+from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
-from freecad.elastica_wb.shapes.part_shapes import make_solid
+from freecad.elastica_wb.host.sheet_store import default_sheet, sheet_called
 
 from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError
 from elastica_cad.forming.editable_curve import coarse_curve
@@ -60,6 +62,11 @@ HEADROOM = 1.003  # times less curvature than the limit, for a rod whose curve i
 STRICTER, BEYOND = 4, 1.3  # largest number of searches; factor on the excess over the limit
 AS_DRAWN_MM = 0.05  # a curve whose nearest curve is closer than this keeps all limits
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the nearest curve")
+
+
+def default_spec(curve: PlaneCurve) -> StripSpec:
+    """Return the request for a strip along a curve with the sheet and the width of the preferences."""
+    return StripSpec(curve, sheet_called(default_sheet()), max_width=preferences.get("MaxWidth"))
 
 
 def solve_strip(spec: StripSpec) -> Strip:

@@ -6,17 +6,14 @@
 from typing import Any
 
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve, is_sketch, read_line
-from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.refusal import FAILURES, explained
-from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.live import session as live
-from freecad.elastica_wb.live.verdict import Verdict, strip_answer
 from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.solving.strip_cache import solve_strip
+from freecad.elastica_wb.solving.strip_cache import default_spec, solve_strip
+from freecad.elastica_wb.solving.verdicts import Verdict, strip_answer
 
 from elastica_cad.errors import ElasticaError
 from elastica_cad.refusals import sentences
-from elastica_cad.strip.strip_spec import StripSpec
 
 
 class CheckPanel(Panel):
@@ -31,8 +28,7 @@ class CheckPanel(Panel):
         self.check = None
         try:
             curve, read = drawn_curve((source, edges)).curve, read_line((source, edges))
-            sheet = sheet_called(preferences.default_sheet())
-            spec = StripSpec(curve, sheet, max_width=preferences.get("MaxWidth"))
+            spec = default_spec(curve)
             self.check = spec.rod_spec.check
         except FAILURES as error:
             self.tell(str(explained(error)))

@@ -13,16 +13,14 @@ from freecad.elastica_wb.curves.sketch_curves import (
     lost_constraints,
     sketch_curve,
 )
-from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.fields import set_value
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.live.curve_picture import curve_picture
-from freecad.elastica_wb.live.verdict import sentence_of, strip_answer
+from freecad.elastica_wb.live.preview import Preview
 from freecad.elastica_wb.panels.panel import Panel, active_view
-from freecad.elastica_wb.panels.widgets.fields import set_value
-from freecad.elastica_wb.preview.handles import Preview
 from freecad.elastica_wb.recording import recorded
-from freecad.elastica_wb.solving.strip_cache import solve_strip
+from freecad.elastica_wb.solving.strip_cache import default_spec, solve_strip
+from freecad.elastica_wb.solving.verdicts import sentence_of, strip_answer
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
@@ -101,8 +99,7 @@ class ProjectivePanel(Panel):
             recorded(curve_into, self.sketch, evened(self.curve))
 
     def _spec(self) -> StripSpec:
-        sheet = sheet_called(preferences.default_sheet())
-        return StripSpec(self.curve, sheet, max_width=preferences.get("MaxWidth"))
+        return default_spec(self.curve)
 
     def _draw(self) -> None:
         if self.preview is not None:

@@ -1,4 +1,0 @@
-# SPDX-License-Identifier: MIT
-# SPDX-FileNotice: Part of the Elastica addon.
-
-"""Previews in the 3D view, before objects are added to the document."""
