@@ -42,16 +42,6 @@ def words_of_code():
                     yield "App::Property", words[3]
                     if words[0] == "Enumeration":
                         yield from (("Elastica", choice) for choice in choices_of(node))
-            elif isinstance(node, ast.ClassDef):
-                said = {
-                    line.targets[0].id: line.value
-                    for line in node.body
-                    if isinstance(line, ast.Assign) and isinstance(line.targets[0], ast.Name)
-                }
-                if {"name", "text", "tip"} <= set(said) and getattr(said["text"], "value", ""):
-                    name = getattr(said["name"], "value", "Elastica_Live")
-                    yield name, said["text"].value
-                    yield name, said["tip"].value
 
 
 def choices_of(entry):
@@ -115,7 +105,7 @@ def test_every_command_has_an_icon():
 
 def test_shortcuts_and_names_are_unique():
     code = "\n".join(path.read_text() for path in (CODE / "commands").glob("*.py"))
-    shortcuts = re.findall(r'shortcut = "(.+)"', code)
+    shortcuts = re.findall(r'shortcut="(.+)"', code)
     assert len(set(shortcuts)) == len(shortcuts) >= 6
 
 

@@ -11,23 +11,19 @@ PAGES = ROOT / "docs" / "freecad_tools"
 
 
 def words_of(value):
-    """A text of a class, or the text in the call that marks it for translation."""
-    value = value.args[-1] if isinstance(value, ast.Call) else value
+    """A text of a command, or the text in the call that marks it for translation."""
+    value = value.args[-1] if isinstance(value, ast.Call) and value.args else value
     return value.value if isinstance(value, ast.Constant) else None
 
 
 def commands():
     """What each command says of itself, by its name."""
     found = {}
-    for file in (*(WORKBENCH / "commands").glob("*_commands.py"), WORKBENCH / "live" / "live_command.py"):
-        for made in ast.parse(file.read_text(encoding="utf-8")).body:
-            said = {
-                line.targets[0].id: words_of(line.value)
-                for line in getattr(made, "body", ())
-                if isinstance(made, ast.ClassDef) and isinstance(line, ast.Assign)
-            }
-            if said.get("text"):
-                found[said.get("name") or "Elastica_Live"] = said
+    for file in (WORKBENCH / "commands" / "__init__.py", WORKBENCH / "live" / "live_command.py"):
+        for made in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(made, ast.Call) and getattr(made.func, "id", "") == "Command":
+                said = {part.arg: words_of(part.value) for part in made.keywords}
+                found[said["name"]] = said
     return found
 
 

@@ -5,46 +5,218 @@
 
 from collections.abc import Iterable
 
-from freecad.elastica_wb.commands.command import Command
-from freecad.elastica_wb.commands.curve_commands import (
-    BetweenCommand,
-    CheckCommand,
-    NearestCommand,
-    ProjectiveCommand,
-    SectionCommand,
-)
-from freecad.elastica_wb.commands.model_commands import FixturesCommand, InterlockCommand, NestCommand
-from freecad.elastica_wb.commands.strip_commands import (
-    BendCommand,
-    EditCommand,
-    LaminateCommand,
-    PerforateCommand,
-    StripCommand,
-    ToleranceCommand,
-)
-from freecad.elastica_wb.commands.workshop_commands import (
-    CouponCommand,
-    ExampleCommand,
-    ExportCommand,
-    SheetsCommand,
-)
-from freecad.elastica_wb.live.live_command import NAME as LIVE
+from freecad.elastica_wb.command import Command
+from freecad.elastica_wb.commands import actions
+from freecad.elastica_wb.example import open_example
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
+from freecad.elastica_wb.live.live_command import LIVE
+from freecad.elastica_wb.live.sketches import is_sketch_open
+from freecad.elastica_wb.panels import between_clamps
 
 __all__ = ["COMMANDS", "MENU", "TOOLBARS", "context_menu", "register"]
 
 SKETCH = "Sketcher_NewSketch"
-DRAW = (BetweenCommand(), CheckCommand(), NearestCommand(), ProjectiveCommand(), SectionCommand())
-STRIPS = (
-    StripCommand(),
-    EditCommand(),
-    PerforateCommand(),
-    LaminateCommand(),
-    BendCommand(),
-    ToleranceCommand(),
+DRAW = (
+    Command(
+        name="Elastica_Between",
+        text=QT_TRANSLATE_NOOP("Elastica_Between", "Curve of given length"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Between",
+            "Draw the curve that a strip of given length takes between two clamps into the open sketch; pull its ends",  # noqa: E501
+        ),
+        run=between_clamps.switch,
+        has_subject=is_sketch_open,
+        shortcut="Y, E",
+        in_sketch=True,
+    ),
+    Command(
+        name="Elastica_Check",
+        text=QT_TRANSLATE_NOOP("Elastica_Check", "Check curve"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Check", "Say whether a flat strip can take the selected curve, and if not why and where"
+        ),
+        run=actions.check,
+        has_subject=actions.has_curve,
+        shortcut="Y, C",
+        in_sketch=True,
+    ),
+    Command(
+        name="Elastica_Nearest",
+        text=QT_TRANSLATE_NOOP("Elastica_Nearest", "Nearest curve to sketch"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Nearest", "Find the curve nearest to the selected sketch that can be bent within limits"
+        ),
+        run=actions.make_nearest,
+        has_subject=actions.has_curve,
+        shortcut="Y, N",
+        in_sketch=True,
+    ),
+    Command(
+        name="Elastica_Projective",
+        text=QT_TRANSLATE_NOOP("Elastica_Projective", "Projective edit"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Projective",
+            "Pull the selected sketch's curve by four handles: lines stay lines, a curve that can be bent stays one",  # noqa: E501
+        ),
+        run=actions.edit_projectively,
+        has_subject=actions.has_curve,
+        shortcut="Y, P",
+        in_sketch=True,
+    ),
+    Command(
+        name="Elastica_Section",
+        text=QT_TRANSLATE_NOOP("Elastica_Section", "Section into curves"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Section",
+            "Cut the selected body, surface or mesh by planes into smooth curves that strips can follow",
+        ),
+        run=actions.make_sections,
+        has_subject=actions.has_bodies,
+    ),
 )
-MODELS = (InterlockCommand(), FixturesCommand(), NestCommand(), ExportCommand())
-WORKSHOP = (SheetsCommand(), CouponCommand())
-EXAMPLE = ExampleCommand()
+STRIPS = (
+    Command(
+        name="Elastica_Strip",
+        text=QT_TRANSLATE_NOOP("Elastica_Strip", "Strip from sketch"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Strip",
+            "Make the flat strip that bends into the selected spline: the bent part and, linked to it, the flat one",  # noqa: E501
+        ),
+        run=actions.make_strips,
+        has_subject=actions.has_curve,
+        shortcut="Y, S",
+        in_sketch=True,
+    ),
+    Command(
+        name="Elastica_Edit",
+        text=QT_TRANSLATE_NOOP("Elastica_Edit", "Edit strips"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Edit", "Change sheet, widths and ends of all selected strips at once"
+        ),
+        run=actions.edit_strips,
+        has_subject=actions.has_strip,
+        in_sketch=True,
+    ),
+    Command(
+        name="Elastica_Perforate",
+        text=QT_TRANSLATE_NOOP("Elastica_Perforate", "Perforate"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Perforate",
+            "Give the selected strips an even width and let holes make them as soft as they must be",
+        ),
+        run=actions.perforate,
+        has_subject=actions.has_strip,
+        in_sketch=True,
+    ),
+    Command(
+        name="Elastica_Laminate",
+        text=QT_TRANSLATE_NOOP("Elastica_Laminate", "Laminate"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Laminate",
+            "Give the selected strips an even width and glue narrower strips on that make them stiff enough",
+        ),
+        run=actions.laminate,
+        has_subject=actions.has_strip,
+        in_sketch=True,
+    ),
+    Command(
+        name="Elastica_Bend",
+        text=QT_TRANSLATE_NOOP("Elastica_Bend", "Bend forward"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Bend",
+            "Move or turn the ends of the selected strip and watch it take its new rest shape",
+        ),
+        run=actions.bend,
+        has_subject=actions.has_strip,
+        shortcut="Y, B",
+        in_sketch=True,
+    ),
+    Command(
+        name="Elastica_Tolerance",
+        text=QT_TRANSLATE_NOOP("Elastica_Tolerance", "Tolerance study"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Tolerance",
+            "Find how far the bent strip strays when sheet, cut and clamps vary within their ranges",
+        ),
+        run=actions.study_tolerances,
+        has_subject=actions.has_strip,
+        in_sketch=True,
+    ),
+)
+MODELS = (
+    Command(
+        name="Elastica_Interlock",
+        text=QT_TRANSLATE_NOOP("Elastica_Interlock", "Interlock selected strips"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Interlock", "Put the selected strips together to a model and cut slots where they cross"
+        ),
+        run=actions.make_model,
+        has_subject=actions.has_strips,
+        shortcut="Y, I",
+    ),
+    Command(
+        name="Elastica_Fixtures",
+        text=QT_TRANSLATE_NOOP("Elastica_Fixtures", "End fixtures and base plate"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Fixtures",
+            "Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate",
+        ),
+        run=actions.make_fixtures,
+        has_subject=actions.has_parts,
+    ),
+    Command(
+        name="Elastica_Nest",
+        text=QT_TRANSLATE_NOOP("Elastica_Nest", "Nest on sheets"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Nest",
+            "Lay everything that must be cut for the selected strips, models and base plates on sheets",
+        ),
+        run=actions.make_nest,
+        has_subject=actions.has_parts,
+    ),
+    Command(
+        name="Elastica_Export",
+        text=QT_TRANSLATE_NOOP("Elastica_Export", "Export cutting files"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Export",
+            "Write DXF, SVG and STEP files, nest and cut list of the selected strips, models and base plates",
+        ),
+        run=actions.export,
+        has_subject=actions.has_parts,
+        shortcut="Y, X",
+        in_sketch=True,
+    ),
+)
+WORKSHOP = (
+    Command(
+        name="Elastica_Sheets",
+        text=QT_TRANSLATE_NOOP("Elastica_Sheets", "Sheet library"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Sheets", "Look at the sheets that are known, with their sources, and keep your own"
+        ),
+        run=actions.show_sheets,
+        in_sketch=True,
+    ),
+    Command(
+        name="Elastica_Coupon",
+        text=QT_TRANSLATE_NOOP("Elastica_Coupon", "Coupon and calibrate"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Coupon",
+            "Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own",
+        ),
+        run=actions.make_coupon,
+    ),
+)
+EXAMPLE = Command(
+    name="Elastica_Example",
+    text=QT_TRANSLATE_NOOP("Elastica_Example", "Open an example"),
+    tip=QT_TRANSLATE_NOOP(
+        "Elastica_Example",
+        "Open a drawn arch with its strip and its flat part; drag its poles, change its sheet",
+    ),
+    run=open_example,
+    has_subject=lambda: True,
+)
 
 COMMANDS: tuple[Command, ...] = (*DRAW, *STRIPS, *MODELS, *WORKSHOP, EXAMPLE)
 
@@ -54,7 +226,7 @@ def _names(commands: Iterable[Command]) -> list[str]:
 
 
 TOOLBARS = {
-    "Elastica": [SKETCH, LIVE, "Separator", *_names(DRAW), "Separator", *_names(STRIPS)],
+    "Elastica": [SKETCH, LIVE.name, "Separator", *_names(DRAW), "Separator", *_names(STRIPS)],
     "Elastica models": [*_names(MODELS), "Separator", *_names(WORKSHOP)],
 }
 MENU = [*TOOLBARS["Elastica"], "Separator", *TOOLBARS["Elastica models"], "Separator", EXAMPLE.name]

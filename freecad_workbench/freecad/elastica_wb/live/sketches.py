@@ -33,6 +33,11 @@ def edited_sketch() -> Any:
     return source if is_sketch(source) else None
 
 
+def is_sketch_open() -> bool:
+    """Return True if a sketch is open for editing."""
+    return edited_sketch() is not None
+
+
 def followers(sketch: Any) -> list[Any]:
     """Return the strips that follow a sketch."""
     return [obj for obj in sketch.InList if is_strip(obj) and obj.Curve and obj.Curve[0] is sketch]

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""A command of the workbench. FreeCAD's start imports this module, so heavy modules are imported in use."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from freecad.elastica_wb.host.resources import icon
+from freecad.elastica_wb.live.sketches import edited_sketch
+
+
+def has_document() -> bool:
+    """Return True if a document is open."""
+    return App.ActiveDocument is not None
+
+
+@dataclass(frozen=True)
+class Command:
+    """A command with its texts, undo step and error messages.
+
+    Attributes
+    ----------
+    name, text, tip, shortcut : str
+        FreeCAD translates the texts in the context of the name. The icon has the same name.
+    run : callable
+        Does the work. It raises `ElasticaError` with a message if it fails.
+    has_subject : callable
+        Returns True if an object for the command is selected, or is the only candidate.
+    in_sketch : bool
+        True if the command can be used while a sketch is open. It closes the sketch if necessary.
+    checkable : bool
+        True if the command turns something on and off.
+    """
+
+    name: str
+    text: str
+    tip: str
+    run: Callable[[], None]
+    has_subject: Callable[[], bool] = has_document
+    shortcut: str = ""
+    in_sketch: bool = False
+    checkable: bool = False
+
+    def GetResources(self) -> dict[str, str | bool]:
+        """Return icon, texts and shortcut."""
+        resources = {"Pixmap": icon(self.name), "MenuText": self.text, "ToolTip": self.tip}
+        resources |= {"WhatsThis": self.name, "StatusTip": self.tip}
+        if self.in_sketch:
+            resources["CmdType"] = "ForEdit"  # FreeCAD disables all other commands during editing
+        if self.shortcut:
+            resources["Accel"] = self.shortcut
+        return resources | ({"Checkable": False} if self.checkable else {})  # False: not checked at first
+
+    def IsActive(self) -> bool:
+        """Return True if the command can be used now. FreeCAD calls this several times a second."""
+        if Gui.Control.activeDialog() and not (self.in_sketch and edited_sketch() is not None):
+            return False
+        return self.has_subject()
+
+    def Activated(self, _index: int = 0) -> None:
+        """Run the command, and show its error if it fails."""
+        from freecad.elastica_wb.host.dialogs import tell
+        from freecad.elastica_wb.host.refusal import FAILURES, explained
+        from freecad.elastica_wb.recording import record_abort
+
+        step = App.getActiveTransaction()
+        try:
+            self.run()
+        except FAILURES as error:
+            if App.getActiveTransaction() != step:
+                record_abort()
+            tell(str(explained(error)))

@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Actions of the commands: the objects that they need, and their work on the selection."""
+
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from freecad.elastica_wb import make_strip
+from freecad.elastica_wb.commands.selection import (
+    chosen_curves,
+    chosen_sketch,
+    chosen_sources,
+    chosen_strips,
+    is_curve_chosen,
+)
+from freecad.elastica_wb.curves.plane_sections import chosen_bodies, is_path
+from freecad.elastica_wb.features import curves, flat, model, nest
+from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.dialogs import tell
+from freecad.elastica_wb.host.refusal import why_not_made
+from freecad.elastica_wb.live import observers
+from freecad.elastica_wb.live.sketches import edited_sketch
+from freecad.elastica_wb.panels.bend import BendPanel
+from freecad.elastica_wb.panels.check import CheckPanel
+from freecad.elastica_wb.panels.coupon import CouponPanel
+from freecad.elastica_wb.panels.export import ExportPanel
+from freecad.elastica_wb.panels.feature_panels import panel_of
+from freecad.elastica_wb.panels.fixtures import FixturesPanel
+from freecad.elastica_wb.panels.projective import ProjectivePanel
+from freecad.elastica_wb.panels.sheets import SheetsPanel
+from freecad.elastica_wb.panels.tolerance import TolerancePanel
+from freecad.elastica_wb.recording import (
+    record_end_of_step,
+    record_recompute,
+    record_step,
+    record_value,
+    recorded,
+)
+
+from elastica_cad.errors import ElasticaError, InputError
+
+
+def has_curve() -> bool:
+    """Return True if a curve is selected or its sketch is open."""
+    return App.ActiveDocument is not None and is_curve_chosen()
+
+
+def has_strip() -> bool:
+    """Return True if a strip is selected, or is the only strip of the document."""
+    return _answers(chosen_strips)
+
+
+def has_strips() -> bool:
+    """Return True if two or more strips are selected."""
+    return _answers(chosen_strips, least=2)
+
+
+def has_parts() -> bool:
+    """Return True if strips, models or base plates are selected, or if the document determines them."""
+    return _answers(chosen_sources)
+
+
+def has_bodies() -> bool:
+    """Return True if something to cut is selected."""
+    return _answers(_bodies_and_path)
+
+
+def _answers(question: Callable[..., Any], **options: Any) -> bool:
+    """Return True if a function of the selection succeeds with a true result."""
+    with suppress(ElasticaError):
+        return App.ActiveDocument is not None and bool(question(**options))
+    return False
+
+
+def _show_panel(make: Callable[..., Any], *arguments: Any) -> None:
+    """Close the sketcher, then open a panel."""
+    _close_sketch()
+    Gui.Control.showDialog(make(*arguments))
+
+
+def _close_sketch() -> None:
+    if edited_sketch() is not None:
+        Gui.ActiveDocument.resetEdit()
+
+
+def _edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
+    """Make a feature in the open document and open its panel, in one undo step until OK."""
+    record_step(App.ActiveDocument, step)  # first, otherwise FreeCAD names the step after closing the sketch
+    _close_sketch()
+    feature = recorded(make, App.ActiveDocument, *arguments)
+    record_recompute(App.ActiveDocument)
+    _show_panel(panel_of, feature)
+
+
+def check() -> None:
+    """Turn the overlay on in the sketcher, or else open a panel with the full verdict."""
+    (source, edges), *_ = chosen_curves()
+    if edited_sketch() is source:
+        observers.switch(source, on=True)
+        return
+    _show_panel(CheckPanel, source, edges)
+
+
+def make_nearest() -> None:
+    """Make the nearest curve that a strip can take within limits, and open its panel."""
+    (source, edges), *_ = chosen_curves()
+    _edit_new("Nearest curve to sketch", curves.nearest, source, edges)
+
+
+def edit_projectively() -> None:
+    """Edit a curve by four handles. A curve that can be bent stays bendable."""
+    _show_panel(ProjectivePanel, chosen_sketch())
+
+
+def make_sections() -> None:
+    """Cut a body or a mesh by planes into curves for strips, and open their panel."""
+    _edit_new("Section into curves", curves.section, *_bodies_and_path())
+
+
+def _bodies_and_path() -> tuple[list[Any], Any]:
+    """Return the bodies to cut and the path of the planes: a selected sketch, wire or chain of edges."""
+    paths, others = [], []
+    for choice in Gui.Selection.getSelectionEx():
+        edges = tuple(name for name in choice.SubElementNames if name.startswith("Edge"))
+        if edges or is_path(choice.Object):
+            paths.append((choice.Object, edges))
+        else:
+            others.append(choice.Object)
+    if not others:  # edges of the body itself
+        others = [obj for obj, edges in paths if edges]
+    return chosen_bodies(others), paths[0] if paths else None
+
+
+def make_strips() -> None:
+    """Make a bent strip and its flat part for every selected curve, and open one panel for all strips."""
+    drawn = chosen_curves()
+    record_step(App.ActiveDocument, "Strip from sketch")  # first, else FreeCAD names the step itself
+    _close_sketch()
+    strips = [recorded(make_strip, source, edges, flat_part=False) for source, edges in drawn]
+    for strip in strips:
+        _add_flat(strip)
+    for source, _ in drawn:
+        source.Visibility = True
+    _show_panel(panel_of, strips[-1], strips)
+
+
+def _add_flat(strip: Any, layer: str = "Base") -> None:
+    recorded(flat.create, strip.Document, strip, layer)
+    record_recompute(strip.Document)  # so that the next strip is placed beside it
+
+
+def edit_strips() -> None:
+    """Open one panel for all selected strips. Each change applies to all of them."""
+    first, *others = chosen_strips()
+    _show_panel(panel_of, first, others)
+
+
+def perforate() -> None:
+    """Keep the width constant, reduce the stiffness by holes, and open the panel."""
+    strips = chosen_strips()
+    _even_out(strips, "Perforated", "Perforate")
+    _show_panel(panel_of, strips[-1], strips)
+
+
+def laminate() -> None:
+    """Keep the width constant, increase the stiffness by a narrower strip glued on, and open the panel."""
+    strips = chosen_strips()
+    _even_out(strips, "Laminated", "Laminate")
+    for strip in strips:
+        if not any(part.Layer == "Backing" for part in flat.flats_of([strip])):
+            _add_flat(strip, "Backing")
+    _show_panel(panel_of, strips[-1], strips)
+
+
+def _even_out(strips: list[Any], style: str, step: str) -> None:
+    """Give strips a constant width. By default it is the largest width of the plain strip."""
+    record_step(App.ActiveDocument, step)
+    usual = preferences.get("MaxWidth")
+    for strip in strips:
+        if strip.Style == "Plain" and strip.MaxWidth.Value and strip.OuterWidth.Value == usual:
+            record_value(strip, "OuterWidth", strip.MaxWidth.Value)
+        record_value(strip, "Style", style)
+    record_recompute(App.ActiveDocument)
+
+
+def bend() -> None:
+    """Move or turn an end of a strip and show the new shape."""
+    _show_panel(BendPanel, chosen_strips()[0])
+
+
+def study_tolerances() -> None:
+    """Show how far a strip deviates if sheet, cut and clamps are not as designed."""
+    _show_panel(TolerancePanel, chosen_strips()[0])
+
+
+def make_model() -> None:
+    """Make slots where strips cross, hide the single strips, and open the panel of the model."""
+    strips = chosen_strips(least=2)
+    record_step(App.ActiveDocument, "Interlock selected strips")
+    feature = recorded(model.create, App.ActiveDocument, strips)
+    for part in flat.flats_of(strips):
+        record_value(part, "Model", feature)
+    record_recompute(App.ActiveDocument)
+    failed = bool(why_not_made(feature))
+    for strip in strips:
+        if not failed:
+            record_value(strip, "Visibility", False)
+        elif strip.Visibility:  # nothing replaces the strip until the model can be made
+            record_value(strip, "ShownByError", True)
+    _show_panel(panel_of, feature)
+
+
+def make_fixtures() -> None:
+    """Make printed blocks for the ends, or one slotted plate for all."""
+    _show_panel(FixturesPanel, chosen_sources())
+
+
+def make_nest() -> None:
+    """Arrange all parts on sheets, in front of all objects, in one undo step. Take it back after an error."""
+    document, sources = App.ActiveDocument, chosen_sources()
+    failed = [message for message in map(why_not_made, sources) if message]
+    if failed:
+        raise InputError("; ".join(failed))
+    record_step(document, "Nest on sheets")
+    try:
+        feature = recorded(nest.create, document, sources)
+        record_recompute(document)
+    except BaseException:
+        record_end_of_step(document, abort=True)
+        raise
+    record_end_of_step(document)
+    if "Invalid" in feature.State:  # keep it, because the parts may fit on other sheets
+        tell(feature.getStatusString())
+    elif feature.LeftOut or feature.Reports:
+        tell("\n".join([*feature.LeftOut, *feature.Reports]))
+
+
+def export() -> None:
+    """Write DXF, SVG, STEP and a cut list."""
+    _show_panel(ExportPanel, chosen_sources())
+
+
+def show_sheets() -> None:
+    """Show the built-in sheets and edit the user's sheets."""
+    _show_panel(SheetsPanel)
+
+
+def make_coupon() -> None:
+    """Make a test strip to cut, hang over an edge and measure. The readings give the user's sheet."""
+    _show_panel(CouponPanel, App.ActiveDocument)
