@@ -12,6 +12,7 @@ from freecad.elastica_wb.curves.sketch_curves import linked
 from freecad.elastica_wb.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import baseplate, curves, fixtures, flat, model, nest, proxy, strip
 from freecad.elastica_wb.features.pieces import cuts_of
+from freecad.elastica_wb.host.objects import is_model
 from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.solving import strip_cache
 
@@ -492,7 +493,7 @@ def test_a_model_survives_saving(document, crossing, tmp_path):
     again = App.openDocument(str(file))
     try:
         loaded, sheets = (again.getObject(name) for name in names)
-        assert model.is_model(loaded)
+        assert is_model(loaded)
         loaded.touch()
         again.recompute()
         assert loaded.State == ["Up-to-date"]

@@ -46,7 +46,7 @@ def test_small_folders():
 
 def test_what_files_of_users_name_stays():
     for module, names in {
-        "strip": "StripFeature create is_strip strip_of",
+        "strip": "StripFeature create strip_of",
         "flat": "FlatFeature create",
         "model": "ModelFeature create",
         "fixtures": "FixturesFeature create",

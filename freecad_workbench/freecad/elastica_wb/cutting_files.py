@@ -15,12 +15,12 @@ from typing import Any
 
 import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of
-from freecad.elastica_wb.features.baseplate import is_base_plate
 from freecad.elastica_wb.features.fixtures import block_shape, blocks_for
-from freecad.elastica_wb.features.model import is_model, model_of, solids_of
+from freecad.elastica_wb.features.model import model_of, solids_of
 from freecad.elastica_wb.features.pieces import Cut, counted, cuts_of, later_features
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.objects import is_base_plate, is_model
 from freecad.elastica_wb.host.progress import Step, go_on
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import Unit, Words, user_language

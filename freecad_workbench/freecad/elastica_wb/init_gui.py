@@ -8,7 +8,7 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.features.views import KINDS
-from freecad.elastica_wb.host.lifetime import view_providers
+from freecad.elastica_wb.host.objects import view_providers
 from freecad.elastica_wb.host.resources import RESOURCES, icon
 from freecad.elastica_wb.live import live_command, observers
 

@@ -299,7 +299,7 @@ def copies():
     wait(300)
     for place in (document, other):
         place.recompute()
-        from freecad.elastica_wb.features.strip import is_strip
+        from freecad.elastica_wb.host.objects import is_strip
 
         answers[f"pasted into {place.Name}"] = [
             (obj.State, obj.Shape.isValid()) for obj in place.Objects if is_strip(obj)

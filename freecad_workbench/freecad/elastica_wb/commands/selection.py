@@ -10,20 +10,17 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Part
 from freecad.elastica_wb.curves.copies import COPYING, contents, not_repeated, originals
-from freecad.elastica_wb.curves.sketch_curves import (
-    edge_called,
-    is_edge,
-    is_outline,
-    is_sketch,
-    linked,
-    picked,
-)
-from freecad.elastica_wb.features.baseplate import is_base_plate
-from freecad.elastica_wb.features.curves import is_section
-from freecad.elastica_wb.features.flat import is_flat
+from freecad.elastica_wb.curves.sketch_curves import edge_called, is_edge, is_outline, linked, picked
 from freecad.elastica_wb.features.pieces import cut_for, is_cut
-from freecad.elastica_wb.features.strip import BODY, is_strip
-from freecad.elastica_wb.host.lifetime import is_ours
+from freecad.elastica_wb.features.strip import BODY
+from freecad.elastica_wb.host.objects import (
+    feature_kind,
+    is_base_plate,
+    is_flat,
+    is_ours,
+    is_sketch,
+    is_strip,
+)
 from freecad.elastica_wb.host.refusal import is_broken_link
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.sketches import edited_sketch, followers
@@ -122,7 +119,7 @@ def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
 
     Edges of a section stay separate, because they were split on purpose.
     """
-    if is_section(source):
+    if feature_kind(source) == "Section":
         return [(name,) for name in names]
     chains: list[tuple[list[str], list[Any]]] = []
     for name in names:

@@ -10,6 +10,7 @@ import FreeCAD as App
 import numpy as np
 import Part
 from freecad.elastica_wb.curves.part_shapes import plane_curve, report_on_edges, spline_geometry
+from freecad.elastica_wb.host.objects import is_sketch
 from freecad.elastica_wb.host.refusal import why_not_made
 
 from elastica_cad._types import FloatArray
@@ -21,7 +22,6 @@ from elastica_cad.refusals import note
 MOST_DRAGGED = 24
 """Largest number of poles that can be dragged. More poles are hidden, or FreeCAD 1.1's solver moves the curve."""
 
-SKETCH = "Sketcher::SketchObject"
 LINK = "App::Link"
 
 
@@ -93,11 +93,6 @@ def is_blank(sketch: Any) -> bool:
     """Return True if a sketch holds no geometry that could be a curve."""
     geometry = enumerate(sketch.Geometry)
     return all(isinstance(g, Part.Point) or sketch.getConstruction(i) for i, g in geometry)
-
-
-def is_sketch(source: Any) -> bool:
-    """Return True if this object is a sketch."""
-    return bool(source.isDerivedFrom(SKETCH))
 
 
 def linked(obj: Any) -> Any:

@@ -52,11 +52,6 @@ def create(document: Any, sources: list[Any]) -> Any:
     return obj
 
 
-def is_base_plate(obj: Any) -> bool:
-    """Return True if this object is a base plate."""
-    return isinstance(getattr(obj, "Proxy", None), BasePlateFeature)
-
-
 def plate_of(obj: Any) -> BasePlate:
     """Return the `BasePlate` record that a base plate feature shows."""
     return source_model(obj.Sources).base_plate(

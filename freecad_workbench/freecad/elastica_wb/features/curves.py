@@ -20,10 +20,11 @@ from freecad.elastica_wb.curves.plane_sections import (
     path_points,
     section_sketches,
 )
-from freecad.elastica_wb.curves.sketch_curves import container, curve_into, drawn_curve, is_sketch
+from freecad.elastica_wb.curves.sketch_curves import container, curve_into, drawn_curve
 from freecad.elastica_wb.features.proxy import REPORTS, Feature, added
-from freecad.elastica_wb.features.strip import is_strip, strip_of
+from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.features.strip_properties import NEAREST, nearest_spec_of
+from freecad.elastica_wb.host.objects import is_sketch, is_strip
 from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.property_table import Property, put, result
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
@@ -172,11 +173,6 @@ def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]]
     if path is not None:
         obj.Path, obj.Family = (path[0], list(path[1])), FAMILIES[2]
     return obj
-
-
-def is_section(obj: Any) -> bool:
-    """Return True if this object is a family of sections. Each of its edges is a separate curve."""
-    return isinstance(getattr(obj, "Proxy", None), SectionFeature)
 
 
 def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:

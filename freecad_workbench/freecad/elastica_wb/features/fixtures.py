@@ -13,6 +13,7 @@ from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import container
 from freecad.elastica_wb.features.model import strips_model
 from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
+from freecad.elastica_wb.host.objects import feature_kind
 from freecad.elastica_wb.host.progress import in_steps
 from freecad.elastica_wb.host.property_table import Property, declared_property, put, values_of
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
@@ -61,7 +62,7 @@ def _blocks(obj: Any, model: Model) -> tuple[EndFixture, ...]:
 def blocks_for(source: Any) -> list[EndFixture]:
     """Return the blocks of a document that hold the ends of a strip or a model, in their places."""
     hanging = dict.fromkeys(user for obj in (source, *getattr(source, "Strips", ())) for user in obj.InList)
-    users = [obj for obj in hanging if isinstance(getattr(obj, "Proxy", None), FixturesFeature)]
+    users = [obj for obj in hanging if feature_kind(obj) == "Fixtures"]
     tabs = {tab.key for tab in place_tabs(source_model([source]).placed)} if users else set()
     every = (block for obj in users for block in _blocks(obj, source_model(obj.Sources)))
     return [block for block in every if block.tab.key in tabs]

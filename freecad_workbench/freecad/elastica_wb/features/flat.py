@@ -8,10 +8,10 @@ from typing import Any
 
 import FreeCAD as App
 from freecad.elastica_wb.curves.part_shapes import is_bounded
-from freecad.elastica_wb.features.model import is_model, shown_model
-from freecad.elastica_wb.features.proxy import Feature
-from freecad.elastica_wb.features.strip import is_strip, shown_strip
-from freecad.elastica_wb.host.lifetime import dress
+from freecad.elastica_wb.features.model import shown_model
+from freecad.elastica_wb.features.proxy import Feature, added
+from freecad.elastica_wb.features.strip import shown_strip
+from freecad.elastica_wb.host.objects import is_flat, is_model, is_strip
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.solving.strip_cache import flat_shape
@@ -49,17 +49,12 @@ class FlatFeature(Feature):
 def create(document: Any, strip: Any, layer: str = "Base") -> Any:
     """Make the flat part of a strip, placed in front of the strip; recompute the document to see it."""
     placement = _beside(strip)
-    obj = document.addObject("Part::FeaturePython", "Flat")
-    FlatFeature(obj)
+    obj = added(document, "Flat", FlatFeature, [strip])
     obj.Strip = strip
     obj.Layer = layer
     kind = translate("Elastica", "flat") if layer == "Base" else translate("Elastica", "backing")
     obj.Label = f"{strip.Label} {kind}"
     obj.Placement = placement
-    group = strip.getParentGeoFeatureGroup()
-    if group is not None and group.TypeId == "App::Part":
-        group.addObject(obj)
-    dress(obj, "Flat")
     if App.GuiUp:
         obj.ViewObject.ShapeColor = strip.ViewObject.ShapeColor
     return obj
@@ -121,8 +116,3 @@ def _width(strip: Any) -> float:
 def flats_of(strips: Iterable[Any]) -> list[Any]:
     """Return the flat parts of strips."""
     return [obj for strip in strips for obj in strip.InList if is_flat(obj) and obj.Strip is strip]
-
-
-def is_flat(obj: Any) -> bool:
-    """Return True if this object is the flat part of a strip."""
-    return isinstance(getattr(obj, "Proxy", None), FlatFeature)

@@ -15,8 +15,9 @@ import Part
 from freecad.elastica_wb.curves.copies import turned_over
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of, placement_of
 from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
-from freecad.elastica_wb.features.strip import is_strip, shown_strip, shown_strips, strip_of
+from freecad.elastica_wb.features.strip import shown_strip, shown_strips, strip_of
 from freecad.elastica_wb.host import preferences
+from freecad.elastica_wb.host.objects import is_model, is_strip
 from freecad.elastica_wb.host.progress import begun, in_background
 from freecad.elastica_wb.host.property_table import Property, declared_property, put, result, values_of
 from freecad.elastica_wb.host.refusal import FAILURES
@@ -101,11 +102,6 @@ def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
     if App.GuiUp and strips:
         obj.ViewObject.ShapeColor = strips[0].ViewObject.ShapeColor
     return obj
-
-
-def is_model(obj: Any) -> bool:
-    """Return True if this object is a parametric model."""
-    return isinstance(getattr(obj, "Proxy", None), ModelFeature)
 
 
 def shown_model(obj: Any) -> Model:

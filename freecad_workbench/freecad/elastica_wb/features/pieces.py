@@ -13,11 +13,11 @@ from itertools import zip_longest
 from typing import Any
 
 from freecad.elastica_wb.curves.copies import BASE, COMPOUND, PATTERNS, not_repeated
-from freecad.elastica_wb.features.baseplate import is_base_plate, plate_of
-from freecad.elastica_wb.features.flat import is_flat
-from freecad.elastica_wb.features.model import is_model, model_of
+from freecad.elastica_wb.features.baseplate import plate_of
+from freecad.elastica_wb.features.model import model_of
 from freecad.elastica_wb.features.proxy import why_left_out
-from freecad.elastica_wb.features.strip import is_strip, shown_strips, strip_of
+from freecad.elastica_wb.features.strip import shown_strips, strip_of
+from freecad.elastica_wb.host.objects import is_base_plate, is_flat, is_model, is_strip
 from freecad.elastica_wb.solving.verdicts import told_blanks
 
 from elastica_cad.errors import InputError

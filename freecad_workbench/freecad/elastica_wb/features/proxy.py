@@ -8,7 +8,7 @@ from contextlib import suppress
 from typing import Any, ClassVar
 
 import FreeCAD as App
-from freecad.elastica_wb.host.lifetime import Unsaved, dress, is_ours
+from freecad.elastica_wb.host.objects import Unsaved, dress, is_ours
 from freecad.elastica_wb.host.property_table import (
     Property,
     choose_again,
@@ -83,7 +83,7 @@ class Feature(Unsaved):
     def onDocumentRestored(self, obj: Any) -> None:
         """Update a feature from a file of an earlier version."""
         self.ensure(obj)
-        dress(obj, type(self).__name__.removesuffix("Feature"))
+        dress(obj)
 
     def ensure(self, obj: Any) -> None:
         """Add missing properties and update the list of sheets."""
@@ -186,7 +186,7 @@ def added(document: Any, name: str, proxy: type[Feature], sources: Iterable[Any]
     group = groups.pop() if len(groups) == 1 else None
     if group is not None and group.TypeId == "App::Part":
         group.addObject(obj)
-    dress(obj, name)
+    dress(obj)
     return obj
 
 

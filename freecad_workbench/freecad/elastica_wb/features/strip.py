@@ -10,11 +10,11 @@ from weakref import WeakValueDictionary
 
 import FreeCAD as App
 from freecad.elastica_wb.curves.copies import Standing, copies, repeated
-from freecad.elastica_wb.curves.sketch_curves import drawn_curve, is_sketch
+from freecad.elastica_wb.curves.sketch_curves import drawn_curve
 from freecad.elastica_wb.features.proxy import Feature, parents
 from freecad.elastica_wb.features.strip_properties import PROPERTIES, spec_of
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.lifetime import dress
+from freecad.elastica_wb.host.objects import dress, is_sketch, is_strip
 from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import translate
@@ -102,7 +102,23 @@ class StripFeature(Feature):
 
     def tell_error(self, obj: Any, error: ElasticaError) -> None:
         """Replace the results by the error."""
-        _tell_error(obj, error)
+        reasons, verdict = [str(error)], "There is no strip."
+        if isinstance(error, NotRealizable):
+            bent = "A strip bent beforehand cannot take this curve."
+            verdict = bent if error.check.bent_beforehand else "A flat strip cannot take this curve."
+            reasons = list(error.check.reasons)
+        elif isinstance(error, StrainError):
+            bent = "A strip bent beforehand would break on this curve."
+            verdict = bent if obj.NaturalCurvature else "A flat strip would break on this curve."
+            put(obj, StrainUse=error.refusal.values["percent"])
+        put(
+            obj,
+            Verdict=worded(verdict),
+            Reasons=[capital(worded(reason)) for reason in reasons],
+            MadeFrom="",
+            Held="",
+            Sideways="",
+        )
 
 
 def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
@@ -120,7 +136,7 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
     obj.Curve = (sketch, list(edges))
     obj.MaxWidth = obj.OuterWidth = preferences.get("MaxWidth")
     obj.StartTab = obj.EndTab = preferences.get("TabLength")
-    dress(obj, "Strip")
+    dress(obj)
     if App.GuiUp:
         obj.ViewObject.ShapeColor = sheet_color(sheet_called(obj.Sheet))
     return obj
@@ -134,11 +150,6 @@ def _recolor(strip: Any, before: str) -> None:
             shown = getattr(view, "ShapeColor", ())[:3]
             if shown and all(abs(a - b) < SAME_COLOR for a, b in zip(shown, old, strict=True)):
                 view.ShapeColor = new
-
-
-def is_strip(obj: Any) -> bool:
-    """Return True if this object is a parametric strip."""
-    return isinstance(getattr(obj, "Proxy", None), StripFeature)
 
 
 def shown_strips(obj: Any) -> Iterator[Standing]:
@@ -283,26 +294,6 @@ def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         Length=rod.length,
         NarrowestWidth=strip.width.extremes[0],
         Mass=strip.mass,
-    )
-
-
-def _tell_error(obj: Any, error: ElasticaError) -> None:
-    reasons, verdict = [str(error)], "There is no strip."
-    if isinstance(error, NotRealizable):
-        bent = "A strip bent beforehand cannot take this curve."
-        verdict = bent if error.check.bent_beforehand else "A flat strip cannot take this curve."
-        reasons = list(error.check.reasons)
-    elif isinstance(error, StrainError):
-        bent = "A strip bent beforehand would break on this curve."
-        verdict = bent if obj.NaturalCurvature else "A flat strip would break on this curve."
-        put(obj, StrainUse=error.refusal.values["percent"])
-    put(
-        obj,
-        Verdict=worded(verdict),
-        Reasons=[capital(worded(reason)) for reason in reasons],
-        MadeFrom="",
-        Held="",
-        Sideways="",
     )
 
 

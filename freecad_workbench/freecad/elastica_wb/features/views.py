@@ -6,7 +6,7 @@
 from typing import Any
 
 import FreeCADGui as Gui
-from freecad.elastica_wb.host.lifetime import Unsaved
+from freecad.elastica_wb.host.objects import Unsaved
 from freecad.elastica_wb.host.resources import icon
 
 

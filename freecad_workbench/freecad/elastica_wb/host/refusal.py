@@ -18,7 +18,7 @@ from typing import Any
 
 import Part
 from FreeCAD import Base
-from freecad.elastica_wb.host.lifetime import is_ours
+from freecad.elastica_wb.host.objects import is_ours
 from freecad.elastica_wb.host.words import worded
 
 from elastica_cad.errors import ElasticaError, InputError, MissingDependencyError
@@ -92,7 +92,8 @@ def explained(error: Exception) -> ElasticaError:
         return error
     if isinstance(error, ImportError):
         return MissingDependencyError(
-            "{name} is not installed in this FreeCAD: strips need numpy and scipy", name=error.name
+            "{name} is not installed in this FreeCAD: strips need numpy and scipy",
+            name=error.name or "a library",
         )
     return InputError(
         "FreeCAD's kernel cannot make this shape ({why}): change the curve, the widths or the holes",

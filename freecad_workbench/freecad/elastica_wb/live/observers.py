@@ -3,21 +3,17 @@
 
 """Watches documents from FreeCAD's start on; what is slow to import waits until it is needed."""
 
+import sys
 from concurrent.futures import Future
 from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from freecad.elastica_wb.host.lifetime import is_ours, lives
+from freecad.elastica_wb.host.objects import feature_kind, is_model, is_ours, is_sketch, is_strip, lives
 from freecad.elastica_wb.host.qt import AGAIN_MS, InputLater, QtCore, QtWidgets, later, when_free
 from freecad.elastica_wb.live.sketches import (
     edited_sketch,
     followers,
-    is_curve,
-    is_model,
-    is_nest,
-    is_sketch,
-    is_strip,
     recompute,
     remember,
     wants_overlay,
@@ -49,7 +45,7 @@ class LaterResults:
 
     def slotRecomputedDocument(self, document: Any) -> None:
         """Queue every nest, because a nest may depend on strips that FreeCAD does not link to it."""
-        self._nests[document.Name] = nests = [obj for obj in document.Objects if is_nest(obj)]
+        self._nests[document.Name] = nests = [obj for obj in document.Objects if feature_kind(obj) == "Nest"]
         for obj in nests:
             self._wait_for(obj)
 
@@ -62,9 +58,7 @@ class LaterResults:
         """Forget the nests of the document."""
         self._nests.pop(document.Name, None)
 
-    def slotRedoDocument(self, document: Any) -> None:
-        """Queue the same as after an undo."""
-        self.slotUndoDocument(document)
+    slotRedoDocument = slotUndoDocument
 
     def _wait_for(self, obj: Any) -> None:
         name = obj.Document.Name, obj.Name
@@ -93,7 +87,7 @@ class LaterResults:
 
             tell_held(obj)
             return True
-        if is_nest(obj):
+        if feature_kind(obj) == "Nest":
             from freecad.elastica_wb.features.nest import tell_left_out
 
             tell_left_out(obj)
@@ -110,6 +104,8 @@ class LaterResults:
 
 
 WORKBENCH = "ElasticaWorkbench"
+CURVES = ("Nearest", "Bent", "Section")
+"""Features that are curves."""
 SEEN_ONLY = ("Visibility", "HiddenByError", "ShownByError", "Label")
 """Properties that do not affect a shape."""
 _installed: list[Any] = []
@@ -160,14 +156,14 @@ class Edits:
         session = _session()
         if session is not None and getattr(provider, "Object", None) is session.sketch:
             sketch = session.sketch
-            _stop()
+            _imported("live.session").stop()
             QtCore.QTimer.singleShot(0, lambda: _hide_failed(sketch))
 
     def slotDeletedDocument(self, document: Any) -> None:
         """End the overlay when its document is closed."""
         session = _session()
         if session is not None and session.sketch.Document.Name == document.Document.Name:
-            _stop()
+            _imported("live.session").stop()
 
 
 class Changes:
@@ -218,14 +214,6 @@ class Changes:
         if session is not None and obj is session.sketch and name == "Geometry":
             self._soon()
 
-    def slotUndoDocument(self, document: Any) -> None:
-        """Recompute later. An undo does not restore shapes that were computed after the step was closed."""
-        self._after_undo(document)
-
-    def slotRedoDocument(self, document: Any) -> None:
-        """Do the same as after an undo."""
-        self._after_undo(document)
-
     def slotBeforeRecomputeDocument(self, document: Any) -> None:
         """Hold back shortcuts, because FreeCAD lets them through in a recompute."""
         if any(map(is_ours, document.Objects)):
@@ -240,10 +228,13 @@ class Changes:
         """End the overlay when its sketch is deleted."""
         session = _session()
         if session is not None and obj is session.sketch:
-            _stop()
+            _imported("live.session").stop()
 
-    def _after_undo(self, document: Any) -> None:
-        """Note the changes of a step. The recompute waits, because the next step may delete the objects."""
+    def slotUndoDocument(self, document: Any) -> None:
+        """Note the changes of a step. The recompute waits, because the next step may delete the objects.
+
+        An undo does not restore shapes that were computed after the step was closed.
+        """
         step = self._changed.pop(document.Name, {})
         self._changed.clear()
         if step:
@@ -255,6 +246,8 @@ class Changes:
         self._after_undone.start()
         if _session() is not None:
             self._soon()
+
+    slotRedoDocument = slotUndoDocument
 
     def _recompute_undone(self) -> None:
         undone, self._undone = self._undone, {}
@@ -298,24 +291,27 @@ def _here() -> bool:
     return bool(App.GuiUp) and Gui.activeWorkbench().name() == WORKBENCH
 
 
+def _imported(module: str) -> Any:
+    """Return a module of this workbench, or None if nothing has imported it."""
+    return sys.modules.get(f"freecad.elastica_wb.{module}")
+
+
 def _session() -> Any:
     """Return the running overlay, without importing its module."""
-    import sys
-
-    module = sys.modules.get("freecad.elastica_wb.live.session")
+    module = _imported("live.session")
     return None if module is None else module.session()
 
 
 def _shared(work: str, *subject: Any) -> None:
     """Call a function of `features.proxy` if that module is imported."""
-    module = _proxies()
+    module = _imported("features.proxy")
     if module is not None:
         getattr(module, work)(*subject)
 
 
 def _renamed(obj: Any, old: str) -> None:
     """Rename features named after an object, and update messages that contain the old name."""
-    module = _proxies()
+    module = _imported("features.proxy")
     if old and not obj.Document.Transacting and not _is_importing(obj.Document):
         for user in filter(is_ours, obj.InList):
             if user.Label.startswith(f"{old} "):
@@ -323,19 +319,6 @@ def _renamed(obj: Any, old: str) -> None:
     outdated = module.telling(obj, old) if module is not None and old not in ("", obj.Label) else []
     if outdated:
         QtCore.QTimer.singleShot(0, lambda: recompute(outdated))
-
-
-def _proxies() -> Any:
-    """Return the module `features.proxy`, or None if no feature has imported it."""
-    import sys
-
-    return sys.modules.get("freecad.elastica_wb.features.proxy")
-
-
-def _stop() -> None:
-    from freecad.elastica_wb.live import session
-
-    session.stop()
 
 
 def _hide_failed(sketch: Any) -> None:
@@ -364,7 +347,13 @@ def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> lis
         follows = any(source.Name in names for source in obj.OutList)
         failed = "Invalid" in obj.State and (follows or obj.Name in changed)
         stands_elsewhere = regrouped or any(feature.Name in changed for feature in _containers_of(obj))
-        if failed or (follows and is_curve(obj)) or obj.Name in half or stands_elsewhere or obj in restored:
+        if (
+            failed
+            or (follows and feature_kind(obj) in CURVES)
+            or obj.Name in half
+            or stands_elsewhere
+            or obj in restored
+        ):
             stale.append(obj)
     users = {user for obj in stale for user in obj.InListRecursive}
     return stale + [obj for obj in ours if obj in users and obj not in stale]

@@ -19,7 +19,7 @@ from freecad.elastica_wb.curves.sketch_curves import (
 )
 from freecad.elastica_wb.features.strip_properties import nearest_spec_of, spec_of
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.lifetime import sensor
+from freecad.elastica_wb.host.objects import sensor
 from freecad.elastica_wb.host.progress import begun
 from freecad.elastica_wb.host.qt import later
 from freecad.elastica_wb.host.refusal import FAILURES, explained

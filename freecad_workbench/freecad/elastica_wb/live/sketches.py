@@ -9,21 +9,14 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.lifetime import FEATURES, lives
+from freecad.elastica_wb.host.objects import is_sketch, is_strip, lives
 from freecad.elastica_wb.host.qt import when_free
 
 MEMORY = "ElasticaLive"
 """Property of a sketch that stores whether the sketch shows the overlay."""
 
-STRIPS, CURVES, MODELS, NESTS = (f"{FEATURES}{name}" for name in ("strip", "curves", "model", "nest"))
-
 listeners: list[Callable[[bool], None]] = []
 """Functions that are called with True when an overlay starts, and with False when it ends."""
-
-
-def is_sketch(obj: Any) -> bool:
-    """Return True if this object is a sketch."""
-    return obj is not None and bool(obj.isDerivedFrom("Sketcher::SketchObject"))
 
 
 def edited_sketch() -> Any:
@@ -72,23 +65,3 @@ def recompute(strips: list[Any]) -> None:
     for strip in alive:
         strip.touch()
     document.recompute(alive)
-
-
-def is_strip(obj: Any) -> bool:
-    """Return True if this object is a strip. The feature modules are not imported."""
-    return type(getattr(obj, "Proxy", None)).__module__ == STRIPS
-
-
-def is_curve(obj: Any) -> bool:
-    """Return True if this object is a dependent curve. The feature modules are not imported."""
-    return type(getattr(obj, "Proxy", None)).__module__ == CURVES
-
-
-def is_model(obj: Any) -> bool:
-    """Return True if this object is a model. The feature modules are not imported."""
-    return type(getattr(obj, "Proxy", None)).__module__ == MODELS
-
-
-def is_nest(obj: Any) -> bool:
-    """Return True if this object is a nest. The feature modules are not imported."""
-    return type(getattr(obj, "Proxy", None)).__module__ == NESTS

@@ -9,7 +9,7 @@ from typing import Any
 
 import FreeCADGui as Gui
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.lifetime import sensor
+from freecad.elastica_wb.host.objects import sensor
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, kind_of, later, surface_of
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import worded

@@ -6,12 +6,13 @@
 from typing import Any
 
 import numpy as np
+from freecad.elastica_wb.curves.sketch_curves import drawn_curve
 from freecad.elastica_wb.features.curves import MOVES, bent, largest_move, moved
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host.fields import set_value
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.preview import Preview
-from freecad.elastica_wb.panels.panel import Panel, active_view, placement_of_strip
+from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.recording import record_value, recorded
 
 from elastica_cad.errors import ElasticaError
@@ -37,7 +38,7 @@ class BendPanel(Panel):
         self.rod = self.rest
         view = active_view()
         if view is not None:
-            self.preview = Preview(view, placement_of_strip(obj))
+            self.preview = Preview(view, drawn_curve(obj.Curve, obj).world)
             self.preview.add_handles(self.rest.position[[0, -1]], self.dragged)
             self._draw(self.rest)
         for name in MOVES if feature is not None else ():

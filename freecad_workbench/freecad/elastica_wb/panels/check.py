@@ -5,7 +5,8 @@
 
 from typing import Any
 
-from freecad.elastica_wb.curves.sketch_curves import drawn_curve, is_sketch, read_line
+from freecad.elastica_wb.curves.sketch_curves import drawn_curve, read_line
+from freecad.elastica_wb.host.objects import is_sketch
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.live import session as live
 from freecad.elastica_wb.panels.panel import Panel

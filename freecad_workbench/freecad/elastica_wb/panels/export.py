@@ -14,11 +14,12 @@ from freecad.elastica_wb.cutting_files import (
     tell_later_features,
     write_cutting_files,
 )
-from freecad.elastica_wb.features.model import is_model, overlaps_of
+from freecad.elastica_wb.features.model import overlaps_of
 from freecad.elastica_wb.features.pieces import counted, cuts_of, told_blanks_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.dialogs import ask_folder, tell_files
 from freecad.elastica_wb.host.fields import put_choices, set_value
+from freecad.elastica_wb.host.objects import is_model
 from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.panels.panel import Panel

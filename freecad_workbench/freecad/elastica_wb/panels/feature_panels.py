@@ -9,7 +9,6 @@ from typing import Any
 from freecad.elastica_wb.curves.plane_sections import FAMILIES
 from freecad.elastica_wb.features.baseplate import BasePlateFeature
 from freecad.elastica_wb.features.curves import (
-    BentFeature,
     NearestFeature,
     SectionFeature,
     draw_into,
@@ -22,6 +21,7 @@ from freecad.elastica_wb.features.model import ModelFeature
 from freecad.elastica_wb.features.nest import NestFeature
 from freecad.elastica_wb.features.strip import shown_strip
 from freecad.elastica_wb.features.strip_properties import PROPERTIES, STYLES
+from freecad.elastica_wb.host.objects import feature_kind
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.panel import Panel
@@ -244,6 +244,6 @@ LAYOUTS = {
 
 def panel_of(obj: Any, others: Iterable[Any] = ()) -> Panel:
     """Return the panel of a feature, which also edits other features of its kind."""
-    if isinstance(obj.Proxy, BentFeature):
+    if feature_kind(obj) == "Bent":
         return BendPanel(obj.Strip, obj)
-    return PropertyPanel(obj, LAYOUTS[type(obj.Proxy).__name__.removesuffix("Feature")], others)
+    return PropertyPanel(obj, LAYOUTS[feature_kind(obj)], others)

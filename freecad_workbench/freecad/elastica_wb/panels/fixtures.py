@@ -8,6 +8,7 @@ from typing import Any
 from freecad.elastica_wb.features import baseplate, fixtures
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.fields import set_value
+from freecad.elastica_wb.host.objects import is_base_plate
 from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import default_sheet, sheet_list
@@ -27,10 +28,8 @@ class FixturesPanel(Panel):
     def __init__(self, sources: list[Any]) -> None:
         """Open the panel for sources. If all are base plates, take the strips on them."""
         super().__init__(sources[0].Document, sources)
-        held = [source for obj in sources if baseplate.is_base_plate(obj) for source in obj.Sources]
-        self.sources = [obj for obj in sources if not baseplate.is_base_plate(obj)] or list(
-            dict.fromkeys(held)
-        )
+        held = [source for obj in sources if is_base_plate(obj) for source in obj.Sources]
+        self.sources = [obj for obj in sources if not is_base_plate(obj)] or list(dict.fromkeys(held))
         self.form.sheet.addItems(sheet_list())
         self.form.sheet.setCurrentText(default_sheet())
         set_value(self.form.slot, preferences.get("Clearance"))

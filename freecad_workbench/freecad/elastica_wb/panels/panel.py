@@ -10,8 +10,8 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.fields import calm, into_sight, on_change, set_value, value_of
-from freecad.elastica_wb.host.lifetime import document_lives, lives
-from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
+from freecad.elastica_wb.host.objects import document_lives, lives
+from freecad.elastica_wb.host.qt import QtCore, QtGui, QtWidgets, later
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import icon, load_panel, quantities_of, translate
 from freecad.elastica_wb.host.words import worded
@@ -40,12 +40,11 @@ class Panel:
         """Open the panel. It changes `document`, and it needs the objects `subjects`."""
         Panel.opened = self
         self.subjects = list(subjects)
-        _watch_documents()
         self._homes = [subject.Document for subject in self.subjects] + [document]
         self.form = self.make_form()
         calm(self.form)
         self.form.message.setTextFormat(QtCore.Qt.PlainText)  # a label may look like HTML
-        self.form.setWindowIcon(_qicon(self.icon_name))
+        self.form.setWindowIcon(QtGui.QIcon(icon(self.icon_name)))
         self.document = document
         self._timer = later(self._safely_changed, PAUSE_MS, self.form)
         # earlier changes without an undo step, such as those in the console, are not part of this step
@@ -186,29 +185,11 @@ class _Documents:
             QtCore.QTimer.singleShot(0, panel.abandon)
 
 
-_documents: list[_Documents] = []
-
-
-def _watch_documents() -> None:
-    if not _documents:
-        _documents.append(_Documents())
-        App.addDocumentObserver(_documents[0])
-
-
-def _qicon(name: str) -> Any:
-    from freecad.elastica_wb.host.qt import QtGui
-
-    return QtGui.QIcon(icon(name))
+_documents = _Documents()
+App.addDocumentObserver(_documents)
 
 
 def active_view() -> Any:
     """Return the 3D view, or None if another kind of view is active."""
     view = Gui.ActiveDocument.activeView() if Gui.ActiveDocument else None
     return view if hasattr(view, "getSceneGraph") else None
-
-
-def placement_of_strip(obj: Any) -> App.Placement:
-    """Return the placement of a strip's curve plane in document coordinates."""
-    from freecad.elastica_wb.curves.sketch_curves import drawn_curve
-
-    return drawn_curve(obj.Curve, obj).world

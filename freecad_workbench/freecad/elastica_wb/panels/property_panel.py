@@ -10,7 +10,7 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from freecad.elastica_wb.curves.sketch_curves import is_edge, is_sketch, linked, picked
+from freecad.elastica_wb.curves.sketch_curves import is_edge, linked, picked
 from freecad.elastica_wb.features.strip import could_follow_another
 from freecad.elastica_wb.host.fields import (
     field_for,
@@ -20,7 +20,7 @@ from freecad.elastica_wb.host.fields import (
     set_value,
     value_of,
 )
-from freecad.elastica_wb.host.lifetime import lives
+from freecad.elastica_wb.host.objects import is_sketch, lives
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
 from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made

@@ -17,7 +17,7 @@ from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.sheet_store import default_sheet, sheet_called
 
-from elastica_cad.errors import ElasticaError, MissingDependencyError, NotConvergedError
+from elastica_cad.errors import ElasticaError, NotConvergedError
 from elastica_cad.forming.editable_curve import coarse_curve
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_solution import solve_rod
@@ -77,13 +77,7 @@ def solve_strip(spec: StripSpec) -> Strip:
     ElasticaError
         The strip cannot be made; the message states the problem, its place and a solution.
     """
-    try:
-        return in_background(SEARCHING, _strip, spec.in_plane) if spec.may_change else _strip(spec.in_plane)
-    except ImportError as error:
-        raise MissingDependencyError(
-            "{name} is not installed in this FreeCAD: strips need numpy and scipy",
-            name=error.name or "a library",
-        ) from error
+    return in_background(SEARCHING, _strip, spec.in_plane) if spec.may_change else _strip(spec.in_plane)
 
 
 def find_nearest(asked: RodSpec) -> NearestRod:

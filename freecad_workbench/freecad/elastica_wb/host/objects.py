@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Features and documents: whether they exist, their proxies and view providers, and sensors without references."""
+"""Objects of a document: whether they exist, their kinds, proxies and view providers, and sensors for them."""
 
 from collections.abc import Callable
 from typing import Any
@@ -23,9 +23,43 @@ def lives(obj: Any) -> bool:
         return False
 
 
+def feature_kind(obj: Any) -> str:
+    """Return the kind of a feature of this workbench, such as "Strip", or "" for other objects.
+
+    No feature module is imported for this.
+    """
+    proxy = type(getattr(obj, "Proxy", None))
+    return proxy.__name__.removesuffix("Feature") if proxy.__module__.startswith(FEATURES) else ""
+
+
 def is_ours(obj: Any) -> bool:
-    """Return True if an object is a feature of this workbench. No feature module is imported for this."""
-    return type(getattr(obj, "Proxy", None)).__module__.startswith(FEATURES)
+    """Return True if an object is a feature of this workbench."""
+    return feature_kind(obj) != ""
+
+
+def is_strip(obj: Any) -> bool:
+    """Return True if an object is a strip."""
+    return feature_kind(obj) == "Strip"
+
+
+def is_model(obj: Any) -> bool:
+    """Return True if an object is a model."""
+    return feature_kind(obj) == "Model"
+
+
+def is_flat(obj: Any) -> bool:
+    """Return True if an object is the flat part of a strip."""
+    return feature_kind(obj) == "Flat"
+
+
+def is_base_plate(obj: Any) -> bool:
+    """Return True if an object is a base plate."""
+    return feature_kind(obj) == "BasePlate"
+
+
+def is_sketch(obj: Any) -> bool:
+    """Return True if an object is a sketch."""
+    return obj is not None and bool(obj.isDerivedFrom("Sketcher::SketchObject"))
 
 
 def document_lives(document: Any) -> bool:
@@ -65,10 +99,11 @@ class Unsaved:
     __setstate__ = loads
 
 
-def dress(obj: Any, kind: str) -> None:
+def dress(obj: Any) -> None:
     """Give a feature the view provider of its kind, if there is a window and it has no view provider.
 
     A file that freecadcmd wrote holds no view providers.
     """
-    if kind in view_providers and isinstance(getattr(obj.ViewObject, "Proxy", None), (int, type(None))):
-        view_providers[kind](obj.ViewObject)
+    make = view_providers.get(feature_kind(obj))
+    if make is not None and isinstance(getattr(obj.ViewObject, "Proxy", None), (int, type(None))):
+        make(obj.ViewObject)
