@@ -19,7 +19,7 @@ def words_of(value):
 def commands():
     """What each command says of itself, by its name."""
     found = {}
-    for file in (WORKBENCH / "commands" / "__init__.py", WORKBENCH / "live" / "live_command.py"):
+    for file in (WORKBENCH / "commands" / "__init__.py", WORKBENCH / "command.py"):
         for made in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
             if isinstance(made, ast.Call) and getattr(made.func, "id", "") == "Command":
                 said = {part.arg: words_of(part.value) for part in made.keywords}

@@ -7,10 +7,11 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from freecad.elastica_wb.features.views import KINDS
+from freecad.elastica_wb import command
+from freecad.elastica_wb.features.views import KINDS, View
 from freecad.elastica_wb.host.objects import view_providers
 from freecad.elastica_wb.host.resources import RESOURCES, icon
-from freecad.elastica_wb.live import live_command, observers
+from freecad.elastica_wb.live import observers
 
 translate = App.Qt.translate
 
@@ -45,14 +46,22 @@ class ElasticaWorkbench(Gui.Workbench):
             self.appendContextMenu("", names)
 
 
+def _panel_of(obj: Any) -> Any:
+    """Return the panel of a feature. The panels are imported when the first panel opens."""
+    from freecad.elastica_wb.panels.feature_panels import panel_of
+
+    return panel_of(obj)
+
+
 def _begin() -> Any:
     Gui.addLanguagePath(str(RESOURCES / "translations"))
     Gui.updateLocale()
     Gui.addIconPath(str(RESOURCES / "icons"))
     Gui.addPreferencePage(str(RESOURCES / "ui" / "preferences.ui"), "Elastica")
     view_providers.update(KINDS)
+    View.panel_of = staticmethod(_panel_of)
     observers.install()
-    live_command.register()
+    command.register()
     workbench = ElasticaWorkbench()
     Gui.addWorkbench(workbench)
     return workbench

@@ -5,11 +5,10 @@
 
 from collections.abc import Iterable
 
-from freecad.elastica_wb.command import Command
+from freecad.elastica_wb.command import LIVE, Command
 from freecad.elastica_wb.commands import actions
 from freecad.elastica_wb.example import open_example
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
-from freecad.elastica_wb.live.live_command import LIVE
 from freecad.elastica_wb.live.sketches import is_sketch_open
 from freecad.elastica_wb.panels import between_clamps
 

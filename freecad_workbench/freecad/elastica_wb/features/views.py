@@ -3,17 +3,20 @@
 
 """Appearance of the features in the tree and the 3D view."""
 
-from typing import Any
+from collections.abc import Callable
+from typing import Any, ClassVar
 
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.objects import Unsaved
 from freecad.elastica_wb.host.resources import icon
 
 
-class _View(Unsaved):
+class View(Unsaved):
     """Base class of all view providers. They store nothing."""
 
     icon_name = "Elastica"
+    panel_of: ClassVar[Callable[[Any], Any]]
+    """Makes the panel of a feature. The graphical interface sets it."""
 
     def __init__(self, provider: Any) -> None:
         provider.Proxy = self
@@ -26,9 +29,7 @@ class _View(Unsaved):
         """Open the panel. Leave other edit modes, such as Transform, to FreeCAD."""
         if mode != 0:
             return None
-        from freecad.elastica_wb.panels.feature_panels import panel_of
-
-        Gui.Control.showDialog(panel_of(provider.Object))
+        Gui.Control.showDialog(self.panel_of(provider.Object))
         return True
 
     def unsetEdit(self, _provider: Any, mode: int = 0) -> None:
@@ -45,7 +46,7 @@ class _View(Unsaved):
         return icon(self.icon_name)
 
 
-class StripView(_View):
+class StripView(View):
     """View provider of the strip, with its sketch below it in the tree."""
 
     icon_name = "Elastica_Strip"
@@ -59,13 +60,13 @@ class StripView(_View):
         )
 
 
-class FlatView(_View):
+class FlatView(View):
     """View provider of the flat part."""
 
     icon_name = "Elastica_Flat"
 
 
-class ModelView(_View):
+class ModelView(View):
     """View provider of the model, with its strips below it in the tree."""
 
     icon_name = "Elastica_Interlock"
@@ -86,37 +87,37 @@ class ModelView(_View):
         return True
 
 
-class FixturesView(_View):
+class FixturesView(View):
     """View provider of the printed blocks."""
 
     icon_name = "Elastica_Fixtures"
 
 
-class BasePlateView(_View):
+class BasePlateView(View):
     """View provider of the base plate."""
 
     icon_name = "Elastica_Fixtures"
 
 
-class NestView(_View):
+class NestView(View):
     """View provider of the nested sheets."""
 
     icon_name = "Elastica_Nest"
 
 
-class NearestView(_View):
+class NearestView(View):
     """View provider of the nearest curve."""
 
     icon_name = "Elastica_Nearest"
 
 
-class BentView(_View):
+class BentView(View):
     """View provider of a strip's curve that is bent further."""
 
     icon_name = "Elastica_Bend"
 
 
-class SectionView(_View):
+class SectionView(View):
     """View provider of the sections of bodies."""
 
     icon_name = "Elastica_Section"
