@@ -14,6 +14,7 @@ from OCP.TopoDS import TopoDS_Edge
 
 from elastica_cad import MissingDependencyError, PlaneCurve, Slot
 from elastica_cad.kernel import ocp_import
+from tests.cad.libraries import bd, bd_strips, cq, cq_strips
 
 SHEET = "birch-plywood-0.8"
 
@@ -115,21 +116,13 @@ def told(make, name):
 @pytest.mark.build123d
 @pytest.mark.parametrize("name", sorted(REFUSED))
 def test_build123d(name):
-    import build123d as bd
-
-    from elastica_cad.build123d import BentStrip
-
-    told(lambda shapes, **options: BentStrip([bd.Edge(e) for e in shapes], SHEET, **options), name)
+    told(lambda shapes, **options: bd_strips.BentStrip([bd.Edge(e) for e in shapes], SHEET, **options), name)
 
 
 @pytest.mark.cadquery
 @pytest.mark.parametrize("name", sorted(REFUSED))
 def test_cadquery(name):
-    import cadquery as cq
-
-    from elastica_cad.cadquery import bent_strip
-
-    told(lambda shapes, **options: bent_strip([cq.Edge(e) for e in shapes], SHEET, **options), name)
+    told(lambda shapes, **options: cq_strips.bent_strip([cq.Edge(e) for e in shapes], SHEET, **options), name)
 
 
 @pytest.mark.build123d
@@ -146,8 +139,6 @@ def test_build123d_signatures():
 
 @pytest.mark.cadquery
 def test_cadquery_signatures():
-    import cadquery as cq
-
     from elastica_cad import cadquery
 
     for name in ("strip_outline", "flat_strip", "bent_strip", "end_fixture"):

@@ -7,14 +7,13 @@ import pytest
 
 from elastica_cad import InputError
 from elastica_cad.kernel.strip_body import StripWarning, end_angles
+from tests.cad.libraries import bd, bd_strips, cq, cq_strips
 
 
 @pytest.mark.build123d
 class TestBuild123d:
     def test_length_ends_and_tangents(self):
-        from elastica_cad.build123d import Elastica
-
-        line = Elastica((0, 0), (60, 20), 110, angles=(60, -80))
+        line = bd_strips.Elastica((0, 0), (60, 20), 110, angles=(60, -80))
         assert line.length == pytest.approx(110, abs=1e-3)
         assert tuple(line @ 1)[:2] == pytest.approx((60, 20), abs=1e-3)
         for u, angle in ((0, 60), (1, -80)):
@@ -23,78 +22,63 @@ class TestBuild123d:
         assert line.branch.side == 1
 
     def test_in_a_sketch_and_on_another_plane(self):
-        import build123d as bd
-
-        from elastica_cad.build123d import Elastica
-
         with bd.BuildSketch() as sketch:
             with bd.BuildLine():
-                arch = Elastica((0, 0), (70, 0), 100)
+                arch = bd_strips.Elastica((0, 0), (70, 0), 100)
                 bd.Line(arch @ 1, arch @ 0)
             bd.make_face()
         assert sketch.sketch.area > 1000
         with bd.BuildLine(bd.Plane.XZ) as upright:
-            Elastica((0, 0), (70, 0), 100)
+            bd_strips.Elastica((0, 0), (70, 0), 100)
         box = upright.line.bounding_box()
         assert pytest.approx(0, abs=1e-6) == box.size.Y
         assert box.max.Z > 25
 
     def test_a_force_bends_a_free_end_and_a_strip_stands_on_it(self):
-        from elastica_cad.build123d import BentStrip, Elastica
-
-        line = Elastica((0, 0), None, 200, angles=(0, None), force=(0, 1 / 200**2))
+        line = bd_strips.Elastica((0, 0), None, 200, angles=(0, None), force=(0, 1 / 200**2))
         assert line.length == pytest.approx(200, abs=1e-3)
         assert tuple(line @ 1)[:2] == pytest.approx((200 * (1 - 0.05643), 200 * 0.30172), abs=5e-3)
-        rib = BentStrip(line, "pom-0.5", max_width=12, compensate=False)
+        rib = bd_strips.BentStrip(line, "pom-0.5", max_width=12, compensate=False)
         assert rib.volume == pytest.approx(0.5 * 12 * 220, rel=3e-4)
 
     def test_a_strip_of_even_width_takes_it(self):
-        from elastica_cad.build123d import BentStrip, Elastica
-
-        line = Elastica((0, 0), (160, 0), 220, angles=(40, -40))
-        strip = BentStrip(line, "card-200gsm", max_width=20).strip
+        line = bd_strips.Elastica((0, 0), (160, 0), 220, angles=(40, -40))
+        strip = bd_strips.BentStrip(line, "card-200gsm", max_width=20).strip
         low, high = strip.width.extremes
         assert high / low < 1 + 1e-3
 
     def test_bodies_weigh_as_their_sheet(self):
         """A pinned end once rippled the width by a tenth, and kernels then missed 2 % of the volume."""
-        from elastica_cad.build123d import BentStrip, Elastica
 
-        line = Elastica((0, 0), (60, 20), 100, angles=(30, None)).edge()
-        rib = BentStrip(line, "pom-0.5", max_width=12, compensate=False)
+        line = bd_strips.Elastica((0, 0), (60, 20), 100, angles=(30, None)).edge()
+        rib = bd_strips.BentStrip(line, "pom-0.5", max_width=12, compensate=False)
         assert rib.flat.volume == pytest.approx(0.5 * 12 * 120, rel=1e-4)
         assert rib.volume == pytest.approx(0.5 * 12 * 120, rel=1e-4)
 
     def test_refused(self):
-        from elastica_cad.build123d import Elastica
-
         with pytest.raises(InputError, match="longer"):
-            Elastica((0, 0), (70, 0), 60)
+            bd_strips.Elastica((0, 0), (70, 0), 60)
         with pytest.raises(InputError, match="buckling is 0: it must be"):
-            Elastica((0, 0), (70, 0), 100, buckling=0)
+            bd_strips.Elastica((0, 0), (70, 0), 100, buckling=0)
         with pytest.raises(InputError, match="without z"):
-            Elastica((0, 0, 1), (70, 0, 0), 100)
+            bd_strips.Elastica((0, 0, 1), (70, 0, 0), 100)
 
 
 @pytest.mark.cadquery
 def test_cadquery_edge():
-    import cadquery as cq
-
-    from elastica_cad.cadquery import bent_strip, elastica
-
-    edge = elastica((0, 0), (160, 0), 220, angles=(40, -40), side=1)
+    edge = cq_strips.elastica((0, 0), (160, 0), 220, angles=(40, -40), side=1)
     assert isinstance(edge, cq.Edge)
     assert edge.Length() == pytest.approx(220, abs=1e-3)
-    assert bent_strip(edge, "card-200gsm", max_width=20).isValid()
-    free = elastica((0, 0), None, 200, angles=(0, None), force=(0, 1 / 200**2))
+    assert cq_strips.bent_strip(edge, "card-200gsm", max_width=20).isValid()
+    free = cq_strips.elastica((0, 0), None, 200, angles=(0, None), force=(0, 1 / 200**2))
     assert free.endPoint().toTuple()[:2] == pytest.approx((200 * (1 - 0.05643), 200 * 0.30172), abs=5e-3)
 
 
 @pytest.mark.build123d
 def test_bodies_are_bent_by_degrees_as_lines_are():
-    from elastica_cad.build123d import BentStrip, Elastica
-
-    rib = BentStrip(Elastica((0, 0), (160, 0), 200, angles=(50, -50)).edge(), "pom-0.5", max_width=10)
+    rib = bd_strips.BentStrip(
+        bd_strips.Elastica((0, 0), (160, 0), 200, angles=(50, -50)).edge(), "pom-0.5", max_width=10
+    )
     assert np.degrees(rib.bent(angles=(40, -40)).rod.angle[[0, -1]]) == pytest.approx([40, -40])
     with pytest.raises(InputError, match=r"degrees, a whole turn \(360\) at most: got \(400, 0\)"):
         rib.bent(angles=(400, 0))

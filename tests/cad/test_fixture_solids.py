@@ -13,6 +13,7 @@ from elastica_cad.kernel.step_files import NamedShape, read_step_shape, step_byt
 from elastica_cad.model import EndFixture
 from elastica_cad.model.fixtures import engraved
 from elastica_cad.strip import BentSolid, FlatSolid, PrismSolid, Text, text_strokes
+from tests.cad.libraries import bd, bd_strips, cq, cq_strips
 
 UPRIGHT = Frame((0, 0, 0), (1, 0, 0), (0, 0, 1))
 
@@ -59,11 +60,7 @@ def test_letters_take_a_little_away(strip, measure):
 
 @pytest.mark.build123d
 def test_stl_of_build123d_is_closed(strip, tmp_path):
-    import build123d as bd
-
-    from elastica_cad.build123d import BentStrip
-
-    block = BentStrip(strip).fixture("end")
+    block = bd_strips.BentStrip(strip).fixture("end")
     bd.export_stl(block, tmp_path / "block.stl")
     printed = trimesh.load(tmp_path / "block.stl")
     assert printed.is_watertight
@@ -72,11 +69,7 @@ def test_stl_of_build123d_is_closed(strip, tmp_path):
 
 @pytest.mark.cadquery
 def test_stl_of_cadquery_is_closed(strip, tmp_path):
-    import cadquery as cq
-
-    from elastica_cad.cadquery import bent_strip
-
-    block = bent_strip(strip).fixture("end")
+    block = cq_strips.bent_strip(strip).fixture("end")
     cq.exporters.export(cq.Workplane(obj=block), str(tmp_path / "block.stl"))
     printed = trimesh.load(tmp_path / "block.stl")
     assert printed.is_watertight

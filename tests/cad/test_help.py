@@ -8,6 +8,7 @@ import pytest
 from elastica_cad.kernel.strip_body import BendOptions
 from elastica_cad.kernel.strip_on_path import BlockOptions
 from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
+from tests.cad.libraries import cq, cq_strips
 
 STRIP = {"path", "sheet", "max_width", *StripOptions.__annotations__}
 BLOCK = {"end", *BlockOptions.__annotations__}
@@ -50,8 +51,6 @@ def test_help_in_build123d():
 
 @pytest.mark.cadquery
 def test_help_in_cadquery():
-    import cadquery as cq
-
     from elastica_cad import cadquery as lib
 
     lib.register()
@@ -68,10 +67,6 @@ def test_help_in_cadquery():
 
 @pytest.mark.cadquery
 def test_the_old_name_of_what_is_engraved_on_a_block_is_refused():
-    import cadquery as cq
-
-    from elastica_cad.cadquery import end_fixture
-
     edge = cq.Edge.makeSpline([cq.Vector(0, 0), cq.Vector(60, 50), cq.Vector(120, 0)])
     with pytest.raises(TypeError, match=r"give engrave="):
-        end_fixture(edge, "card-200gsm", max_width=20, number="7")
+        cq_strips.end_fixture(edge, "card-200gsm", max_width=20, number="7")

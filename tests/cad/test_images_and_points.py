@@ -8,6 +8,7 @@ import pytest
 import elastica_cad as ec
 from elastica_cad import PlaneCurve
 from elastica_cad.kernel.strip_body import StripWarning
+from tests.cad.libraries import bd, bd_strips, cq, cq_strips
 
 SHEET = "polypropylene-0.8"
 CURVE = PlaneCurve.spline([(0, 0), (20, 50), (60, 75), (100, 50), (120, 0)])
@@ -27,15 +28,11 @@ def near(a, b):
 class TestBuild123d:
     @pytest.fixture
     def rib(self):
-        from elastica_cad.build123d import BentStrip
-
-        return BentStrip(CURVE, SHEET, **ONE_SIDED)
+        return bd_strips.BentStrip(CURVE, SHEET, **ONE_SIDED)
 
     @pytest.mark.campaign
     @pytest.mark.parametrize("name", [*PLANES, "leaning"])
     def test_bodies_of_an_image_are_images(self, rib, name):
-        import build123d as bd
-
         leaning = bd.Plane((3, 4, 5), x_dir=(1, 2, 0), z_dir=(2, -1, 3))
         plane = leaning if name == "leaning" else getattr(bd.Plane, name)
         image = rib.mirror(plane)
@@ -60,16 +57,12 @@ class TestBuild123d:
 
     @pytest.mark.parametrize("name", [*PLANES, "ZX", "leaning"])
     def test_an_end_is_led_to_a_point_in_space(self, name):
-        import build123d as bd
-
-        from elastica_cad.build123d import Elastica, elastic_strip
-
         leaning = bd.Plane((3, 4, 5), x_dir=(1, 2, 0), z_dir=(2, -1, 3))
         plane = -(leaning if name == "leaning" else getattr(bd.Plane, name))
         with bd.BuildPart():
             with bd.BuildLine(plane):
-                Elastica((0, 0), (70, 0), 100, angles=(80, -80))
-            rib = elastic_strip(sheet=SHEET, max_width=20, form="bent")
+                bd_strips.Elastica((0, 0), (70, 0), 100, angles=(80, -80))
+            rib = bd_strips.elastic_strip(sheet=SHEET, max_width=20, form="bent")
         goal = plane.from_local_coords(bd.Vector(60, 0))
         for body in (rib.bent(end=goal), rib.bent(end=tuple(goal)), rib.slider(end=goal).bent(10)):
             near(body.joints["end"].location.position, goal)
@@ -110,9 +103,7 @@ class TestBuild123d:
 class TestCadQuery:
     @pytest.fixture
     def rib(self):
-        from elastica_cad.cadquery import bent_strip
-
-        return bent_strip(CURVE, SHEET, **ONE_SIDED)
+        return cq_strips.bent_strip(CURVE, SHEET, **ONE_SIDED)
 
     @pytest.mark.campaign
     @pytest.mark.parametrize("plane", PLANES)
@@ -128,13 +119,9 @@ class TestCadQuery:
         assert image.fixture("end", engrave="").intersect(image).Volume() < 15  # mm3, as above
 
     def test_an_end_is_led_to_a_point_in_space(self):
-        import cadquery as cq
-
-        from elastica_cad.cadquery import bent_strip, elastica
-
         plane = cq.Plane((3, 4, 5), xDir=(1, 2, 0), normal=(2, -1, 3))
-        edge = elastica((0, 0), (70, 0), 100, angles=(80, -80)).moved(plane.location)
-        rib, goal = bent_strip(edge, SHEET, max_width=20), plane.toWorldCoords((60, 0, 0))
+        edge = cq_strips.elastica((0, 0), (70, 0), 100, angles=(80, -80)).moved(plane.location)
+        rib, goal = cq_strips.bent_strip(edge, SHEET, max_width=20), plane.toWorldCoords((60, 0, 0))
         for body in (rib.bent(end=goal), rib.bent(end=goal.toTuple()), rib.slider(end=goal).bent(10)):
             near(body.joints["end"].toTuple()[0], goal.toTuple())
         with pytest.warns(StripWarning, match="strain") as told:
@@ -143,11 +130,7 @@ class TestCadQuery:
 
     @pytest.mark.campaign
     def test_bent_strips_stand_at_every_point_of_the_stack(self):
-        import cadquery as cq
-
-        from elastica_cad.cadquery import register
-
-        register()
+        cq_strips.register()
         drawn = cq.Workplane("XZ").spline([(0, 0), (60, 50), (120, 0)])
         options = {"max_width": 20, "form": "bent"}
         (one,) = drawn.elasticStrip(SHEET, **options).vals()

@@ -10,6 +10,7 @@ from elastica_cad.kernel import occt
 from elastica_cad.kernel import step_files as step
 from elastica_cad.model import slotted_frame
 from elastica_cad.model.assembly import assembly_parts, require_model
+from tests.cad.libraries import bd_strips, cq, cq_strips
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
 S = PlaneCurve.spline([(20, 0), (50, 60), (100, 10), (150, -40), (200, 20)])
@@ -73,29 +74,27 @@ def test_place_of_a_frame(tilted):
 
 @pytest.mark.build123d
 def test_build123d_compound(model):
-    from elastica_cad.build123d import BentStrip, PlacedStrip, model_compound
-
-    made = model_compound(model)
+    made = bd_strips.model_compound(model)
     assert made.label == "crown"
     assert [child.label for child in made.children] == NAMES
     assert made.is_valid
     for child, placed in zip(made.children, model.placed, strict=True):
-        assert isinstance(child, PlacedStrip)
+        assert isinstance(child, bd_strips.PlacedStrip)
         assert child.strip is placed.strip
         assert [*child.joints["start"].location.position] == pytest.approx(middle_of(placed, 0.0))
         assert [*child.joints["end"].location.position] == pytest.approx(
             middle_of(placed, placed.strip.rod.length)
         )
     first = made.children[0]
-    assert first.volume == pytest.approx(BentStrip(ARCH, "birch-plywood-0.8", max_width=15).volume, rel=1e-4)
+    assert first.volume == pytest.approx(
+        bd_strips.BentStrip(ARCH, "birch-plywood-0.8", max_width=15).volume, rel=1e-4
+    )
     assert first.solid().wrapped.IsPartner(made.children[1].solid().wrapped)
 
 
 @pytest.mark.cadquery
 def test_cadquery_assembly(model):
-    from elastica_cad.cadquery import model_assembly
-
-    made = model_assembly(model)
+    made = cq_strips.model_assembly(model)
     assert made.name == "crown"
     assert [child.name for child in made.children] == [name.replace(" ", "_") for name in NAMES]
     assert [child.metadata["strip"] for child in made.children] == list(model.strips)
@@ -112,13 +111,11 @@ def test_cadquery_assembly(model):
 @pytest.mark.campaign
 @pytest.mark.cadquery
 def test_sheets_of_laminates_in_cadquery(tmp_path):
-    import cadquery as cq
-
-    from elastica_cad.cadquery import model_assembly
-
     style = Laminated(width=24.0, backing=Sheet.named("hdf-1.5"), least_backing=0.2)
     arch = make_strip(ARCH, "birch-plywood-0.8", style=style, label="L", ignore_limits=True)
-    made = model_assembly(Model((Placed(arch, (0, 0, 0), (1, 0, 0), (0, 0, 1)),), name="crown").rotated(2))
+    made = cq_strips.model_assembly(
+        Model((Placed(arch, (0, 0, 0), (1, 0, 0), (0, 0, 1)),), name="crown").rotated(2)
+    )
     assert [child.name for child in made.children] == ["L_1", "L_2"]
     for child in made.children:
         (backing,) = child.children
@@ -188,9 +185,7 @@ class TestWhatHoldsTheStrips:
 
     @pytest.mark.build123d
     def test_build123d(self, crown, holders):
-        from elastica_cad.build123d import model_compound
-
-        made = model_compound(crown, others=holders)
+        made = bd_strips.model_compound(crown, others=holders)
         assert [child.label for child in made.children][3:] == list(self.NAMES)
         assert made.is_valid
         strip, base, block = made.children[0], made.children[3], made.children[4]
@@ -202,9 +197,7 @@ class TestWhatHoldsTheStrips:
     @pytest.mark.campaign
     @pytest.mark.cadquery
     def test_cadquery(self, crown, holders):
-        from elastica_cad.cadquery import model_assembly
-
-        made = model_assembly(crown, others=holders)
+        made = cq_strips.model_assembly(crown, others=holders)
         names = [child.name for child in made.children][3:]
         assert names == ["base", "fixture_arch_1", "fixture_arch_2"]
         before = [child.loc.toTuple()[0] for child in made.children]

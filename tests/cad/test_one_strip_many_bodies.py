@@ -20,6 +20,7 @@ from elastica_cad import (
 )
 from elastica_cad.kernel.strip_body import StripWarning
 from elastica_cad.kernel.strip_on_path import StripOptions
+from tests.cad.libraries import bd, bd_strips, cq, cq_strips
 
 CURVE = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
 SHEET = "birch-plywood-0.8"
@@ -35,30 +36,28 @@ def test_options_are_those_of_the_request():
 class TestBuild123d:
     @pytest.fixture
     def rib(self):
-        from elastica_cad.build123d import BentStrip
-
-        return BentStrip(CURVE, SHEET, **OPTIONS)
+        return bd_strips.BentStrip(CURVE, SHEET, **OPTIONS)
 
     def test_all_bodies_of_one(self, rib):
-        from elastica_cad.build123d import BentStrip, EndFixture, FlatStrip, StripOutline
-
-        assert isinstance(rib.flat, FlatStrip)
-        assert isinstance(rib.outline, StripOutline)
-        assert isinstance(rib.fixture("end"), EndFixture)
-        assert isinstance(rib.flat.bent(), BentStrip)
-        for body in (rib.flat, rib.outline, rib.fixture("start"), rib.flat.bent(), FlatStrip(rib.strip)):
+        assert isinstance(rib.flat, bd_strips.FlatStrip)
+        assert isinstance(rib.outline, bd_strips.StripOutline)
+        assert isinstance(rib.fixture("end"), bd_strips.EndFixture)
+        assert isinstance(rib.flat.bent(), bd_strips.BentStrip)
+        for body in (
+            rib.flat,
+            rib.outline,
+            rib.fixture("start"),
+            rib.flat.bent(),
+            bd_strips.FlatStrip(rib.strip),
+        ):
             assert body.strip is rib.strip
         assert rib.flat.volume == pytest.approx(rib.strip.area * 0.8, rel=1e-4)
 
     def test_equal_requests_share_their_solve(self, rib):
-        from elastica_cad.build123d import BentStrip, FlatStrip
-
-        assert FlatStrip(CURVE, SHEET, **OPTIONS).strip is rib.strip
-        assert BentStrip(CURVE, SHEET, **{**OPTIONS, "max_width": 29}).strip is not rib.strip
+        assert bd_strips.FlatStrip(CURVE, SHEET, **OPTIONS).strip is rib.strip
+        assert bd_strips.BentStrip(CURVE, SHEET, **{**OPTIONS, "max_width": 29}).strip is not rib.strip
 
     def test_in_its_place(self, rib):
-        import build123d as bd
-
         place = bd.Location((5, -7, 11), (20, 30, 40))
         moved = place * rib
         placed = moved.placed
@@ -76,13 +75,9 @@ class TestBuild123d:
         assert (again.center() - moved.center()).length == pytest.approx(1, abs=1e-6)
 
     def test_laminate(self, tmp_path):
-        import build123d as bd
-
-        from elastica_cad.build123d import BentStrip, model_compound
-
         base = Sheet.named(SHEET)
         style = Laminated(width=24.0, backing=Sheet.named("hdf-1.5"), least_backing=0.2)
-        rib = BentStrip(CURVE, base, style=style, label="L", ignore_limits=True)
+        rib = bd_strips.BentStrip(CURVE, base, style=style, label="L", ignore_limits=True)
         assert [layer.label for layer in rib.layers] == ["L", "L backing"]
         assert tuple(rib.layers[0].color) != tuple(rib.layers[1].color)
         assert rib.backing.label == "L backing"
@@ -96,22 +91,18 @@ class TestBuild123d:
             pytest.approx(tuple(part.color), abs=1e-3) for part in parts
         ]
         above = (bd.Pos(0, 0, 90) * rib).placed
-        (child, twin) = model_compound(Model([rib.placed, above])).children
+        (child, twin) = bd_strips.model_compound(Model([rib.placed, above])).children
         assert [part.label for part in child.children] == ["L_1", "L_1 backing"]
         assert [part.label for part in twin.children] == ["L_2", "L_2 backing"]
         assert pytest.approx(90) == (twin.center() - child.center()).Z
         with pytest.raises(InputError, match="no backing"):
-            _ = BentStrip(CURVE, SHEET, **OPTIONS).backing
+            _ = bd_strips.BentStrip(CURVE, SHEET, **OPTIONS).backing
 
     def test_faces_and_bodies_are_no_curves(self):
-        import build123d as bd
-
-        from elastica_cad.build123d import BentStrip
-
         for drawn in (bd.Box(30, 20, 10), bd.Face.make_rect(30, 20), bd.Box(30, 20, 10).faces()):
             with pytest.raises(InputError, match="give one of its edges"):
-                BentStrip(drawn, SHEET, max_width=5)
-        BentStrip(bd.Box(30, 20, 10).edges()[0], SHEET, max_width=5)
+                bd_strips.BentStrip(drawn, SHEET, max_width=5)
+        bd_strips.BentStrip(bd.Box(30, 20, 10).edges()[0], SHEET, max_width=5)
 
     def test_bent_further(self, rib):
         near = rib.bent(end=(140.0, 0.0))
@@ -120,30 +111,22 @@ class TestBuild123d:
         assert near.strip.rod.length == pytest.approx(rib.rod.length)
 
     def test_one_strip_a_chain(self):
-        import build123d as bd
-
-        from elastica_cad.build123d import BentStrip, elastic_strip
-
         with bd.BuildPart() as part:
             with bd.BuildLine():
                 bd.Spline((0, 0), (40, 40), (90, 50), (140, 0))
                 bd.Spline((0, 90), (40, 130), (90, 140), (140, 90))
-            strips = elastic_strip(sheet=SHEET, max_width=20, form="bent")
-        assert [type(strip) for strip in strips] == [BentStrip] * 2
+            strips = bd_strips.elastic_strip(sheet=SHEET, max_width=20, form="bent")
+        assert [type(strip) for strip in strips] == [bd_strips.BentStrip] * 2
         assert len(part.part.solids()) == 2
 
     def test_deviation(self):
-        from elastica_cad.build123d import BentStrip
-
-        moved = BentStrip(CURVE, SHEET, max_width=30, limits=Limits(ratio=1.2))
+        moved = bd_strips.BentStrip(CURVE, SHEET, max_width=30, limits=Limits(ratio=1.2))
         assert moved.deviation > 0.01
-        assert BentStrip(CURVE, SHEET, max_width=30).deviation == 0
+        assert bd_strips.BentStrip(CURVE, SHEET, max_width=30).deviation == 0
 
     def test_too_much_strain_is_warned_of(self):
-        from elastica_cad.build123d import FlatStrip
-
         with pytest.warns(StripWarning, match="thinner sheet") as told:
-            FlatStrip(PlaneCurve.arc((0, 0), 20, 0, 2), SHEET, max_width=10, ignore_limits=True)
+            bd_strips.FlatStrip(PlaneCurve.arc((0, 0), 20, 0, 2), SHEET, max_width=10, ignore_limits=True)
         assert told[0].filename == __file__
 
 
@@ -151,16 +134,18 @@ class TestBuild123d:
 class TestCadQuery:
     @pytest.fixture
     def rib(self):
-        from elastica_cad.cadquery import bent_strip
-
-        return bent_strip(CURVE, SHEET, **OPTIONS)
+        return cq_strips.bent_strip(CURVE, SHEET, **OPTIONS)
 
     def test_all_bodies_of_one(self, rib):
-        from elastica_cad.cadquery import flat_strip, strip_outline
-
-        for body in (rib.flat, rib.outline, rib.fixture("start"), rib.flat.bent(), flat_strip(rib.strip)):
+        for body in (
+            rib.flat,
+            rib.outline,
+            rib.fixture("start"),
+            rib.flat.bent(),
+            cq_strips.flat_strip(rib.strip),
+        ):
             assert body.strip is rib.strip
-        assert strip_outline(CURVE, SHEET, **OPTIONS).strip is rib.strip
+        assert cq_strips.strip_outline(CURVE, SHEET, **OPTIONS).strip is rib.strip
         assert rib.bent(end=(140.0, 0.0)).joints["end"].toTuple()[0][0] == pytest.approx(140, abs=1e-4)
         assert rib.label == "A1"
         assert rib.color.toTuple()[:3] == pytest.approx((0.85, 0.70, 0.48))
@@ -179,8 +164,6 @@ class TestCadQuery:
         ids=["copy", "translate", "rotate", "mirror", "clean", "moved", "all"],
     )
     def test_stays_a_strip(self, rib, change):
-        import cadquery as cq
-
         made = change(rib)
         assert type(made) is type(rib)
         assert made.strip is rib.strip
@@ -192,16 +175,14 @@ class TestCadQuery:
             assert (face.Center() - cq.Vector(*tip.toTuple()[0])).Length < 1e-6
 
     def test_laminate(self):
-        from elastica_cad.cadquery import bent_strip
-
         style = Laminated(width=24.0, backing=Sheet.named("hdf-1.5"), least_backing=0.2)
-        rib = bent_strip(CURVE, SHEET, style=style, label="L", ignore_limits=True)
+        rib = cq_strips.bent_strip(CURVE, SHEET, style=style, label="L", ignore_limits=True)
         assert [layer.label for layer in rib.layers] == ["L", "L backing"]
         base, backing = rib.assembly.children
         assert (rib.assembly.name, base.name, backing.name) == ("L", "L_2", "L_backing")
         assert base.color.toTuple() != backing.color.toTuple()
         with pytest.raises(InputError, match="give one of its edges"):
-            bent_strip(base.obj, SHEET, max_width=5)
+            cq_strips.bent_strip(base.obj, SHEET, max_width=5)
         assert base.obj.Volume() + backing.obj.Volume() == pytest.approx(rib.Volume())
 
     def test_in_its_place(self, rib):
@@ -210,11 +191,7 @@ class TestCadQuery:
         assert frame.z_axis == pytest.approx((0, -1, 0), abs=1e-9)
 
     def test_a_strip_at_each_point_and_for_each_chain(self):
-        import cadquery as cq
-
-        from elastica_cad.cadquery import register
-
-        register()
+        cq_strips.register()
         drawn = cq.Workplane().spline([(0, 0), (40, 40), (90, 50), (140, 0)])
         many = drawn.pushPoints([(0, 0), (0, 60), (0, 120)]).elasticStrip(SHEET, max_width=20, form="flat")
         assert sorted(round(body.Center().y) for body in many.vals()) == [0, 60, 120]

@@ -3,19 +3,19 @@
 import pytest
 
 from elastica_cad import Hole, PlaneCurve, Tab
+from tests.cad.libraries import bd, bd_strips
 
 HOLE = 3.4
 TABS = (Tab(12, holes=(Hole(6, HOLE),)),) * 2
 
 
 def test_a_strip_screwed_to_its_foot():
-    import build123d as bd
     from bd_warehouse.fastener import ClearanceHole, HexNut, SocketHeadCapScrew
 
-    from elastica_cad.build123d import BentStrip
-
     arc = PlaneCurve.arc((60, 0), 50, -0.6, 0.9)
-    rib = BentStrip(arc, "birch-plywood-0.8", plane=bd.Plane.XZ, max_width=12, ends=TABS, label="rib")
+    rib = bd_strips.BentStrip(
+        arc, "birch-plywood-0.8", plane=bd.Plane.XZ, max_width=12, ends=TABS, label="rib"
+    )
     screw = SocketHeadCapScrew("M3-0.5", length=12, fastener_type="iso4762")
     nut = HexNut("M3-0.5", fastener_type="iso4032")
     with bd.BuildPart() as foot:
@@ -36,7 +36,7 @@ def test_a_strip_screwed_to_its_foot():
     lamp = bd.Compound(label="lamp", children=[rib, foot.part, screw, nut])
     assert [child.label for child in lamp.children][:2] == ["rib", "foot"]
     with bd.BuildPart() as opened:
-        BentStrip(rib)
+        bd_strips.BentStrip(rib)
         with bd.Locations(rib.joints["hole2:top"].location):
             ClearanceHole(fastener=screw, fit="Loose", counter_sunk=False)
     assert 0.1 < rib.volume - opened.part.volume < 1.5

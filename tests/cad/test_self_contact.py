@@ -8,6 +8,7 @@ import pytest
 from elastica_cad import Model, Placed, PlaneCurve, Slot, Tab, make_strip
 from elastica_cad.kernel.strip_body import StripWarning
 from elastica_cad.model.collisions import self_contact
+from tests.cad.libraries import bd_strips, cq_strips
 
 SHEET = "card-200gsm"
 LOOP = PlaneCurve.spline([(0, 0), (90, 0), (140, 90), (60, 140), (-20, 90), (30, 0), (120, 0)], degree=4)
@@ -23,13 +24,9 @@ def made(library, curve, tab):
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always", StripWarning)
         if library == "build123d":
-            from elastica_cad.build123d import BentStrip
-
-            body = BentStrip(curve, SHEET, max_width=20, ends=ends)
+            body = bd_strips.BentStrip(curve, SHEET, max_width=20, ends=ends)
         else:
-            from elastica_cad.cadquery import bent_strip
-
-            body = bent_strip(curve, SHEET, max_width=20, ends=ends)
+            body = cq_strips.bent_strip(curve, SHEET, max_width=20, ends=ends)
     assert all(one.filename == __file__ for one in told)
     return body, [str(one.message) for one in told if "through itself" in str(one.message)]
 
@@ -65,7 +62,6 @@ class TestWarnings:
 def test_grazing_tabs(gap):
     """The legs of a U that leans inward: between their tips there are `gap` mm, or they run into each other."""
     from elastica_cad import Sheet
-    from elastica_cad.build123d import BentStrip
 
     thickness, lean, radius = Sheet.named(SHEET).thickness, 0.1, 20.0
     # the inner corner of a tip lies half a thickness off the middle line, square to the leg
@@ -74,20 +70,18 @@ def test_grazing_tabs(gap):
     curve = PlaneCurve.arc((0, 0), radius, -lean, np.pi + lean)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", StripWarning)
-        body = BentStrip(curve, SHEET, max_width=10, ends=(Tab(leg), Tab(leg)))
+        body = bd_strips.BentStrip(curve, SHEET, max_width=10, ends=(Tab(leg), Tab(leg)))
     assert (self_contact(body.strip) is not None) == (gap < 0)
 
 
 @pytest.mark.build123d
 def test_slot_makes_room():
-    from elastica_cad.build123d import BentStrip
-
     with pytest.warns(StripWarning, match="through itself"):
-        crossing = BentStrip(LOOP, SHEET, max_width=20)
+        crossing = bd_strips.BentStrip(LOOP, SHEET, max_width=20)
     at = self_contact(crossing.strip)[0]
     with warnings.catch_warnings():
         warnings.filterwarnings("error", message=".*through itself")
-        BentStrip(LOOP, SHEET, max_width=20, slots=Slot(at, width=1.0))
+        bd_strips.BentStrip(LOOP, SHEET, max_width=20, slots=Slot(at, width=1.0))
 
 
 @pytest.mark.parametrize("library", LIBRARIES)
@@ -97,13 +91,9 @@ class TestModels:
         with warnings.catch_warnings(record=True) as told:
             warnings.simplefilter("always", StripWarning)
             if library == "build123d":
-                from elastica_cad.build123d import model_compound
-
-                model_compound(model)
+                bd_strips.model_compound(model)
             else:
-                from elastica_cad.cadquery import model_assembly
-
-                model_assembly(model)
+                cq_strips.model_assembly(model)
         assert all(one.filename == __file__ for one in told)
         return [str(one.message) for one in told]
 

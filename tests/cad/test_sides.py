@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import Frame, InputError, Slot
+from tests.cad.libraries import bd, bd_strips, cq, cq_strips
 
 POINTS = [(0, 0), (40, 40), (90, 50), (140, 0)]
 OPTIONS = {"max_width": 30, "slots": (Slot(60, 1.5, 5),)}
@@ -12,19 +13,16 @@ SHEET = "birch-plywood-0.8"
 
 @pytest.fixture(scope="module")
 def arch():
-    import build123d as bd
-
     return bd.Edge.make_spline(POINTS)
 
 
 @pytest.fixture(scope="module")
 def home(arch):
     """The strip of the curve as drawn, on xy and upright."""
-    import build123d as bd
 
-    from elastica_cad.build123d import BentStrip
-
-    return {name: BentStrip(getattr(bd.Plane, name) * arch, SHEET, **OPTIONS) for name in ("XY", "XZ")}
+    return {
+        name: bd_strips.BentStrip(getattr(bd.Plane, name) * arch, SHEET, **OPTIONS) for name in ("XY", "XZ")
+    }
 
 
 @pytest.mark.build123d
@@ -32,30 +30,22 @@ class TestBuild123d:
     @staticmethod
     def center(body, back):
         """Centre of gravity in the curve's own coordinates: the slot pulls it to the other edge."""
-        import build123d as bd
 
         return np.array([*(back.inverse() * bd.Pos(*body.center())).position])
 
     @pytest.mark.parametrize("angle", range(0, 360, 72))
     @pytest.mark.parametrize("axis", ["X", "Y", "Z"])
     def test_turned_by_location(self, arch, home, angle, axis):
-        import build123d as bd
-
-        from elastica_cad.build123d import BentStrip
-
         turn = bd.Location((7, -3, 11), tuple(angle * float(axis == a) for a in "XYZ"))
         for name, there in home.items():
-            body = BentStrip(turn * (getattr(bd.Plane, name) * arch), SHEET, **OPTIONS)
+            body = bd_strips.BentStrip(turn * (getattr(bd.Plane, name) * arch), SHEET, **OPTIONS)
             at_home = self.center(there, bd.Location())
             assert self.center(body, turn) == pytest.approx(at_home, abs=1e-5), (name, angle)
 
     @pytest.mark.parametrize("angle", range(0, 360, 72))
     def test_turned_for_good(self, arch, angle):
         """A copy whose geometry was turned, without a location to tell: upright curves keep their side."""
-        import build123d as bd
         from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
-
-        from elastica_cad.build123d import BentStrip
 
         upright = bd.Plane.XZ * arch
         bodies = []
@@ -63,45 +53,34 @@ class TestBuild123d:
             shape = (turn * upright).wrapped
             place = shape.Location().Transformation()
             edge = BRepBuilderAPI_Transform(arch.wrapped, place, True).Shape()
-            bodies.append((turn, BentStrip(bd.Edge(edge), SHEET, **OPTIONS)))
+            bodies.append((turn, bd_strips.BentStrip(bd.Edge(edge), SHEET, **OPTIONS)))
         (_, first), (turn, second) = bodies
         at_home = self.center(first, bd.Location())
         assert self.center(second, turn) == pytest.approx(at_home, abs=1e-5)
 
     def test_both_sides_of_a_plane(self, arch):
-        import build123d as bd
-
-        from elastica_cad.build123d import BentStrip
-
         sides = []
         for plane in (bd.Plane.XZ, -bd.Plane.XZ):
-            body = BentStrip(plane * arch, SHEET, **OPTIONS)
+            body = bd_strips.BentStrip(plane * arch, SHEET, **OPTIONS)
             sides.append((body.center() - plane.origin).dot(plane.z_dir))
         assert sides[0] == pytest.approx(sides[1], abs=1e-6)
         assert sides[0] < -1e-3  # the slot is on the upper edge, where z is
 
     def test_plane_says_otherwise(self, arch, home):
-        import build123d as bd
-
-        from elastica_cad.build123d import BentStrip
-
-        body = BentStrip(arch, SHEET, plane=-bd.Plane.XY, **OPTIONS)
+        body = bd_strips.BentStrip(arch, SHEET, plane=-bd.Plane.XY, **OPTIONS)
         there = home["XY"]
         assert pytest.approx(-there.center().Z, abs=1e-6) == body.center().Z
         with pytest.raises(InputError, match="off the plane"):
-            BentStrip(arch, SHEET, plane=bd.Plane.XY.offset(3), **OPTIONS)
+            bd_strips.BentStrip(arch, SHEET, plane=bd.Plane.XY.offset(3), **OPTIONS)
         with pytest.raises(InputError, match="give a Plane"):
-            BentStrip(arch, SHEET, plane="XY", **OPTIONS)
+            bd_strips.BentStrip(arch, SHEET, plane="XY", **OPTIONS)
 
     def test_polar_array(self, arch):
         """PolarLocations: all of them the same way round."""
-        import build123d as bd
-
-        from elastica_cad.build123d import BentStrip
 
         heights = []
         for place in bd.PolarLocations(100, 8):
-            body = BentStrip(place * (bd.Plane.XZ * arch), SHEET, **OPTIONS)
+            body = bd_strips.BentStrip(place * (bd.Plane.XZ * arch), SHEET, **OPTIONS)
             across = bd.Location(place.position, place.orientation).inverse() * bd.Pos(*body.center())
             heights.append(across.position.Y)
         assert heights == pytest.approx([heights[0]] * 8, abs=1e-5)
@@ -111,25 +90,17 @@ class TestBuild123d:
 class TestCadQuery:
     @pytest.mark.campaign
     def test_turned(self):
-        import cadquery as cq
-
-        from elastica_cad.cadquery import bent_strip
-
         arch = cq.Edge.makeSpline([cq.Vector(*p) for p in POINTS])
         upright = cq.Location((0, 0, 0), (1, 0, 0), 90)
-        there = bent_strip(arch.moved(upright), SHEET, **OPTIONS).Center()
+        there = cq_strips.bent_strip(arch.moved(upright), SHEET, **OPTIONS).Center()
         for angle in range(0, 360, 24):
             turn = cq.Location((0, 0, 0), (0, 0, 1), angle)
-            body = bent_strip(arch.moved(turn * upright), SHEET, **OPTIONS)
+            body = cq_strips.bent_strip(arch.moved(turn * upright), SHEET, **OPTIONS)
             back = (turn.inverse * cq.Location(body.Center())).toTuple()[0]
             assert back == pytest.approx(there.toTuple(), abs=1e-5)
 
     def test_workplane_knows_its_side(self):
-        import cadquery as cq
-
-        from elastica_cad.cadquery import register
-
-        register()
+        cq_strips.register()
         for name in ("XZ", "ZX"):
             work = cq.Workplane(name)
             body = work.spline(POINTS).elasticStrip(SHEET, form="bent", **OPTIONS).val()

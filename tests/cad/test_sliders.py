@@ -11,6 +11,7 @@ from elastica_cad import Frame, InputError, Laminated, Strip, bend, stability
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.end_travel import Travel, skin_meshes
 from elastica_cad.strip import BentSolid
+from tests.cad.libraries import bd, bd_strips, cq, cq_strips
 
 END = (118.0, 9.0)
 
@@ -120,11 +121,7 @@ TILTED = ((5, -7, 11), (20, 30, 40))
 @pytest.mark.build123d
 @pytest.mark.parametrize("turn", [-25.0, 30.0])
 def test_a_hub_turns_with_the_end_in_build123d(arch_strip, turn):
-    import build123d as bd
-
-    from elastica_cad.build123d import BentStrip
-
-    rib = bd.Location(*TILTED) * BentStrip(arch_strip, plane=bd.Plane.XZ)
+    rib = bd.Location(*TILTED) * bd_strips.BentStrip(arch_strip, plane=bd.Plane.XZ)
     slider = rib.slider(angle=np.degrees(arch_strip.rod.angle[-1]) + turn)
     assert slider.angular_range == pytest.approx((0, abs(turn)))
     hub = bd.Box(8, 30, 8)
@@ -142,11 +139,7 @@ def test_a_hub_turns_with_the_end_in_build123d(arch_strip, turn):
 @pytest.mark.cadquery
 @pytest.mark.parametrize("turn", [-25.0, 30.0])
 def test_a_hub_turns_with_the_end_in_cadquery(arch_strip, turn):
-    import cadquery as cq
-
-    from elastica_cad.cadquery import bent_strip
-
-    rib = bent_strip(arch_strip, plane=cq.Plane.XZ()).rotate((0, 0, 0), (1, 1, 0), 50)
+    rib = cq_strips.bent_strip(arch_strip, plane=cq.Plane.XZ()).rotate((0, 0, 0), (1, 1, 0), 50)
     slider = rib.slider(angle=np.degrees(arch_strip.rod.angle[-1]) + turn)
     for angle in (0.0, abs(turn)):
         end, place = slider.bent(angle).joints["end"], slider.place(angle)
@@ -156,11 +149,7 @@ def test_a_hub_turns_with_the_end_in_cadquery(arch_strip, turn):
 
 @pytest.mark.build123d
 def test_a_carriage_rides_in_build123d(arch_strip, tmp_path):
-    import build123d as bd
-
-    from elastica_cad.build123d import BentStrip
-
-    rib = bd.Location((5, -7, 11), (20, 30, 40)) * BentStrip(arch_strip, plane=bd.Plane.XZ)
+    rib = bd.Location((5, -7, 11), (20, 30, 40)) * bd_strips.BentStrip(arch_strip, plane=bd.Plane.XZ)
     slider = rib.slider(END)
     carriage = bd.Box(8, 30, 8)
     bd.RigidJoint("foot", carriage, bd.Location((0, 0, 4)))
@@ -184,11 +173,7 @@ def test_a_carriage_rides_in_build123d(arch_strip, tmp_path):
 
 @pytest.mark.cadquery
 def test_a_carriage_rides_in_cadquery(arch_strip, tmp_path):
-    import cadquery as cq
-
-    from elastica_cad.cadquery import bent_strip
-
-    rib = bent_strip(arch_strip, plane=cq.Plane.XZ()).rotate((0, 0, 0), (1, 1, 0), 50)
+    rib = cq_strips.bent_strip(arch_strip, plane=cq.Plane.XZ()).rotate((0, 0, 0), (1, 1, 0), 50)
     slider = rib.slider(END)
     carriage = cq.Workplane().box(8, 30, 8)
     carriage.faces(">Z").tag("top")

@@ -18,6 +18,7 @@ from elastica_cad import (
 from elastica_cad.kernel import occt
 from elastica_cad.kernel import step_files as step
 from elastica_cad.strip import BentSolid, FlatSolid
+from tests.cad.libraries import bd, bd_strips, cq, cq_strips
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
 ENDS = (Tab(14, holes=(Hole(7, 3),)), Tab(14, holes=(Hole(7, 3),)))
@@ -86,28 +87,24 @@ def test_step_names_both_sheets(laminate, tmp_path):
 class TestBuild123d:
     @pytest.mark.campaign
     def test_laminate(self, laminate):
-        from elastica_cad.build123d import BentStrip, FlatStrip, model_compound
-
         options = {
             "style": Laminated(width=24.0, backing=PLY),
             "ends": ENDS,
             "label": "L",
             "ignore_limits": True,
         }
-        for made in (BentStrip(ARCH, PLY, **options), FlatStrip(ARCH, PLY, **options)):
+        for made in (bd_strips.BentStrip(ARCH, PLY, **options), bd_strips.FlatStrip(ARCH, PLY, **options)):
             assert len(made.solids()) == 2
             assert made.is_valid
             assert {"start", "end", "hole1", "hole2"} <= set(made.joints)
-        whole = model_compound(Model((Placed(laminate),)))
+        whole = bd_strips.model_compound(Model((Placed(laminate),)))
         assert len(whole.children[0].solids()) == 2
 
     def test_fixture_holds_the_tab(self):
-        from elastica_cad.build123d import BentStrip, EndFixture
-
         options = {"max_width": 30, "ends": ENDS, "label": "A"}
-        strip = BentStrip(ARCH, PLY, **options)
+        strip = bd_strips.BentStrip(ARCH, PLY, **options)
         for end in ("start", "end"):
-            block = EndFixture(ARCH, PLY, end=end, **options)
+            block = bd_strips.EndFixture(ARCH, PLY, end=end, **options)
             assert block.is_valid
             assert block.distance_to(strip) < 1e-3  # the pocket leans against the load: its walls touch there
             joint, mate = block.joints["tab"].location, strip.joints[end].location
@@ -116,32 +113,26 @@ class TestBuild123d:
             assert block.label.startswith("fixture A:")
 
     def test_fixture_needs_a_tab(self):
-        from elastica_cad.build123d import EndFixture
-
         with pytest.raises(InputError, match="no tab"):
-            EndFixture(ARCH, PLY, max_width=30, ends=(Tab(0), Tab(10)))
+            bd_strips.EndFixture(ARCH, PLY, max_width=30, ends=(Tab(0), Tab(10)))
 
 
 @pytest.mark.cadquery
 class TestCadQuery:
     @pytest.mark.campaign
     def test_laminate(self, laminate):
-        from elastica_cad.cadquery import StripCompound, bent_strip, model_assembly
-
-        made = bent_strip(
+        made = cq_strips.bent_strip(
             ARCH, PLY, style=Laminated(width=24.0, backing=PLY), ends=ENDS, label="L", ignore_limits=True
         )
-        assert isinstance(made, StripCompound)
+        assert isinstance(made, cq_strips.StripCompound)
         assert len(made.Solids()) == 2
         assert made.end_face("end").geomType() == "PLANE"
-        assert len(model_assembly(Model((Placed(laminate),))).children) == 1
+        assert len(cq_strips.model_assembly(Model((Placed(laminate),))).children) == 1
 
     def test_fixture_holds_the_tab(self):
-        from elastica_cad.cadquery import bent_strip, end_fixture
-
         options = {"max_width": 30, "ends": ENDS, "label": "A"}
-        strip = bent_strip(ARCH, PLY, **options)
-        block = end_fixture(ARCH, PLY, end="end", **options)
+        strip = cq_strips.bent_strip(ARCH, PLY, **options)
+        block = cq_strips.end_fixture(ARCH, PLY, end="end", **options)
         assert block.isValid()
         assert block.distance(strip) < 1e-3  # the pocket leans against the load: its walls touch there
         assert block.joints["tab"].toTuple()[0] == pytest.approx(strip.joints["end"].toTuple()[0], abs=1e-9)
@@ -166,11 +157,7 @@ def volumes_beside(strip, measure, cutter):
 @pytest.mark.campaign
 @pytest.mark.cadquery
 def test_booleans_of_bent_laminates_in_cadquery(wide_laminate, measure):
-    import cadquery as cq
-
-    from elastica_cad.cadquery import bent_strip
-
-    body = bent_strip(wide_laminate)
+    body = cq_strips.bent_strip(wide_laminate)
     box = body.BoundingBox()
     corner = cq.Vector((box.xmin + box.xmax) / 2, (box.ymin + box.ymax) / 2 - 200, -200)
     half = cq.Solid.makeBox(400, 400, 400, corner)
@@ -184,11 +171,7 @@ def test_booleans_of_bent_laminates_in_cadquery(wide_laminate, measure):
 
 @pytest.mark.build123d
 def test_booleans_of_bent_laminates_in_build123d(wide_laminate, measure):
-    import build123d as bd
-
-    from elastica_cad.build123d import BentStrip
-
-    body = BentStrip(wide_laminate)
+    body = bd_strips.BentStrip(wide_laminate)
     middle = body.bounding_box().center()
     half = bd.Pos(middle.X + 200, middle.Y, 0) * bd.Box(400, 400, 400)
     found = body - half, body & half, body.fuse(half)

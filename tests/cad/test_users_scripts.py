@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import Hole, InputError, PlaneCurve, StripSpec, Tab
+from tests.cad.libraries import bd, bd_strips, cq, cq_strips
 
 CURVE = PlaneCurve.arc((60, 0), 50, -0.6, 0.9)
 END = 60 + 50 * math.cos(0.9), 50 * math.sin(0.9)
@@ -33,21 +34,13 @@ def stl_volume(path):
 class TestBuild123d:
     @pytest.fixture
     def rib(self):
-        import build123d as bd
-
-        from elastica_cad.build123d import BentStrip
-
-        return BentStrip(CURVE, SHEET, plane=bd.Plane.XZ, **OPTIONS)
+        return bd_strips.BentStrip(CURVE, SHEET, plane=bd.Plane.XZ, **OPTIONS)
 
     def test_polar_locations(self, rib):
-        import build123d as bd
-
-        from elastica_cad.build123d import BentStrip
-
         around = bd.PolarLocations(0, 5) * rib
         assert all(body.strip is rib.strip for body in around)
         with bd.BuildPart() as part, bd.PolarLocations(0, 5):
-            BentStrip(rib, mode=bd.Mode.ADD)
+            bd_strips.BentStrip(rib, mode=bd.Mode.ADD)
         assert len(part.part.solids()) == 5
         assert part.part.volume == pytest.approx(5 * rib.volume, rel=1e-6)
         for k, body in enumerate(around):
@@ -58,8 +51,6 @@ class TestBuild123d:
             )
 
     def test_exporters(self, rib, tmp_path):
-        import build123d as bd
-
         bd.export_stl(rib, tmp_path / "rib.stl", tolerance=1e-3)
         assert stl_volume(tmp_path / "rib.stl") == pytest.approx(rib.volume, rel=2e-3)
         bd.export_step(rib, tmp_path / "rib.step")
@@ -83,8 +74,6 @@ class TestBuild123d:
             assert list(read.joints) == list(body.joints)
 
     def test_scaled_it_is_no_strip(self, rib):
-        import build123d as bd
-
         for body in (rib, rib.flat, rib.outline):
             larger = body.scale(2)
             assert larger.area == pytest.approx(4 * body.area, rel=1e-6)
@@ -96,7 +85,6 @@ class TestBuild123d:
     @pytest.mark.campaign
     def test_made_anew_elsewhere_its_other_bodies_follow(self, rib):
         """`transformed` and `transform=True` make a shape anew instead of placing it."""
-        import build123d as bd
 
         there = bd.Location((10, 20, 30), (0, 0, 30))
         for moved in (
@@ -114,19 +102,12 @@ class TestBuild123d:
 class TestCadQuery:
     @pytest.fixture
     def rib(self):
-        import cadquery as cq
-
-        from elastica_cad.cadquery import bent_strip
-
-        return bent_strip(CURVE, SHEET, plane=cq.Plane.XZ(), **OPTIONS)
+        return cq_strips.bent_strip(CURVE, SHEET, plane=cq.Plane.XZ(), **OPTIONS)
 
     def test_as_plugins_are_tested(self):
         """`cadquery-plugins` asks that an object comes at every point of the stack, and combines if told."""
-        import cadquery as cq
 
-        from elastica_cad.cadquery import register
-
-        register()
+        cq_strips.register()
         drawn = cq.Workplane("XZ").spline([(0, 0), (60, 50), (120, 0)])
         result = (
             drawn.rect(400, 200, forConstruction=True)
@@ -145,7 +126,6 @@ class TestCadQuery:
 
     def test_assembly_that_is_solved(self, rib):
         """A foot finds its place on the strip's end face."""
-        import cadquery as cq
 
         work = cq.Workplane(obj=rib)
         work.newObject([rib.end_face("start")]).tag("start")
@@ -160,8 +140,6 @@ class TestCadQuery:
         assert (cq.Vector(*there.toTuple()[0]) - rib.end_face("start").Center()).Length < 1e-3
 
     def test_exporters(self, rib, tmp_path):
-        import cadquery as cq
-
         cq.exporters.export(cq.Workplane(obj=rib), str(tmp_path / "rib.stl"), tolerance=1e-3)
         assert stl_volume(tmp_path / "rib.stl") == pytest.approx(rib.Volume(), rel=2e-3)
         cq.exporters.export(cq.Workplane(obj=rib), str(tmp_path / "rib.step"))
@@ -194,7 +172,6 @@ class TestCadQuery:
 
     def test_rounded_it_is_no_strip(self, rib):
         """CadQuery gives it the same class: it is copied, pickled and mirrored like any solid."""
-        import cadquery as cq
 
         flat = rib.flat
         corner = cq.Workplane(obj=flat).edges("|Z and <X").vals()[:1]
@@ -218,42 +195,39 @@ class TestCadQuery:
             _ = rib.widht
 
     def test_slips_are_told_in_a_sentence(self, rib):
-        import cadquery as cq
-
-        from elastica_cad.cadquery import bent_strip, elastica, model_assembly, section_strips
-
         ball = cq.Workplane().sphere(60)
         slips = {
-            "max_width is '12'": lambda: bent_strip(CURVE, SHEET, max_width="12"),
-            "compensate is 'no': it must be True or False": lambda: bent_strip(
+            "max_width is '12'": lambda: cq_strips.bent_strip(CURVE, SHEET, max_width="12"),
+            "compensate is 'no': it must be True or False": lambda: cq_strips.bent_strip(
                 CURVE, SHEET, max_width=12, compensate="no"
             ),
             "walls is no option of a fixture: did you mean wall": lambda: rib.fixture(walls=3),
             "not 'middle'": lambda: rib.end_face("middle"),
             "give a point in space, or two numbers": lambda: rib.bent(end="x"),
-            "face, shell or solid, not int": lambda: section_strips(5, cq.Plane.XZ(), SHEET, max_width=9),
-            "plane is 'XZ'": lambda: section_strips(ball, "XZ", SHEET, max_width=9),
-            "angles must be two": lambda: elastica((0, 0), (10, 0), 50, angles=30),
-            r"a StripSpec is no curve: give the strip that its \.make\(\)": lambda: bent_strip(
+            "face, shell or solid, not int": lambda: cq_strips.section_strips(
+                5, cq.Plane.XZ(), SHEET, max_width=9
+            ),
+            "plane is 'XZ'": lambda: cq_strips.section_strips(ball, "XZ", SHEET, max_width=9),
+            "angles must be two": lambda: cq_strips.elastica((0, 0), (10, 0), 50, angles=30),
+            r"a StripSpec is no curve: give the strip that its \.make\(\)": lambda: cq_strips.bent_strip(
                 StripSpec(CURVE, SHEET, max_width=12)
             ),
-            r"a Rod is no curve: give ec\.Strip": lambda: bent_strip(rib.rod, SHEET, max_width=12),
-            r"a Placed is no curve: give its \.strip": lambda: bent_strip(rib.placed),
-            "a list is no model": lambda: model_assembly([rib.placed]),
-            "buckling is 0: it must be": lambda: elastica((0, 0), (10, 0), 50, buckling=0),
+            r"a Rod is no curve: give ec\.Strip": lambda: cq_strips.bent_strip(rib.rod, SHEET, max_width=12),
+            r"a Placed is no curve: give its \.strip": lambda: cq_strips.bent_strip(rib.placed),
+            "a list is no model": lambda: cq_strips.model_assembly([rib.placed]),
+            "buckling is 0: it must be": lambda: cq_strips.elastica((0, 0), (10, 0), 50, buckling=0),
         }
         for says, slip in slips.items():
             with pytest.raises(InputError, match=says):
                 slip()
-        on_vectors = elastica(cq.Vector(0, 0), cq.Vector(10, 0), 50)
+        on_vectors = cq_strips.elastica(cq.Vector(0, 0), cq.Vector(10, 0), 50)
         assert on_vectors.Length() == pytest.approx(50, rel=1e-6)
 
     @pytest.mark.campaign
     def test_a_label_of_any_letters_is_engraved(self):
         """A fixture's own number is in letters that the alphabet has."""
-        from elastica_cad.cadquery import bent_strip
 
-        rib = bent_strip(CURVE, SHEET, max_width=12, label="Träger ß")
+        rib = cq_strips.bent_strip(CURVE, SHEET, max_width=12, label="Träger ß")
         block = rib.fixture("end")
         assert block.isValid()
         assert block.Volume() < rib.fixture("end", engrave="").Volume()
@@ -280,35 +254,23 @@ class TestWhatAScriptExpects:
     POINTS = ((0, 0), (60, 50), (120, 0))
 
     def test_a_strip_is_bent_and_has_a_flat_one(self):
-        import build123d as bd
-
-        from elastica_cad.build123d import elastic_strip
-
         with bd.BuildPart() as part:
             with bd.BuildLine(bd.Plane.XZ) as drawn:
                 bd.Spline(*self.POINTS)
-            rib = elastic_strip(sheet=SHEET, max_width=12)
+            rib = bd_strips.elastic_strip(sheet=SHEET, max_width=12)
         assert part.part.bounding_box().size.Z > 20
         assert pytest.approx(rib.strip.sheet.thickness) == rib.flat.bounding_box().size.Z
         assert rib.bent().volume == pytest.approx(rib.volume)
-        again = elastic_strip(drawn, sheet=SHEET, max_width=12)  # a builder stands for its line
+        again = bd_strips.elastic_strip(drawn, sheet=SHEET, max_width=12)  # a builder stands for its line
         assert again.volume == pytest.approx(rib.volume)
 
     def test_a_curve_drawn_in_metres_is_refused(self):
-        import cadquery as cq
-
-        from elastica_cad.cadquery import bent_strip
-
         edge = cq.Edge.makeSpline([cq.Vector(x / 1000, y / 1000) for x, y in self.POINTS])
         with pytest.raises(InputError, match="draw it in millimetres"):
-            bent_strip(edge, SHEET, max_width=12)
+            cq_strips.bent_strip(edge, SHEET, max_width=12)
 
     def test_a_fixture_of_cadquery_has_its_own_name_and_colour(self):
-        import cadquery as cq
-
-        from elastica_cad.cadquery import bent_strip
-
-        rib = bent_strip(
+        rib = cq_strips.bent_strip(
             cq.Edge.makeSpline([cq.Vector(*point) for point in self.POINTS]), SHEET, max_width=12
         )
         block = rib.fixture("end")

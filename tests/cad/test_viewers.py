@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import Hole, Laminated, Model, Placed, PlaneCurve, Sheet, Tab, make_strip
+from tests.cad.libraries import bd_strips, cq, cq_strips
 
 ARCH = PlaneCurve.spline([(20, 0), (40, 60), (70, 80), (120, 60), (150, 0)])
 PLY = Sheet.named("birch-plywood-0.8")
@@ -26,14 +27,12 @@ def enclosed(vertices, triangles):
 @pytest.mark.build123d
 class TestBuild123d:
     def shown(self, model):
-        from elastica_cad.build123d import BentStrip, EndFixture, FlatStrip, model_compound
-
         return [
-            BentStrip(ARCH, PLY, **OPTIONS),
-            FlatStrip(ARCH, PLY, **OPTIONS),
-            BentStrip(ARCH, PLY, **LAMINATE),
-            EndFixture(ARCH, PLY, **OPTIONS),
-            model_compound(model, others=model.fixtures()[:1]),
+            bd_strips.BentStrip(ARCH, PLY, **OPTIONS),
+            bd_strips.FlatStrip(ARCH, PLY, **OPTIONS),
+            bd_strips.BentStrip(ARCH, PLY, **LAMINATE),
+            bd_strips.EndFixture(ARCH, PLY, **OPTIONS),
+            bd_strips.model_compound(model, others=model.fixtures()[:1]),
         ]
 
     def test_meshes_are_closed_and_fine(self, model):
@@ -66,13 +65,11 @@ class TestBuild123d:
 @pytest.mark.cadquery
 class TestCadQuery:
     def shown(self):
-        from elastica_cad.cadquery import bent_strip, end_fixture, flat_strip
-
         return [
-            bent_strip(ARCH, PLY, **OPTIONS),
-            flat_strip(ARCH, PLY, **OPTIONS),
-            bent_strip(ARCH, PLY, **LAMINATE),
-            end_fixture(ARCH, PLY, **OPTIONS),
+            cq_strips.bent_strip(ARCH, PLY, **OPTIONS),
+            cq_strips.flat_strip(ARCH, PLY, **OPTIONS),
+            cq_strips.bent_strip(ARCH, PLY, **LAMINATE),
+            cq_strips.end_fixture(ARCH, PLY, **OPTIONS),
         ]
 
     @pytest.mark.campaign
@@ -86,44 +83,35 @@ class TestCadQuery:
 
     @pytest.mark.campaign
     def test_what_web_pages_are_made_of(self, model):
-        import cadquery as cq
         from cadquery.occ_impl.assembly import toJSON
 
-        from elastica_cad.cadquery import model_assembly, strip_outline
-
-        for shape in (*self.shown(), strip_outline(ARCH, PLY, **OPTIONS)):
+        for shape in (*self.shown(), cq_strips.strip_outline(ARCH, PLY, **OPTIONS)):
             parts = toJSON(cq.Assembly(shape))
             assert parts
             assert all("<VTKFile" in part["shape"] for part in parts)
-        parts = toJSON(model_assembly(model))
+        parts = toJSON(cq_strips.model_assembly(model))
         assert sum(np.allclose(part["color"], (0.85, 0.70, 0.48, 1), atol=0.01) for part in parts) == 3
 
     @pytest.mark.campaign
     @pytest.mark.build123d  # which brings IPython
     def test_jupyter(self, model):
-        from elastica_cad.cadquery import model_assembly
-
-        for shown in (self.shown()[0], model_assembly(model)):
+        for shown in (self.shown()[0], cq_strips.model_assembly(model)):
             assert "render" in shown._repr_javascript_()
 
     @pytest.mark.campaign
     def test_cq_editor(self, model):
         """`show_object` puts shapes into one compound, and turns an assembly into a document of OpenCASCADE."""
-        import cadquery as cq
         from cadquery.occ_impl.assembly import toCAF
-
-        from elastica_cad.cadquery import model_assembly
 
         shapes = self.shown()
         together = cq.Compound.makeCompound(shapes)
         assert together.Volume() == pytest.approx(sum(shape.Volume() for shape in shapes), rel=1e-3)
-        label, _ = toCAF(model_assembly(model, others=model.fixtures()[:1]))
+        label, _ = toCAF(cq_strips.model_assembly(model, others=model.fixtures()[:1]))
         assert label.NbChildren() == 4
 
     def test_joints_are_no_dict(self):
         """ocp_vscode takes a dict called joints for build123d's, whose values have symbols to draw."""
-        from elastica_cad.cadquery import bent_strip
 
-        shape = bent_strip(ARCH, PLY, **OPTIONS)
+        shape = cq_strips.bent_strip(ARCH, PLY, **OPTIONS)
         assert set(shape.joints) == {"start", "end", "hole1", "hole1:top", "hole1:bottom"}
         assert not isinstance(shape.joints, dict)

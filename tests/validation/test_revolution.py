@@ -8,6 +8,7 @@ import pytest
 import elastica_cad as ec
 from elastica_cad import InputError, NotConvergedError, meridian, meridian_through
 from elastica_cad.forming import meridians as meridian_module
+from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
 
@@ -281,15 +282,25 @@ def test_a_quarter_ellipse_is_approached_up_to_its_pole():
     assert ringed.deviation == pytest.approx(found.deviation, rel=1e-6)
 
 
-def test_points_that_end_hardly_beside_the_axis_are_told_to_end_on_it():
-    with pytest.raises(NotConvergedError, match=r"end them on it \(x = 0\), or on a ring"):
-        meridian_through([(80, 0), (100, 60), (60, 120), (0.001, 140)])
-
-
-def test_winding_between_points_is_no_meridian():
-    """Nodes alone could be satisfied here, by a curve that misses the equation between them."""
-    with pytest.raises(NotConvergedError, match="no meridian was found near these points"):
-        meridian_through([(60, 0), (600, 10), (60, 20), (600, 30), (60, 40)])
+test_refusals = refusal_test(
+    [
+        (
+            lambda: meridian_through([(80, 0), (100, 60), (60, 120), (0.001, 140)]),
+            r"end them on it \(x = 0\), or on a ring",
+        ),
+        # Nodes alone could be satisfied here, by a curve that misses the equation between them.
+        (
+            lambda: meridian_through([(60, 0), (600, 10), (60, 20), (600, 30), (60, 40)]),
+            "no meridian was found near these points",
+        ),
+        # Back and forth within a hair's breadth.
+        (
+            lambda: meridian_through([(50, 0), (60, 50), (50, 1e-6), (60, 51)]),
+            "strips that tile a surface of revolution cannot follow them",
+        ),
+    ],
+    kind=NotConvergedError,
+)
 
 
 def test_more_nodes_are_not_tried_where_fewer_did_not_help(monkeypatch):
@@ -355,11 +366,3 @@ def test_a_strongly_bent_meridian_gets_nodes_enough():
 def test_bad_input(call, words):
     with pytest.raises(InputError, match=words):
         call()
-
-
-def test_points_beside_every_meridian_are_refused_at_once():
-    """Back and forth within a hair's breadth."""
-    with pytest.raises(
-        NotConvergedError, match="strips that tile a surface of revolution cannot follow them"
-    ):
-        meridian_through([(50, 0), (60, 50), (50, 1e-6), (60, 51)])

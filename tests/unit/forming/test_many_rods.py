@@ -11,7 +11,6 @@ import pytest
 
 from elastica_cad import (
     Gravity,
-    InputError,
     Keep,
     Limits,
     NearestRod,
@@ -21,6 +20,7 @@ from elastica_cad import (
     nearest_rods,
 )
 from elastica_cad.forming import many_rods, stream_nearest_rods
+from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
 
@@ -107,19 +107,19 @@ def test_executors_that_die_leave_what_they_did():
     assert all(near.status is Status.FAILED for near in nearest_rods(ARCHES, executor=executor))
 
 
-def test_bad_lists_are_said():
-    with pytest.raises(InputError, match="no curves"):
-        nearest_rods([])
-    with pytest.raises(InputError, match="limits: 2 given for 3"):
-        nearest_rods(ARCHES, [Limits(), Limits()])
-    with pytest.raises(InputError, match="list of curves"):
-        nearest_rods(ARCHES[0])
-    with pytest.raises(InputError, match="executor"):
-        nearest_rods(ARCHES, executor=2)
-    with pytest.raises(InputError, match="no option 'measur'"):
-        nearest_rods(ARCHES, measur="max")
-    with pytest.raises(InputError, match="progress"):
-        nearest_rods(ARCHES, progress=3)
+test_refusals = refusal_test(
+    [
+        (lambda: nearest_rods([]), "no curves"),
+        (lambda: nearest_rods(ARCHES, [Limits(), Limits()]), "limits: 2 given for 3"),
+        (lambda: nearest_rods(ARCHES[0]), "list of curves"),
+        (lambda: nearest_rods(ARCHES, executor=2), "executor"),
+        (lambda: nearest_rods(ARCHES, measur="max"), "no option 'measur'"),
+        (lambda: nearest_rods(ARCHES, progress=3), "progress"),
+        (lambda: stream_nearest_rods(ARCHES[0]), "curves to be read, not a PlaneCurve"),
+        (lambda: stream_nearest_rods(ARCHES, ahead=0), "ahead"),
+        (lambda: stream_nearest_rods(ARCHES, measur="max"), "stream_nearest_rods knows no option 'measur'"),
+    ]
+)
 
 
 def test_a_stream_reads_its_curves_as_they_are_needed():
@@ -168,15 +168,6 @@ def test_a_stream_keeps_nothing_of_what_it_gave():
 def test_a_stream_whose_worker_dies_goes_on():
     found = dict(stream_nearest_rods(ARCHES, Limits(ratio=1.3), executor=Dying()))
     assert [found[i].status for i in range(3)] == [Status.MET, Status.FAILED, Status.FAILED]
-
-
-def test_bad_streams_are_said():
-    with pytest.raises(InputError, match="curves to be read, not a PlaneCurve"):
-        stream_nearest_rods(ARCHES[0])
-    with pytest.raises(InputError, match="ahead"):
-        stream_nearest_rods(ARCHES, ahead=0)
-    with pytest.raises(InputError, match="stream_nearest_rods knows no option 'measur'"):
-        stream_nearest_rods(ARCHES, measur="max")
 
 
 def test_a_list_keeps_any_number_of_workers_busy(monkeypatch):

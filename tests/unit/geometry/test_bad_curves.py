@@ -3,6 +3,7 @@ import pytest
 
 from elastica_cad import InputError, PlaneCurve
 from elastica_cad.geometry import line_crossings
+from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
 
@@ -58,9 +59,17 @@ def test_a_cusp_is_refused_with_its_place():
         PlaneCurve(KNOTS, points, 3)
 
 
-def test_a_reversal_on_a_line_is_refused():
-    with pytest.raises(InputError, match="no tangent"):
-        PlaneCurve([0, 0, 0, 1, 1, 1], [(0, 0), (10, 0), (5, 0)], 2)
+test_refusals = refusal_test(
+    [
+        (lambda: PlaneCurve([0, 0, 0, 1, 1, 1], [(0, 0), (10, 0), (5, 0)], 2), "no tangent"),
+        (
+            lambda: PlaneCurve.spline(
+                [(0, 0), (10, 10), (20, 0), (20, 0), (20, 0), (20, 0), (30, 10), (40, 0)], degree=3
+            ),
+            "control points 2 and 3 coincide",
+        ),
+    ]
+)
 
 
 def test_a_near_cusp_is_a_curve():
@@ -71,11 +80,6 @@ def test_a_near_cusp_is_a_curve():
 def test_coincident_control_points_without_standstill_are_allowed():
     curve = PlaneCurve.spline([(0, 0), (10, 10), (20, 0), (20, 0), (30, 10), (40, 0)], degree=3)
     assert curve.length > 40
-
-
-def test_standing_still_at_repeated_control_points_inside():
-    with pytest.raises(InputError, match="control points 2 and 3 coincide"):
-        PlaneCurve.spline([(0, 0), (10, 10), (20, 0), (20, 0), (20, 0), (20, 0), (30, 10), (40, 0)], degree=3)
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,7 @@ from elastica_cad.mechanics.sheets import (
     library_sheets,
     sheet_keys,
 )
+from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
 
@@ -121,11 +122,15 @@ def test_range_of_a_certain_number_is_the_number_twice():
         Sheet("ply", **PLY).range_of("colour")
 
 
-def test_unknown_name_offers_near_ones():
-    with pytest.raises(InputError, match=r"unknown sheet 'birch-ply-0.8': did you mean birch-plywood-0\.8"):
-        Sheet.named("birch-ply-0.8")
-    with pytest.raises(InputError, match="known sheets: card-200gsm"):
-        Sheet.named("zzzz")
+test_unknown_name_offers_near_ones = refusal_test(
+    [
+        (
+            lambda: Sheet.named("birch-ply-0.8"),
+            r"unknown sheet 'birch-ply-0.8': did you mean birch-plywood-0\.8",
+        ),
+        (lambda: Sheet.named("zzzz"), "known sheets: card-200gsm"),
+    ]
+)
 
 
 @pytest.mark.parametrize(("change", "words"), [

@@ -26,6 +26,7 @@ from elastica_cad.mechanics import LeavesLaw, RoundLaw, ThicknessLaw, WidthLaw
 from elastica_cad.model import EndFixture, LeafStack
 from elastica_cad.strip import BentSolid, FlatSolid
 from elastica_cad.strip.solids import bent_sheets
+from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
 
@@ -96,9 +97,17 @@ def test_what_a_law_leaves_no_room_for_is_refused(asked):
         StripSpec(ARCH, GLASS, law=THICKNESS, **asked)
 
 
-def test_the_law_is_of_the_sheet():
-    with pytest.raises(InputError, match="the law is of glass, the strip of card-200gsm"):
-        StripSpec(ARCH, CARD, law=THICKNESS)
+test_refusals = refusal_test(
+    [
+        (lambda: StripSpec(ARCH, CARD, law=THICKNESS), "the law is of glass, the strip of card-200gsm"),
+        (lambda: make_strip(ARCH, LEAF, law=LEAVES), r"ask for the nearest curve \(limits\)"),
+        (lambda: LeafStack(make_strip(ARCH, GLASS, law=THICKNESS)), "the strip is not of leaves"),
+        (
+            lambda: EndFixture.of(make_strip(ARCH, LEAF, law=LEAVES, keep=Keep()), "start"),
+            "hold its ends in clamps",
+        ),
+    ]
+)
 
 
 def test_a_mass_hangs_on_a_tapered_strip():
@@ -163,15 +172,6 @@ def test_a_heavy_strip_of_leaves_carries_them():
     )
     pull = strip.reactions()
     assert pull.start_force[1] + pull.end_force[1] == pytest.approx(strip.mass * 9.80665e-3, rel=1e-5)
-
-
-def test_leaves_only_come_near():
-    with pytest.raises(InputError, match=r"ask for the nearest curve \(limits\)"):
-        make_strip(ARCH, LEAF, law=LEAVES)
-    with pytest.raises(InputError, match="the strip is not of leaves"):
-        LeafStack(make_strip(ARCH, GLASS, law=THICKNESS))
-    with pytest.raises(InputError, match="hold its ends in clamps"):
-        EndFixture.of(make_strip(ARCH, LEAF, law=LEAVES, keep=Keep()), "start")
 
 
 @pytest.mark.parametrize("law", [THICKNESS, ROD, TUBE], ids=["thickness", "rod", "tube"])

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import Frame, InputError, Placed, PlaneCurve, Rod, Sheet, Strip, touching_widths
+from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
 
@@ -64,15 +65,20 @@ def test_placed_strips():
     np.testing.assert_allclose([w([0.0, 80.0]) for w in widths], 12.0, atol=1e-9)
 
 
-def test_refused():
-    with pytest.raises(InputError, match="two of them or more"):
-        touching_widths([(MERIDIAN, Frame())])
-    with pytest.raises(InputError, match="strip 1 and strip 2 lie in the same plane"):
-        touching_widths([(MERIDIAN, Frame()), (MERIDIAN, Frame((5, 0, 0)))])
-    with pytest.raises(InputError, match=r"strip 1: nothing is left of its width at 0 mm"):
-        touching_widths([(MERIDIAN, radial(0)), (MERIDIAN, radial(0.2))], 3.0)
-    with pytest.raises(InputError, match="gap"):
-        touching_widths([(MERIDIAN, radial(0)), (MERIDIAN, radial(0.2))], np.nan)
+test_refused = refusal_test(
+    [
+        (lambda: touching_widths([(MERIDIAN, Frame())]), "two of them or more"),
+        (
+            lambda: touching_widths([(MERIDIAN, Frame()), (MERIDIAN, Frame((5, 0, 0)))]),
+            "strip 1 and strip 2 lie in the same plane",
+        ),
+        (
+            lambda: touching_widths([(MERIDIAN, radial(0)), (MERIDIAN, radial(0.2))], 3.0),
+            r"strip 1: nothing is left of its width at 0 mm",
+        ),
+        (lambda: touching_widths([(MERIDIAN, radial(0)), (MERIDIAN, radial(0.2))], np.nan), "gap"),
+    ]
+)
 
 
 def test_flower_pot(reference_data):

@@ -13,6 +13,7 @@ from elastica_cad.strip import (
     compensate_kerf,
     text_strokes,
 )
+from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
 
@@ -142,10 +143,10 @@ def test_slots_of_a_part_are_checked_too():
         compensate_kerf(Drawing("comb", [LayeredPath(CUT_OUTER, comb)]), 0.15)
 
 
-def test_unknown_layers_and_empty_drawings_are_refused():
-    with pytest.raises(InputError, match="no layer 'cut'"):
-        LayeredPath("cut", Path.rectangle(1, 1))
-    with pytest.raises(InputError, match="no layer 'X'"):
-        Drawing("x", (), [Text((0, 0), "a", 1.0, layer="X")])
-    with pytest.raises(InputError, match="'nothing' is empty"):
-        _ = Drawing("nothing").bounds
+test_unknown_layers_and_empty_drawings_are_refused = refusal_test(
+    [
+        (lambda: LayeredPath("cut", Path.rectangle(1, 1)), "no layer 'cut'"),
+        (lambda: Drawing("x", (), [Text((0, 0), "a", 1.0, layer="X")]), "no layer 'X'"),
+        (lambda: Drawing("nothing").bounds, "'nothing' is empty"),
+    ]
+)

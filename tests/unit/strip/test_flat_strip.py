@@ -7,6 +7,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad import Hole, InputError
+from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
 CARD = ec.Sheet.named("card-200gsm")
@@ -110,9 +111,12 @@ def test_the_max_width_that_is_told_will_do(least):
     assert ec.Strip(rod, CARD, max_width=told, min_width=least).width.extremes[0] < 1.001 * least
 
 
-def test_hole_that_leaves_its_tab_is_refused():
-    with pytest.raises(InputError, match="does not fit"):
-        ec.Tab(5, holes=(Hole(1.0, 3.0),))
+test_refusals = refusal_test(
+    [
+        (lambda: ec.Tab(5, holes=(Hole(1.0, 3.0),)), "does not fit"),
+        (lambda: ec.Strip(ec.Rod.straight(100.0), CARD, max_width=20.0, engrave="漢"), "no '漢'"),
+    ]
+)
 
 
 def test_as_built_is_bent_on_finer_nodes_than_the_design():
@@ -137,11 +141,6 @@ def test_what_is_engraved_is_the_label_unless_told(names, engraved):
     strip = ec.Strip(ec.Rod.straight(100.0), CARD, max_width=20.0, **names)
     assert strip.drawing().name == names["label"]
     assert [text.text for text in strip.drawing().texts] == engraved
-
-
-def test_letters_that_cannot_be_engraved_are_refused():
-    with pytest.raises(InputError, match="no '漢'"):
-        ec.Strip(ec.Rod.straight(100.0), CARD, max_width=20.0, engrave="漢")
 
 
 @pytest.mark.parametrize(("label", "told"), [("A1", "<Strip 'A1' of "), ("", "<Strip of ")])

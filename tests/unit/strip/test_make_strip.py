@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import Gravity, InputError, Keep, Laminated, PlaneCurve, Sheet, Tab, make_strip
+from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
 
@@ -27,11 +28,12 @@ def test_gravity_is_the_sheets_own_or_any():
     assert make_strip(ARCH, sheet, max_width=20, gravity=sideways).rod.gravity is sideways
 
 
-def test_bad_input():
-    with pytest.raises(InputError, match="not int"):
-        make_strip(ARCH, 3, max_width=20)
-    with pytest.raises(InputError, match="unknown sheet"):
-        make_strip(ARCH, "paper", max_width=20)
+test_bad_input = refusal_test(
+    [
+        (lambda: make_strip(ARCH, 3, max_width=20), "not int"),
+        (lambda: make_strip(ARCH, "paper", max_width=20), "unknown sheet"),
+    ]
+)
 
 
 class TestLaminateWithWeight:

@@ -11,6 +11,7 @@ import shapely
 from elastica_cad import Drawing, InputError, Model, Path, Placed, Rod, Sheet, Slot, Strip
 from elastica_cad.model import cut_list, nest_pieces
 from elastica_cad.strip import CUT_INNER, CUT_OUTER, LayeredPath, Piece, compensate_kerf
+from tests.refusals import refusal_test
 
 CARD = Sheet.named("card-200gsm")
 MDF = Sheet("board", 3.0, 3000.0, 700.0, 0.01, kerf=0.16)  # no grain
@@ -120,11 +121,12 @@ def test_impossible_sheets_are_refused(bad):
         nest_pieces([plate("a", 10, 10)], **bad)
 
 
-def test_pieces_need_something_to_cut_out():
-    with pytest.raises(InputError, match="empty: there is no closed outer cut"):
-        Piece("empty", Drawing("empty", []), MDF)
-    with pytest.raises(InputError, match="count must be 1"):
-        plate("a", 1, 1, count=0)
+test_pieces_need_something_to_cut_out = refusal_test(
+    [
+        (lambda: Piece("empty", Drawing("empty", []), MDF), "empty: there is no closed outer cut"),
+        (lambda: plate("a", 1, 1, count=0), "count must be 1"),
+    ]
+)
 
 
 def strip(label, ratio=2.0):
