@@ -6,7 +6,7 @@ from typing import Annotated
 
 import numpy as np
 
-from elastica_cad._types import FloatArray, IntArray
+from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad._values import and_more, require_record, told_apart
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
@@ -133,8 +133,7 @@ DEFAULT_LIMITS = FabricationLimits()
 
 
 SAMPLES_PER_WIDTH = 12  # points along a cut for each least width; the error of a width is then a percent
-COARSE = 4  # points along a cut for each least width in the first search, which most cuts pass
-LEANING = 0.1  # fraction of the least width by which inclined sides approach in half a coarse step, 0.785 / 8
+LONGEST_PART = 2.0  # length of the parts of cuts in the first search, as a multiple of the least width
 FACING = (
     0.9  # least cosine between a width and both inward normals, so corners above 50 degrees are not necks
 )
@@ -173,13 +172,14 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     >>> [place.width for place in find_thin_places([plate], [hole], 2.0)]
     [1.0]
     """
-    chords = _Chords.of(outlines, holes, FLAT_SHARE * least)
-    points, chord = _points_near_others(chords, least)
-    i, j, width = _widths_across(points, chords.inward[chord], least)
-    if not width.size:
+    parts = _Chords.of(outlines, holes, FLAT_SHARE * least).divided(LONGEST_PART * least)
+    near = parts.at(_near_others(parts, least))
+    if not near.loop.size:
         return ()
+    near = near.divided(least / SAMPLES_PER_WIDTH)
+    points, loop = near.middle, near.loop
+    i, j, width = _widths_across(points, near.inward, least)
     middle = (points[i] + points[j]) / 2
-    loop = chords.loop[chord]
     places = [
         ThinPlace(
             float(middle[k, 0]), float(middle[k, 1]), float(width[k]), (int(loop[i[k]]), int(loop[j[k]]))
@@ -189,22 +189,14 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     return tuple(sorted(places, key=lambda place: place.width))
 
 
-def _points_near_others(chords: "_Chords", least: float) -> tuple[FloatArray, IntArray]:
-    """Return points (n, 2) on cuts that a coarse search finds near another cut, and their chords (n,)."""
-    points, chord, _ = chords.middles(least / COARSE)
-    normals = chords.inward[chord]
-    i, j = _opposed(points, normals, np.arange(len(points)), (1 + 1 / COARSE) * least, least)
-    across = points[j] - points[i]
-    # the walls of a slot face each other too, but without material between them
-    between = (np.sum(across * normals[i], axis=1) > -LEANING * least) & (
-        np.sum(across * normals[j], axis=1) < LEANING * least
-    )
-    near = np.zeros(len(points), dtype=bool)
-    near[i[between]] = near[j[between]] = True
-    cells = np.bincount(chord)
-    points, chord, place = chords.middles(least / SAMPLES_PER_WIDTH)
-    kept = near[(np.cumsum(cells) - cells)[chord] + (place * cells[chord]).astype(np.int64)]
-    return points[kept], chord[kept]
+def _near_others(chords: "_Chords", least: float) -> IntArray:
+    """Return the numbers (n,) of chords that face another chord within `least` mm."""
+    i, j = near_pairs(chords.middle, chords.middle, (1 + LONGEST_PART) * least)
+    inward = chords.inward
+    opposed = np.sum(inward[i] * inward[j], axis=1) < 1 - 2 * FACING**2
+    here, there = chords.at(i[opposed]), chords.at(j[opposed])
+    facing = here.has_in_front(there, least) & there.has_in_front(here, least)
+    return np.flatnonzero(np.bincount(i[opposed][facing], minlength=chords.loop.size))
 
 
 def _opposed(
@@ -274,39 +266,56 @@ def _narrowest(point: IntArray, width: FloatArray) -> IntArray:
 
 @dataclass(frozen=True, eq=False)
 class _Chords:
-    """All cuts as chords (m): starts and vectors (m, 2), lengths, and the numbers of their cuts.
+    """Chords (m) of cuts: their middles and vectors (m, 2), and the numbers of their cuts.
 
-    The material is on the left of the chords; `inward` are unit normals (m, 2) into the material.
+    The material is on the left of the chords.
     """
 
-    start: FloatArray
-    way: FloatArray
-    length: FloatArray
+    middle: FloatArray
+    vector: FloatArray
     loop: IntArray
-    inward: FloatArray
 
     @classmethod
     def of(cls, outlines: Sequence[Path], holes: Sequence[Path], flat: float) -> "_Chords":
         """Return the chords of closed cuts with the flatness `flat`, mm."""
         lines = [anticlockwise(path.points(flat)) for path in (*outlines, *holes)]
         lines[len(outlines) :] = [line[::-1] for line in lines[len(outlines) :]]
-        start = np.concatenate(lines)
         vectors = np.concatenate([np.roll(line, -1, axis=0) - line for line in lines])
         loop = np.repeat(np.arange(len(lines)), [len(line) for line in lines])
-        length = np.hypot(vectors[:, 0], vectors[:, 1])
-        start, vectors, length, loop = (each[length > 0] for each in (start, vectors, length, loop))
-        inward = np.column_stack([-vectors[:, 1], vectors[:, 0]]) / length[:, None]
-        return cls(start, vectors, length, loop, inward)
+        chords = cls(np.concatenate(lines) + vectors / 2, vectors, loop)
+        return chords.at(np.flatnonzero(chords.length))
 
-    def middles(self, longest: float) -> tuple[FloatArray, IntArray, FloatArray]:
-        """Return the middles (n, 2) of equal parts at most `longest` mm long, their chords and places (n,) there.
+    def at(self, numbers: IntArray) -> "_Chords":
+        """Return the chords with these numbers (n,)."""
+        return _Chords(self.middle[numbers], self.vector[numbers], self.loop[numbers])
 
-        Places on a chord are from 0 to 1.
-        """
-        parts = np.maximum(1, np.ceil(self.length / longest)).astype(np.int64)
-        chord = np.repeat(np.arange(len(parts)), parts)
-        place = (numbers_in_groups(parts) + 0.5) / parts[chord]
-        return self.start[chord] + place[:, None] * self.way[chord], chord, place
+    @property
+    def length(self) -> FloatArray:
+        """Lengths (m,), mm."""
+        return np.hypot(self.vector[:, 0], self.vector[:, 1])
+
+    @property
+    def inward(self) -> FloatArray:
+        """Unit normals (m, 2) into the material."""
+        return np.column_stack([-self.vector[:, 1], self.vector[:, 0]]) / self.length[:, None]
+
+    def divided(self, longest: float) -> "_Chords":
+        """Return equal parts of the chords at most `longest` mm long."""
+        parts = np.maximum(1, np.ceil(self.length / longest - 1e-9)).astype(np.int64)
+        count = np.repeat(parts, parts)[:, None]
+        whole = self.at(np.repeat(np.arange(parts.size), parts))
+        place = (numbers_in_groups(parts)[:, None] + 0.5) / count - 0.5
+        return replace(whole, middle=whole.middle + place * whole.vector, vector=whole.vector / count)
+
+    def has_in_front(self, others: "_Chords", least: float) -> BoolArray:
+        """Return True (m,) for chords with the other chord (m) in the material, at most `least` mm in front."""
+        ends = others.middle - self.middle + np.array([-0.5, 0.5])[:, None, None] * others.vector
+        normals = self.inward
+        ahead = np.sum(ends * normals, axis=2)
+        aside = ends[..., 0] * normals[:, 1] - ends[..., 1] * normals[:, 0]
+        reach = self.length / 2 + np.sqrt(1 - FACING**2) * least
+        in_depth = (ahead.max(axis=0) > 0) & (ahead.min(axis=0) < least)
+        return np.asarray(in_depth & (aside.max(axis=0) > -reach) & (aside.min(axis=0) < reach))
 
 
 FAR_LARGER = 2.0
