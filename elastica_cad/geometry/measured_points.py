@@ -128,12 +128,28 @@ class MeasuredPoints:
 
         Turns to the left are positive. At neighbours beyond the ends they are 0.
         """
-        step = np.diff(self.points, axis=0)
-        heading = np.arctan2(step[:, 1], step[:, 0])
-        turn = np.pad((np.diff(heading) + np.pi) % (2 * np.pi) - np.pi, 2)
+        turn = np.pad(self._turns[0], 2)
         at = int(np.hypot(*(self.points - place).T).argmin())
         before, here, after = turn[at : at + 3].tolist()
         return here, before, after
+
+    @property
+    def bend_changes(self) -> int:
+        """Number of times that the points turn the other way, by more than the rounding of their digits can turn.
+
+        A curve through the points has as many inflections or more.
+        """
+        turn, rounding = self._turns
+        sides = np.sign(turn[np.abs(turn) > rounding])
+        return int((sides[1:] != sides[:-1]).sum())
+
+    @cached_property
+    def _turns(self) -> tuple[FloatArray, FloatArray]:
+        """Turns (n - 2,) at the inner points, rad, and the largest effect of rounding on them; to the left positive."""
+        step = np.diff(self.points, axis=0)
+        heading = np.arctan2(step[:, 1], step[:, 0])
+        rounding = 2 * self.resolution / np.hypot(*step.T)
+        return (np.diff(heading) + np.pi) % (2 * np.pi) - np.pi, rounding[1:] + rounding[:-1]
 
     @property
     def shown(self) -> Length:

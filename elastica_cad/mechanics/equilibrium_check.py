@@ -50,6 +50,12 @@ from elastica_cad.refusals import Length, Listed, note
 MOST_POINTS = 400
 """Number of points that the other curves are fitted to; of more points some are left out."""
 
+MOST_ON_LINE = 2
+"""Number of inflections that are on one line for any curve."""
+
+SPARE_INFLECTIONS = 2
+"""Number of inflections that an oscillation of a fit adds."""
+
 
 def _compare_fits(
     check: EquilibriumCheck, drawn: PlaneCurve, judge: Callable[[PlaneCurve], EquilibriumCheck]
@@ -72,7 +78,7 @@ def _compare_fits(
     for curve in _other_curves(points, distance):
         with suppress(ElasticaError):
             other = judge(curve)
-            if other.realizable != check.realizable:
+            if other.realizable != check.realizable or _has_loose_inflections(check, other, points):
                 fits = ((check, distance), (other, _distance(points, curve)))
                 return Undecided(points.resolution, *(
                     FittedVerdict(verdict.realizable, far, len(verdict.inflections)) for verdict, far in fits
@@ -80,22 +86,33 @@ def _compare_fits(
     return None
 
 
-def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurve]:
-    """Yield fits within the resolution of the points, a fit to every other point, and a smoother fit.
+def _has_loose_inflections(check: EquilibriumCheck, other: EquilibriumCheck, points: MeasuredPoints) -> bool:
+    """Return True if a curve is refused for a line through inflections that the points do not require.
 
-    The deviation of the smoother fit is at most half of that of the fit to every other point.
+    The points require at most two inflections, which are always on a line, and another fit has fewer inflections
+    than the curve by a pair or more.
+    """
+    count = len(check.off_line)
+    if check.realizable or check.bent_beforehand or count - len(other.inflections) < SPARE_INFLECTIONS:
+        return False
+    return points.bend_changes <= min(MOST_ON_LINE, count - 1)
+
+
+def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurve]:
+    """Yield a cubic fit within the resolution of the points, and the smoothest curve within a larger distance.
+
+    That distance is half of the distance of the points from a fit to every other point, if it is not smaller than
+    the noise.
     """
     step = -(-len(points.points) // MOST_POINTS)
     some, half = _thinned(points.points, step), _thinned(points.points, 2 * step)
+    with suppress(ElasticaError):
+        yield PlaneCurve(*fit_spline(some, 3, points.resolution), 3)
     loose = max(distance, points.resolution)
-    for degree in (4, 5, 3):
-        with suppress(ElasticaError):
-            yield PlaneCurve(*fit_spline(some, degree, points.resolution), degree)
     smoother = max(points.reach, loose)
     with suppress(ElasticaError):
         coarse = PlaneCurve(*fit_spline(half, 4, loose), 4)
         smoother = max(smoother, _distance(points, coarse) / 2)
-        yield coarse
     with suppress(ElasticaError):
         yield PlaneCurve(*smoothest_spline(some, 4, smoother), 4)
 

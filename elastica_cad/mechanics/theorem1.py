@@ -85,14 +85,15 @@ class FittedVerdict:
 
 @dataclass(frozen=True)
 class Undecided:
-    """Two curves through the same points with different verdicts; `str()` returns a message.
+    """Two curves through the same points that differ in verdict or inflections; `str()` returns a message.
 
     Attributes
     ----------
     resolution : float
         Rounding error of a point by its number of decimals, mm.
     fit, other : FittedVerdict
-        Verdicts on the curve of the check and on another curve.
+        Verdicts on the curve of the check and on another curve. If both are refused, the points do not require
+        the inflections for which the first is refused.
     """
 
     resolution: float
@@ -101,6 +102,10 @@ class Undecided:
 
     def __str__(self) -> str:
         return note(
+            "The verdict is undecided by these points (resolution {resolution}): give more points, or more "
+            "decimals. The curve fitted to them within {far} has {count} inflections, another curve within "
+            "{near} has {others}."
+            if self.fit.realizable == self.other.realizable else
             "The verdict is undecided by these points (resolution {resolution}): give more points, or more "
             "decimals. A curve within {near} of the points (inflections: {others}) cannot be bent. The curve "
             "fitted to them within {far} (inflections: {count}) can."
@@ -115,7 +120,7 @@ class Undecided:
 
 
 def _two_digits(mm: float) -> Length:
-    return Length(float(f"{mm:.2g}"))
+    return Length(float(f"{round(mm, 6):.2g}"))
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,8 +162,8 @@ class EquilibriumCheck:
     bent_beforehand : bool
         True if the strip is not flat before it is bent.
     undecided : Undecided or None
-        For a curve that was fitted to points: a different verdict on another curve that fits the points equally
-        well.
+        For a curve that was fitted to points: another curve that fits the points equally well and differs in its
+        verdict, or in the inflections for which this curve is refused.
     """
 
     realizable: bool
