@@ -145,7 +145,7 @@ class MeasuredPoints:
 
     @cached_property
     def _turns(self) -> tuple[FloatArray, FloatArray]:
-        """Turns (n - 2,) at the inner points, rad, and the largest effect of rounding on them; to the left positive."""
+        """Turns (n - 2,) at the inner points, left positive, and the largest effects of rounding on them, rad."""
         step = np.diff(self.points, axis=0)
         heading = np.arctan2(step[:, 1], step[:, 0])
         rounding = 2 * self.resolution / np.hypot(*step.T)
