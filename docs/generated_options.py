@@ -4,6 +4,7 @@ Type checkers and editors read them before anything runs, so they are committed;
 """
 
 import inspect
+import json
 import subprocess
 import sys
 from collections.abc import Callable
@@ -31,8 +32,9 @@ class StripOptions(TypedDict, total=False):
     `gravity` may also be a vector of the library, a direction in space.
     """
 
-    plane: Any
-    """Plane of the curve, with z towards the strip's upper edge: a plane of the library, or a `Frame`."""
+    plane: Annotated[
+        "Any", "Plane of the curve, with z towards the strip's upper edge: a plane of the library, or a `Frame`."
+    ]
 {strip}
 
 class FixtureSizes(TypedDict, total=False):
@@ -90,8 +92,11 @@ def text() -> str:
             kind = source.of(hints[one.name])
             if one.name == "gravity":
                 kind = kind.replace("None", "Point | None")
-            rows[record] += f'    {one.name}: "{kind}"\n    """{told(one.help, one.asked.unit)}"""\n'
-    standard = {"typing": {"TYPE_CHECKING", "Any", "TypedDict", *source.modules.pop("typing", ())}}
+            help = json.dumps(told(one.help, one.asked.unit), ensure_ascii=False)
+            rows[record] += f'    {one.name}: Annotated["{kind}", {help}]\n'
+    standard = {
+        "typing": {"TYPE_CHECKING", "Annotated", "Any", "TypedDict", *source.modules.pop("typing", ())}
+    }
     checked = "".join(
         f"    from {module} import {', '.join(sorted(names))}\n"
         for module, names in sorted((source.modules | {"elastica_cad.kernel.strip_body": {"Point"}}).items())

@@ -21,7 +21,7 @@ from elastica_cad.kernel.strip_on_path import (
     make_fixture_on,
     make_strip_on,
 )
-from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
+from elastica_cad.kernel.strip_options import StripOptions
 from elastica_cad.mechanics.sheets import Sheet, sheet_color
 from elastica_cad.model.model import FIXTURE_COLOR
 from elastica_cad.strip.outline import StripEnd
@@ -153,7 +153,7 @@ class _Made(StripBody):
         self._require_backing()
         return self.layers[1]
 
-    @lists(FixtureSizes, BlockOptions)
+    @lists(BlockOptions)
     def fixture(self, end: StripEnd = "start", **sizes: Unpack[BlockOptions]) -> "EndFixture":
         """Return the block that holds an end of the bent strip, in place."""
         return EndFixture(self, end=end, mode=bd.Mode.PRIVATE, **sizes)
@@ -427,7 +427,7 @@ class BentStrip(_StripPart):
         return BentSolid.layers(made.strip, made.frame)
 
 
-@lists(FixtureSizes, BlockOptions, StripOptions, drawn=True)
+@lists(BlockOptions, StripOptions, drawn=True)
 class EndFixture(_Made, bd.BasePartObject):
     """Part object: the block that holds one end of the bent strip, in its place at `BentStrip` of the same path.
 

@@ -21,7 +21,7 @@ from elastica_cad.kernel.strip_on_path import (
     make_fixture_on,
     make_strip_on,
 )
-from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
+from elastica_cad.kernel.strip_options import StripOptions
 from elastica_cad.mechanics.sheets import Sheet, sheet_color
 from elastica_cad.model.model import FIXTURE_COLOR
 from elastica_cad.strip.outline import ENDS, StripEnd
@@ -116,7 +116,7 @@ class _Made(StripBody, cq.Shape):
             made.add(solid, name=free_name(solid.label, made), color=cq.Color(*sheet_color(sheet)))
         return made
 
-    @lists(FixtureSizes, BlockOptions)
+    @lists(BlockOptions)
     def fixture(self, end: "StripEnd" = "start", **sizes: Unpack[BlockOptions]) -> "FixtureSolid":
         """Return the block that holds an end of the bent strip, in place."""
         return end_fixture(self, end=end, **sizes)
@@ -384,7 +384,7 @@ def bent_strip(
     return make_body(BentSolid.layers(made.strip, made.frame), made)
 
 
-@lists(FixtureSizes, BlockOptions, StripOptions, drawn=True)
+@lists(BlockOptions, StripOptions, drawn=True)
 def end_fixture(
     path: Drawn,
     sheet: Sheet | str | None = None,

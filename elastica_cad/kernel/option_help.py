@@ -1,13 +1,9 @@
 """Keyword lists for `help`: names, types and units, from the classes that declare the keywords."""
 
-import ast
 import re
 from collections.abc import Callable
-from functools import cache
-from inspect import cleandoc, getsourcefile
-from itertools import pairwise
-from pathlib import Path
-from typing import TypeVar
+from inspect import cleandoc
+from typing import Any, TypeVar, get_args
 
 T = TypeVar("T")
 
@@ -25,7 +21,8 @@ DRAWN = {
 def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
     """Add the keys of `options` to the docstring of a class or function, but for those that it explains itself.
 
-    With `drawn` path, sheet and width come first.
+    A key is declared as `Annotated["type", "help"]`; if two classes have the same key, the first describes it. With
+    `drawn` path, sheet and width come first.
 
     Examples
     --------
@@ -41,9 +38,11 @@ def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
         if thing.__doc__ is None:  # python -OO
             return thing
         text = cleandoc(thing.__doc__)
-        keys = dict(DRAWN) if drawn else {}
-        for one in options:  # if two classes have the same key, the first describes it
-            keys = _keys_of(one) | keys
+        keys: dict[str, Any] = dict(DRAWN) if drawn else {}
+        for option in options:
+            for name, hint in option.__annotations__.items():
+                kind, said = get_args(hint)
+                keys.setdefault(name, (kind.__forward_arg__, said))
         rows = (
             f"{name} : {kind}\n    {said}"
             for name, (kind, said) in keys.items()
@@ -53,25 +52,3 @@ def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
         return thing
 
     return add
-
-
-def _keys_of(options: type) -> dict[str, tuple[str, str]]:
-    """Type and help of the keys that a class declares, each with a docstring below it."""
-    file = getsourcefile(options)
-    assert file is not None
-    body = next(
-        node.body
-        for node in _tree(file).body
-        if isinstance(node, ast.ClassDef) and node.name == options.__name__
-    )
-    found = {}
-    for field, below in pairwise(body):
-        if isinstance(field, ast.AnnAssign) and isinstance(below, ast.Expr):
-            kind = ast.unparse(field.annotation).strip("'\"")
-            found[ast.unparse(field.target)] = kind, str(ast.literal_eval(below.value))
-    return found
-
-
-@cache
-def _tree(file: str) -> ast.Module:
-    return ast.parse(Path(file).read_text(encoding="utf-8"))

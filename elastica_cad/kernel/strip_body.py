@@ -5,7 +5,7 @@ import warnings
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from math import degrees, hypot
-from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, TypedDict
+from typing import TYPE_CHECKING, Annotated, Any, Protocol, TypeAlias, TypedDict
 
 from elastica_cad._text import printable
 from elastica_cad._types import ArrayLike
@@ -119,30 +119,33 @@ def numbers_of(point: Point) -> tuple[float, ...]:
 class BendOptions(TypedDict, total=False):
     """Options for bending a strip to other ends, as in `mechanics.bend`."""
 
-    start: "Point | None"
-    """Final position of the start: a point in space, or two numbers in the body's `frame` (mm)."""
-    end: "Point | None"
-    """Final position of the end: a point in space, or two numbers in the body's `frame` (mm)."""
-    angles: "tuple[float | None, float | None] | ArrayLike | None"
-    """Directions of start and end in this frame, counted along the strip; None for no change (degrees)."""
-    gravity: Any
-    """A `Gravity`, or None for no weight; by default the gravity of the strip."""
-    supports: Supports | None
-    """Supports of the ends; by default the supports of the strip."""
-    force: ArrayLike | None
-    """Dead force on ends that are free to move, over the least bending stiffness (1/mm2)."""
-    moment: float | tuple[float, float] | None
-    """Moment on ends that are free to turn, anticlockwise, over the least bending stiffness (1/mm)."""
-    guess: Any
-    """A `Rod` to start from, or angles of its nodes (rad)."""
-    side: int | None
-    """To which side a straight strip bulges: 1 for left, -1 for right."""
-    mode: int
-    """Buckling mode in which a straight strip bulges, from 1."""
-    samples: int | None
-    """Nodes of the rod."""
-    settle: bool
-    """An unstable shape is replaced by the stable shape that it snaps to."""
+    start: Annotated[
+        "Point | None",
+        "Final position of the start: a point in space, or two numbers in the body's `frame` (mm).",
+    ]
+    end: Annotated[
+        "Point | None",
+        "Final position of the end: a point in space, or two numbers in the body's `frame` (mm).",
+    ]
+    angles: Annotated[
+        "tuple[float | None, float | None] | ArrayLike | None",
+        "Directions of start and end in this frame, counted along the strip; None for no change (degrees).",
+    ]
+    gravity: Annotated["Any", "A `Gravity`, or None for no weight; by default the gravity of the strip."]
+    supports: Annotated["Supports | None", "Supports of the ends; by default the supports of the strip."]
+    force: Annotated[
+        "ArrayLike | None",
+        "Dead force on ends that are free to move, over the least bending stiffness (1/mm2).",
+    ]
+    moment: Annotated[
+        "float | tuple[float, float] | None",
+        "Moment on ends that are free to turn, anticlockwise, over the least bending stiffness (1/mm).",
+    ]
+    guess: Annotated["Any", "A `Rod` to start from, or angles of its nodes (rad)."]
+    side: Annotated["int | None", "To which side a straight strip bulges: 1 for left, -1 for right."]
+    mode: Annotated["int", "Buckling mode in which a straight strip bulges, from 1."]
+    samples: Annotated["int | None", "Nodes of the rod."]
+    settle: Annotated["bool", "An unstable shape is replaced by the stable shape that it snaps to."]
 
 
 @dataclass(frozen=True, eq=False)

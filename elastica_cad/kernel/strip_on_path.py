@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from elastica_cad._values import is_series
 from elastica_cad.errors import InputError, UnknownOptionError, refuse_unknown
@@ -63,10 +63,11 @@ class FixtureOptions(StripOptions, FixtureSizes, total=False):
 class BlockOptions(FixtureSizes, total=False):
     """Options for the fixture of a finished strip; see `model.EndFixture`."""
 
-    floor: Any
-    """Plane under the block, of any library; by default perpendicular to the tab."""
-    engrave: str | None
-    """Text engraved on the block; the strip's name and the number of the end unless given, empty for none."""
+    floor: Annotated["Any", "Plane under the block, of any library; by default perpendicular to the tab."]
+    engrave: Annotated[
+        "str | None",
+        "Text engraved on the block; the strip's name and the number of the end unless given, empty for none.",
+    ]
 
 
 def make_strip_on(
