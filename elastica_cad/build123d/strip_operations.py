@@ -17,16 +17,13 @@ from elastica_cad.build123d.strip_objects import (
 )
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.geometry.segments import Spline
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.option_help import lists
-from elastica_cad.kernel.strip_body import MadeStrip, end_angles, warn_of_missing_slots
+from elastica_cad.kernel.strip_body import MadeStrip, clamped_wire, model_parts
 from elastica_cad.kernel.strip_on_path import section_requests
 from elastica_cad.kernel.strip_options import StripOptions
-from elastica_cad.mechanics.between_clamps import elastica_between
-from elastica_cad.mechanics.loads import Gravity, whole_number
+from elastica_cad.mechanics.loads import Gravity
 from elastica_cad.mechanics.sheets import Sheet
 
 if TYPE_CHECKING:
@@ -200,18 +197,17 @@ class Elastica(bd.BaseLineObject):
         buckling: int = 1,
         mode: bd.Mode = bd.Mode.ADD,
     ) -> None:
-        self.branch = elastica_between(
+        self.branch, wire = clamped_wire(
             start,
             end,
             length,
-            angles=end_angles(angles),
+            angles=angles,
+            buckling=buckling,
             stiffness=stiffness,
             gravity=gravity,
             force=force,
             side=side,
-            mode=whole_number(buckling, "buckling", 1),
         )
-        wire = occt.make_wire(Path([Spline(self.branch.curve)]))
         super().__init__(bd.Wire(wire), mode)
 
 
@@ -237,14 +233,8 @@ def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Com
     InputError
         An item of `others` is not a holder.
     """
-    from elastica_cad.model.assembly import assembly_parts, require_model, shape_parts
-
-    require_model(model)
-    parts = assembly_parts(model.placed, (*model.plates, *others))
-    warn_of_missing_slots(model)
-    children = [
-        _child(part, solids) for part, solids in shape_parts(parts, lambda part: make_solids(part.solids))
-    ]
+    parts = model_parts(model, others, lambda part: make_solids(part.solids))
+    children = [_child(part, solids) for part, solids in parts]
     return bd.Compound(label=model.name, children=children)
 
 

@@ -19,16 +19,13 @@ from elastica_cad.cadquery.strip_shapes import (
 )
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.geometry.segments import Spline
 from elastica_cad.kernel import occt
 from elastica_cad.kernel.option_help import lists
-from elastica_cad.kernel.strip_body import MadeStrip, end_angles, warn_of_missing_slots
+from elastica_cad.kernel.strip_body import MadeStrip, clamped_wire, model_parts
 from elastica_cad.kernel.strip_on_path import section_requests
 from elastica_cad.kernel.strip_options import StripOptions
-from elastica_cad.mechanics.between_clamps import elastica_between
-from elastica_cad.mechanics.loads import Gravity, whole_number
+from elastica_cad.mechanics.loads import Gravity
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.solids import BentSolid, FlatSolid
@@ -82,18 +79,18 @@ def elastica(
     >>> round(elastica((0, 0), (70, 0), 100, angles=(0, 0)).Length(), 3)
     100.0
     """
-    found = elastica_between(
+    _, wire = clamped_wire(
         start,
         end,
         length,
-        angles=end_angles(angles),
+        angles=angles,
+        buckling=buckling,
         stiffness=stiffness,
         gravity=gravity,
         force=force,
         side=side,
-        mode=whole_number(buckling, "buckling", 1),
     )
-    return cq.Wire(occt.make_wire(Path([Spline(found.curve)]))).Edges()[0]
+    return cq.Wire(wire).Edges()[0]
 
 
 @lists(StripOptions)
@@ -174,13 +171,9 @@ def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Ass
     InputError
         An item of `others` is not a holder.
     """
-    from elastica_cad.model.assembly import assembly_parts, require_model, shape_parts
-
-    require_model(model)
+    parts = model_parts(model, others, _part_shapes)
     assembly = cq.Assembly(name=model.name)
-    parts = assembly_parts(model.placed, (*model.plates, *others))
-    warn_of_missing_slots(model)
-    for part, (body, *glued_on) in shape_parts(parts, _part_shapes):
+    for part, (body, *glued_on) in parts:
         name, place = free_name(part.name, assembly), make_location(part.frame)
         color, *colors = (cq.Color(*each) for each in part.colors)
         if not isinstance(body, StripSolid):

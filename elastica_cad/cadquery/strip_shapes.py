@@ -140,11 +140,6 @@ class _Made(StripBody, cq.Shape):
         made: Self = self._knowing_its_strip(super().clean())
         return made
 
-    def mirror(self, mirrorPlane: Any = "XY", basePointVector: Any = (0, 0, 0)) -> Self:
-        """As `Shape.mirror`; the image still knows its strip, which is turned over."""
-        made: Self = super().mirror(mirrorPlane, basePointVector)
-        return made
-
     def scale(self, factor: float) -> cq.Shape:
         """As `Shape.scale`: a plain body, as a strip of another size has other numbers."""
         plain = cq.Shape.cast(super().scale(factor).wrapped)

@@ -2,32 +2,36 @@
 
 import sys
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from math import degrees, hypot
-from typing import TYPE_CHECKING, Annotated, Any, Protocol, TypeAlias, TypedDict
+from typing import TYPE_CHECKING, Annotated, Any, Protocol, TypeAlias, TypedDict, TypeVar
 
 from elastica_cad._text import printable
 from elastica_cad._types import ArrayLike
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.kernel.occt import make_face, make_sheets
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.segments import Spline
+from elastica_cad.kernel.occt import make_face, make_sheets, make_wire
 from elastica_cad.kernel.ocp_import import Shape
 from elastica_cad.mechanics.bending import bend
-from elastica_cad.mechanics.between_clamps import angles_in_rad
-from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.between_clamps import ElasticaBetween, angles_in_rad, elastica_between
+from elastica_cad.mechanics.loads import Supports, whole_number
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
-from elastica_cad.model.collisions import self_contact
+from elastica_cad.model.collisions import missing_slots, self_contact
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.flat_pattern import in_smooth_pieces
 from elastica_cad.strip.solids import BentSolid, bent_sheets
 from elastica_cad.strip.strip import Placed, Strip
 
 if TYPE_CHECKING:
+    from elastica_cad.model.assembly import AssemblyPart, Holder
     from elastica_cad.model.model import Model
 
+T = TypeVar("T")
 
 LEAST_DEGREES = 7.0
 """Least plausible angle with decimals, degrees; smaller angles are probably radians."""
@@ -40,18 +44,20 @@ class StripWarning(UserWarning):
     """Warning about strips that can be made but may be unusable, such as overstrained or colliding strips."""
 
 
-def warn_of_missing_slots(model: "Model") -> None:
-    """Warn of strips of a model that run through each other without a slot."""
-    from elastica_cad.model.collisions import missing_slots
+def model_parts(
+    model: "Model", others: "Iterable[Holder]", make: "Callable[[AssemblyPart], T]"
+) -> "Iterator[tuple[AssemblyPart, T]]":
+    """Return the parts of a model and further holders, each with what `make` makes of it for all equal parts.
 
+    Warns of strips that run through each other without a slot.
+    """
+    from elastica_cad.model.assembly import assembly_parts, require_model, shape_parts
+
+    require_model(model)
+    parts = assembly_parts(model.placed, (*model.plates, *others))
     for text in missing_slots(model.placed, model.joints):
         warn(text)
-
-
-def warn_of_strain(strip: Strip) -> None:
-    """Warn of a strip that is strained beyond the limit of its sheet."""
-    for text in strip.strain_warnings[:1]:
-        warn(text)
+    return shape_parts(parts, make)
 
 
 def end_angles(angles: object) -> tuple[float | None, float | None]:
@@ -69,6 +75,15 @@ def end_angles(angles: object) -> tuple[float | None, float | None]:
     return pair
 
 
+def clamped_wire(
+    start: Any, end: Any, length: float, *, angles: object, buckling: int, **others: Any
+) -> tuple[ElasticaBetween, Shape]:
+    """Return the shape of `elastica_between` for angles in degrees, and its curve as a TopoDS_Wire."""
+    mode = whole_number(buckling, "buckling", 1)
+    found = elastica_between(start, end, length, angles=end_angles(angles), mode=mode, **others)
+    return found, make_wire(Path([Spline(found.curve)]))
+
+
 def warn(text: str) -> None:
     """Issue a warning that is attributed to the line of the user's script."""
     depth, caller = 2, sys._getframe(1)
@@ -77,8 +92,10 @@ def warn(text: str) -> None:
     warnings.warn(printable(text), StripWarning, stacklevel=depth)
 
 
-def warn_of_contact(strip: Strip) -> None:
-    """Warn of a strip that meets itself when it is bent."""
+def warn_of_strip(strip: Strip) -> None:
+    """Warn of a strip that is strained beyond the limit of its sheet, or that meets itself when it is bent."""
+    for text in strip.strain_warnings[:1]:
+        warn(text)
     meeting = self_contact(strip)
     if meeting is not None:
         low, high = meeting

@@ -17,8 +17,7 @@ from elastica_cad.kernel.strip_body import (
     StripBody,
     numbers_of,
     warn,
-    warn_of_contact,
-    warn_of_strain,
+    warn_of_strip,
 )
 from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
 from elastica_cad.mechanics.sheets import Sheet
@@ -107,7 +106,7 @@ def make_strip_on(
                 f"{', '.join(late)} cannot be given for a strip that is made: leave out, or give the curve"
             )
         if isinstance(path, Strip):
-            _warn_of(path)
+            warn_of_strip(path)
             return MadeStrip(path, frame or Frame())
         return MadeStrip(path.strip, frame or path.frame, path.deviation)
     given = type(path).__name__
@@ -134,7 +133,7 @@ def make_strip_on(
     spec = StripSpec(curve, sheet, frame, **asked)
     with told_in_python(spec.curve, spec.may_change):
         strip, deviation = _made(spec)
-    _warn_of(strip)
+    warn_of_strip(strip)
     if deviation > FAR_SHARE * strip.rod.length:
         warn(note(
             "the strip leaves the drawn curve by up to {far}, {percent:.2g} % of its length: it was allowed to",
@@ -216,11 +215,6 @@ def _made(spec: "StripSpec") -> tuple[Strip, float]:
     found = solve_rod(spec.rod_spec)
     changed = found.deviation if isinstance(found, NearestRod) else 0.0
     return spec.make(found), changed + spec.rod_spec.smoothing.moved
-
-
-def _warn_of(strip: Strip) -> None:
-    warn_of_strain(strip)
-    warn_of_contact(strip)
 
 
 def _refuse_unknown(asked: Mapping[str, Any], sizes: Sequence[str] = ()) -> None:

@@ -16,7 +16,7 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.model.assembly import Holder, unheld_ends
-from elastica_cad.model.collisions import tell_missing_slots
+from elastica_cad.model.collisions import missing_slots
 from elastica_cad.model.fixtures import EndFixture, crowded_blocks
 from elastica_cad.model.held_tabs import hold_each, holder_plays, rocking_tabs
 from elastica_cad.model.model import Model
@@ -111,7 +111,7 @@ def kit_contents(
         laid = [piece for _, cut in parts for piece in cut]
         nests += _nest(laid, nesting, spec, f"{model.name}-{names}-nest")
     messages += crowded_blocks([holder for holder in holders if isinstance(holder, EndFixture)], model.placed)
-    messages += tell_missing_slots(model.placed, model.joints)
+    messages += missing_slots(model.placed, model.joints, brief=True)
     unheld = unheld_ends(model, holders) if model.plates or holders else {}
     messages += _tell_unheld(model, unheld)
     held, notes = _held(model, (*model.plates, *holders), unheld) if effects else ({}, ())

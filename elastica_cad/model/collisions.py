@@ -254,10 +254,14 @@ class _Meeting:
         )  # fmt: skip
 
 
-def missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tuple[str, ...]:
+def missing_slots(
+    placed: Sequence[Placed], joints: Iterable[Joint] = (), *, brief: bool = False
+) -> tuple[str, ...]:
     """Return one sentence for each pair of strips that overlap outside slots; tabs are ignored.
 
-    The sentence names the first crossing of strips that cross, and the deepest overlap of strips side by side. For
+    With `brief` there is only the first sentence, with the number of other pairs.
+
+    A sentence names the first crossing of strips that cross, and the deepest overlap of strips side by side. For
     strips with a joint in `joints` it names the deepest overlap beside their slots.
 
     Examples
@@ -265,19 +269,10 @@ def missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tup
     >>> missing_slots([])
     ()
     """
-    return tuple(meeting.told() for meeting in _meetings(placed, joints))
-
-
-def tell_missing_slots(placed: Sequence[Placed], joints: Iterable[Joint] = ()) -> tuple[str, ...]:
-    """Return a sentence on the first pair of strips that needs a slot, or an empty tuple if no pair does.
-
-    Examples
-    --------
-    >>> tell_missing_slots([])
-    ()
-    """
     meetings = _meetings(placed, joints)
-    return tuple(meeting.told(and_more(meetings, "pair")) for meeting in meetings[:1])
+    if brief:
+        return tuple(meeting.told(and_more(meetings, "pair")) for meeting in meetings[:1])
+    return tuple(meeting.told() for meeting in meetings)
 
 
 def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meeting]:

@@ -3,7 +3,7 @@
 import pytest
 
 from elastica_cad.kernel import occt
-from elastica_cad.kernel.strip_body import StripWarning, warn_of_missing_slots
+from elastica_cad.kernel.strip_body import StripWarning, model_parts
 from elastica_cad.model.collisions import SHARED_MM, Body, deepest_collision
 from elastica_cad.strip import BentSolid
 
@@ -36,4 +36,4 @@ def test_the_place_that_is_told_is_in_both_bodies(seed, slotted_pairs):
 
 def test_cad_programs_warn(slotted_pairs):
     with pytest.warns(StripWarning, match="A at .* mm also runs .* mm deep into B"):
-        warn_of_missing_slots(slotted_pairs.pair(76))
+        model_parts(slotted_pairs.pair(76), (), str)

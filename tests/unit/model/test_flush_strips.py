@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 
 from elastica_cad import Model, Placed, PlaneCurve, Rod, Sheet, Strip, Tab, make_strip, optimal_rod
 from elastica_cad.mechanics import RoundLaw, ThicknessLaw
-from elastica_cad.model.collisions import missing_slots, tell_missing_slots
+from elastica_cad.model.collisions import missing_slots
 
 pytestmark = pytest.mark.core
 
@@ -92,7 +92,7 @@ def test_places_at_random():
 
 def test_what_is_told():
     placed = [arch("A"), arch("B", (0, 10, 0)), arch("C", (0, 25, 0)), arch("D", (0, 50, 0))]
-    (told,) = tell_missing_slots(placed)
+    (told,) = missing_slots(placed, brief=True)
     assert told.startswith("A at ")
     assert " mm lies in the thickness of B at " in told
     assert told.endswith(" mm (and 1 more pair): place them apart, or make them narrower there")

@@ -21,7 +21,7 @@ from elastica_cad import (
     optimal_rod,
 )
 from elastica_cad.model import slot_width
-from elastica_cad.model.collisions import missing_slots, tell_missing_slots
+from elastica_cad.model.collisions import missing_slots
 from elastica_cad.model.crossings import RuledStrip, strip_crossings, strips_may_meet
 from elastica_cad.strip.pieces import cut_key
 
@@ -348,8 +348,8 @@ def test_strips_that_run_through_each_other_are_told_and_neighbours_that_touch_a
         strip = Strip(rod, CARD, max_width=wide)
         model = Model([Placed(strip, origin=(30, 0, 0), x_axis=(0, 0, 1), y_axis=(1, 0, 0))]).rotated(12)
         assert len(missing_slots(model.placed)) == told
-        assert len(tell_missing_slots(model.placed)) == min(1, told)
-    assert tell_missing_slots(model.placed)[0].endswith(
+        assert len(missing_slots(model.placed, brief=True)) == min(1, told)
+    assert missing_slots(model.placed, brief=True)[0].endswith(
         "(and 11 more pairs): slot them (interlock), place them apart, or make them narrower there"
     )
 
