@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._types import FloatArray
 from elastica_cad._values import is_whole, require_flag, require_number, require_record
 from elastica_cad.defaults import PLAY, RING_TAB_LENGTH
 from elastica_cad.errors import InputError
-from elastica_cad.forming.meridians import Meridian, meridian
+from elastica_cad.forming.meridians import Meridian
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve, line_crossings
 from elastica_cad.geometry.profile import Profile
@@ -174,16 +174,11 @@ BRIDGE_FACTOR = 1.02
 """Factor on the least material between slots, which covers rounding errors."""
 
 
-def revolution(
-    a: float,
-    b: ArrayLike,
-    start: ArrayLike,
-    angle: float,
+def revolve(
+    meridian: Meridian,
     strips: int,
     *,
-    length: float,
     sheet: Sheet | str,
-    ring: float | None = None,
     ends: tuple[Tab, Tab] | None = None,
     rings: Sheet | str | None = None,
     gap: float | None = None,
@@ -191,12 +186,12 @@ def revolution(
     shop: FabricationLimits = DEFAULT_LIMITS,
     ignore_limits: bool = False,
 ) -> Model:
-    """Return the surface of revolution about z whose meridian has x kappa = a + <b, gamma>, tiled by plain strips.
+    """Return the surface of a meridian about z, tiled by equal plain strips.
 
     Parameters
     ----------
-    a, b, start, angle, length, ring
-        As in `meridian`.
+    meridian : Meridian
+        From `meridian` or `meridian_through`.
     strips : int
         Number of strips.
     sheet : Sheet or str
@@ -214,45 +209,6 @@ def revolution(
         Limits of the workshop.
     ignore_limits : bool
         Make strips and rings beyond these limits, and list the faults in their warnings.
-
-    Raises
-    ------
-    InputError, NotConvergedError
-        As in `meridian`; there are fewer than three strips, or strips or rings cannot be cut and handled.
-
-    Examples
-    --------
-    >>> card = Sheet.named("card-200gsm")
-    >>> vase = revolution(-1.5, (0, 0.03), (150, -11.5), 2.2, 15, length=300, sheet=card)
-    >>> len(vase.placed), len(vase.parts)
-    (15, 1)
-    """
-    return revolve(
-        meridian(a, b, start, angle, length, ring=ring),
-        strips,
-        sheet=sheet,
-        ends=ends,
-        rings=rings,
-        gap=gap,
-        name=name,
-        shop=shop,
-        ignore_limits=ignore_limits,
-    )
-
-
-def revolve(
-    meridian: Meridian,
-    strips: int,
-    *,
-    sheet: Sheet | str,
-    ends: tuple[Tab, Tab] | None = None,
-    rings: Sheet | str | None = None,
-    gap: float | None = None,
-    name: str = "revolution",
-    shop: FabricationLimits = DEFAULT_LIMITS,
-    ignore_limits: bool = False,
-) -> Model:
-    """Return the surface of a meridian about z, tiled by equal plain strips; see `revolution`.
 
     Raises
     ------

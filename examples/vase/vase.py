@@ -13,7 +13,7 @@ START, ANGLE, LENGTH = (70.0, 0.0), 1.129905, 184.0179  # mm from the axis and u
 
 def build():
     card, board = ec.Sheet.named("card-200gsm"), ec.Sheet.named("hdf-1.5")
-    return ec.revolution(A, B, START, ANGLE, STRIPS, length=LENGTH, sheet=card, rings=board, name="vase")
+    return ec.revolve(ec.meridian(A, B, START, ANGLE, LENGTH), STRIPS, sheet=card, rings=board, name="vase")
 
 
 if __name__ == "__main__":

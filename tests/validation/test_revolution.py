@@ -63,10 +63,7 @@ def test_rods_are_in_balance_and_keep_their_shape(published):
 def test_strips_tile_without_gaps(published):
     """Each edge of every strip lies in the plane that halves the angle to its neighbour."""
     count = published["num_strips"]
-    model = ec.revolution(
-        published["a"], np.array(published["b"]) / SIZE, SIZE * np.array(published["gamma0"]),
-        published["alpha0"], count, length=SIZE * published["total_length"], sheet=CARD,
-    )  # fmt: skip
+    model = ec.revolve(made(published, SIZE), count, sheet=CARD)
     assert len(model.placed) == count
     assert len(model.parts) == 1
     strip = model.strips[0]
@@ -84,9 +81,8 @@ def test_strips_tile_without_gaps(published):
 def test_tabs_keep_clear_of_their_neighbours():
     """They go straight on towards the axis, where the room between neighbours' planes becomes less."""
     count = 20
-    model = ec.revolution(
-        -4.488549, (0.06233611, -0.0145922), (70, 0), 0.277409, count, length=185.5945, sheet=CARD
-    )
+    curve = ec.meridian(-4.488549, (0.06233611, -0.0145922), (70, 0), 0.277409, 185.5945)
+    model = ec.revolve(curve, count, sheet=CARD)
     strip = model.strips[0]
     rod, half = strip.rod, np.tan(np.pi / count)
     for tab, end, way in zip(strip.ends, (0, -1), (-1, 1), strict=True):
@@ -360,7 +356,7 @@ def test_a_strongly_bent_meridian_gets_nodes_enough():
         (lambda: meridian_through([(3, 1), (2, 2), (1, 3)], ring=7), "ring=7"),
         (lambda: meridian_through([(1, 1), (-2, 2), (1, 3)]), "point 2"),
         (lambda: meridian_through([(1, 1), (1, 1), (1, 3)]), "the same"),
-        (lambda: ec.revolution(0, (0, 0), (50, 0), 1.5, 2, length=30, sheet=CARD), "3 strips or more"),
+        (lambda: ec.revolve(meridian(0, (0, 0), (50, 0), 1.5, 30), 2, sheet=CARD), "3 strips or more"),
     ],
 )
 def test_bad_input(call, words):

@@ -164,17 +164,6 @@ def test_the_smallest_ring_beside_a_pole_is_told():
         told = int(str(refused.value).split("ring=")[-1].split()[0])
         assert told == 27
         ec.revolve(ball.to_ring(told), 12, sheet=CARD, rings="card-200gsm")
-        ec.revolution(
-            0.0,
-            (0.01, 0),
-            (100, 0),
-            np.pi / 2,
-            12,
-            length=300,
-            ring=told,
-            sheet=CARD,
-            rings="card-200gsm",
-        )
         if asked != 15:
             continue
         with pytest.raises(InputError):
