@@ -1,10 +1,24 @@
-"""Ctrl-C during imports."""
+"""Ctrl-C during imports, and the command of a second process of this package."""
 
 import signal
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from threading import current_thread, main_thread
 from types import FrameType
+
+PACKAGES = Path(__file__).parents[1]
+"""Folder of this package, which in a checkout is not among Python's folders."""
+
+
+def python_command(module: str, function: str) -> list[str]:
+    """Return the command that calls a function of this package in a new Python.
+
+    -P because `python` would search the working folder for modules first.
+    """
+    run = f"import sys; sys.path.append({str(PACKAGES)!r}); from {module} import {function}; {function}()"
+    return [sys.executable, "-P", "-c", run]
 
 
 @contextmanager

@@ -24,6 +24,7 @@ __all__ = [
     "StrainError",
     "UnknownOptionError",
     "how_to_install",
+    "installed_version",
     "near_names",
     "quoted",
     "refuse_options_unlike",
@@ -199,6 +200,16 @@ def how_to_install(package: str) -> str:
         f'"{word}"' if set(word) & set(" []") else word for word in (here, "-m", "pip", "install", package)
     )
     return " ".join(words)
+
+
+def installed_version(package: str) -> str | None:
+    """Return the version of an installed package, or None; elastica_cad itself may run from a checkout."""
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return None
 
 
 def refuse_unknown(asked: Iterable[str], known: Iterable[str], what: str) -> None:

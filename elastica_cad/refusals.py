@@ -16,7 +16,16 @@ PLACES = ("file", "strip")
 """Kinds of places that are shown before the text, in this order; other places are for programs."""
 
 
-class Length(float):
+class _Worded:
+    """Base of values that a front end shows in its own words and units."""
+
+    __slots__ = ()
+
+    def __format__(self, spec: str) -> str:
+        return ENGLISH.format_field(self, spec)
+
+
+class Length(_Worded, float):
     """A length in mm, shown with its unit and three digits, or all before the point; a template may have a format.
 
     Examples
@@ -25,14 +34,11 @@ class Length(float):
     ('the ends are 1235 mm apart', '0.123 mm', '8.0 mm')
     """
 
-    def __format__(self, spec: str) -> str:
-        return ENGLISH.format_field(self, spec)
-
     def __str__(self) -> str:
         return format(self)
 
 
-class FieldName(str):
+class FieldName(_Worded, str):
     """The name of a field of a request: its key in design files, with the table that it is in.
 
     Each front end shows it in its own spelling: see `Wording.field` and `SPELLING`.
@@ -44,9 +50,6 @@ class FieldName(str):
     """
 
     __slots__ = ()
-
-    def __format__(self, spec: str) -> str:
-        return ENGLISH.format_field(self, spec)
 
 
 class MaterialWidth(FieldName):
@@ -64,7 +67,7 @@ SPELLING: ContextVar[Callable[[str], str]] = ContextVar("spelling", default=str)
 """Spelling of a field's name in English messages; the command line replaces it by the spelling of options."""
 
 
-class Listed(tuple[Any, ...]):
+class Listed(_Worded, tuple[Any, ...]):
     """Numbers, lengths or sentences that are listed in a text, at most six.
 
     Examples
@@ -74,9 +77,6 @@ class Listed(tuple[Any, ...]):
     """
 
     LAST = "{some} and {last}"
-
-    def __format__(self, spec: str) -> str:
-        return ENGLISH.format_field(self, spec)
 
 
 class Either(Listed):
@@ -109,7 +109,7 @@ class Span(Listed):
         return cls([Length(high)] if alike else [Length(low), Length(high)])
 
 
-class Point(tuple[float, ...]):
+class Point(_Worded, tuple[float, ...]):
     """A place in the plane or in space, mm.
 
     Examples
@@ -117,9 +117,6 @@ class Point(tuple[float, ...]):
     >>> f"they meet at {Point((12, 34.56))}"
     'they meet at (12, 34.56) mm'
     """
-
-    def __format__(self, spec: str) -> str:
-        return ENGLISH.format_field(self, spec)
 
 
 class Wording(Formatter):

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from functools import partial
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -40,6 +39,7 @@ from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
 from elastica_cad.forming.rod_spec import RodSpec
+from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.bending import bend_path
 from elastica_cad.mechanics.loads import Gravity, Supports
 from elastica_cad.mechanics.rod import Rod
@@ -343,7 +343,7 @@ def _write_files(
         File(f"{name}.csv", partial(_write_shapes, shapes)),
         File(f"{name}.json", lambda path: write_text(path, curves_json([shape.curve for shape in shapes]))),
     ]
-    if find_spec("matplotlib"):
+    if can_draw():
         from elastica_cad.plot.canvas import save_figure
         from elastica_cad.plot.strip_pictures import rod as draw_rod
         from elastica_cad.plot.strip_pictures import travel as draw_travel
@@ -352,7 +352,7 @@ def _write_files(
         files.append(File(f"{name}.png", lambda path: save_figure(draw_rod(shapes[-1], wish=wish), path)))
     if moved is not None:
         files.append(File(f"{travelled}.csv", lambda path: write_text(path, moved.csv())))
-        if find_spec("matplotlib"):
+        if can_draw():
             files.append(File(f"{travelled}.png", lambda path: save_figure(draw_travel(moved), path)))
     return write_files(files, output, force=force)
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from contextlib import suppress
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import groupby, product
 from math import ceil
@@ -95,15 +96,18 @@ def check(
     do not decide it; 2 when any is no open, smooth curve.
     """
     asked = asked_curves(curve, unit, number, layer, every=True, split=split_corners)
-    bent = natural_curvature_of(natural_curvature)
-    of_file, supports, worst, bad = list(voice().notes), Supports(start, end), 0, 0
+    bent, several = natural_curvature_of(natural_curvature), len(asked) > 1
+    request = _Request(Supports(start, end), bent, smooth, alone=not several)
+    of_file, worst, bad = list(voice().notes), 0, 0
     answers: list[dict[str, Any]] = []
-    several = len(asked) > 1
     if picture is not None:
-        _draw(asked, picture, supports, bent, smooth, force=force)
+        if several:
+            raise InputError(
+                "a picture is of one curve, there are {count}: choose one with --curve", count=len(asked)
+            )
+        _draw(request.examined(asked[0])[2], picture, force=force)
     for said, alike in groupby(
-        ((one, _judged(one, supports, bent, smooth, alone=not several)) for one in asked),
-        key=lambda pair: _printed(pair[1]),
+        ((one, request.judged(one)) for one in asked), key=lambda pair: _printed(pair[1])
     ):
         curves, found = zip(*alike, strict=True)
         one, last, answered = curves[0], curves[-1], found[-1]
@@ -117,7 +121,7 @@ def check(
             for sentence in answered.get("advice_on_sheets", ()):
                 say(sentence)
         if not (answered["realizable"] or several or voice().quiet):
-            suggestion = _suggestion(one, supports, bent, smooth)
+            suggestion = request.suggestion(one)
             if suggestion:
                 answered |= {"suggestion": suggestion}
                 say(suggestion)
@@ -130,72 +134,92 @@ def check(
         ctx.exit(worst)
 
 
-def _suggestion(
-    asked: AskedCurve,
-    supports: Supports,
-    natural_curvature: NaturalCurvature,
-    smooth: float | None,
-    problem: ElasticaError | None = None,
-) -> str:
-    """Return the command `elastica strip` for the nearest strip, from a common sheet, to an impossible curve."""
-    if natural_curvature or smooth is not None or Path("out").exists():
-        return ""
-    # these import all that makes strips
-    from elastica_cad.cli.strip_options import option_words
-    from elastica_cad.strip.strip_spec import StripSpec
+@dataclass(frozen=True)
+class _Request:
+    """Options for every curve that is checked.
 
-    curve = asked.curve
-    width = float(np.clip(round(curve.length / 12), *WIDTHS_MM))
-    changes = changes_of(curve) if problem is None else problem.refusal.changes
-    candidates = product(TRIED_SHEETS, (one for one in changes if one.field in ("nearest", "smooth")))
+    Attributes
+    ----------
+    smooth : float or None
+        Largest movement by smoothing, mm.
+    alone : bool
+        True for a single curve, which is checked in more detail.
+    """
 
-    def requests(sheet: str, change: Change) -> Sequence[StripSpec]:
-        spec = StripSpec(curve, sheet, max_width=width, supports=supports)
-        return changed_requests(spec, change)
+    supports: Supports
+    natural_curvature: NaturalCurvature
+    smooth: float | None
+    alone: bool
 
-    def told(sheet: str, change: Change) -> str:
-        words = ("--sheet", sheet, "--max-width", typed_length(width), *option_words(change), "-o", "out")
-        return f"`{typed_line(*words, instead='strip')}`"
+    def examined(self, asked: AskedCurve) -> tuple[StraightEnds, Smoothing, EquilibriumCheck]:
+        """Return the check of the bent part of a curve, with the straight ends and the smoothing before it."""
+        supports, rest, smooth = self.supports, self.natural_curvature, self.smooth
+        ends = StraightEnds.of(asked.bendable(smooth), supports, rest)
+        spec = RodSpec(ends.bent, supports=supports, natural_curvature=rest, smooth=smooth)
+        return ends, spec.smoothing, spec.check
 
-    return first_that_holds((told(*one), partial(requests, *one)) for one in candidates)
+    def judged(self, asked: AskedCurve) -> dict[str, Any]:
+        """Return the report on a curve; one of several curves may also be a curve that is not open and smooth."""
+        try:
+            return self._report(asked)
+        except ElasticaError as problem:
+            if not self.alone:
+                return {
+                    "realizable": False,
+                    "problem": str(problem),
+                    "advice": f"{str(problem).rstrip('.')}.",
+                }
+            if not asked.drawn.problem:
+                suggest_later(partial(self.suggestion, asked))
+            raise
 
+    def _report(self, asked: AskedCurve) -> dict[str, Any]:
+        ends, smoothing, found = self.examined(asked)
+        outcome = self._smoothed(asked, found)
+        told = report_check(found)
+        told["advice"] = " ".join([*outcome, told["advice"]])
+        of_curve = (one for one in smoothing.notes if one not in smoothing.noise)  # which the check reports
+        told["notes"] = [*outcome, *([ends.told] if ends else []), *of_curve]
+        if found.realizable and self.alone:
+            told |= _told_sheets(smoothing.curve, self.supports, self.natural_curvature)
+        return told
 
-def _judged(
-    asked: AskedCurve,
-    supports: Supports,
-    natural_curvature: NaturalCurvature,
-    smooth: float | None,
-    *,
-    alone: bool,
-) -> dict[str, Any]:
-    """Return the report on a curve; if there are several curves, also for a curve that is not open and smooth."""
-    try:
-        return _report(asked, supports, natural_curvature, smooth, alone=alone)
-    except ElasticaError as problem:
-        if not alone:
-            return {"realizable": False, "problem": str(problem), "advice": f"{str(problem).rstrip('.')}."}
-        if not asked.drawn.problem:
-            suggest_later(partial(_suggestion, asked, supports, natural_curvature, smooth))
-        raise
+    def _smoothed(self, asked: AskedCurve, found: EquilibriumCheck) -> tuple[Refusal, ...]:
+        """Return a note whether noisy points of an impossible curve give a possible curve after smoothing."""
+        points = measured_points(found.curve)
+        if found.realizable or points is None or points.stray:
+            return ()
+        fair = False
+        with suppress(ElasticaError):
+            fair = replace(self, smooth=points.reach).examined(asked)[2].realizable
+        return (note(
+            "Smoothed within {reach} a strip can take this curve; as its points are, none can." if fair else
+            "Even smoothed within {reach} no strip can take this curve.",
+            reach=Length(points.reach),
+        ),)  # fmt: skip
 
+    def suggestion(self, asked: AskedCurve, problem: ElasticaError | None = None) -> str:
+        """Return the command `elastica strip` for the strip of a common sheet that is nearest to the curve."""
+        if self.natural_curvature or self.smooth is not None or Path("out").exists():
+            return ""
+        # these import all that makes strips
+        from elastica_cad.cli.strip_options import option_words
+        from elastica_cad.strip.strip_spec import StripSpec
 
-def _report(
-    asked: AskedCurve,
-    supports: Supports,
-    natural_curvature: NaturalCurvature,
-    smooth: float | None,
-    *,
-    alone: bool,
-) -> dict[str, Any]:
-    ends, smoothing, found = _examined(asked, supports, natural_curvature, smooth)
-    outcome = _smoothed(asked, supports, natural_curvature, found)
-    told = report_check(found)
-    told["advice"] = " ".join([*outcome, told["advice"]])
-    of_curve = (one for one in smoothing.notes if one not in smoothing.noise)  # which the check reports
-    told["notes"] = [*outcome, *([ends.told] if ends else []), *of_curve]
-    if found.realizable and alone:
-        told |= _told_sheets(smoothing.curve, supports, natural_curvature)
-    return told
+        curve = asked.curve
+        width = float(np.clip(round(curve.length / 12), *WIDTHS_MM))
+        changes = changes_of(curve) if problem is None else problem.refusal.changes
+        candidates = product(TRIED_SHEETS, (one for one in changes if one.field in ("nearest", "smooth")))
+
+        def requests(sheet: str, change: Change) -> Sequence[StripSpec]:
+            spec = StripSpec(curve, sheet, max_width=width, supports=self.supports)
+            return changed_requests(spec, change)
+
+        def told(sheet: str, change: Change) -> str:
+            words = ("--sheet", sheet, "--max-width", typed_length(width), *option_words(change), "-o", "out")
+            return f"`{typed_line(*words, instead='strip')}`"
+
+        return first_that_holds((told(*one), partial(requests, *one)) for one in candidates)
 
 
 def _printed(told: dict[str, Any]) -> str:
@@ -203,50 +227,11 @@ def _printed(told: dict[str, Any]) -> str:
     return " ".join([told["advice"], *(one for one in told.get("notes", ()) if one not in told["advice"])])
 
 
-def _smoothed(
-    asked: AskedCurve, supports: Supports, natural_curvature: NaturalCurvature, found: EquilibriumCheck
-) -> tuple[Refusal, ...]:
-    """Return a note whether noisy points of an impossible curve give a possible curve after smoothing."""
-    points = measured_points(found.curve)
-    if found.realizable or points is None or points.stray:
-        return ()
-    fair = False
-    with suppress(ElasticaError):
-        fair = _examined(asked, supports, natural_curvature, points.reach)[2].realizable
-    return (note(
-        "Smoothed within {reach} a strip can take this curve; as its points are, none can." if fair else
-        "Even smoothed within {reach} no strip can take this curve.",
-        reach=Length(points.reach),
-    ),)  # fmt: skip
-
-
-def _examined(
-    asked: AskedCurve, supports: Supports, natural_curvature: NaturalCurvature, smooth: float | None
-) -> tuple[StraightEnds, Smoothing, EquilibriumCheck]:
-    """Return the check of the bent part of a curve, with the straight ends and the smoothing before it."""
-    ends = StraightEnds.of(asked.bendable(smooth), supports, natural_curvature)
-    spec = RodSpec(ends.bent, supports=supports, natural_curvature=natural_curvature, smooth=smooth)
-    return ends, spec.smoothing, spec.check
-
-
-def _draw(
-    asked: Sequence[AskedCurve],
-    path: Path,
-    supports: Supports,
-    natural_curvature: NaturalCurvature,
-    smooth: float | None,
-    *,
-    force: bool,
-) -> None:
-    """Write the picture of the check of a single curve."""
+def _draw(found: EquilibriumCheck, path: Path, *, force: bool) -> None:
+    """Write the picture of a check."""
     from elastica_cad.plot.canvas import save_figure
     from elastica_cad.plot.check_picture import check as draw_check
 
-    if len(asked) > 1:
-        raise InputError(
-            "a picture is of one curve, there are {count}: choose one with --curve", count=len(asked)
-        )
-    _, _, found = _examined(asked[0], supports, natural_curvature, smooth)
     save_figure(draw_check(found), path, force=force)
     wrote([path])
 

@@ -15,7 +15,14 @@ from elastica_cad.cli.options import UNITS, Length, option_name
 from elastica_cad.cli.suggestions import TYPED, suggestion_below
 from elastica_cad.cli.voice import echo, progress_shown, remake_on_change, voice, warn
 from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE, OUTPUT_CLOSED
-from elastica_cad.errors import ElasticaError, InputError, NotMetError, StrainError, near_names
+from elastica_cad.errors import (
+    ElasticaError,
+    InputError,
+    NotMetError,
+    StrainError,
+    installed_version,
+    near_names,
+)
 from elastica_cad.formats.source_file import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.plot.drawing_process import DrawingProcess
@@ -66,13 +73,7 @@ TOLD: dict[type[ElasticaError], tuple[str, int]] = {
 def _tell_version(ctx: click.Context, _: click.Parameter, asked: bool) -> None:
     if not asked:
         return
-    from importlib.metadata import PackageNotFoundError, version
-
-    try:
-        told = version("elastica-cad")
-    except PackageNotFoundError:
-        told = "from a checkout"
-    echo(f"elastica, version {told}")
+    echo(f"elastica, version {installed_version('elastica-cad') or 'from a checkout'}")
     ctx.exit()
 
 
@@ -259,9 +260,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
         if watched and not reads:
             raise InputError("--watch is of commands that read files: leave it out")
         in_mm = [] if asked.get("units", "mm") == "mm" else _told_in_mm()
-        _refuse_odd_numbers(chosen)
-        if not huge:
-            _refuse_huge_numbers(chosen)
+        _check_numbers(chosen, huge=huge)
         if not watched:
             _once(run, chosen, in_mm)
             return
@@ -283,21 +282,18 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
     return command
 
 
-def _refuse_odd_numbers(chosen: Mapping[str, Any]) -> None:
-    """Refuse nan and inf among the options of the running command: Python reads them as numbers."""
-    for option in click.get_current_context().command.params:
-        if not all(np.isfinite(number) for number in _numbers(chosen.get(str(option.name)))):
-            raise InputError("{opts} is given as nan or infinite: give finite numbers", opts=option.opts[0])
-
-
-def _refuse_huge_numbers(chosen: Mapping[str, Any]) -> None:
-    """Refuse what no drawing holds, such as 1e200, before anything is computed with it."""
+def _check_numbers(chosen: Mapping[str, Any], *, huge: bool) -> None:
+    """Refuse nan and inf among the options of the running command; without `huge` also numbers no drawing has."""
     for option in click.get_current_context().command.params:
         kinds = option.type.types if isinstance(option.type, click.Tuple) else [option.type]
         is_length = any(isinstance(kind, Length) for kind in kinds)
         most, what = (LARGEST_SIZE, "a length") if is_length else (LARGEST_NUMBER, "a number")
         for number in _numbers(chosen.get(str(option.name))):
-            if abs(number) > most:
+            if not np.isfinite(number):
+                raise InputError(
+                    "{opts} is given as nan or infinite: give finite numbers", opts=option.opts[0]
+                )
+            if abs(number) > most and not huge:
                 unit = " mm" if is_length else ""
                 raise InputError(
                     "{opts} is {number:.3g}{unit}: give {what} of at most {most:g}{unit}",

@@ -113,7 +113,7 @@ POSITIVE = click.FloatRange(0, min_open=True)
 @click.option("--stand", metavar="NAME", default="hdf-1.5", show_default=True,
               help="Sheet of what holds the strips, in the design file; `none` for nothing.")  # fmt: skip
 @output_options
-def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen: Any) -> None:
+def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
     """Cut a MESH (OBJ, STL, PLY) or a CAD body (STEP) by planes, and fit a curve for a strip to each section.
 
     \b
@@ -124,13 +124,13 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
     Writes NAME-sections.json (the curves, exactly), NAME-sections.dxf (the same side by side) and, with --sheet,
     NAME-sections.toml, a design file to go on with. A section that gives no curve is named; the others go on.
     """
-    if sheet is not None:
-        asked_sheet(chosen | {"sheet": sheet})
+    if chosen["sheet"] is not None:
+        asked_sheet(chosen)
     if chosen["stand"] != "none":
         asked_sheet({"sheet": chosen["stand"], "thickness": None})
     require_file(mesh)
     named = given_of(chosen, ("unit", "scale"))
-    family = _family_named(chosen | {"sheet": sheet})
+    family = _family_named(chosen)
     try:
         surface = read_sized_surface(read_surface, mesh, **named)
         spec = _spec(family, chosen, surface)
@@ -148,18 +148,18 @@ def sections(mesh: Path, output: Path, force: bool, sheet: str | None, **chosen:
     for text in reports:
         warn(f"Note: {text}{_option_for(text, chosen)}")
     answer({"sections": verdicts})
-    name, strips = f"{mesh.stem}-sections", None if sheet is None else _strip_keys(sheet, chosen, output)
+    name = f"{mesh.stem}-sections"
     drawn = [curve.curve for curve in curves]
     files = [
         File(f"{name}.json", lambda path: write_text(path, curves_json(drawn))),
         File(f"{name}.dxf", lambda path: write_curves(_side_by_side(drawn), path)),
     ]
-    if strips is not None:
+    if chosen["sheet"] is not None:
         seen = {"mesh": seen_from(str(mesh), output)} | named
-        text = compose_section_design(name, seen, spec, strips)
+        text = compose_section_design(name, seen, spec, _strip_keys(chosen, output))
         files.append(File(f"{name}.toml", lambda path: write_text(path, text)))
     wrote(write_files(files, output, force=force))
-    if sheet is None:
+    if chosen["sheet"] is None:
         say("for strips along them add --sheet NAME, or give the curves to elastica strip")
 
 
@@ -256,9 +256,9 @@ def _up(chosen: dict[str, Any], along: Any) -> Triple:
     return up
 
 
-def _strip_keys(sheet: str, chosen: dict[str, Any], output: Path) -> dict[str, Any]:
+def _strip_keys(chosen: dict[str, Any], output: Path) -> dict[str, Any]:
     """Return the table for all strips in a design file."""
-    limits = {"ratio": chosen["ratio"]}
+    sheet, limits = chosen["sheet"], {"ratio": chosen["ratio"]}
     limits |= {} if chosen["margin"] is None else {"margin": chosen["margin"]}
     strips: dict[str, Any] = {"sheet": seen_from(sheet, output) if ".toml" in sheet else sheet}
     strips |= {} if chosen["thickness"] is None else {"thickness": chosen["thickness"]}

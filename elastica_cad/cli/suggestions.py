@@ -37,11 +37,6 @@ MOST_REFUSALS = 7
 """Curves of a file whose refusals are printed."""
 
 
-def _command_line(*words: str) -> str:
-    """Return a command as typed."""
-    return f"{name_program()} {quote_words(words)}"
-
-
 def typed_line(*added: str, instead: str | None = None) -> str:
     """Return the running command as typed, with added options that override earlier options of the same name.
 
@@ -51,7 +46,7 @@ def typed_line(*added: str, instead: str | None = None) -> str:
     words: Sequence[str] = context.meta.get(TYPED, ())
     if instead is not None:
         words = [instead if word == context.info_name else word for word in words if word != "--json"]
-    return _command_line(*words, *added)
+    return f"{name_program()} {quote_words([*words, *added])}"
 
 
 def typed_length(mm: float) -> str:

@@ -7,7 +7,7 @@ import numpy as np
 from elastica_cad._values import is_whole, require_record, round_numbers
 from elastica_cad.design.check_report import report_check
 from elastica_cad.design.measuring_sheet import measuring_record
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError, installed_version
 from elastica_cad.formats.json_curves import curve_record
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.nearest_record import NearestRod
@@ -368,12 +368,5 @@ def _joint(strip: Strip) -> dict[str, Any] | None:
 
 def list_versions() -> dict[str, str]:
     """Return the versions of the packages that a result depends on."""
-    from importlib.metadata import PackageNotFoundError, version
-
-    found = {}
-    for package in ("elastica-cad", "numpy", "scipy", "highspy", "ezdxf"):
-        try:
-            found[package] = version(package)
-        except PackageNotFoundError:
-            continue
-    return found
+    packages = ("elastica-cad", "numpy", "scipy", "highspy", "ezdxf")
+    return {package: version for package in packages if (version := installed_version(package))}

@@ -23,9 +23,9 @@ def toml_text(table: Mapping[str, Any]) -> str:
     file = "a.dxf"
     <BLANKLINE>
     """
-    text = "".join(_line(key, one) for key, one in table.items() if not _is_tables(one))
+    text = "".join(_line(key, one) for key, one in table.items() if not is_tables(one))
     for name, rows in table.items():
-        for row in rows if _is_tables(rows) else ():
+        for row in rows if is_tables(rows) else ():
             text += f"\n[[{name}]]\n"
             text += "".join(_line(key, one) for key, one in row.items() if not isinstance(one, Mapping))
             for key, one in row.items():
@@ -34,7 +34,8 @@ def toml_text(table: Mapping[str, Any]) -> str:
     return text
 
 
-def _is_tables(value: Any) -> bool:
+def is_tables(value: Any) -> bool:
+    """Return True for a list of tables."""
     return isinstance(value, list) and bool(value) and all(isinstance(one, Mapping) for one in value)
 
 

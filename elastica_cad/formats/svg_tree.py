@@ -69,7 +69,7 @@ def _apply_styles(root: Element) -> list[str]:
     """
     tree, rules, unread = _Tree(root), defaultdict[str, list[_Rule]](list), []
     for sheet in tree.elements:
-        if _kind(sheet) != "style":
+        if tag(sheet) != "style":
             continue
         for selectors, body, holds in _rules(sheet):
             declared = _declarations(body)
@@ -86,7 +86,7 @@ def _apply_styles(root: Element) -> list[str]:
         sheet.text = ""
     for element in tree.elements:
         classes = element.get("class", "").split()
-        keys = ["*", _kind(element), f"#{element.get('id')}", *(f".{name}" for name in classes)]
+        keys = ["*", tag(element), f"#{element.get('id')}", *(f".{name}" for name in classes)]
         matching = [rule for key in keys for rule in rules.get(key, ()) if tree.matches(element, rule.steps)]
         matching.append(_Rule([], (1,), _declarations(element.attrib.pop("style", ""))))
         ranked = [
@@ -174,10 +174,6 @@ def _unescaped(text: str) -> str:
     return _ESCAPE.sub(lambda one: chr(min(int(one[1], 16), 0x10FFFF)) if one[1] else one[2], text)
 
 
-def _kind(element: Element) -> str:
-    return str(element.tag).rpartition("}")[2]
-
-
 class _Tree:
     """The elements of a document, with their parents and preceding siblings."""
 
@@ -236,7 +232,7 @@ class _Tree:
         name = _unescaped(part["name"])
         if part["kind"] == ".":
             return name in element.get("class", "").split()
-        return name in ("*", element.get("id") if part["kind"] else _kind(element))
+        return name in ("*", element.get("id") if part["kind"] else tag(element))
 
 
 _LENGTH = re.compile(rf"\s*({NUMBER}|[-+]?\d+,\d+)\s*([a-z]*)\s*", re.IGNORECASE)

@@ -290,6 +290,11 @@ class Path:
             return self.points(tolerance / 4)  # a thin closed path needs more points to have an area
         return points
 
+    def closed_points(self, tolerance: float) -> FloatArray:
+        """Return `points`; a closed path ends at its start."""
+        points = self.points(tolerance)
+        return np.concatenate([points, points[:1]]) if self.closed else points
+
     @property
     def has_splines(self) -> bool:
         """True if a segment is a spline."""

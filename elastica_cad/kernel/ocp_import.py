@@ -9,7 +9,7 @@ from types import SimpleNamespace
 from typing import Any, TypeAlias
 
 from elastica_cad._process import interrupts_held
-from elastica_cad.errors import MissingDependencyError, how_to_install
+from elastica_cad.errors import MissingDependencyError, how_to_install, installed_version
 from elastica_cad.refusals import note
 
 Shape: TypeAlias = Any
@@ -102,7 +102,7 @@ def _unsound(error: Exception) -> MissingDependencyError:
     brought = {
         name: version
         for name in ("cadquery-ocp", "cadquery-ocp-novtk")
-        if (version := _installed_version(name)) is not None
+        if (version := installed_version(name)) is not None
     }
     if len({version.split(".", maxsplit=1)[0] for version in brought.values()}) > 1:
         both = " and ".join(f"{name} {version}" for name, version in brought.items())
@@ -114,12 +114,3 @@ def _unsound(error: Exception) -> MissingDependencyError:
     return MissingDependencyError(
         f"{reason}: install what it names, or another release of build123d or cadquery"
     )
-
-
-def _installed_version(package: str) -> str | None:
-    from importlib.metadata import PackageNotFoundError, version
-
-    try:
-        return version(package)
-    except PackageNotFoundError:
-        return None

@@ -8,6 +8,7 @@ import os
 import pickle
 import subprocess
 import sys
+import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import replace
@@ -18,20 +19,11 @@ from tempfile import TemporaryDirectory
 from threading import Thread
 from typing import IO, TYPE_CHECKING, cast
 
+from elastica_cad._process import python_command
 from elastica_cad._text import MADE_BY
 
 if TYPE_CHECKING:
     from elastica_cad.formats.write_files import File
-
-PACKAGES = Path(__file__).parents[2]
-"""Folder of this package, which in a checkout is not among Python's folders."""
-
-PROGRAM = """
-import sys
-sys.path.append({folder!r})
-from elastica_cad.plot.drawing_process import serve
-serve()
-"""
 
 
 class DrawingProcess:
@@ -44,10 +36,8 @@ class DrawingProcess:
     """
 
     def __init__(self) -> None:
-        code = PROGRAM.format(folder=str(PACKAGES))
         self._process = subprocess.Popen(
-            # -P because `python` would search the working folder for modules first
-            [sys.executable, "-P", "-W", "ignore", "-c", code],
+            python_command("elastica_cad.plot.drawing_process", "serve"),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
@@ -131,6 +121,7 @@ def drawing_process(words: Sequence[str]) -> Iterator[DrawingProcess | None]:
 
 def serve() -> None:
     """Import what draws, then draw the pictures of each request from standard input."""
+    warnings.simplefilter("ignore")
     import matplotlib.backends.backend_agg
     import matplotlib.figure  # noqa: F401
     from PIL import Image

@@ -7,7 +7,6 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
-from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.geometry.plane_points import box_about
 from elastica_cad.geometry.profile import Profile
@@ -77,7 +76,7 @@ def drawing(drawing: Drawing) -> Figure:
     figure, (axes,) = new_page(
         [NUMBERED._replace(height=float(np.clip(WIDE * size[1] / size[0], 1.6, 11.0)))]
     )
-    lines = _polylines([item.path for item in drawing.strokes])
+    lines = [item.path.closed_points(SMOOTH_MM) for item in drawing.strokes]
     for layer in dict.fromkeys(item.layer for item in drawing.strokes):
         strokes = [line for item, line in zip(drawing.strokes, lines, strict=True) if item.layer == layer]
         # on whole pixels, dots of letters would shrink to nothing
@@ -137,7 +136,7 @@ def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)
     for layer in strip.layers:
         # what runs against the outline is left out of the filling
         loops = [layer.outline, *(hole if hole.area < 0 else hole.reversed() for hole in layer.holes)]
-        outlines = [Outline(loop + shift, closed=True) for loop in _polylines(loops)]
+        outlines = [Outline(loop.closed_points(SMOOTH_MM) + shift, closed=True) for loop in loops]
         seen_through = layer is not strip.layers[0]
         # `add_patch` would look at every piece of every hole for limits that are set afterwards
         axes.add_artist(
@@ -250,14 +249,6 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
     if strip.backing_side:
         title += f"\n{fill(strip.backing_side, 100)}"
     _entitle(axes, title)
-
-
-def _polylines(paths: Sequence[Path]) -> list[FloatArray]:
-    """Return points (n, 2) along paths; closed paths end at their start."""
-    rows = [path.points(SMOOTH_MM) for path in paths]
-    return [
-        np.concatenate([row, row[:1]]) if path.closed else row for path, row in zip(paths, rows, strict=True)
-    ]
 
 
 def _widened(size: FloatArray) -> FloatArray:

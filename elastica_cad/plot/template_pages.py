@@ -91,10 +91,8 @@ def _tiles(drawing: Drawing, page: tuple[float, float], overlap: float) -> Tilin
     if counts.prod() > MOST_TILES:
         raise InputError(f"{drawing.name} needs {counts.prod()} pages of this paper: print larger paper")
     start = (low + high) / 2 - (size + (counts - 1) * step) / 2
-    lines = [item.path.points(1.0) for item in drawing.strokes]
-    ends = [np.concatenate([line, line[:1]]) if item.path.closed else line
-            for item, line in zip(drawing.strokes, lines, strict=True)]  # fmt: skip
-    segments = np.concatenate([np.column_stack([line[:-1], line[1:]]) for line in ends])
+    lines = [item.path.closed_points(1.0) for item in drawing.strokes]
+    segments = np.concatenate([np.column_stack([line[:-1], line[1:]]) for line in lines])
     origins, names = [], []
     for row in range(counts[1]):
         for column in range(counts[0]):
@@ -200,10 +198,9 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, overlap: f
 
     window = Rectangle((low[0], low[1]), *tiling.size, transform=axes.transData)
     for item in drawing.strokes:
-        points = item.path.points(CHORD_MM)
+        points = item.path.closed_points(CHORD_MM)
         if np.any(points.max(axis=0) < low) or np.any(points.min(axis=0) > high):
             continue  # on another page: an invisible line costs as much as a visible line
-        points = np.concatenate([points, points[:1]]) if item.path.closed else points
         axes.plot(*points.T, color=LAYER_COLORS[item.layer], linewidth=0.6, solid_capstyle="butt")[
             0
         ].set_clip_path(window)

@@ -21,7 +21,6 @@ from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.kit.model_kit import model_kit
@@ -256,8 +255,9 @@ def _flat(drawings: Iterable[Drawing]) -> list[Record]:
     drawn: list[Record] = []
     below = 0.0
     for drawing in drawings:
-        lines = [(item.layer, _line(item.path)) for item in drawing.paths]
-        lines += [(text.layer, _line(stroke)) for text in drawing.texts for stroke in text_strokes(text)]
+        paths = [(item.layer, item.path) for item in drawing.paths]
+        paths += [(text.layer, stroke) for text in drawing.texts for stroke in text_strokes(text)]
+        lines = [(layer, path.closed_points(CHORD_MM)) for layer, path in paths]
         heights = np.concatenate([points[:, 1] for _, points in lines])
         shift = np.array([0.0, below - heights.max()])
         for layer in LAYERS:
@@ -265,12 +265,6 @@ def _flat(drawings: Iterable[Drawing]) -> list[Record]:
             drawn += [{"layer": layer, "loops": loops}] if loops else []
         below -= 1.1 * np.ptp(heights)
     return drawn
-
-
-def _line(path: Path) -> FloatArray:
-    """Return a path as a line of points (n, 2) on the screen; a closed line ends at its start."""
-    points = path.points(CHORD_MM)
-    return np.concatenate([points, points[:1]]) if path.closed else points
 
 
 def _nearest(request: Mapping[str, Any]) -> Record:

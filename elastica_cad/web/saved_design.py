@@ -11,6 +11,7 @@ import numpy as np
 from elastica_cad.design.design_file import design_of, parse_design
 from elastica_cad.design.pair_table import pair_of
 from elastica_cad.design.records import CurveReader
+from elastica_cad.design.toml_text import is_tables
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
 from elastica_cad.formats.source_file import read_below, require_file
@@ -133,12 +134,8 @@ def _update(kept: Any, given: Mapping[str, Any]) -> None:
             continue
         if isinstance(value, Mapping) and isinstance(kept.get(key), Mapping):
             _update(kept[key], value)
-        elif _are_tables(value) and _are_tables(kept.get(key)) and len(value) == len(kept[key]):
+        elif is_tables(value) and is_tables(kept.get(key)) and len(value) == len(kept[key]):
             for one, other in zip(kept[key], value, strict=True):
                 _update(one, other)
         else:
             kept[key] = value
-
-
-def _are_tables(value: object) -> bool:
-    return isinstance(value, list) and bool(value) and all(isinstance(one, Mapping) for one in value)

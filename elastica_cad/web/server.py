@@ -6,10 +6,9 @@ import json
 import os
 import secrets
 import socket
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager, suppress
 from dataclasses import dataclass, field
-from importlib.metadata import PackageNotFoundError, version
 from importlib.resources import files
 from itertools import count
 from pathlib import Path
@@ -17,26 +16,28 @@ from typing import Any
 
 from starlette.applications import Starlette
 from starlette.datastructures import MutableHeaders
-from starlette.requests import HTTPConnection, Request
-from starlette.responses import FileResponse, PlainTextResponse, Response
-from starlette.routing import Mount, Route, WebSocketRoute
+from starlette.requests import HTTPConnection
+from starlette.responses import PlainTextResponse
+from starlette.routing import Mount, WebSocketRoute
 from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.errors import ElasticaError, InputError, installed_version
 from elastica_cad.formats.write_files import write_atomically
-from elastica_cad.refusals import FieldName, Refusal
-from elastica_cad.web.answers import CHANGED
+from elastica_cad.refusals import FieldName
+from elastica_cad.web.answers import CHANGED, refused
 from elastica_cad.web.saved_design import file_mark, open_design, start_designs
 from elastica_cad.web.vocabulary import page_words
-from elastica_cad.web.worker import head_of, read_question
+from elastica_cad.web.worker import head_of, read_question, refused_answer
 from elastica_cad.web.workers import Workers
 
 HOST = "127.0.0.1"
 
 MOST_BYTES = 16 * 2**20
 """Largest size of a message, such as a dropped drawing."""
+
+TOO_MUCH = "this page asks too much at once: wait for its answers"
 
 POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self' {socket}; "
@@ -128,16 +129,15 @@ class Studio:
         self._hello = page_words() | {
             "do": "hello",
             "starts": start_designs(),
-            "version": _version(),
+            "version": installed_version("elastica-cad") or "from a checkout",
             "file": file,
         }
-        self._workers = Workers(_refused, path)
+        self._workers = Workers(path)
         self._pages = count(1)
         page = Path(str(files("elastica_cad.web").joinpath("page")))
         routes = [
-            Route("/", _first(page / "index.html")),
             WebSocketRoute("/talk", self._talk),
-            Mount("/", StaticFiles(directory=page)),
+            Mount("/", StaticFiles(directory=page, html=True)),
         ]
         self.app = Guard(Starlette(routes=routes, lifespan=self._alive), entrance)
 
@@ -172,7 +172,7 @@ class Studio:
         try:
             request = read_question(text)
         except InputError as problem:
-            await send(b"text", _refused({}, problem.refusal))
+            await send(b"text", refused_answer({}, problem))
             return
         path = self.path
 
@@ -182,7 +182,7 @@ class Studio:
         saves = request.get("do") == "save" and not request.get("copy")
         line = text.replace("\n", " ").encode()  # a line feed of JSON is a space, and ends a worker's line
         if not self._workers.ask(page, head_of(request), line, written if saves else send):
-            await send(b"text", _refused(request, "this page asks too much at once: wait for its answers"))
+            await send(b"text", refused_answer(request, InputError(TOO_MUCH)))
 
 
 def _written(path: Path, content: bytes) -> bytes:
@@ -197,26 +197,8 @@ def _written(path: Path, content: bytes) -> bytes:
         write_atomically(path, text.encode(), force=True)
         answer |= {"saved": path.name, "mark": file_mark(path)}
     except ElasticaError as problem:
-        answer |= {"refused": problem.refusal.record}
+        answer |= refused(problem)
     return json.dumps(answer).encode()
-
-
-def _first(index: Path) -> Any:
-    async def page(_: Request) -> Response:
-        return FileResponse(index)
-
-    return page
-
-
-def _refused(request: Mapping[str, Any], text: str) -> bytes:
-    return json.dumps(head_of(request) | {"refused": Refusal("input", text).record}).encode()
-
-
-def _version() -> str:
-    try:
-        return version("elastica-cad")
-    except PackageNotFoundError:
-        return "from a checkout"
 
 
 def bound_socket(port: int) -> socket.socket:

@@ -1,11 +1,11 @@
 """Data for the forms of the page: declared fields, sheets, and file types."""
 
-from importlib.util import find_spec
 from typing import Any
 
 from elastica_cad.design.records import described
 from elastica_cad.design.strip_table import SharedKeys
 from elastica_cad.files import step_trouble
+from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.sheets import sheets_by_kind
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.web.answers import DOWNLOADS
@@ -15,7 +15,7 @@ from elastica_cad.words import catalogue
 
 def page_words() -> dict[str, Any]:
     """Return fields, sheets and kinds of file for the page, as plain data for JSON."""
-    without = {"pdf"} if find_spec("matplotlib") is None else set()
+    without = set() if can_draw() else {"pdf"}
     without |= {"step", "stl"} if step_trouble() else set()
     fields = described(SharedKeys)
     pair_fields = [one for one in described(FlexureSpec) if one["name"] not in ("first", "second")]

@@ -14,7 +14,7 @@ from typing import Any
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.refusals import Refusal, Wording
-from elastica_cad.web.answers import Download, answer
+from elastica_cad.web.answers import Download, answer, refused
 from elastica_cad.words import Translated
 
 MOST_MEMORY = 3 * 2**30
@@ -53,6 +53,11 @@ def head_of(question: Mapping[str, Any]) -> dict[str, Any]:
     return {name: question[name] for name in ("id", "do", "kind") if name in question}
 
 
+def refused_answer(question: Mapping[str, Any], problem: ElasticaError) -> bytes:
+    """Return the answer to a question that no worker answers."""
+    return json.dumps(head_of(question) | refused(problem)).encode()
+
+
 def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
     """Return kind and content of the answer to a request; errors become sentences.
 
@@ -67,14 +72,12 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
         request = read_question(line)
         found = answer(request, saved)
     except ElasticaError as problem:
-        found = _refused(problem.refusal)
+        found = refused(problem)
     except MemoryError:
-        found = _refused("there is not enough memory for this: ask for less, such as fewer strips")
-    except (
-        Exception
-    ):  # a page that is of another version, or nonsense: the next question is answered all the same
+        found = refused(InputError("there is not enough memory for this: ask for less, such as fewer strips"))
+    except Exception:  # a page of another version, or nonsense; the next question is answered all the same
         traceback.print_exc()
-        found = _refused("this design cannot be read: its values are of the wrong kind")
+        found = refused(InputError("this design cannot be read: its values are of the wrong kind"))
     words, head = _PageWords(request.get("language", "en")), head_of(request)
     if isinstance(found, Download):
         return b"file", json.dumps(head | {"name": found.name}).encode() + b"\n" + found.content
@@ -105,10 +108,6 @@ def _worded(value: Any, words: Wording) -> Any:
     if isinstance(value, list) and value and isinstance(value[0], str | dict):
         return [_worded(one, words) for one in value]
     return value
-
-
-def _refused(text: str) -> dict[str, Any]:
-    return {"refused": {"message": text if isinstance(text, Refusal) else Refusal("input", text)}}
 
 
 def _limit_memory() -> None:

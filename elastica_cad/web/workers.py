@@ -1,11 +1,14 @@
 """Worker processes and their queue; only the newest of equal requests from a page is answered."""
 
 import asyncio
-import sys
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
+
+from elastica_cad._process import python_command
+from elastica_cad.errors import InputError
+from elastica_cad.web.worker import refused_answer
 
 WORKERS = 2
 
@@ -17,16 +20,6 @@ USUAL_S = 15.0
 MOST_WAITING = 12
 """Largest number of different waiting requests from a page; the page itself sends fewer."""
 
-PACKAGES = Path(__file__).parents[2]
-"""Folder of this package, which in a checkout is not among Python's folders."""
-
-WORKER = """
-import sys
-sys.path.append({folder!r})
-from elastica_cad.web.worker import main
-main()
-"""
-
 Send = Callable[[bytes, bytes], Awaitable[None]]
 """Takes kind and content of an answer."""
 
@@ -34,8 +27,8 @@ Send = Callable[[bytes, bytes], Awaitable[None]]
 class Workers:
     """Two worker processes, and a queue that answers pages in the order of their first requests."""
 
-    def __init__(self, refused: Callable[[dict[str, Any], str], bytes], saved: Path | None) -> None:
-        self._refused, self._saved = refused, saved
+    def __init__(self, saved: Path | None) -> None:
+        self._saved = saved
         self._waiting: dict[tuple[int, str], tuple[dict[str, Any], bytes, Send]] = {}
         self._arrived = asyncio.Semaphore(0)
         self._tasks: list[asyncio.Task[None]] = []
@@ -85,7 +78,8 @@ class Workers:
                     process = None
                     late = isinstance(problem, TimeoutError)
                     told = f"took longer than {seconds:.0f} s" if late else "needed too much memory"
-                    kind, content = b"text", self._refused(head, f"this {told}: ask for something smaller")
+                    refusal = InputError(f"this {told}: ask for something smaller")
+                    kind, content = b"text", refused_answer(head, refusal)
                 with suppress(Exception):  # the page has gone meanwhile
                     await send(kind, content)
         finally:
@@ -98,14 +92,8 @@ async def _nobody(_: bytes, __: bytes) -> None:
 
 
 async def _started(saved: Path | None) -> asyncio.subprocess.Process:
-    """Start a worker, with -P because `python` would search the working folder for modules first."""
-    command = [
-        sys.executable,
-        "-P",
-        "-c",
-        WORKER.format(folder=str(PACKAGES)),
-        *([str(saved)] if saved else []),
-    ]
+    """Start a worker."""
+    command = [*python_command("elastica_cad.web.worker", "main"), *([str(saved)] if saved else [])]
     pipe = asyncio.subprocess.PIPE
     return await asyncio.create_subprocess_exec(  # in a session where Ctrl-C does not reach it: the server ends it
         *command, stdin=pipe, stdout=pipe, start_new_session=True

@@ -39,7 +39,7 @@ SINE = PlaneCurve.fit(
 @pytest.fixture(autouse=True)
 def without_pictures(monkeypatch):
     """As without matplotlib, for speed."""
-    monkeypatch.setattr("elastica_cad.cli.bend_command.find_spec", lambda _: None)
+    monkeypatch.setattr("elastica_cad.cli.bend_command.can_draw", lambda: False)
 
 
 def typed(line, cwd):
