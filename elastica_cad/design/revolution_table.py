@@ -14,7 +14,7 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.model import Model
 from elastica_cad.model.revolution_model import revolve
 from elastica_cad.refusals import Length, note
-from elastica_cad.strip.outline import Tab, pair_of_tabs
+from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
 Pair: TypeAlias = tuple[float, float]
@@ -90,7 +90,7 @@ class RevolutionTable:
             self.meridian,
             self.strips,
             sheet=self.sheet,
-            ends=None if self.ends is None else pair_of_tabs(self.ends),
+            ends=self.ends,
             rings=self.rings,
             gap=self.gap,
             name=name,

@@ -10,8 +10,8 @@ from elastica_cad.defaults import UNKNOWN_WIDTH
 from elastica_cad.errors import ElasticaError, InputError, quoted
 from elastica_cad.geometry.fairing import Fairing, fair_curve, may_step, round_corners, usual_tolerance
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.least_ratio import optimal_rod
+from elastica_cad.mechanics.equilibrium_check import examine
+from elastica_cad.mechanics.least_ratio import rod_of_request
 from elastica_cad.mechanics.loads import (
     ExcessCurvature,
     NaturalCurvature,
@@ -19,6 +19,7 @@ from elastica_cad.mechanics.loads import (
     require_natural_curvature,
     require_supports,
 )
+from elastica_cad.mechanics.moment_conditions import RodRequest
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.theorem1 import curvature_jump, measured_points, require_bendable, stray_point
 from elastica_cad.refusals import FieldName, Length, note
@@ -109,7 +110,8 @@ class Smoothing:
     def _rod_on(self, curve: PlaneCurve) -> Rod | None:
         """Return the weightless rod for a curve, or None if there is none."""
         try:
-            return optimal_rod(curve, supports=self.supports, natural_curvature=self.natural_curvature)
+            supports = self.supports or Supports()
+            return rod_of_request(RodRequest(curve, None, supports, self.natural_curvature))
         except ElasticaError:
             return None
 
@@ -144,7 +146,7 @@ class Smoothing:
         It is 0 for exact curves, and for curves that no strip can take, because their error mentions the noise.
         """
         points = measured_points(self.drawn)
-        if points is None or not check_equilibrium(self.drawn, self.supports).realizable:
+        if points is None or not examine(self.drawn, self.supports or Supports()).realizable:
             return 0.0
         drawn, smooth = (
             one.sample(PLACES).curvature for one in (self.drawn, round_corners(self.drawn, points.reach)[0])

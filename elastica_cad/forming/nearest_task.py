@@ -20,10 +20,11 @@ from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.rod_map import MappedRod, SectionScale, StiffnessBasis, Unknowns
 from elastica_cad.forming.rod_spec import RodSpec, Weights
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.loads import (
     NaturalCurvature,
     RestCurvature,
+    Supports,
     nodal_curvature,
 )
 from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod, scaled_to_least
@@ -308,7 +309,7 @@ def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArr
         raise InputError("a rod with weight has no inflection line: do without keep line, or without gravity")
     if not isinstance(line, bool):
         return np.asarray(line[0]), np.asarray(line[1])
-    crossing = check_equilibrium(curve, natural_curvature=request.natural_curvature).line
+    crossing = examine(curve, Supports(), request.natural_curvature).line
     if crossing is None:
         raise InputError(
             "the drawn curve has no inflection line to keep: give two points, keep line=((x, y), (x, y))"

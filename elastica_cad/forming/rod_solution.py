@@ -7,7 +7,7 @@ from elastica_cad._values import require_record
 from elastica_cad.errors import Change, InputError, NotMetError, rounded_up
 from elastica_cad.forming.nearest_record import NearestRod, Status
 from elastica_cad.forming.rod_spec import RodSpec
-from elastica_cad.mechanics.least_ratio import optimal_laminate, rod_of_request
+from elastica_cad.mechanics.least_ratio import filled_gravity, laminate_of_request, rod_of_request
 from elastica_cad.mechanics.optimal_balance import OverloadError
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection, WidthRange
@@ -30,10 +30,8 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
 
         return find_nearest(replace(spec, curve=curve, smooth=0.0))
     if layers is not None and spec.gravity is not None:
-        return optimal_laminate(
-            curve, layers.section, layers.base_width, direction=spec.gravity.direction, supports=spec.supports,
-            samples=spec.samples, least_backing=layers.least_backing, masses=spec.masses,
-        ).rod  # fmt: skip
+        gravity = filled_gravity(layers.section, spec.gravity.direction)
+        return laminate_of_request(replace(spec, curve=curve, smooth=0.0, gravity=gravity), layers).rod
     bounds: Any = {} if widths is None else widths.stiffness
     try:
         rod = rod_of_request(replace(spec, curve=curve, smooth=0.0, known_check=spec.check, **bounds))

@@ -9,30 +9,11 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.forming.fairing_request import Smoothing, check_smooth
 from elastica_cad.forming.limits import Keep, Limits, Measure
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.mechanics.least_ratio import LaminateLayers
 from elastica_cad.mechanics.moment_conditions import RodRequest
 from elastica_cad.mechanics.sections import WidthRange
 
 Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
-
-
-@dataclass(frozen=True, eq=False)
-class LaminateLayers:
-    """A base of known width with a glued layer; its weight is not proportional to its stiffness.
-
-    Attributes
-    ----------
-    section : LaminatedSection
-    base_width : float or Profile
-        mm.
-    least_backing : float
-        Narrowest backing that can be cut and glued, mm.
-    """
-
-    section: LaminatedSection
-    base_width: float | Profile
-    least_backing: float
 
 
 @dataclass(frozen=True, eq=False)

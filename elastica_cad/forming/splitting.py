@@ -12,7 +12,7 @@ from elastica_cad._values import as_floats
 from elastica_cad.errors import InputError
 from elastica_cad.forming.equilibrium_curve import EquilibriumCurve
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.loads import (
     End,
     Supports,
@@ -185,7 +185,7 @@ class _Cut:
             piece, held, tolerance = self._held(start, end)
             if piece.is_closed:  # pieces have two ends
                 return False
-            return check_equilibrium(piece, held, tolerance=tolerance).realizable
+            return examine(piece, held, tolerance=tolerance).realizable
         except InputError:
             return False
 

@@ -179,7 +179,7 @@ def check_equilibrium(
 def examine(
     curve: PlaneCurve,
     supports: Supports,
-    natural_curvature: NaturalCurvature,
+    natural_curvature: NaturalCurvature = 0.0,
     tolerance: float = 1e-4,
     *,
     heavy: bool = False,

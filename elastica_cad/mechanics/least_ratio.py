@@ -1,8 +1,7 @@
 """From a drawn curve to the rod of least stiffness ratio that rests in it, and its stiffness as a spline."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from itertools import pairwise
 from math import ceil
 from typing import Any
@@ -497,6 +496,24 @@ _DENSE = 2001  # number of places at which the fit of the backing is checked
 
 
 @dataclass(frozen=True, eq=False)
+class LaminateLayers:
+    """A base of known width with a glued layer; its weight is not proportional to its stiffness.
+
+    Attributes
+    ----------
+    section : LaminatedSection
+    base_width : float or Profile
+        mm.
+    least_backing : float
+        Narrowest backing that can be cut and glued, mm.
+    """
+
+    section: LaminatedSection
+    base_width: float | Profile
+    least_backing: float
+
+
+@dataclass(frozen=True, eq=False)
 class Laminate:
     """Rod and its layers.
 
@@ -578,20 +595,28 @@ def optimal_laminate(
     require_curve(curve)
     require_record(section, LaminatedSection, "the section", "a LaminatedSection(base, backing)")
     masses = several("masses", masses, PointMass, "PointMass")
-    s_end = curve.length
+    supports = require_supports(supports)
+    gravity = None if direction is None else filled_gravity(section, direction)
+    _check_options(gravity, samples, None)
+    request = RodRequest(curve, gravity, supports, samples=samples, weight=Weight(masses=masses))
+    return laminate_of_request(request, LaminateLayers(section, base_width, least_backing))
+
+
+def laminate_of_request(request: RodRequest, layers: LaminateLayers) -> Laminate:
+    """Return the laminate of a checked request, see `optimal_laminate`; the own weight is that of the layers."""
+    base_width, s_end = layers.base_width, request.curve.length
     if isinstance(base_width, Profile) and not np.isclose(base_width.length, s_end, rtol=1e-6):
         raise InputError(
             "the base width is given over {length:.6g}, the curve is {s_end:.6g} long",
             length=Length(base_width.length),
             s_end=Length(s_end),
         )
-    gravity = None if direction is None else _filled(section, direction)
-    solve = partial(optimal_rod, curve, gravity, supports, samples=samples)
-    rod = solve()
-    base = _Base.under(rod, section, base_width, least_backing)
-    if gravity is None:
+    request = replace(request, known_check=request.check)
+    rod = rod_of_request(replace(request, weight=None))
+    base = _Base.under(rod, layers)
+    if request.gravity is None:
         return base.laminate(rod, base.scale(rod), 1)
-    laminate, change = _by_tangent_laws(solve, base, rod, masses)
+    laminate, change = _by_tangent_laws(request, base, rod)
     if laminate is not None:
         return laminate
     if isinstance(base_width, Profile):
@@ -600,7 +625,7 @@ def optimal_laminate(
             f"{change:.2g}): give the base one width all along, which is searched for more closely, "
             "or use stiffer or lighter sheets"
         )
-    rod = _by_short_steps(solve, section, float(base_width), masses)
+    rod = _by_short_steps(request, layers.section, float(base_width))
     return base.laminate(rod, base.scale(rod), _MOST_ROUNDS)
 
 
@@ -610,59 +635,63 @@ class _Base:
 
     Attributes
     ----------
-    section : LaminatedSection
-    width : float or Profile
-        w1, mm.
-    least_backing : float
-        Least width of the backing, mm.
+    layers : LaminateLayers
     at_nodes : (n,) array
         w1 at the nodes of the rod, mm.
     places, at_places : (m,) arrays
         Arc lengths where the backing must fit, and w1 there, mm.
     """
 
-    section: LaminatedSection
-    width: "float | Profile"
-    least_backing: float
+    layers: LaminateLayers
     at_nodes: FloatArray
     places: FloatArray
     at_places: FloatArray
 
     @classmethod
-    def under(
-        cls, rod: Rod, section: LaminatedSection, width: "float | Profile", least_backing: float
-    ) -> "_Base":
+    def under(cls, rod: Rod, layers: LaminateLayers) -> "_Base":
         """Return the base of a rod with the length of the curve."""
+        width = layers.base_width
         at_nodes = _along(width, rod.s)
         places = np.union1d(np.linspace(0.0, rod.length, _DENSE), rod.s)
         if isinstance(width, Profile):
             places = np.union1d(places, np.clip(width.knots, 0.0, rod.length))
-        return cls(section, width, least_backing, at_nodes, places, _along(width, places))
+        return cls(layers, at_nodes, places, _along(width, places))
 
     def scale(self, rod: Rod) -> float:
         """Return the largest c, N mm2, with E I = c K within the base."""
-        return _scale(self.section, self.at_places, _stiffness(rod, self.places), self.least_backing)
+        section, stiffness, least = (
+            self.layers.section,
+            _stiffness(rod, self.places),
+            self.layers.least_backing,
+        )
+        scales = section.scale_range(self.at_places, stiffness, least_backing=least)
+        if not scales.feasible:
+            ratio = section.thickness_ratio(self.at_places, stiffness, least_backing=least)
+            raise InputError(
+                "the laminate cannot be as soft in one place and as stiff in another as the curve needs: "
+                f"with the backing {rounded_up(1 / ratio, 3):g} times as thick as the base (now "
+                f"{section.backing.thickness / section.base.thickness:.3g} times) or more it could"
+            )
+        return scales.scale
 
     def laminate(self, rod: Rod, scale: float, rounds: int) -> Laminate:
         """Return the laminate of a rod with this scale."""
-        K = np.asarray(rod.stiffness)
+        K, section = np.asarray(rod.stiffness), self.layers.section
         return Laminate(
             rod=replace(rod, bending_stiffness=scale),
-            section=self.section,
+            section=section,
             base_width=self.at_nodes,
-            backing_width=self.section.backing_width(self.at_nodes, scale * K),
-            range=self.section.scale_range(self.at_nodes, K, least_backing=self.least_backing),
+            backing_width=section.backing_width(self.at_nodes, scale * K),
+            range=section.scale_range(self.at_nodes, K, least_backing=self.layers.least_backing),
             rounds=rounds,
         )
 
 
-def _by_tangent_laws(
-    solve: Callable[..., Rod], base: _Base, rod: Rod, masses: tuple[PointMass, ...]
-) -> tuple[Laminate | None, float]:
+def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Laminate | None, float]:
     """Return the laminate by weight laws linearised at the previous rod, or None, and the last change of K."""
-    section = base.section
+    section = base.layers.section
     stations = np.linspace(0.0, rod.length, _STATIONS)
-    w1 = _along(base.width, stations)
+    w1 = _along(base.layers.base_width, stations)
     bounds = section.bending_stiffness(w1, 0.0 * w1), section.bending_stiffness(w1, w1)
     scale = base.scale(rod)
     history: list[float] = []
@@ -672,7 +701,8 @@ def _by_tangent_laws(
         # an extrapolated scale may require more than two full layers somewhere, or less than the base
         EI = np.clip(scale * _stiffness(rod, stations), *bounds)
         weight = section.weight(stations, w1, EI / target, target)
-        next_rod = solve(weight=Weight(weight.alpha, weight.beta, masses), bending_stiffness=target)
+        weight = replace(weight, masses=request.masses)
+        next_rod = rod_of_request(replace(request, weight=weight, bending_stiffness=target))
         change = float(np.abs(next_rod.stiffness / rod.stiffness - 1).max())
         rod, got = next_rod, next_rod.bending_stiffness or target
         least = got / target
@@ -686,13 +716,12 @@ def _by_tangent_laws(
     return None, change
 
 
-def _by_short_steps(
-    solve: Callable[..., Rod], section: LaminatedSection, base_width: float, masses: tuple[PointMass, ...]
-) -> Rod:
-    """Return the result of `optimal_rod` for a base of uniform width."""
+def _by_short_steps(request: RodRequest, section: LaminatedSection, base_width: float) -> Rod:
+    """Return the rod of least ratio for a base of uniform width."""
     law = BoundedBacking(section, np.asarray(base_width), (0.0, base_width))
     try:
-        rod = solve(section=law, weight=Weight(masses=masses, own=True))
+        weight = Weight(masses=request.masses, own=True)
+        rod = rod_of_request(replace(request, section=law, weight=weight))
     except InputError as error:
         raise InputError(
             "the laminate cannot be as soft in one place and as stiff in another as the curve needs under "
@@ -714,22 +743,8 @@ def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
     return np.maximum(rod.profile(s), 1.0)
 
 
-def _filled(section: LaminatedSection, direction: ArrayLike) -> Gravity:
+def filled_gravity(section: LaminatedSection, direction: ArrayLike) -> Gravity:
     """Return the gravity of the laminate with two full layers, as the first approximation."""
     length = section.bending_stiffness(1.0, 1.0) / section.weight_per_length(1.0, 1.0)
     x, y = point(direction, "direction")
     return Gravity(float(length ** (1 / 3)), (float(x), float(y)))
-
-
-def _scale(
-    section: LaminatedSection, base_width: FloatArray, stiffness: FloatArray, least_backing: float
-) -> float:
-    found = section.scale_range(base_width, stiffness, least_backing=least_backing)
-    if not found.feasible:
-        ratio = section.thickness_ratio(base_width, stiffness, least_backing=least_backing)
-        raise InputError(
-            "the laminate cannot be as soft in one place and as stiff in another as the curve needs: "
-            f"with the backing {rounded_up(1 / ratio, 3):g} times as thick as the base (now "
-            f"{section.backing.thickness / section.base.thickness:.3g} times) or more it could"
-        )
-    return found.scale

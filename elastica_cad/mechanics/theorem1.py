@@ -19,6 +19,7 @@ from elastica_cad.mechanics.loads import (
     NaturalCurvature,
     RestCurvature,
     Supports,
+    require_curve,
 )
 from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sentences
 
@@ -416,13 +417,16 @@ def _shown_on(curve: PlaneCurve, point: FloatArray) -> str:
 
 
 def require_bendable(curve: PlaneCurve) -> None:
-    """Refuse a curve with a corner, also where it closes, because no strip can follow a corner.
+    """Refuse other values than curves, and curves with a corner, also where they close.
+
+    No strip can follow a corner.
 
     Raises
     ------
     InputError
         The curve has a corner; the message states its place and a remedy.
     """
+    require_curve(curve)
     corners = curve.tangent_breaks
     if (corners or curve.has_corners) and (points := measured_points(curve)) is not None:
         message = next(iter(points.stray), points.told)

@@ -13,7 +13,6 @@ from elastica_cad._values import is_one_of
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_curve import PlaneCurve, integrate_tangents
 from elastica_cad.geometry.polynomials import LEFT, NODES, WEIGHTS, PanelFunction, in_panels, locate_in_panels
-from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.theorem1 import require_bendable
 from elastica_cad.refusals import Length, note
 
@@ -114,7 +113,6 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
     (True, True)
     """
     for curve in (first, second):
-        require_curve(curve)
         require_bendable(curve)
         if curve.is_closed:
             raise InputError("a closed curve has no ends to be held: open it somewhere")

@@ -20,7 +20,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import Change, InputError
 from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.geometry.polynomials import LEFT, RIGHT, PanelFunction, in_panels
-from elastica_cad.mechanics.loads import CurveOfRest, ExcessCurvature, require_curve
+from elastica_cad.mechanics.loads import CurveOfRest, ExcessCurvature
 from elastica_cad.mechanics.moment_conditions import (
     WIDEST_RATIO,
     StiffnessFamily,
@@ -144,7 +144,6 @@ def examine_pair(
 def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
     """Return the second curve, scaled about its start to the length of the first."""
     for curve in (first, second):
-        require_curve(curve)
         require_bendable(curve)
         if curve.is_closed:
             raise InputError(

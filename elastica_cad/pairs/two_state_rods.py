@@ -13,10 +13,10 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.geometry.polynomials import WEIGHTS, PanelFunction
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.mechanics.least_ratio import optimal_rod, stiffness_profile
+from elastica_cad.mechanics.least_ratio import rod_of_request, stiffness_profile
 from elastica_cad.mechanics.loads import CurveOfRest, require_ratio, whole_number
 from elastica_cad.mechanics.minimax_lp import METHOD, MinimaxProgram, unsettled
-from elastica_cad.mechanics.moment_conditions import BOUNDED, BalancedStiffness, StiffnessFamily
+from elastica_cad.mechanics.moment_conditions import BOUNDED, BalancedStiffness, RodRequest, StiffnessFamily
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES, Rod
 from elastica_cad.mechanics.sideways import SidewaysStability, sideways_stability
 from elastica_cad.mechanics.stability import Stability, stability
@@ -445,7 +445,7 @@ def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod
     """Return a rod whose `free` state is its natural shape; the other state is an `optimal_rod`."""
     natural, held = (check.first, check.second) if free == "first" else (check.second, check.first)
     count = None if samples == DEFAULT_SAMPLES else samples
-    bent = optimal_rod(held, natural_curvature=CurveOfRest.of(natural), samples=count)
+    bent = rod_of_request(RodRequest(held, natural_curvature=CurveOfRest.of(natural), samples=count))
     at = natural.at(np.minimum(bent.s, natural.length))
     none = np.zeros(bent.s.size)
     bent = replace(bent, natural_curvature=at.curvature, check=None)

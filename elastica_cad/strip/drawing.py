@@ -379,7 +379,6 @@ def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
     >>> [(part.name, len(part.paths)) for part in parts]
     [('plates', 1), ('plates-2', 2)]
     """
-    require_record(drawing, Drawing, "what is separated", "a Drawing")
     cuts = drawing.only(CUT_INNER, CUT_OUTER).strokes
     for item in cuts:
         if not item.path.closed:

@@ -16,13 +16,13 @@ from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
-from elastica_cad.forming.rod_spec import LaminateLayers, RodSpec
+from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.fairing import may_step
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.creep_study import require_creep
 from elastica_cad.mechanics.laminated_section import LaminatedSection
+from elastica_cad.mechanics.least_ratio import LaminateLayers
 from elastica_cad.mechanics.loads import (
     Gravity,
     NaturalCurvature,
@@ -531,7 +531,6 @@ class StripSpec(EqualByValue):
             else several("loads", self.loads, PointMass, "PointMass"),
             "ends": ends,
             "slots": slots,
-            "creep": require_creep(self.creep),
         }
         for name, value in settled.items():
             object.__setattr__(self, name, value)
