@@ -11,6 +11,8 @@ from freecad.elastica_wb.features import curves, flat, model, nest, strip
 from freecad.elastica_wb.features.pieces import cuts_of, told_blanks_of
 from freecad.elastica_wb.features.strip_properties import nearest_spec_of
 
+from tests.freecad.features import change, new
+
 UPRIGHT = App.Rotation(App.Vector(1, 0, 0), 90)
 BAD = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
 EVEN = (
@@ -23,35 +25,29 @@ EVEN = (
 def bent(document, sketch):
     """A strip that is bent beforehand all along."""
     made = strip.create(document, sketch)
-    made.NaturalCurvature = -0.004
-    document.recompute()
+    change(made, NaturalCurvature=-0.004)
     return made
 
 
 def test_a_strip_tells_its_blank_first(document, bent):
     assert bent.Verdict == "A strip bent beforehand takes this curve. There are remarks."
     assert bent.Reasons[0] == "B" + EVEN[1:]
-    bent.Thickness = 4
-    document.recompute()
+    change(bent, Thickness=4)
     assert bent.Verdict.startswith("A strip bent beforehand would break on this curve.")
-    bent.Thickness, bent.Follow, bent.RatioLimit = 0.8, "Nearest", 1.2
-    document.recompute()
+    change(bent, Thickness=0.8, Follow="Nearest", RatioLimit=1.2)
     assert re.match("A strip bent beforehand takes a curve .* mm from this one", bent.Verdict), bent.Verdict
-    bent.NaturalCurvature, bent.Follow = 0.0, "Exactly"
-    document.recompute()
+    change(bent, NaturalCurvature=0.0, Follow="Exactly")
     assert [bent.Verdict, bent.Reasons] == ["A flat strip takes this curve.", []]
 
 
 def test_a_curve_that_such_a_strip_cannot_take(document, drawn):
     made = strip.create(document, drawn(BAD))
-    made.NaturalCurvature = -0.0005
-    document.recompute()
+    change(made, NaturalCurvature=-0.0005)
     assert made.Verdict == "A strip bent beforehand cannot take this curve."
 
 
 def test_a_blank_along_the_strip_is_the_property_blank(document, bent):
-    bent.Blank = "stations = [0, 101, 202.2], curvatures = [0, -0.01, 0]"
-    document.recompute()
+    change(bent, Blank="stations = [0, 101, 202.2], curvatures = [0, -0.01, 0]")
     assert bent.Reasons[0].startswith(
         "Bend it beforehand to a radius of 100 mm at its sharpest, 101 mm from its start, the"
     )
@@ -63,8 +59,7 @@ def test_a_blank_along_the_strip_is_the_property_blank(document, bent):
 def test_what_is_cut_tells_it(document, bent, drawn, tmp_path):
     flat.create(document, bent)
     straight = strip.create(document, drawn([(x, y + 200) for x, y in [(0, 0), (60, 60), (120, 0)]], 2))
-    laid = nest.create(document, [bent, straight])
-    document.recompute()
+    laid = new(nest.create, document, [bent, straight])
     told = f"{bent.Label}: {EVEN}"
     assert told_blanks_of(cuts_of([bent, straight])) == laid.Reports == [told]
     write_cutting_files([bent, straight], tmp_path, kinds=["csv", "dxf"])
@@ -84,8 +79,7 @@ def test_a_model_names_the_strips_that_are_bent_alike(document, bent):
     other.Label, bent.Label = "Other", "One"
     flatly = document.copyObject(bent)
     flatly.Label, flatly.NaturalCurvature = "Flatly", 0.0
-    whole = model.create(document, [bent, other, flatly], interlock=False)
-    document.recompute()
+    whole = new(model.create, document, [bent, other, flatly], interlock=False)
     assert whole.Reports == told_blanks_of(cuts_of([whole])) == [f"One, Other: {EVEN}"]
 
 
@@ -100,11 +94,9 @@ def test_the_nearest_curve_is_sought_for_the_same_blank(document, bent, sketch):
     """What is drawn for a strip bent beforehand is near for that one: a flat one has other curves."""
     bent.Follow, bent.RatioLimit = "Nearest", 1.2
     alone = curves.nearest(document, sketch)
-    alone.RatioLimit, alone.NaturalCurvature = 1.2, -0.004
-    document.recompute()
+    change(alone, RatioLimit=1.2, NaturalCurvature=-0.004)
     assert alone.State == ["Up-to-date"], alone.getStatusString()
     assert alone.Deviation.Value == pytest.approx(bent.Deviation.Value, rel=1e-3)
     assert nearest_spec_of(bent, drawn_curve(bent.Curve, bent)).natural_curvature == -0.004
-    alone.NaturalCurvature = 0.0
-    document.recompute()
+    change(alone, NaturalCurvature=0.0)
     assert abs(alone.Deviation.Value - bent.Deviation.Value) > 0.05 * bent.Deviation.Value

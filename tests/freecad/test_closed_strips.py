@@ -8,6 +8,8 @@ import pytest
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
 from freecad.elastica_wb.features import strip
 
+from tests.freecad.features import change
+
 
 @pytest.fixture
 def ring(document):
@@ -20,15 +22,13 @@ def ring(document):
 
 def test_a_circle_becomes_a_ring_and_its_lap(document, ring):
     feature = strip.create(document, ring)
-    feature.Sheet, feature.MaxWidth, feature.Form = "birch-plywood-0.8", 20.0, "Bent"
-    document.recompute()
+    change(feature, Sheet="birch-plywood-0.8", MaxWidth=20.0, Form="Bent")
     assert feature.State == ["Up-to-date"], feature.getStatusString()
     assert feature.Shape.isValid()
     made, lap = feature.Shape.Solids
     assert made.Volume == pytest.approx(376.99 * 20 * 0.8, rel=1e-3)
     assert lap.Volume == pytest.approx(10 * 20 * 0.8 * 59.2 / 60, rel=1e-3)
-    feature.Form = "Flat"
-    document.recompute()
+    change(feature, Form="Flat")
     assert feature.Shape.BoundBox.XLength == pytest.approx(376.99 + 10, abs=0.01)
 
 
@@ -46,8 +46,7 @@ def test_a_periodic_spline_closes_without_a_corner(document, degree):
     sketch = document.addObject("Sketcher::SketchObject", "Oval")
     sketch.addGeometry(periodic(degree), False)
     feature = strip.create(document, sketch)
-    feature.Sheet, feature.MaxWidth = "birch-plywood-0.8", 20.0
-    document.recompute()
+    change(feature, Sheet="birch-plywood-0.8", MaxWidth=20.0)
     assert feature.State == ["Up-to-date"], feature.getStatusString()
     assert feature.Length.Value == pytest.approx(sketch.Shape.Length, abs=0.1)
 

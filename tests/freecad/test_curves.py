@@ -5,6 +5,8 @@ import Part
 import pytest
 from freecad.elastica_wb.features import curves, strip
 
+from tests.freecad.features import change, new
+
 V = App.Vector
 SNAKE = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
 
@@ -24,8 +26,7 @@ def test_the_nearest_curve_follows_its_sketch(document, drawn, move_pole):
     near = curves.nearest(document, source)
     near.LimitStrain = False
     made = strip.create(document, near)
-    made.Sheet = "card-200gsm"
-    document.recompute()
+    change(made, Sheet="card-200gsm")
     ok(near, made)
     assert near.Deviation.Value > 1
     assert near.Ratio <= 3.5 + 1e-6
@@ -56,24 +57,21 @@ def test_the_nearest_curve_moves_with_the_part_of_its_sketch(document, drawn):
 def test_a_nearest_curve_drawn_into_its_sketch(document, drawn):
     source = drawn(SNAKE)
     near = curves.nearest(document, source)
-    near.LimitStrain = False
-    document.recompute()
+    change(near, LimitStrain=False)
     length = near.Shape.Length
     curves.draw_into(near)
     document.recompute()
     assert document.getObject("Nearest") is None
     assert source.Shape.Edges[0].Length == pytest.approx(length, rel=1e-6)
     made = strip.create(document, source)
-    made.Sheet = "card-200gsm"
-    document.recompute()
+    change(made, Sheet="card-200gsm")
     ok(made)
 
 
 def test_a_nearest_curve_as_a_sketch_to_edit(document, drawn):
     source = drawn(SNAKE)
     near = curves.nearest(document, source)
-    near.LimitStrain = False
-    document.recompute()
+    change(near, LimitStrain=False)
     length = near.Shape.Length
     curves.nearest_sketch(near)
     document.recompute()
@@ -82,8 +80,7 @@ def test_a_nearest_curve_as_a_sketch_to_edit(document, drawn):
 
 
 def test_a_bent_strip_follows_its_strip(document, sketch, move_pole):
-    made = strip.create(document, sketch)
-    document.recompute()
+    made = new(strip.create, document, sketch)
     further = curves.bent(document, made, EndX=-20.0)
     document.recompute()
     ok(further)
@@ -102,24 +99,19 @@ def test_a_bent_strip_follows_its_strip(document, sketch, move_pole):
 
 def test_sections_follow_their_body(document):
     cylinder = document.addObject("Part::Cylinder", "Cylinder")
-    cylinder.Radius, cylinder.Height = 40, 100
-    document.recompute()
+    change(cylinder, Radius=40, Height=100)
     cuts = curves.section(document, [cylinder])
     cuts.Axis, cuts.Count, cuts.Closed = "Z", 3, "left and right"
-    made = strip.create(document, cuts, ("Edge2",))
-    document.recompute()
+    made = new(strip.create, document, cuts, ("Edge2",))
     ok(cuts, made)
     assert cuts.Curves == len(cuts.Shape.Edges) == 6
     assert made.Length.Value == pytest.approx(40 * 3.14159, rel=1e-3)
-    cylinder.Radius = 50
-    document.recompute()
+    change(cylinder, Radius=50)
     ok(cuts, made)
     assert made.Length.Value == pytest.approx(50 * 3.14159, rel=1e-3)
-    cuts.Count = 1
-    document.recompute()
+    change(cuts, Count=1)
     ok(cuts, made)
-    cuts.Closed = "left out"
-    document.recompute()
+    change(cuts, Closed="left out")
     assert "closed" in cuts.getStatusString()
 
 
@@ -130,15 +122,12 @@ def test_sections_along_a_path_and_as_sketches(document, sketch):
     face.interpolate([[V(x, y, 40 - x * x / 90 - y * y / 160) for y in across] for x in across])
     tube.Shape = face.toShape()
     path = document.addObject("Part::Feature", "Path")
-    path.Shape = Part.makeLine(V(-40, 0, 0), V(40, 0, 0))
-    document.recompute()
+    change(path, Shape=Part.makeLine(V(-40, 0, 0), V(40, 0, 0)))
     cuts = curves.section(document, [tube], (path, ()))
-    cuts.Count = 3
-    document.recompute()
+    change(cuts, Count=3)
     ok(cuts)
     assert [edge.valueAt(0).x for edge in cuts.Shape.Edges] == pytest.approx([-80 / 3, 0, 80 / 3], abs=1e-3)
-    path.Shape = Part.makeLine(V(-30, 0, 0), V(30, 0, 0))
-    document.recompute()
+    change(path, Shape=Part.makeLine(V(-30, 0, 0), V(30, 0, 0)))
     assert cuts.Shape.Edges[0].valueAt(0).x == pytest.approx(-20, abs=1e-3)
     curves.section_sketches_of(cuts)
     document.recompute()
@@ -154,11 +143,9 @@ def test_a_strip_smooths_its_curve(document):
     first = Part.ArcOfCircle(Part.Circle(V(0, 0, 0), V(0, 0, 1), 100), 1.5708, 2.4)
     second = Part.ArcOfCircle(Part.Circle(V(0, 20, 0), V(0, 0, 1), 80), 0.8, 1.5708)
     sketch.addGeometry([first, second], False)
-    made = strip.create(document, sketch)
-    document.recompute()
+    made = new(strip.create, document, sketch)
     rough = made.Ratio
-    made.Smooth = 0.5
-    document.recompute()
+    change(made, Smooth=0.5)
     ok(made)
     assert 0 < made.Deviation.Value <= 0.5
     assert made.Ratio != pytest.approx(rough, rel=1e-6)

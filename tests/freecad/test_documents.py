@@ -39,6 +39,7 @@ from elastica_cad.geometry.projective_maps import four_point_map
 from elastica_cad.geometry.segments import Arc, Line
 from elastica_cad.mechanics.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.sheets import Sheet
+from tests.freecad.features import change, new
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 BAD = [(0, 0), (40, 60), (80, -55), (120, 10), (160, 30), (180, 0)]
@@ -118,8 +119,7 @@ def test_in_a_body(document, sketch):
     body = document.addObject("PartDesign::Body", "Body")
     body.addObject(sketch)
     body.Placement = App.Placement(App.Vector(0, 0, 50), App.Rotation())
-    feature = strip.create(document, sketch)
-    document.recompute()
+    feature = new(strip.create, document, sketch)
     assert feature.TypeId == "PartDesign::FeatureAdditivePython"
     assert feature.getParentGeoFeatureGroup() is body
     assert feature.State == ["Up-to-date"]
@@ -132,16 +132,17 @@ def test_what_goes_on_after_a_strip_is_told_before_it_is_exported(document, sket
     body = document.addObject("PartDesign::Body", "Body")
     body.addObject(sketch)
     feature = strip.create(document, sketch)
-    twin = flat.create(document, feature)
-    document.recompute()
+    twin = new(flat.create, document, feature)
     assert tell_later_features(feature) == []
-    laid = nest.create(document, [feature])
-    document.recompute()
+    laid = new(nest.create, document, [feature])
     assert laid.LeftOut == []
     hole = body.newObject("PartDesign::SubtractiveCylinder", "Hole")
-    hole.Radius, hole.Height = 2, 100
-    hole.Placement = App.Placement(middle(feature) - App.Vector(0, 0, 50), App.Rotation())
-    document.recompute()
+    change(
+        hole,
+        Radius=2,
+        Height=100,
+        Placement=App.Placement(middle(feature) - App.Vector(0, 0, 50), App.Rotation()),
+    )
     assert hole.State == ["Up-to-date"]
     assert body.Shape.Volume < feature.Shape.Volume - 1, "it takes something away"
     (said,) = tell_later_features(feature)
@@ -163,9 +164,7 @@ def test_what_goes_on_after_a_strip_is_told_before_it_is_exported(document, sket
 def test_links_and_copies(document, sketch, move_pole):
     feature = strip.create(document, sketch)
     link = document.addObject("App::Link", "Link")
-    link.LinkedObject = feature
-    link.Placement = App.Placement(App.Vector(0, 0, 100), App.Rotation())
-    document.recompute()
+    change(link, LinkedObject=feature, Placement=App.Placement(App.Vector(0, 0, 100), App.Rotation()))
     assert link.Shape.Volume == pytest.approx(feature.Shape.Volume, rel=1e-9)
     copy = document.copyObject(feature, True)
     document.recompute()
@@ -214,15 +213,16 @@ def test_edges_and_chains(document):
         closed=False,
     )
     wire = document.addObject("Part::Feature", "Wire")
-    wire.Shape = make_wire(path)
-    wire.Placement = App.Placement(App.Vector(3, 4, 5), App.Rotation(App.Vector(1, 0, 0), 90))
-    document.recompute()
+    change(
+        wire,
+        Shape=make_wire(path),
+        Placement=App.Placement(App.Vector(3, 4, 5), App.Rotation(App.Vector(1, 0, 0), 90)),
+    )
     curve = drawn_curve((wire, ())).curve
     assert curve.length == pytest.approx(path.length, rel=1e-9)
     only = drawn_curve((wire, ("Edge2",))).curve
     assert only.length == pytest.approx(path.segments[1].length, rel=1e-9)
-    feature = strip.create(document, wire, ("Edge2",))
-    document.recompute()
+    feature = new(strip.create, document, wire, ("Edge2",))
     assert feature.State == ["Up-to-date"]
     place = wire.Shape.Edges[1].valueAt(sum(wire.Shape.Edges[1].ParameterRange) / 2)
     assert in_document(feature).isInside(place, 1e-6, True)
@@ -236,13 +236,11 @@ def test_the_outline_of_a_face(document):
     ring = document.addObject("Part::Feature", "Ring")
     circle = Part.makeCircle(60, App.Vector(10, 20, 30))
     ring.Shape = Part.Face(Part.Wire(circle))
-    made = strip.create(document, ring)
-    document.recompute()
+    made = new(strip.create, document, ring)
     assert made.State == ["Up-to-date"], made.getStatusString()
     assert made.Length.Value == pytest.approx(120 * math.pi, rel=1e-9)
     hole = Part.Wire(Part.makeCircle(20, App.Vector(10, 20, 30)))
-    ring.Shape = Part.Face([Part.Wire(circle), hole])
-    document.recompute()
+    change(ring, Shape=Part.Face([Part.Wire(circle), hole]))
     assert "choose the ones that the strip is to follow" in made.getStatusString()
     ring.Shape = Part.makeCylinder(60, 20).Faces[0]
     made.touch()
@@ -297,8 +295,7 @@ def test_a_hidden_pole_makes_the_drag_unusable(document, sketch):
 
 def test_files_without_guide_lines_and_without_ezdxf(document, sketch, tmp_path: Path, monkeypatch):
     feature = strip.create(document, sketch)
-    feature.EngravedText = "A1"
-    document.recompute()
+    change(feature, EngravedText="A1")
     monkeypatch.setitem(sys.modules, "ezdxf", None)
     for marks in (True, False):
         cutting, folder = cutting_of(marks=marks), tmp_path / str(marks)
@@ -311,10 +308,7 @@ def test_files_without_guide_lines_and_without_ezdxf(document, sketch, tmp_path:
 
 def test_cutting_files(document, sketch, tmp_path: Path, request):
     feature = strip.create(document, sketch)
-    feature.EngravedText = "A1"
-    feature.TabHole = 3
-    feature.Quantity = 4
-    document.recompute()
+    change(feature, EngravedText="A1", TabHole=3, Quantity=4)
     # Debian's FreeCAD has no ezdxf: there DXF is refused in words, everything else works
     complete = find_spec("ezdxf") is not None
     kinds = KINDS if complete else [kind for kind in KINDS if kind != "dxf"]
@@ -348,18 +342,14 @@ def test_cutting_files(document, sketch, tmp_path: Path, request):
 
 def test_nearest_follows_when_asked(document, drawn):
     feature = strip.create(document, drawn(BAD))
-    feature.Follow = "Nearest"
-    feature.StrainLimit = 5
-    document.recompute()
+    change(feature, Follow="Nearest", StrainLimit=5)
     assert "it may crack there" in feature.getStatusString(), "more strain was allowed than the sheet bears"
-    feature.Anyway = True
-    document.recompute()
+    change(feature, Anyway=True)
     assert feature.State == ["Up-to-date"], feature.getStatusString()
     assert 0 < feature.Deviation.Value < 20
     assert feature.Ratio <= 3.5 * (1 + 1e-6)
     assert feature.Shape.isValid()
-    feature.Sheet, feature.StrainLimit, feature.Anyway = "card-200gsm", 0, False
-    document.recompute()
+    change(feature, Sheet="card-200gsm", StrainLimit=0, Anyway=False)
     assert "from this one" in feature.Verdict
     assert feature.StrainUse <= 100
 
@@ -385,8 +375,7 @@ def test_styles(document, sketch, tmp_path: Path, style):
     feature.Style = style
     feature.OuterWidth = 28
     feature.Anyway = True  # two layers of plywood would break
-    base = flat.create(document, feature)
-    document.recompute()
+    base = new(flat.create, document, feature)
     assert feature.State == ["Up-to-date"], feature.getStatusString()
     assert feature.Shape.isValid()
     made = strip.strip_of(feature)
@@ -398,14 +387,12 @@ def test_styles(document, sketch, tmp_path: Path, style):
         assert len(feature.Shape.Solids) == 1
         assert len(write_cutting_files([feature], tmp_path, kinds=kinds)) == 2
         return
-    backing = flat.create(document, feature, "Backing")
-    document.recompute()
+    backing = new(flat.create, document, feature, "Backing")
     assert len(feature.Shape.Solids) == 2
     assert backing.Shape.isValid()
     assert backing.Shape.Volume < base.Shape.Volume
     assert len(write_cutting_files([feature], tmp_path, kinds=kinds)) == 3
-    feature.Style = "Plain"
-    document.recompute()
+    change(feature, Style="Plain")
     assert "Invalid" in backing.State
     assert "no backing" in backing.getStatusString()
 
@@ -429,8 +416,7 @@ def test_external_geometry_only(document, sketch):
     other = document.addObject("Sketcher::SketchObject", "Other")
     other.addExternal(sketch.Name, "Edge1")
     document.recompute()
-    feature = strip.create(document, other)
-    document.recompute()
+    feature = new(strip.create, document, other)
     assert "Invalid" in feature.State
     assert "external geometry only" in feature.getStatusString()
 
@@ -496,8 +482,7 @@ def test_the_numbers_of_a_sheet_that_was_changed(document, sketch):
             assert "my-board" in one.getEnumerationsOfProperty("Sheet"), "it can be chosen at once"
             assert one.Sheet == "birch-plywood-0.8"
             one.Sheet = "my-board"
-        measured.Thickness = 1.05
-        document.recompute()
+        change(measured, Thickness=1.05)
         mass = feature.Mass
         library.save_own_sheets([replace(old, density=1400, thickness=1.2)])
         proxy.keep_sheets()
@@ -514,12 +499,9 @@ def test_the_numbers_of_a_sheet_that_was_changed(document, sketch):
 
 def test_gravity_falls_in_space(document, sketch):
     feature = strip.create(document, sketch)
-    feature.Sheet = "card-200gsm"
-    feature.Gravity = True
-    document.recompute()
+    change(feature, Sheet="card-200gsm", Gravity=True)
     assert strip.strip_of(feature).rod.gravity is None, "the sketch lies flat: its plane feels no weight"
-    sketch.Placement = App.Placement(App.Vector(), App.Rotation(App.Vector(1, 0, 0), 90))
-    document.recompute()
+    change(sketch, Placement=App.Placement(App.Vector(), App.Rotation(App.Vector(1, 0, 0), 90)))
     gravity = strip.strip_of(feature).rod.gravity
     assert gravity.direction == pytest.approx((0, -1), abs=1e-12)
     assert gravity.length == pytest.approx(Sheet.named("card-200gsm").elasto_gravity_length)
@@ -532,8 +514,7 @@ def test_a_link_to_a_sketch(document, sketch):
     link.LinkedObject = sketch
     link.Placement = App.Placement(App.Vector(5, 6, 7), App.Rotation(App.Vector(1, 0, 0), 90))
     part.addObject(link)
-    feature = strip.create(document, link)
-    document.recompute()
+    feature = new(strip.create, document, link)
     assert feature.State == ["Up-to-date"], feature.getStatusString()
     assert feature.getParentGeoFeatureGroup() is part
     place = part.Placement * link.Placement
@@ -578,8 +559,7 @@ def test_a_sheet_of_the_library_that_all_commands_share(document, sketch, tmp_pa
     (tmp_path / "felt.toml").write_text(board.toml(), encoding="utf-8")
     monkeypatch.setenv("ELASTICA_SHEETS", str(tmp_path))
     feature = strip.create(document, sketch)
-    feature.Sheet = "felt"
-    document.recompute()
+    change(feature, Sheet="felt")
     assert feature.State == ["Up-to-date"]
     assert feature.Thickness.Value == 0.9
     assert strip.strip_of(feature).sheet == board

@@ -6,6 +6,7 @@ from freecad.elastica_wb.features import baseplate, fixtures, flat, model, nest,
 from freecad.elastica_wb.features.pieces import cuts_of
 
 from elastica_cad.errors import InputError
+from tests.freecad.features import change, new
 
 V = App.Vector
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
@@ -154,10 +155,8 @@ def test_wrong_and_lost_sources(document, sketch):
 
 
 def test_curve_of_its_own_shape(document, sketch):
-    feature = strip.create(document, sketch)
-    document.recompute()
-    feature.Curve = (feature, ["Edge1"])
-    document.recompute()
+    feature = new(strip.create, document, sketch)
+    change(feature, Curve=(feature, ["Edge1"]))
     feature.Curve = None
     assert "missing" in judged(document, feature)[0]
     feature.Curve = (sketch, [])
@@ -218,8 +217,7 @@ def test_a_formula_that_cannot_be_computed(document, sketch, lost):
 
 def test_a_backing_of_a_strip_whose_curve_was_deleted(document, sketch):
     """Laminate adds it whether there is a curve or not."""
-    feature = strip.create(document, sketch)
-    document.recompute()
+    feature = new(strip.create, document, sketch)
     document.removeObject(sketch.Name)
     feature.Style = "Laminated"
     backing = flat.create(document, feature, "Backing")

@@ -7,6 +7,7 @@ from freecad.elastica_wb.features import model, strip
 from freecad.elastica_wb.features.pieces import cuts_of
 
 from elastica_cad.errors import InputError
+from tests.freecad.features import change, new
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 TURN = App.Placement(App.Vector(5, 7, 9), App.Rotation(App.Vector(1, 1, 0), 40))
@@ -19,9 +20,7 @@ def slotted(document, drawn):
     sketch = drawn(ARCH)
     sketch.Placement = TURN
     made = strip.create(document, sketch)
-    made.MaxWidth = 20
-    made.Slots = ["at = 60, width = 2, side = 'lower'"]
-    document.recompute()
+    change(made, MaxWidth=20, Slots=["at = 60, width = 2, side = 'lower'"])
     return made
 
 
@@ -51,8 +50,7 @@ def assert_same(found, shown):
 
 def test_an_image_is_cut_and_held_as_the_strip_that_it_shows(document, slotted):
     image = image_of(slotted)
-    image.Placement = ELSEWHERE
-    document.recompute()
+    change(image, Placement=ELSEWHERE)
     assert counts(image) == [1]
     assert counts(slotted, image) == [2]
     assert_same(held(image), image.Shape.Solids)
@@ -71,8 +69,7 @@ def test_images_of_models_and_of_what_stands_in_containers(document, slotted):
     room.addObject(slotted)
     of_room = image_of(room, normal=(0, 1, 0))
     assert_same(held(of_room), of_room.Shape.Solids)
-    whole = model.create(document, [slotted], interlock=False)
-    document.recompute()
+    whole = new(model.create, document, [slotted], interlock=False)
     image = image_of(whole)
     assert counts(whole, image) == [2]
     assert_same(held(image), image.Shape.Solids)
@@ -82,9 +79,7 @@ def test_images_of_models_and_of_what_stands_in_containers(document, slotted):
 def test_a_compound_stands_for_what_it_holds(document, slotted):
     image = image_of(slotted)
     both = document.addObject("Part::Compound", "Both")
-    both.Links = [slotted, image]
-    both.Placement = ELSEWHERE
-    document.recompute()
+    change(both, Links=[slotted, image], Placement=ELSEWHERE)
     assert counts(both) == [2]
     assert counts(slotted, image, both) == [2]
     assert counts(both, image_of(both)) == [4]
@@ -111,8 +106,7 @@ def test_a_pattern_in_a_body_is_refused(document, drawn, kind):
     body = document.addObject("PartDesign::Body", "Body")
     sketch = drawn(ARCH)
     body.addObject(sketch)
-    made = strip.create(document, sketch)
-    document.recompute()
+    made = new(strip.create, document, sketch)
     assert counts(made) == counts(body) == [1]
     pattern = body.newObject(f"PartDesign::{kind}", kind)
     pattern.Originals = [made]
@@ -121,8 +115,7 @@ def test_a_pattern_in_a_body_is_refused(document, drawn, kind):
         setattr(pattern, name, (axes[value], [""]) if value in axes else value)
     body.Tip = pattern
     link = document.addObject("App::Link", "Link")
-    link.LinkedObject = body
-    document.recompute()
+    change(link, LinkedObject=body)
     assert pattern.State == ["Up-to-date"]
     assert originals(pattern) == [made]
     for shown in (pattern, body, link):
@@ -136,9 +129,7 @@ def test_a_pattern_in_a_body_is_refused(document, drawn, kind):
 @pytest.mark.campaign
 def test_a_body_that_begins_with_a_strip_is_that_strip(document, slotted):
     body = document.addObject("PartDesign::Body", "Body")
-    body.BaseFeature = slotted
-    body.Placement = ELSEWHERE
-    document.recompute()
+    change(body, BaseFeature=slotted, Placement=ELSEWHERE)
     assert body.Shape.Volume == pytest.approx(slotted.Shape.Volume)
     (base,) = body.Group
     assert counts(body) == counts(base) == counts(base, slotted) == [1]

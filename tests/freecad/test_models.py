@@ -20,6 +20,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.model import interlocking as interlock
 from elastica_cad.strip.pieces import distinct
 from elastica_cad.strip.solids import PrismSolid
+from tests.freecad.features import change, new
 
 ARCH = [(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)]
 
@@ -56,16 +57,14 @@ def standing(document, drawn):
 
 @pytest.mark.campaign
 def test_interlocked_strips_touch_nowhere(document, crossing):
-    made = model.create(document, crossing)
-    document.recompute()
+    made = new(model.create, document, crossing)
     assert made.State == ["Up-to-date"], made.getStatusString()
     assert made.Joints == 1
     first, second = made.Shape.childShapes()
     assert first.isValid()
     assert second.isValid()
     assert first.common(second).Volume < 1e-6
-    free = model.create(document, crossing, interlock=False)
-    document.recompute()
+    free = new(model.create, document, crossing, interlock=False)
     first, second = free.Shape.childShapes()
     assert first.common(second).Volume > 1
     assert free.Joints == 0
@@ -78,11 +77,9 @@ def overlaps(made):
 
 
 def test_strips_that_run_into_each_other_are_told(document, crossing, drawn):
-    made = model.create(document, crossing)
-    document.recompute()
+    made = new(model.create, document, crossing)
     assert overlaps(made) == []
-    made.Interlock = False
-    document.recompute()
+    change(made, Interlock=False)
     assert overlaps(made) == model.overlaps_of(made)
     (told,) = made.Overlaps
     assert re.fullmatch(r"A at [0-9.]+ mm runs through B at [0-9.]+ mm: slot them .*", told)
@@ -98,15 +95,13 @@ def test_strips_that_run_into_each_other_are_told(document, crossing, drawn):
 def test_slotted_strips_that_collide_beside_their_slots_are_told(document, drawn):
     sketches = [drawn(ARCH), drawn(ARCH)]
     sketches[1].Placement = App.Placement(App.Vector(0, 1, 4), App.Rotation(App.Vector(0, 1, 0.2), 9))
-    made = model.create(document, strips_of(document, sketches))
-    document.recompute()
+    made = new(model.create, document, strips_of(document, sketches))
     assert made.Joints
     assert "beside the slots that join them" in " ".join(overlaps(made))
 
 
 def test_the_model_follows_its_strips(document, crossing, move_pole):
-    made = model.create(document, crossing)
-    document.recompute()
+    made = new(model.create, document, crossing)
     before = made.Shape.BoundBox.YMax
     move_pole(crossing[0].Curve[0], 2, (0, 120))
     move_pole(crossing[1].Curve[0], 4, (5, 160))
@@ -141,12 +136,10 @@ def test_what_is_made_from_a_strip_is_hidden_while_that_is_in_error(
     first, second = (one.Curve[0] for one in standing)
     good = first.Geometry[0]
     for wrong in ([spline_geometry([(0, 0), (30, 60), (60, -60), (90, 60), (120, -60), (150, 0)])], []):
-        first.Geometry = wrong
-        document.recompute()
+        change(first, Geometry=wrong)
         assert "Invalid" in standing[0].State
         assert in_sight(made) == [False, False, False, False, True]
-        first.Geometry = [good]
-        document.recompute()
+        change(first, Geometry=[good])
         assert in_sight(made) == [True, True, False, True, True]
         assert not standing[0].Visibility, "it was hidden before"
     document.openTransaction("delete")
@@ -190,8 +183,7 @@ def test_what_hangs_on_a_link_to_what_was_deleted_says_so(document, standing):
 def test_what_fails_itself_is_hidden_until_it_can_be_made(document, standing, drawn):
     made = nest.create(document, standing)
     near = curves.nearest(document, drawn(ARCH))
-    after = strip.create(document, near)
-    document.recompute()
+    after = new(strip.create, document, near)
     assert in_sight([made, near, after]) == [True] * 3
     made.SheetWidth = 20
     made.SheetHeight = 20
@@ -199,8 +191,7 @@ def test_what_fails_itself_is_hidden_until_it_can_be_made(document, standing, dr
     document.recompute()
     assert in_sight([made, near, after]) == [False] * 3
     made.SheetWidth = made.SheetHeight = 500
-    near.Curve = standing[0].Curve
-    document.recompute()
+    change(near, Curve=standing[0].Curve)
     assert in_sight([made, near, after]) == [True] * 3
 
 
@@ -211,21 +202,18 @@ def test_what_failed_is_hidden_when_its_sketch_is_closed(document, standing, dra
     document.recompute()
     good = drawing.Geometry[0]
     near.Visibility = False
-    drawing.Geometry = []
-    document.recompute()
+    change(drawing, Geometry=[])
     near.Visibility = True
     proxy.hide_failed(drawing)
     assert in_sight([near, other]) == [False, True]
-    drawing.Geometry = [good]
-    document.recompute()
+    change(drawing, Geometry=[good])
     assert in_sight([near, other]) == [True, True]
 
 
 def test_the_strips_of_a_model_that_fails_come_into_sight(document, standing, spline_geometry):
     """Nothing was left in sight, so nobody could see which strips stand wrong."""
     first, second = standing
-    made = model.create(document, standing)
-    document.recompute()
+    made = new(model.create, document, standing)
     for one in standing:
         one.Visibility = False
     place = second.Curve[0].Placement
@@ -235,8 +223,7 @@ def test_the_strips_of_a_model_that_fails_come_into_sight(document, standing, sp
     assert made.Reports == [made.getStatusString()], "not those of before"
     assert in_sight([made, *standing]) == [False, True, True]
     first.Visibility = False  # the user looks at the other one
-    made.Clearance = 0.2
-    document.recompute()
+    change(made, Clearance=0.2)
     assert in_sight([made, *standing]) == [False, False, True]
     second.Curve[0].Placement = place
     document.recompute()
@@ -250,8 +237,7 @@ def test_the_strips_of_a_model_that_fails_come_into_sight(document, standing, sp
     document.recompute()
     assert in_sight([made, *standing]) == [False, True, True], "made, and inside the other"
     second.Curve[0].Placement = place
-    second.Visibility = True
-    document.recompute()
+    change(second, Visibility=True)
     assert in_sight([made, *standing]) == [True, False, False]
 
 
@@ -268,19 +254,16 @@ def test_a_strip_that_another_model_shows_stays_hidden(document, standing):
 
 def test_strips_that_touch_are_refused_in_words(document, crossing):
     crossing[1].Curve = crossing[0].Curve
-    made = model.create(document, crossing)
-    document.recompute()
+    made = new(model.create, document, crossing)
     assert "Invalid" in made.State
     assert len(made.getStatusString()) > 20
-    empty = model.create(document, [])
-    document.recompute()
+    empty = new(model.create, document, [])
     assert "no strips" in empty.getStatusString()
 
 
 def test_fixtures_hold_every_end(document, standing):
     made = model.create(document, standing)
-    blocks = fixtures.create(document, [made])
-    document.recompute()
+    blocks = new(fixtures.create, document, [made])
     assert blocks.State == ["Up-to-date"], blocks.getStatusString()
     assert len(blocks.Shape.childShapes()) == 4
     assert blocks.Shape.isValid()
@@ -288,8 +271,7 @@ def test_fixtures_hold_every_end(document, standing):
     # pockets lean for tabs that bend; the straight tabs of the bodies, of some 600 mm3, run into them a little
     assert blocks.Shape.common(made.Shape).Volume < 60
     assert ["no play" in said for said in blocks.Reports] == [True]
-    single = fixtures.create(document, [standing[0]])
-    document.recompute()
+    single = new(fixtures.create, document, [standing[0]])
     assert len(single.Shape.childShapes()) == 2
     standing[0].StartTab = standing[0].EndTab = 0
     document.recompute()
@@ -320,8 +302,7 @@ def test_only_joints_of_the_strip_that_changed_are_sought(document, crossing, dr
     third = drawn([(x + 30, y) for x, y in ACROSS])
     crossing.append(strip.create(document, third))
     crossing[-1].MaxWidth = 16
-    made = model.create(document, crossing)
-    document.recompute()
+    made = new(model.create, document, crossing)
     sought = []
     search = interlock.strip_crossings
     monkeypatch.setattr(interlock, "strip_crossings", lambda *both: sought.append(both) or search(*both))
@@ -345,8 +326,7 @@ def named(document, drawn):
         strips.append(strip.create(document, sketch))
     strips[1].Label = "\u808b\u9aa8"
     made = model.create(document, strips)
-    made.Label = "Lamp"
-    document.recompute()
+    change(made, Label="Lamp")
     return made
 
 
@@ -380,8 +360,7 @@ def test_engraved_blocks_are_valid(document, standing):
 def test_the_base_plate_takes_all_tabs(document, standing):
     made = model.create(document, standing)
     plate = baseplate.create(document, [made])
-    plate.Placement = App.Placement(App.Vector(0, 0, -2), App.Rotation())
-    document.recompute()
+    change(plate, Placement=App.Placement(App.Vector(0, 0, -2), App.Rotation()))
     assert plate.State == ["Up-to-date"], plate.getStatusString()
     assert plate.Shape.isValid()
     assert plate.Shape.BoundBox.ZMax == pytest.approx(-2, abs=1e-6)
@@ -390,8 +369,7 @@ def test_the_base_plate_takes_all_tabs(document, standing):
     assert re.fullmatch(
         r"slot of BasePlate leaves its tabs [\d.]+ mm across and [\d.]+ degrees to turn", said
     )
-    plate.Placement = App.Placement(App.Vector(0, 0, -500), App.Rotation())
-    document.recompute()
+    change(plate, Placement=App.Placement(App.Vector(0, 0, -500), App.Rotation()))
     assert "no tab" in plate.getStatusString()
 
 
@@ -399,8 +377,7 @@ def test_a_nest_and_its_files(document, standing, tmp_path):
     made = model.create(document, standing)
     plate = baseplate.create(document, [made])
     plate.Placement = App.Placement(App.Vector(0, 0, -2), App.Rotation())
-    laid = nest.create(document, [made, plate])
-    document.recompute()
+    laid = new(nest.create, document, [made, plate])
     assert laid.State == ["Up-to-date"], laid.getStatusString()
     assert laid.Sheets == 1
     box = laid.Shape.BoundBox
@@ -409,8 +386,7 @@ def test_a_nest_and_its_files(document, standing, tmp_path):
     files = write_cutting_files([made, plate], tmp_path, kinds=("svg", "csv", "nest", "step"))
     assert sum(file.name.startswith("nest") for file in files) == 1
     assert (tmp_path / "Model.step").exists()
-    laid.SheetWidth = 100
-    document.recompute()
+    change(laid, SheetWidth=100)
     assert "Invalid" in laid.State
 
 
@@ -422,8 +398,7 @@ def test_a_nest_lies_in_front_of_what_has_an_end(document, standing):
     room.addObject(block)
     room.Placement.Base.y = -700
     document.recompute()
-    laid = nest.create(document, standing)
-    document.recompute()
+    laid = new(nest.create, document, standing)
     assert laid.Placement.Base.y + laid.Shape.BoundBox.YLength == pytest.approx(-750)
 
 
@@ -435,8 +410,7 @@ def test_a_flat_part_of_a_strip_on_a_datum_plane_lies_within_reach(document):
 
 
 def test_the_step_file_of_a_model_is_its_bodies(document, standing, tmp_path):
-    made = model.create(document, standing)
-    document.recompute()
+    made = new(model.create, document, standing)
     standing[0].MaxWidth = 12  # FreeCAD has not recomputed it yet: the drawings are of the new width
     write_cutting_files([made], tmp_path, kinds=("svg", "step"))
     document.recompute()
@@ -484,8 +458,7 @@ def test_numbers_behind_names_take_no_name_that_is_there():
 
 def test_a_model_survives_saving(document, crossing, tmp_path):
     made = model.create(document, crossing)
-    laid = nest.create(document, [made])
-    document.recompute()
+    laid = new(nest.create, document, [made])
     file = tmp_path / "model.FCStd"
     document.saveAs(str(file))
     names = made.Name, laid.Name
@@ -503,16 +476,13 @@ def test_a_model_survives_saving(document, crossing, tmp_path):
 
 
 def test_flat_parts_get_the_slots_of_their_model(document, crossing):
-    part = flat.create(document, crossing[0])
-    document.recompute()
+    part = new(flat.create, document, crossing[0])
     plain = len(part.Shape.Faces)
-    part.Model = model.create(document, crossing)
-    document.recompute()
+    change(part, Model=model.create(document, crossing))
     assert part.State == ["Up-to-date"], part.getStatusString()
     assert len(part.Shape.Faces) >= plain + 3
     assert flat.flats_of(crossing) == [part]
-    part.Model = model.create(document, crossing[1:])
-    document.recompute()
+    change(part, Model=model.create(document, crossing[1:]))
     assert "does not belong" in part.getStatusString()
 
 
@@ -525,22 +495,18 @@ def test_holders_of_links_and_arrays(document, crossing):
         one.Placement.Base.z = 100.0 * i
     room = document.addObject("App::Part", "Room")
     room.addObject(link)
-    room.Placement = App.Placement(App.Vector(9, 8, 7), App.Rotation(App.Vector(1, 2, 3), 77))
-    document.recompute()
+    change(room, Placement=App.Placement(App.Vector(9, 8, 7), App.Rotation(App.Vector(1, 2, 3), 77)))
     all_of_them = fixtures.create(document, [link])
-    second = fixtures.create(document, [link.ElementList[1]])
-    document.recompute()
+    second = new(fixtures.create, document, [link.ElementList[1]])
     assert len(all_of_them.Shape.Solids) == 6
     strips = Part.getShape(link).Solids
     gaps = [min(one.distToShape(block)[0] for one in strips) for block in all_of_them.Shape.Solids]
     assert gaps == pytest.approx([0] * 6, abs=1e-3)
     assert len(second.Shape.Solids) == 2
-    link.Scale = 2
-    document.recompute()
+    change(link, Scale=2)
     assert "set its Scale to 1" in all_of_them.getStatusString()
     link.Scale = 1
-    other = model.create(document, [crossing[1], link])
-    document.recompute()
+    other = new(model.create, document, [crossing[1], link])
     assert "a model is made of strips" in other.getStatusString()
 
 
@@ -553,9 +519,7 @@ def test_links_containers_and_flat_parts_are_counted(document, standing):
     again = document.addObject("App::Link", "Again")
     again.LinkedObject = link
     spread = document.addObject("App::Link", "Spread")
-    spread.LinkedObject = lying
-    spread.ElementCount = 6
-    document.recompute()
+    change(spread, LinkedObject=lying, ElementCount=6)
     counts = {cut.piece.name: cut.piece.count for cut in cuts_of([first, second, again, link])}
     assert counts == {"A": 3, "B": 2}
     assert [cut.piece.count for cut in cuts_of([first, lying])] == [1], "the same piece, bent and flat"
@@ -574,8 +538,7 @@ def test_models_and_plates_are_counted_where_they_are_linked(document, standing,
     link.LinkedObject = made
     link.ElementCount = 2
     houses = document.addObject("App::Link", "Houses")
-    houses.LinkedObject = part
-    document.recompute()
+    change(houses, LinkedObject=part)
     counts = [(cut.piece.name, cut.piece.count) for cut in cuts_of([made, link, plate, houses])]
     assert counts == [("A", 3), ("B", 3), (plate.Label, 2)]
     files = write_cutting_files([made, link], tmp_path, kinds=("step", "svg"))
@@ -587,10 +550,8 @@ def test_models_and_plates_are_counted_where_they_are_linked(document, standing,
 @pytest.mark.parametrize("kind", ["Link", "array", "Part"])
 def test_holders_stand_where_models_are_shown(document, standing, kind):
     """Blocks and a plate of what shows a model are those of the model, moved as FreeCAD moves what is shown."""
-    made = model.create(document, standing, interlock=False)
-    document.recompute()
-    first = fixtures.create(document, [made])
-    document.recompute()
+    made = new(model.create, document, standing, interlock=False)
+    first = new(fixtures.create, document, [made])
     at_home = sorted(tuple(block.CenterOfMass) for block in first.Shape.Solids)
     shown = document.addObject("App::Part" if kind == "Part" else "App::Link", "Shown")
     if kind == "Part":
@@ -624,8 +585,7 @@ def test_holders_stand_where_models_are_shown(document, standing, kind):
 def test_several_models_are_held(document, standing):
     first, second = (model.create(document, [one], interlock=False) for one in standing)
     document.recompute()
-    blocks = fixtures.create(document, [first, second])
-    document.recompute()
+    blocks = new(fixtures.create, document, [first, second])
     assert len(blocks.Shape.Solids) == 4
 
 
@@ -634,8 +594,7 @@ def test_a_model_that_was_moved_is_held_where_it_stands(document, standing):
     made = model.create(document, standing, interlock=False)
     made.Placement.Base = App.Vector(0, 0, 300)
     document.recompute()
-    blocks = fixtures.create(document, [made])
-    document.recompute()
+    blocks = new(fixtures.create, document, [made])
     box, held = made.Shape.BoundBox, blocks.Shape.BoundBox
     assert box.ZMin > 250
     assert held.ZMin < box.ZMin < held.ZMax < box.ZMax
@@ -654,8 +613,7 @@ def test_labels_that_cannot_be_engraved(document, standing, tmp_path, labels, en
     blocks = fixtures.create(document, [made])
     plate = baseplate.create(document, [made])
     plate.Label = "Plättchen"
-    sheets = nest.create(document, [made, plate])
-    document.recompute()
+    sheets = new(nest.create, document, [made, plate])
     for one in (made, blocks, plate, sheets):
         assert one.State == ["Up-to-date"], one.getStatusString()
     cuts = cuts_of([made])
@@ -670,8 +628,7 @@ def test_a_link_to_a_strip_inside_a_container(document, standing):
     link = document.addObject("App::Link", "Link")
     link.setLink(room, f"{standing[0].Name}.")
     group = document.addObject("App::LinkGroup", "Group")
-    group.ElementList = [link]
-    document.recompute()
+    change(group, ElementList=[link])
     assert linked(link) is standing[0]
     assert linked(group) is group
     assert originals(group) == [standing[0]]

@@ -17,6 +17,7 @@ from freecad.elastica_wb.curves.plane_sections import (
 from freecad.elastica_wb.features import curves, strip
 
 from elastica_cad.errors import InputError, NotConvergedError
+from tests.freecad.features import change, new
 
 RADIUS = 50.0
 
@@ -28,8 +29,7 @@ def shell(document):
     across = (-60, -30, 0, 30, 60)
     face.interpolate([[App.Vector(x, y, 40 - x * x / 90 - y * y / 160) for y in across] for x in across])
     body = document.addObject("Part::Feature", "Shell")
-    body.Shape = face.toShape()
-    document.recompute()
+    change(body, Shape=face.toShape())
     return body
 
 
@@ -37,8 +37,7 @@ def shell(document):
 def ball(document):
     """A sphere of triangles about the origin, within 0.02 mm of a true one."""
     made = document.addObject("Mesh::Feature", "Ball")
-    made.Mesh = Mesh.createSphere(RADIUS, 120)
-    document.recompute()
+    change(made, Mesh=Mesh.createSphere(RADIUS, 120))
     return made
 
 
@@ -50,8 +49,7 @@ def middle_of(sketch):
 def test_half_planes_through_the_poles_of_an_egg(document):
     """FreeCAD 0.20 ends when some of these wires are divided whole: they are divided edge by edge."""
     egg = document.addObject("Part::Ellipsoid", "Egg")
-    egg.Radius1, egg.Radius2 = 100, 60
-    document.recompute()
+    change(egg, Radius1=100, Radius2=60)
     curves, remarks = curves_of(cut(egg, Family("parallel", 5, "X")), closed=CLOSED[1])
     assert (len(curves), remarks) == (10, [])
     curves, remarks = curves_of(cut(egg, Family("about an axis", 5, "Z")))
@@ -74,8 +72,7 @@ def test_parallel_planes_through_a_surface(document, shell):
             assert shell.Shape.distToShape(Part.Vertex(point))[0] < 0.021
     group = document.getObject("Curves")
     assert group.Group == sketches
-    made = strip.create(document, sketches[1])
-    document.recompute()
+    made = new(strip.create, document, sketches[1])
     assert made.State == ["Up-to-date"], made.getStatusString()
 
 
@@ -154,8 +151,7 @@ def test_closed_sections_alone_are_told_once(document, ball):
         "every section is a closed line, and a strip has two ends: choose under Closed lines how they are divided"
     )
     assert [made.ThroughX.Value, made.ThroughY.Value] == [0, 7.3]
-    made.Closed = CLOSED[1]
-    document.recompute()
+    change(made, Closed=CLOSED[1])
     assert made.Curves == 10
 
 
@@ -182,8 +178,7 @@ def test_broken_meshes_are_reported_and_cut(document):
     made = document.addObject("Mesh::Feature", "Open")
     made.Mesh = Mesh.Mesh([f.Points for f in half])
     crowded = document.addObject("Mesh::Feature", "Crowded")
-    crowded.Mesh = Mesh.Mesh(fins)
-    document.recompute()
+    change(crowded, Mesh=Mesh.Mesh(fins))
     first, *_ = cut(made, Family("parallel", 3, "X"))
     assert first.reports[0].startswith("Open: the mesh is open along")
     curves, _ = curves_of([first])

@@ -9,6 +9,8 @@ from freecad.elastica_wb.features import strip
 from freecad.elastica_wb.features.strip_properties import spec_of
 from freecad.elastica_wb.live.curve_picture import curve_picture
 
+from tests.freecad.features import new
+
 WAVY = [(0, 0), (40, 90), (110, 130), (190, 150), (260, 120), (310, 60), (330, -20)]
 PEN = [(0, 0), (30, 60), (80, 70), (120, 40), (160, 10), (200, 10), (240, 60)]
 """Two Bezier pieces; where they meet the bending is reversed by a jump of the curvature."""
@@ -17,8 +19,7 @@ PIECES = (0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2)
 
 @pytest.mark.parametrize("degree", [3, 4])
 def test_a_spline_of_continuous_curvature_is_followed_exactly(document, drawn, degree):
-    made = strip.create(document, drawn(WAVY, degree))
-    document.recompute()
+    made = new(strip.create, document, drawn(WAVY, degree))
     assert made.State == ["Up-to-date"], made.Reasons
     assert made.Deviation.Value == 0
     curve = drawn_curve(made.Curve).curve
@@ -26,8 +27,7 @@ def test_a_spline_of_continuous_curvature_is_followed_exactly(document, drawn, d
 
 
 def test_overlay_and_strip_follow_the_smoothed_curve(document, drawn):
-    made = strip.create(document, drawn(PEN, 3, knots=PIECES))
-    document.recompute()
+    made = new(strip.create, document, drawn(PEN, 3, knots=PIECES))
     assert made.State == ["Up-to-date"], made.Reasons
     assert 0 < made.Deviation.Value <= 0.1
     assert any(reason.startswith("The curvature jumped") for reason in made.Reasons)
@@ -47,6 +47,5 @@ def test_arcs_and_lines_are_followed_exactly(document):
     center, axis = App.Vector(0, 0, 0), App.Vector(0, 0, 1)
     sketch.addGeometry(Part.ArcOfCircle(Part.Circle(center, axis, 100), 0, 1.5), False)
     document.recompute()
-    made = strip.create(document, sketch)
-    document.recompute()
+    made = new(strip.create, document, sketch)
     assert made.Deviation.Value == 0

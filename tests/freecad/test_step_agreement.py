@@ -6,6 +6,7 @@ from freecad.elastica_wb.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import strip
 
 from elastica_cad.kernel.step_files import write_strip_step
+from tests.freecad.features import change
 
 WAVE = [(0, 0), (40, 60), (80, -60), (120, 0)]
 
@@ -29,9 +30,7 @@ def distance(edge, point, t):
 )
 def test_same_strip(document, drawn, tmp_path, points, degree):
     feature = strip.create(document, drawn(points, degree))
-    feature.TabHole = 3
-    feature.Anyway = True
-    document.recompute()
+    change(feature, TabHole=3, Anyway=True)
     (ours,) = write_cutting_files([feature], tmp_path, kinds=("step",))
     theirs = tmp_path / "core.step"
     write_strip_step(strip.strip_of(feature), theirs)

@@ -17,6 +17,7 @@ from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.solids import BentSolid, FlatSolid
 from elastica_cad.strip.strip import Strip
+from tests.freecad.features import change, new
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 WAVE = [(0, 0), (40, 60), (80, -60), (120, 0)]
@@ -44,8 +45,7 @@ def test_outline_and_volume_are_the_cores(document, drawn, points, degree, weigh
     feature = strip.create(document, drawn(points, degree, weights))
     feature.Anyway = True  # one of them is narrower than a workshop takes
     twin = flat.create(document, feature)
-    twin.Placement = App.Placement()
-    document.recompute()
+    change(twin, Placement=App.Placement())
     assert feature.State == ["Up-to-date"]
     assert feature.Shape.isValid()
     assert twin.Shape.isValid()
@@ -69,8 +69,7 @@ def test_outline_and_volume_are_the_cores(document, drawn, points, degree, weigh
 
 def test_the_bent_strip_stands_on_the_drawn_curve(document, sketch):
     feature = strip.create(document, sketch)
-    sketch.Placement = App.Placement(App.Vector(5, -7, 11), App.Rotation(20, 40, 60))
-    document.recompute()
+    change(sketch, Placement=App.Placement(App.Vector(5, -7, 11), App.Rotation(20, 40, 60)))
     edge = sketch.Shape.Edges[0]
     normal = sketch.Placement.Rotation.multVec(App.Vector(0, 0, 1))
     for t in np.linspace(0.02, 0.98, 9):
@@ -83,8 +82,7 @@ def test_the_bent_strip_stands_on_the_drawn_curve(document, sketch):
 
 
 def test_a_moved_pole_changes_the_strip(document, sketch, move_pole):
-    feature = strip.create(document, sketch)
-    document.recompute()
+    feature = new(strip.create, document, sketch)
     before = feature.Shape.Volume
     move_pole(sketch, 2, (70, 95))
     document.recompute()
@@ -94,8 +92,7 @@ def test_a_moved_pole_changes_the_strip(document, sketch, move_pole):
 
 
 def test_a_curve_that_cannot_be_bent_is_a_state_and_passes(document, sketch, spline_geometry, move_pole):
-    feature = strip.create(document, sketch)
-    document.recompute()
+    feature = new(strip.create, document, sketch)
     volume = feature.Shape.Volume
     good = sketch.Geometry[0]
     sketch.delGeometry(0)
@@ -117,18 +114,15 @@ def test_a_curve_that_cannot_be_bent_is_a_state_and_passes(document, sketch, spl
 
 def test_a_flat_part_is_hidden_while_its_strip_is_in_error(document, sketch, spline_geometry):
     """FreeCAD recomputes nothing behind a failed strip: the part would show, as good, what is cut no more."""
-    feature = strip.create(document, sketch)
-    document.recompute()
+    feature = new(strip.create, document, sketch)
     seen, unseen = flat.create(document, feature), flat.create(document, feature)
     document.recompute()
     unseen.Visibility = False
     good = sketch.Geometry[0]
     for wrong in ([spline_geometry(BAD)], []):
-        sketch.Geometry = wrong
-        document.recompute()
+        change(sketch, Geometry=wrong)
         assert [one.Visibility for one in (feature, seen, unseen)] == [False] * 3
-        sketch.Geometry = [good]
-        document.recompute()
+        change(sketch, Geometry=[good])
         assert [one.Visibility for one in (feature, seen, unseen)] == [True, True, False]
     document.openTransaction("delete")
     document.removeObject(sketch.Name)
@@ -146,11 +140,9 @@ def test_what_stands_in_the_same_container_stays_in_sight(document, sketch, draw
     part.addObjects([sketch, other])
     failing, outside = strip.create(document, sketch), strip.create(document, other)
     part.removeObject(outside)
-    outside.Curve = other
-    document.recompute()
+    change(outside, Curve=other)
     assert outside.Containers == [part]
-    sketch.Geometry = []
-    document.recompute()
+    change(sketch, Geometry=[])
     assert [failing.Visibility, outside.Visibility] == [False, True]
 
 
@@ -180,8 +172,7 @@ def test_save_and_reload(document, sketch, tmp_path: Path, move_pole):
 
 
 def test_flat_record_and_core_agree(document, sketch):
-    feature = strip.create(document, sketch)
-    document.recompute()
+    feature = new(strip.create, document, sketch)
     record = FlatSolid.of(strip.strip_of(feature))
     assert mesh_area(make_face(record.outline)) == pytest.approx(record.area, rel=1e-5)
     assert make_solid(record).Volume == pytest.approx(record.volume, rel=1e-5)  # as far as OCCT integrates
@@ -231,8 +222,7 @@ def deleted(sketch):
     ],
 )
 def test_bad_sketches_are_sentences(document, sketch, spoil, says):
-    feature = strip.create(document, sketch)
-    document.recompute()
+    feature = new(strip.create, document, sketch)
     spoil(sketch)
     feature.touch()
     document.recompute()
@@ -265,23 +255,19 @@ def test_bad_properties_are_sentences(document, sketch, name, value, says):
 
 
 def test_a_tiny_sketch_says_why(document, drawn):
-    feature = strip.create(document, drawn([(x * 0.1 / 150, y * 0.1 / 150) for x, y in ARCH]))
-    document.recompute()
+    feature = new(strip.create, document, drawn([(x * 0.1 / 150, y * 0.1 / 150) for x, y in ARCH]))
     assert "Invalid" in feature.State
     assert "it may crack there" in feature.getStatusString()
-    feature.Anyway = True
-    document.recompute()
+    change(feature, Anyway=True)
     assert "Invalid" in feature.State
     assert "would fold over: take a thinner sheet" in feature.getStatusString()
 
 
 def test_a_huge_sketch_says_why_and_is_made_anyway(document, drawn):
-    feature = strip.create(document, drawn([(40 * x, 40 * y) for x, y in ARCH]))
-    document.recompute()
+    feature = new(strip.create, document, drawn([(40 * x, 40 * y) for x, y in ARCH]))
     assert "Invalid" in feature.State
     assert "larger than the stock of 3050 x 1525 mm" in feature.getStatusString()
-    feature.Anyway = True
-    document.recompute()
+    change(feature, Anyway=True)
     assert "Invalid" not in feature.State
     assert feature.Shape.isValid()
     assert feature.Shape.BoundBox.XLength == pytest.approx(6000, abs=25)  # its tabs stand out
@@ -300,8 +286,7 @@ def test_a_kernel_that_fails_is_a_sentence(document, sketch, monkeypatch):
 
 def test_how_far_it_strays_as_made_and_held(document, sketch):
     feature = strip.create(document, sketch)
-    feature.Slots = ["at = 60, width = 1.2", "at = 100, width = 1.2"]
-    document.recompute()
+    change(feature, Slots=["at = 60, width = 1.2", "at = 100, width = 1.2"])
     strip.tell_held(feature)
     held = strip.strip_of(feature).held()
     assert feature.HeldDeviation.Value == pytest.approx(held.deviation)
@@ -310,8 +295,7 @@ def test_how_far_it_strays_as_made_and_held(document, sketch):
     before = feature.Held
     document.recompute()
     assert feature.Held == before
-    feature.MaxWidth = 20
-    document.recompute()
+    change(feature, MaxWidth=20)
     assert [feature.Held, feature.HeldDeviation.Value] == ["", 0]
     strip.tell_held(feature)
     assert feature.Held != before
@@ -331,8 +315,7 @@ def test_whether_it_stays_in_its_plane_is_known_with_the_shape(document, sketch,
     )
     assert tipping.SidewaysMargin < 0
     assert "tips over sideways" in tipping.Verdict
-    upright.OuterWidth, upright.Style = 60, "Perforated"
-    document.recompute()
+    change(upright, OuterWidth=60, Style="Perforated")
     assert "too wide for its length and bend" in upright.Sideways
     assert upright.SidewaysMargin == 0
     assert any("too wide for its length and bend" in reason for reason in upright.Reasons)
@@ -349,8 +332,7 @@ def test_why_it_is_held_in_no_shape(document, sketch, monkeypatch, found, says):
         if found is not None:
             raise found
 
-    feature = strip.create(document, sketch)
-    document.recompute()
+    feature = new(strip.create, document, sketch)
     monkeypatch.setattr(strip, "held_shape", held)
     strip.tell_held(feature)
     assert says in feature.Held
@@ -364,7 +346,7 @@ def test_parts_of_a_flat_body_keep_their_numbers(points):
     found = Part.Face([make_wire(record.outline, record.frame)]).extrude(App.Vector(0, 0, record.thickness))
     made = make_solid(record)
     assert record.is_prism
-    for old, new in ((found.Faces, made.Faces), (found.Edges, made.Edges)):
-        assert [one.Orientation for one in new] == [one.Orientation for one in old]
-        for one, other in zip(new, old, strict=True):
+    for before, after in ((found.Faces, made.Faces), (found.Edges, made.Edges)):
+        assert [one.Orientation for one in after] == [one.Orientation for one in before]
+        for one, other in zip(after, before, strict=True):
             assert one.CenterOfMass.distanceToPoint(other.CenterOfMass) < 1e-6

@@ -7,6 +7,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
 from elastica_cad.strip.strip_spec import make_strip
+from tests.freecad.features import change
 
 POINTS = [(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)]
 POM = Sheet.named("pom-1")
@@ -21,8 +22,7 @@ LAWS = {
 @pytest.mark.parametrize("law", LAWS)
 def test_the_body_is_that_of_the_law(law, form, document, drawn):
     feature = strip.create(document, drawn(POINTS, 4))
-    feature.Sheet, feature.Law, feature.Form = "pom-1", law, form
-    document.recompute()
+    change(feature, Sheet="pom-1", Law=law, Form=form)
     assert feature.State == ["Up-to-date"], feature.getStatusString()
     ours = make_strip(PlaneCurve.spline(POINTS, degree=4), POM, law=LAWS[law])
     assert feature.Shape.isValid()
@@ -32,15 +32,13 @@ def test_the_body_is_that_of_the_law(law, form, document, drawn):
 
 def test_a_law_that_no_strip_has_is_told(document, drawn):
     feature = strip.create(document, drawn(POINTS, 4))
-    feature.Sheet, feature.Law = "pom-1", 'kind = "rod", limits = [3, 1]'
-    document.recompute()
+    change(feature, Sheet="pom-1", Law='kind = "rod", limits = [3, 1]')
     assert "diameter limits are 3 and 1 mm" in feature.getStatusString()
 
 
 def test_a_law_that_cannot_be_read_is_shown_how(document, drawn):
     feature = strip.create(document, drawn(POINTS, 4))
-    feature.Sheet, feature.Law = "pom-1", "thickness"
-    document.recompute()
+    change(feature, Sheet="pom-1", Law="thickness")
     shown = feature.getStatusString().partition("such as ")[2]
     feature.Law = shown.replace("[3, 8]", "[0.5, 3]")  # as thick as the curve can be
     document.recompute()
@@ -54,8 +52,7 @@ def test_leaves_are_a_compound_of_bodies(document, drawn):
     feature.Sheet, feature.Law, feature.Follow = "birch-plywood-0.8", leaf, "Nearest"
     feature.LimitMargin, feature.RatioLimit = False, 0.0
     for form in ("Bent", "Flat"):
-        feature.Form = form
-        document.recompute()
+        change(feature, Form=form)
         assert feature.State == ["Up-to-date"], feature.getStatusString()
         assert feature.Shape.isValid()
         assert len(feature.Shape.Solids) > 1

@@ -9,6 +9,8 @@ from freecad.elastica_wb.features import strip
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.words import Unit, shown_unit
 
+from tests.freecad.features import change
+
 INCH = Unit("in", 25.4)
 UI = Path(__file__).resolve().parents[2] / "freecad_workbench" / "resources" / "ui" / "preferences.ui"
 
@@ -32,8 +34,7 @@ def test_freecads_units_rule(schema):
 def test_features_speak_it(document, sketch, schema):
     schema(3)
     feature = strip.create(document, sketch)
-    feature.TabHole = 12.7
-    document.recompute()
+    change(feature, TabHole=12.7)
     assert " in " in feature.getStatusString()
     assert " mm" not in feature.getStatusString()
     assert " mm" not in " ".join(feature.Reasons)

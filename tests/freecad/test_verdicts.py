@@ -22,6 +22,7 @@ from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.strip_spec import StripSpec
+from tests.freecad.features import change, new
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]
 SHOULDERS = [(0, 0), (10, 70), (70, 90), (130, 70), (140, 0)]
@@ -107,8 +108,7 @@ WAVY = [(0, 0), (40, 90), (110, 130), (190, 150), (260, 120), (310, 60), (330, -
 )
 def test_headline_card_and_numbers_agree_on_what_fails(document, drawn, points, widest, failing):
     feature = strip.create(document, drawn(points, 3 if points is WAVY else 4))
-    feature.Sheet, feature.MaxWidth, feature.Anyway = "birch-plywood-0.8", widest, True
-    document.recompute()
+    change(feature, Sheet="birch-plywood-0.8", MaxWidth=widest, Anyway=True)
     assert feature.State == ["Up-to-date"], feature.Reasons
     card = strip_answer(strip.strip_of(feature))
     assert (card.verdict is Verdict.CAN) == (not failing)
@@ -177,8 +177,7 @@ def test_a_strip_beside_a_body_follows_it(document, sketch):
     body = document.addObject("PartDesign::Body", "Body")
     body.addObject(sketch)
     outside = document.addObject("App::Part", "Elsewhere")
-    feature = strip.create(document, sketch)
-    document.recompute()
+    feature = new(strip.create, document, sketch)
     free = strip.create(document, sketch)
     if free.getParentGeoFeatureGroup() is not None:
         free.getParentGeoFeatureGroup().removeObject(free)
@@ -214,15 +213,13 @@ def test_patterns_in_a_body(document, sketch, kind, arrange, count):
     """A body is one solid: copies that touch are one with the strip, as with every feature there."""
     body = document.addObject("PartDesign::Body", "Body")
     body.addObject(sketch)
-    feature = strip.create(document, sketch)
-    document.recompute()
+    feature = new(strip.create, document, sketch)
     volume = body.Shape.Volume
     twin = document.addObject(f"PartDesign::{kind}", kind)
     body.addObject(twin)
     twin.Originals = [feature]
     arrange(twin, {one.Role: one for one in body.Origin.OriginFeatures})
-    body.Tip = twin
-    document.recompute()
+    change(body, Tip=twin)
     assert twin.State == ["Up-to-date"], twin.getStatusString()
     assert twin.Shape.isValid()
     assert 1.2 * volume < body.Shape.Volume <= count * volume * (1 + 1e-6)
@@ -230,12 +227,10 @@ def test_patterns_in_a_body(document, sketch, kind, arrange, count):
 
 def test_strain_use_is_not_capped(document, drawn):
     feature = strip.create(document, drawn([(0.5 * x, 0.5 * y) for x, y in ARCH]))
-    feature.MaxWidth = 15
-    document.recompute()
+    change(feature, MaxWidth=15)
     assert feature.StrainUse > 150
     assert feature.Verdict.startswith("A flat strip would break")
-    feature.Anyway = True
-    document.recompute()
+    change(feature, Anyway=True)
     assert feature.State == ["Up-to-date"], feature.getStatusString()
     assert feature.StrainUse > 150
     assert feature.Verdict.startswith("A flat strip would break")

@@ -16,6 +16,7 @@ from elastica_cad.mechanics.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.refusals import FieldName, Length, Listed, Point, Span, note, sentences
 from elastica_cad.strip.uncuttable_parts import Fault
+from tests.freecad.features import change
 
 ROOT = Path(__file__).resolve().parents[2]
 CORE, WORKBENCH = ROOT / "elastica_cad", ROOT / "freecad_workbench" / "freecad" / "elastica_wb"
@@ -184,8 +185,7 @@ def test_a_strip_that_breaks_says_so_in_german(document, sketch):
     from freecad.elastica_wb.features import strip
 
     made = strip.create(document, sketch)
-    made.Thickness = 4
-    document.recompute()
+    change(made, Thickness=4)
     said = " ".join([made.Verdict, *made.Reasons])
     assert "Streifen" in said
     assert not re.search(r"\b(the|strain|curve)\b", said), said
@@ -254,8 +254,7 @@ def test_a_line_that_cannot_be_read_is_told_what_its_property_takes(document, sk
         document.recompute()
         assert not any("cannot be read" in reason for reason in made.Reasons), "what it tells is good"
         setattr(made, name, [] if name == "Loads" else "")
-    made.Gravity, made.Follow, made.KeepOut = False, "Nearest", ["junk"]
-    document.recompute()
+    change(made, Gravity=False, Follow="Nearest", KeepOut=["junk"])
     assert EXAMPLES["KeepOut"] in made.Reasons[0]
 
 
