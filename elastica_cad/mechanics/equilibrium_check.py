@@ -53,7 +53,7 @@ MOST_POINTS = 400
 MOST_ON_LINE = 2
 """Number of inflections that are on one line for any curve."""
 
-SPARE_INFLECTIONS = 2
+ADDED_INFLECTIONS = 2
 """Number of inflections that an oscillation of a fit adds."""
 
 
@@ -89,20 +89,19 @@ def _compare_fits(
 def _has_loose_inflections(check: EquilibriumCheck, other: EquilibriumCheck, points: MeasuredPoints) -> bool:
     """Return True if a curve is refused for a line through inflections that the points do not require.
 
-    The points require at most two inflections, which are always on a line, and another fit has fewer inflections
-    than the curve by a pair or more.
+    The points require at most two inflections, which are always on a line. The curve has an additional pair, and
+    another fit has fewer inflections.
     """
-    count = len(check.off_line)
-    if check.realizable or check.bent_beforehand or count - len(other.inflections) < SPARE_INFLECTIONS:
+    count, required = len(check.off_line), points.bend_changes
+    if check.realizable or check.bent_beforehand or len(other.inflections) >= count:
         return False
-    return points.bend_changes <= min(MOST_ON_LINE, count - 1)
+    return required <= MOST_ON_LINE < count and required + ADDED_INFLECTIONS <= count
 
 
 def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurve]:
-    """Yield a cubic fit within the resolution of the points, and the smoothest curve within a larger distance.
+    """Yield a cubic fit within the resolution of the points, a fit to every other point, and a smoother fit.
 
-    That distance is half of the distance of the points from a fit to every other point, if it is not smaller than
-    the noise.
+    The deviation of the smoother fit is at most half of that of the fit to every other point.
     """
     step = -(-len(points.points) // MOST_POINTS)
     some, half = _thinned(points.points, step), _thinned(points.points, 2 * step)
@@ -113,6 +112,7 @@ def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurv
     with suppress(ElasticaError):
         coarse = PlaneCurve(*fit_spline(half, 4, loose), 4)
         smoother = max(smoother, _distance(points, coarse) / 2)
+        yield coarse
     with suppress(ElasticaError):
         yield PlaneCurve(*smoothest_spline(some, 4, smoother), 4)
 
