@@ -16,9 +16,9 @@ from elastica_cad.geometry.fairing import FIT_TOLERANCE, allowed_distance, fit_p
 from elastica_cad.geometry.measured_points import TOLD_MM, MeasuredPoints, Provenance
 from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import lengths_along
+from elastica_cad.geometry.plane_points import lengths_along, near_pairs
 from elastica_cad.geometry.segments import Spline
-from elastica_cad.geometry.splines import bezier_spans, interpolation_sites
+from elastica_cad.geometry.splines import bezier_spans, interpolation_sites, knot_runs
 from elastica_cad.geometry.tangent_healing import heal_tangents
 from elastica_cad.refusals import Length
 
@@ -38,6 +38,7 @@ _DENSE = 50  # number of inner knots: a spline with more was interpolated throug
 _ROUGH = 0.2  # fraction of the largest curvature: points are noisy if second differences at knots are larger
 _REFINED = 10  # rounds of the search for the nearest point, each four times as fine
 _CROWD = 50  # ends at one point, on all layers: more than this are not joined
+_CROWDED_CELLS = 4  # crowds in the cells around an end, above which the end is not compared with each of them
 
 _Joints: TypeAlias = dict[
     tuple[int, int], tuple[int, int]
@@ -185,12 +186,12 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
     """
     if len(chains) < 2:
         return []
-    from scipy.spatial import cKDTree
-
     ends = _ends(chains)
     sizes = [sum(edge.size for edge in chain) for chain in chains]
     pairs = []
-    for a, b in sorted(cKDTree(ends).query_pairs(NEAR_MM)):
+    for a, b in sorted(np.transpose(near_pairs(ends, ends, NEAR_MM)).tolist()):
+        if a >= b:
+            continue
         i, j = a // 2, b // 2
         apart = float(np.linalg.norm(ends[a] - ends[b]))
         source, other = _source_of(chains[i]), _source_of(chains[j])
@@ -230,30 +231,22 @@ def _ends(runs: Sequence[Run]) -> FloatArray:
 
 def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Joints:
     """Return the partner of each end (run, side) that touches exactly one other end."""
-    from scipy.spatial import cKDTree
-
     ends = _ends(runs)
     sources = [_source_of(run) for run in runs]
     groups = [(source.layer, source if source.is_named else None) for source in sources]
-    tree, farthest = cKDTree(ends), reach + reach.max()
-    crowd = tree.query_ball_point(ends, farthest, return_length=True)
-    near = [
-        [
-            j
-            for j in tree.query_ball_point(end, farthest[k])
-            if groups[j // 2] == groups[k // 2] and dist(end, ends[j]) <= reach[k] + reach[j]
-        ]
-        if 1 < crowd[k] <= _CROWD
-        else []
-        for k, end in enumerate(ends)
-    ]
+    number = {group: k for k, group in enumerate(groups)}
+    group = np.repeat([number[group] for group in groups], 2)
+    i, j = near_pairs(ends, ends, 2 * float(reach.max()), most=_CROWDED_CELLS * _CROWD)
+    apart = np.linalg.norm(ends[i] - ends[j], axis=1)
+    crowd = np.bincount(i[apart <= reach[i] + reach.max()], minlength=len(ends))
+    touching = (apart <= reach[i] + reach[j]) & (group[i] == group[j]) & (crowd[i] <= _CROWD)
+    i, j = i[touching], j[touching]
+    paired = np.bincount(i, minlength=len(ends)) == 2  # the end itself and another end
     partners = {}
-    for k, group in enumerate(near):
-        if len(group) == 2:
-            other = group[0] if group[1] == k else group[1]
-            end_a, end_b = divmod(k, 2), divmod(other, 2)
-            if len(near[other]) == 2 and end_a[0] != end_b[0] and (corners or _goes_on(runs, end_a, end_b)):
-                partners[end_a] = end_b
+    for k, other in zip(i.tolist(), j.tolist(), strict=True):
+        end_a, end_b = divmod(k, 2), divmod(other, 2)
+        if end_a[0] != end_b[0] and paired[k] and paired[other] and (corners or _goes_on(runs, end_a, end_b)):
+            partners[end_a] = end_b
     return partners
 
 
@@ -279,14 +272,15 @@ def _without_overlaps(
     runs: Sequence[Run], tolerance: float
 ) -> tuple[list[Run], tuple[tuple[Source, Source, str], ...]]:
     """Remove runs that coincide with a longer (or earlier, equally long) run; return the rest and all overlaps."""
-    from scipy.spatial import cKDTree
-
     ends = _ends(runs).reshape(len(runs), 2, -1)
     sources = [_source_of(run) for run in runs]
     in_part: list[tuple[int, int]] = []
     called = [(source.layer, source.is_named and source.name) for source in sources]
     sizes = np.array([sum(edge.length for edge in run) for run in runs])
-    tree = cKDTree(ends.mean(axis=1))
+    middles = ends.mean(axis=1)
+    axis = int(np.ptp(middles, axis=0).argmax())
+    in_order = middles[:, axis].argsort()
+    along = middles[in_order, axis]
     order = np.argsort(-sizes.round(6), kind="stable")
     rank = np.argsort(order)
     dropped: set[int] = set()
@@ -297,7 +291,8 @@ def _without_overlaps(
         points = np.concatenate([edge.points for edge in runs[j]])
         low, high = points.min(axis=0) - tolerance, points.max(axis=0) + tolerance
         reach = (dist(low, high) + sizes[j]) / 2
-        near = np.array(tree.query_ball_point((low + high) / 2, reach), dtype=int)
+        middle = (low + high)[axis] / 2
+        near = in_order[slice(*along.searchsorted([middle - reach, middle + reach]))]
         near = np.sort(near[rank[near] > rank[j]])
         inside = np.all((ends[near] >= low) & (ends[near] <= high), axis=2)
         apart = np.linalg.norm(ends[near][:, :, None] - ends[j], axis=3).min(axis=2) > tolerance
@@ -316,12 +311,12 @@ def _without_overlaps(
     least = max(
         tolerance, 2 * float(_digits_of_ends(runs).max())
     )  # a shorter part is a gap caused by rounding
-    alone = cKDTree(_ends([runs[i] for i in range(len(runs)) if i not in dropped]))
+    alone = _ends([runs[i] for i in range(len(runs)) if i not in dropped])
     for i, j in in_part:
         cuts = [] if {i, j} & dropped else _common_parts(runs[i], runs[j], tolerance, least)
         for side, place, met in cuts:
-            meeting = alone.query_ball_point([ends[i, side], met], tolerance, return_length=True)
-            is_union = called[i] == called[j] and meeting.max() == 1
+            meeting = (np.linalg.norm(alone - end, axis=1) <= tolerance for end in (ends[i, side], met))
+            is_union = called[i] == called[j] and max(map(np.count_nonzero, meeting)) == 1
             overlaps.append((sources[i], sources[j], "joined" if is_union else "in part"))
             if is_union:
                 first, last = limits.setdefault(i, [*_whole(runs[i])])
@@ -387,12 +382,11 @@ def _is_on_run(points: FloatArray, run: Run, tolerance: float) -> bool:
 
 def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return distances (n,), mm, of points (n, d) from an edge, and the parameters (n,) there."""
-    from scipy.spatial import cKDTree
-
     if not len(points):
         return np.zeros(0), np.zeros(0)
     stations = edge.stations()
-    nearest = cKDTree(edge.at(stations)).query(points)[1]
+    line = edge.at(stations)
+    nearest = np.array([np.linalg.norm(line - point, axis=1).argmin() for point in points])
     low, high = stations[np.maximum(nearest - 1, 0)], stations[np.minimum(nearest + 1, len(stations) - 1)]
     rows = np.arange(len(points))
     for _ in range(_REFINED):
@@ -667,7 +661,7 @@ def _clamped(
     """
     first, last = np.clip(edge.spans.edges[[0, -1]], low, high)
     inner = edge.knots[(edge.knots > first) & (edge.knots < last)]
-    values, counts = np.unique(inner, return_counts=True)
+    values, counts = knot_runs(inner)
     counts = np.minimum(counts, edge.degree) + degree - edge.degree
     knots = np.concatenate([np.full(degree + 1, first), np.repeat(values, counts), np.full(degree + 1, last)])
     if knots.size == edge.knots.size and np.array_equal(knots, edge.knots):

@@ -19,12 +19,14 @@ from elastica_cad.formats.source_file import MOST_CURVES, check_count, check_tol
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import PlaneCurve, split_at_corners
+from elastica_cad.geometry.plane_points import near_pairs
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.refusals import Length, Listed, Point, note, sentences
 
 _SLENDER = 12.0  # smallest ratio of perimeter to width; a stroke is at least five times as long as wide
 _MOST_SAMPLES = 8000
 _EACH_SIDE = 4  # samples per width
+_ACROSS = 3.0  # largest distance of the opposite side of a stroke, in widths
 _EVEN = 0.05  # largest variation of the width along a stroke, as a fraction
 _CAPS = (
     6.0  # widths: length of the outline, at both ends of the stroke together, where no opposite side is near
@@ -49,14 +51,15 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
     width = (s[-1] - np.sqrt(max(s[-1] ** 2 - 16 * area, 0.0))) / 4  # of a rectangle
     if not _EACH_SIDE * s[-1] / _MOST_SAMPLES < width < s[-1] / _SLENDER:
         return None
-    from scipy.spatial import cKDTree
-
     count = int(np.ceil(_EACH_SIDE * s[-1] / width))
     at = np.arange(count) / count * s[-1]
     points = np.column_stack([np.interp(at, s, x) for x in drawn.T])
-    apart, near = cKDTree(points).query(points, k=6 * _EACH_SIDE)
-    between = np.abs(np.arange(count)[:, None] - near)
-    opposite = np.where(np.minimum(between, count - between) > 2 * _EACH_SIDE, apart, np.inf).min(axis=1)
+    i, j = near_pairs(points, points, _ACROSS * width)
+    between = np.abs(i - j)
+    across = np.minimum(between, count - between) > 2 * _EACH_SIDE
+    i, j = i[across], j[across]
+    opposite = np.full(count, np.inf)
+    np.minimum.at(opposite, i, np.hypot(*(points[i] - points[j]).T))
     middle = float(np.median(opposite))
     even = np.abs(opposite - middle) <= _EVEN * middle
     return middle if np.isfinite(middle) and even.mean() >= 1 - _CAPS * width / s[-1] else None

@@ -133,11 +133,14 @@ _ROW, _FINEST_CELL = 2**31, 2.0**-30
 """Number of cells in a row, and width of a cell as a fraction of the extent of all points."""
 
 
-def near_pairs(points: FloatArray, others: FloatArray, reach: float) -> tuple[IntArray, IntArray]:
+def near_pairs(
+    points: FloatArray, others: FloatArray, reach: float, *, most: int | None = None
+) -> tuple[IntArray, IntArray]:
     """Return the index pairs (k,) of points (n, d) and other points (m, d) at most `reach` apart.
 
     Pairs are in the order of the points. The plane of the first two coordinates is divided into cells at least
-    as wide as `reach`. Each point is compared with the points of nine cells.
+    as wide as `reach`. Each point is compared with the points of nine cells; a point with more than `most` of them
+    has no pairs.
 
     Examples
     --------
@@ -154,6 +157,8 @@ def near_pairs(points: FloatArray, others: FloatArray, reach: float) -> tuple[In
     in_order, near = numbers[len(points) :, 1][order], numbers[: len(points)].ravel()
     first = in_order.searchsorted(near - 1)
     counts = in_order.searchsorted(near + 1, side="right") - first
+    if most is not None:
+        counts *= (counts.reshape(-1, 3).sum(axis=1) <= most).repeat(3)
     i = (np.arange(near.size) // 3).repeat(counts)
     j = order[first.repeat(counts) + numbers_in_groups(counts)]
     gap = points[i] - others[j]

@@ -61,8 +61,54 @@ HEAVY = (
 )
 
 
-@pytest.mark.parametrize("command", [("check", ARCH), STRIP, PAVILION], ids=lambda words: words[0])
+TWO_EDGES = b"""0
+SECTION
+2
+ENTITIES
+0
+ARC
+8
+0
+10
+0
+20
+0
+40
+100
+50
+30
+51
+90
+0
+ARC
+8
+0
+10
+0
+20
+0
+40
+100
+50
+90
+51
+150
+0
+ENDSEC
+0
+EOF
+"""
+"""A drawing of half an arch twice, so that its edges have to be joined."""
+
+
+@pytest.mark.parametrize(
+    "command",
+    [("check", ARCH), ("check", "two-edges.dxf"), STRIP, PAVILION],
+    ids=["check", "two edges", "strip", "model"],
+)
 def test_commands_load_no_module_of_other_requests(command, project_root, tmp_path):
+    (tmp_path / "two-edges.dxf").write_bytes(TWO_EDGES)
+    command = [word.replace("two-edges.dxf", str(tmp_path / "two-edges.dxf")) for word in command]
     code = (
         "import sys\n"
         "from elastica_cad.cli.commands import elastica\n"
