@@ -12,6 +12,7 @@ import numpy as np
 import Part
 import pytest
 import Sketcher
+from freecad.elastica_wb import make_strip
 from freecad.elastica_wb.curves.part_shapes import make_wire
 from freecad.elastica_wb.curves.sketch_curves import (
     box_around,
@@ -367,6 +368,17 @@ def test_replacing_the_spline_of_a_sketch(document, drawn):
     )
     kept = [g for g in sketch.Geometry if g.TypeId == "Part::GeomLineSegment"]
     assert len(kept) == 1
+
+
+def test_a_macro_gets_a_flat_part_for_each_sheet_of_a_laminated_strip(document, sketch):
+    laminated = {"Sheet": "pom-0.5", "Backing": "pom-0.5", "Style": "Laminated", "OuterWidth": 28}
+    feature = make_strip(sketch, **laminated)
+    base, backing = sorted(flat.flats_of([feature]), key=lambda part: part.Layer == "Backing")
+    sheets = feature.Shape.Solids
+    assert base.Shape.Volume == pytest.approx(sheets[0].Volume, rel=1e-2)
+    assert backing.Shape.Volume == pytest.approx(sheets[1].Volume, rel=1e-2)
+    assert not base.Shape.BoundBox.intersect(backing.Shape.BoundBox)
+    assert not flat.flats_of([make_strip(sketch, **laminated, flat_part=False)])
 
 
 @pytest.mark.parametrize("style", ["Perforated", "Laminated"])

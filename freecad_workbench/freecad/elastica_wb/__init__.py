@@ -24,7 +24,7 @@ if TESTS not in App.__unit_test__:
 
 
 def make_strip(source: Any, edges: tuple[str, ...] = (), *, flat_part: bool = True, **properties: Any) -> Any:
-    """Make a strip along a sketch or along edges of an object, and its flat part.
+    """Make a strip along a sketch or along edges of an object, and its flat parts.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ def make_strip(source: Any, edges: tuple[str, ...] = (), *, flat_part: bool = Tr
         Names of the edges to follow, such as ``"Edge1"``. Leave it empty for a sketch or for an object with one
         curve.
     flat_part : bool
-        Also make the flat part, which is cut from the sheet.
+        Also make the flat parts: the part that is cut from the sheet, and the backing of a laminated strip.
     **properties
         Values of the strip's properties, such as ``Sheet="birch-plywood-0.8", MaxWidth=40``. A length is a number
         in mm, or a text with a unit.
@@ -67,7 +67,8 @@ def make_strip(source: Any, edges: tuple[str, ...] = (), *, flat_part: bool = Tr
             document.removeObject(feature.Name)
             raise AttributeError(f"a strip has no property {name}: see its PropertiesList")
         setattr(feature, name, value)
-    if flat_part:
-        flat.create(document, feature)
+    for layer in flat.layers_of(feature) if flat_part else ():
+        document.recompute()  # a flat part is placed beside the latest one
+        flat.create(document, feature, layer)
     document.recompute()
     return feature

@@ -60,6 +60,11 @@ def create(document: Any, strip: Any, layer: str = "Base") -> Any:
     return obj
 
 
+def layers_of(strip: Any) -> list[str]:
+    """Return the layers of a strip, each of which is cut from a sheet of its own."""
+    return LAYERS if strip.Style == "Laminated" else LAYERS[:1]
+
+
 def _slotted(obj: Any) -> Strip:
     """Return the strip, with its slots if it belongs to a model."""
     if obj.Model is None:
