@@ -39,7 +39,7 @@ from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw
 
 
 class SearchSettings(NamedTuple):
-    """Settings of the search. Distances are mean distances, as a share of the target's diagonal.
+    """Settings of the search. Distances are mean distances, as a fraction of the target's diagonal.
 
     Attributes
     ----------
@@ -49,63 +49,62 @@ class SearchSettings(NamedTuple):
     tensions : tuple of float
         Tensions of straight starts, as fractions of the tension that provides the margin on its own. Taut starts
         are stable; unloaded starts do not buckle.
-    follows, longer : float
-        Above the distance `follows`, a start `longer` times as long as the target is tried too.
-    bent : int
-        Largest number of starts that differ from the target by random waves.
-    bent_rad : float
-        Typical angle of these waves.
-    far : float
-        Distance above which these starts are tried.
-    bent_lifts : int
-        Lifted steps of such a start; with few steps it can still lead to several local optima.
-    near, as_near : float
-        A search that continues a previous one is accepted if its distance is below `near`, or below `as_near`
-        times that of the previous one.
-    followed : float
+    long_distance, long_factor : float
+        Above this distance, a start longer than the target by this factor is tried too.
+    random_distance : float
+        Distance above which starts are tried that differ from the target by random waves.
+    random_starts, random_lifted_steps : int
+        Largest number of such starts, and of their lifted steps; with few steps a start can still lead to several
+        local optima.
+    random_angle : float
+        Typical angle of the waves, rad.
+    continued_distance, continued_factor : float
+        A search that continues a previous one is accepted if its distance is below `continued_distance`, or below
+        `continued_factor` times that of the previous one.
+    exact_distance : float
         Distance below which a rod follows its target, so that a smaller ratio is tried.
-    lean : float
+    ratio_distance : float
         Distance that such a smaller ratio may cost.
-    spline : float
+    spline_factor : float
         Factor on the least ratio, because K is a spline with few coefficients.
-    tie, apart : float
-        A result whose distance is within the factor `tie` of the least one is reported, too, if the rods are
-        farther apart than `apart`.
-    closed : float
+    tie_factor, tie_distance : float
+        A result whose distance is within `tie_factor` of the least one is reported, too, if the rods are farther
+        apart than `tie_distance`.
+    closed_gap : float
         Distance between the ends, in lengths, below which a curve cannot be pulled straight.
     rescalings : int
         Largest number of further searches until a section carries its own weight.
-    roomy, full : float
+    scale_reserve, scale_change : float
         With a margin that depends on the widths: factor on the largest scale, which leaves room for other widths;
         and factor by which a larger scale must differ to be tried.
-    narrower : tuple of float
+    scale_factors : tuple of float
         Factors on the scale that are tried for such a margin.
-    eased : float
-        Share of such a margin that is required first.
+    margin_fraction : float
+        Fraction of such a margin that is required first.
     """
 
     steps: int = 600
     unmet_steps: int = 200
     tensions: tuple[float, float] = (0.6, 0.0)
-    follows: float = 0.009
-    longer: float = 1.03
-    bent: int = 12
-    bent_rad: float = 0.4
-    far: float = 0.02
-    bent_lifts: int = 3
-    near: float = 0.015
-    as_near: float = 1.1
-    followed: float = 1e-3
-    lean: float = 1e-4
-    spline: float = 1.005
-    tie: float = 1.02
-    apart: float = 0.02
-    closed: float = 1e-3
+    long_distance: float = 0.009
+    long_factor: float = 1.03
+    random_distance: float = 0.02
+    random_starts: int = 12
+    random_lifted_steps: int = 3
+    random_angle: float = 0.4
+    continued_distance: float = 0.015
+    continued_factor: float = 1.1
+    exact_distance: float = 1e-3
+    ratio_distance: float = 1e-4
+    spline_factor: float = 1.005
+    tie_factor: float = 1.02
+    tie_distance: float = 0.02
+    closed_gap: float = 1e-3
     rescalings: int = 8
-    roomy: float = 0.99
-    full: float = 1.03
-    narrower: tuple[float, ...] = (1.0, 0.9, 0.75)
-    eased: float = 0.8
+    scale_reserve: float = 0.99
+    scale_change: float = 1.03
+    scale_factors: tuple[float, ...] = (1.0, 0.9, 0.75)
+    margin_fraction: float = 0.8
 
 
 SETTINGS = SearchSettings()
@@ -113,26 +112,26 @@ SETTINGS = SearchSettings()
 
 def _find_rod(task: NearestTask, start: NearestRod | None = None) -> NearestRod:
     """Find the nearest rod for sections of any size."""
-    found = _search(task.without_followed_margin, None if start is None else start.ended)
+    search = _search(task.without_followed_margin, None if start is None else start.ended)
     smaller = task.in_smaller_sections
-    if smaller is not None and (found.best.violation > MET or found.off > SETTINGS.followed):
-        other, steps = _search(smaller), found.steps
-        found = min(found, other, key=lambda search: _rank(search.best))._replace(steps=steps + other.steps)
-    found = _rescaled(found, task.limits.margin)
-    task = replace(task, section=found.task.section)
-    problem, outcome, target = found.problem, found.best, task.target
+    if smaller is not None and (search.best.violation > MET or search.off > SETTINGS.exact_distance):
+        other, steps = _search(smaller), search.steps
+        search = min(search, other, key=lambda trial: _rank(trial.best))._replace(steps=steps + other.steps)
+    search = _rescaled(search, task.limits.margin)
+    task = replace(task, section=search.task.section)
+    problem, outcome, target = search.problem, search.best, task.target
     deviation = measure_deviation(target, outcome.point.position) * target.size
     measure = task.request.measure
     distance = outcome.objective if measure == "max" else float(np.sqrt(2 * outcome.objective))
     return NearestRod(
         found=task.rod_of(outcome.point), target=task.request.curve, deviation=deviation,
         status=judge_search(outcome.violation, deviation / (target.diagonal * target.size), outcome.settled),
-        mean_deviation=found.task.off(outcome.point) * target.size,
+        mean_deviation=search.task.off(outcome.point) * target.size,
         binding=list_bindings(task, problem, outcome), violation=outcome.violation,
-        iterations=found.steps, limits=task.limits, keep=task.keep, measure=measure,
+        iterations=search.steps, limits=task.limits, keep=task.keep, measure=measure,
         distance=distance * target.size,
-        ties=tuple(task.rod_of(tie.point) for tie in found.ties),
-        ended=found.ended,
+        ties=tuple(task.rod_of(tie.point) for tie in search.ties),
+        ended=search.ended,
         again=partial(_again, replace(task.request, weights=task.weights)),
     )  # fmt: skip
 
@@ -146,76 +145,81 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
     problem = pose_problem(task)
     if before is not None and (near := _from_before(task, problem, before)) is not None:
         return _concluded(Search(task, problem, near, (), near.iterations, before.off), [near])
-    found = [minimize(problem, _start(task, problem))]
-    # a margin that the first start misses is refused sooner than what is far
-    tight = found[0].violation > MET and task.limits.margin is not None
+    outcomes = [minimize(problem, _start(task, problem))]
+    # a margin that the first start misses is refused sooner than a long distance
+    tight = outcomes[0].violation > MET and task.limits.margin is not None
     for enough, start in _starts(task, problem):
-        best = min(found, key=_rank)
-        off = task.off(best.point) / task.target.diagonal
-        spent = sum(SQP.steps if one.stalled else one.iterations for one in found)
-        done = best.settled and best.violation <= MET
+        best = min(outcomes, key=_rank)
+        spent = sum(SQP.steps if outcome.stalled else outcome.iterations for outcome in outcomes)
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
-        if (spent < most or enough == np.inf) and not (done and off < enough):
+        good = _is_optimum(best) and task.off(best.point) / task.target.diagonal < enough
+        if not good and (spent < most or enough == np.inf):
             # the largest distance does not measure how far two rods are apart
-            largest = task.request.measure == "max"
-            known = [] if largest else [one for one in found if one.settled and one.violation <= MET]
-            found.append(minimize(problem, start(), known=known))
-    best = min(found, key=_rank)
-    off, steps = task.off(best.point) / task.target.diagonal, sum(one.iterations for one in found)
-    return _concluded(Search(task, problem, best, (), steps, off), found)
+            known = [] if task.request.measure == "max" else list(filter(_is_optimum, outcomes))
+            outcomes.append(minimize(problem, start(), known=known))
+    best = min(outcomes, key=_rank)
+    off, steps = task.off(best.point) / task.target.diagonal, sum(outcome.iterations for outcome in outcomes)
+    return _concluded(Search(task, problem, best, (), steps, off), outcomes)
 
 
-def _rescaled(found: Search, margin: float | None) -> Search:
-    """Repeat the search until sections are as large as the limits allow for the rod that was found."""
+def _is_optimum(outcome: RodOutcome) -> bool:
+    """Return True if a search settled within all limits."""
+    return outcome.settled and outcome.violation <= MET
+
+
+def _rescaled(search: Search, margin: float | None) -> Search:
+    """Repeat the search until sections are as large as the limits allow for the resulting rod."""
     for _ in range(SETTINGS.rescalings):
-        settled = found.task.settled(found.best.point)
+        settled = search.task.settled(search.best.point)
         if (
-            settled is found.task or settled.request.gravity is None
+            settled is search.task or settled.request.gravity is None
         ):  # without weight nothing hangs on the scale
-            found = found._replace(task=settled)
+            search = search._replace(task=settled)
             break
-        found = _go_on(found, settled)
-    if margin == found.task.limits.margin:
-        return found
-    task = found.task.with_margin(margin)
+        search = _go_on(search, settled)
+    if margin == search.task.limits.margin:
+        return search
+    task = search.task.with_margin(margin)
     problem = pose_problem(task)
-    met = [worst_broken(problem, problem.values(one.point)) <= MET for one in (found.best, *found.ties)]
-    if met[0] or found.best.violation > MET:
-        ties = tuple(tie for tie, stays in zip(found.ties, met[1:], strict=True) if stays)
-        return found._replace(task=task, ties=ties)
-    task = replace(task.scaled_by(SETTINGS.roomy), keeps_scale=True)
+    met = [
+        worst_broken(problem, problem.values(outcome.point)) <= MET for outcome in (search.best, *search.ties)
+    ]
+    if met[0] or search.best.violation > MET:
+        ties = tuple(tie for tie, stays in zip(search.ties, met[1:], strict=True) if stays)
+        return search._replace(task=task, ties=ties)
+    task = replace(task.scaled_by(SETTINGS.scale_reserve), keeps_scale=True)
     for _ in range(SETTINGS.rescalings):
-        wider = _narrowed(found, task)
-        if found.task.keeps_scale and wider.best.violation > MET:
-            return found._replace(steps=wider.steps)
-        found = wider
-        task = found.task.settled(found.best.point)
-        if found.best.violation > MET or task.scale < SETTINGS.full * found.task.scale:
+        wider = _narrowed(search, task)
+        if search.task.keeps_scale and wider.best.violation > MET:
+            return search._replace(steps=wider.steps)
+        search = wider
+        task = search.task.settled(search.best.point)
+        if search.best.violation > MET or task.scale < SETTINGS.scale_change * search.task.scale:
             break
-        task = task.scaled_by(SETTINGS.roomy)
-    return found
+        task = task.scaled_by(SETTINGS.scale_reserve)
+    return search
 
 
-def _narrowed(found: Search, task: NearestTask) -> Search:
+def _narrowed(search: Search, task: NearestTask) -> Search:
     """Continue a search at a given scale, then at smaller scales, each first with most of the margin.
 
     Narrower strips may meet a margin that wider strips do not meet.
     """
     margin = task.limits.margin or 0.0
-    for share in SETTINGS.narrower:
-        narrow = task.scaled_by(share)
-        eased = _go_on(found, narrow.with_margin(min(margin, SETTINGS.eased * margin)))
+    for factor in SETTINGS.scale_factors:
+        narrow = task.scaled_by(factor)
+        eased = _go_on(search, narrow.with_margin(min(margin, SETTINGS.margin_fraction * margin)))
         tried = _go_on(eased, narrow)
         if tried.best.violation <= MET:
             break
-        found = found._replace(steps=tried.steps)
+        search = search._replace(steps=tried.steps)
     return tried
 
 
-def _go_on(found: Search, task: NearestTask) -> Search:
+def _go_on(search: Search, task: NearestTask) -> Search:
     """Continue from the end of a search with the present request; the steps are added."""
-    more = _search(task, found.ended)
-    return more._replace(steps=found.steps + more.steps)
+    more = _search(task, search.ended)
+    return more._replace(steps=search.steps + more.steps)
 
 
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
@@ -224,23 +228,23 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
     rod = None if z is None else problem.grid.shoot(z)
     if rod is None or not np.isfinite(rod.moments[-1]):
         return None
-    found = minimize(problem, rod)
-    enough = max(SETTINGS.near, SETTINGS.as_near * before.off)
-    near = task.off(found.point) < enough * task.target.diagonal
-    return found if near and found.settled and found.violation <= MET else None
+    outcome = minimize(problem, rod)
+    enough = max(SETTINGS.continued_distance, SETTINGS.continued_factor * before.off)
+    near = task.off(outcome.point) < enough * task.target.diagonal
+    return outcome if near and _is_optimum(outcome) else None
 
 
-def _concluded(so_far: Search, found: Sequence[RodOutcome]) -> Search:
+def _concluded(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
     """Add to a search a rod of smaller ratio that is as near as its best, or else other results that are as
     near."""
-    task, problem, best, _, steps, _ = so_far
+    task, problem, best, _, steps, _ = search
     free = task.is_scaled_freely or task.is_light
-    if free and task.off(best.point) < SETTINGS.followed * task.target.diagonal:
+    if free and task.off(best.point) < SETTINGS.exact_distance * task.target.diagonal:
         lean = _leaner(task, best)
         if lean is not None:
             tight, problem, best = lean
-            return so_far._replace(task=tight, problem=problem, best=best, steps=steps + best.iterations)
-    return so_far._replace(ties=tuple(_ties(task, problem, best, found)))
+            return search._replace(task=tight, problem=problem, best=best, steps=steps + best.iterations)
+    return search._replace(ties=tuple(_ties(task, problem, best, outcomes)))
 
 
 def _leaner(task: NearestTask, best: RodOutcome) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
@@ -254,7 +258,7 @@ def _leaner(task: NearestTask, best: RodOutcome) -> tuple[NearestTask, RodProble
         rod = _rod_on_curve(task.request, law)
     except ElasticaError:
         return None
-    least = rod.ratio * SETTINGS.spline
+    least = rod.ratio * SETTINGS.spline_factor
     if best.violation > MET or least >= float(K.max() / K.min()):
         return None
     try:
@@ -263,23 +267,24 @@ def _leaner(task: NearestTask, best: RodOutcome) -> tuple[NearestTask, RodProble
     except InputError:  # the stiffness is bounded elsewhere too
         return None
     outcome = minimize(problem, _start(tight, problem, stiffness=min(least, 4.0) ** 0.5))
-    near = max(task.off(best.point), SETTINGS.lean * task.target.diagonal)
+    near = max(task.off(best.point), SETTINGS.ratio_distance * task.target.diagonal)
     good = outcome.violation <= MET and task.off(outcome.point) <= near
     return (tight, problem, outcome) if good else None
 
 
 def _ties(
-    task: NearestTask, problem: RodProblem, best: RodOutcome, found: Sequence[RodOutcome]
+    task: NearestTask, problem: RodProblem, best: RodOutcome, outcomes: Sequence[RodOutcome]
 ) -> Iterator[RodOutcome]:
     """Yield results as near as the best result, within 2 %, that differ in shape from it and from each other."""
-    allowed = best.objective * (SETTINGS.tie if task.request.measure == "max" else SETTINGS.tie**2)
-    apart = (SETTINGS.apart * task.target.diagonal) ** 2
-    told = [best]
-    for outcome in sorted(found, key=lambda one: one.objective):
-        if not outcome.settled or outcome.violation > MET or outcome.objective > allowed:
-            continue
-        if all(problem.apart(outcome.point, other.point) > apart for other in told):
-            told.append(outcome)
+    allowed = best.objective * (
+        SETTINGS.tie_factor if task.request.measure == "max" else SETTINGS.tie_factor**2
+    )
+    apart = (SETTINGS.tie_distance * task.target.diagonal) ** 2
+    distinct = [best]
+    for outcome in sorted(outcomes, key=lambda outcome: outcome.objective):
+        near = _is_optimum(outcome) and outcome.objective <= allowed
+        if near and all(problem.apart(outcome.point, other.point) > apart for other in distinct):
+            distinct.append(outcome)
             yield outcome
 
 
@@ -290,27 +295,28 @@ def _rank(outcome: RodOutcome) -> tuple[bool, float]:
 
 
 def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Callable[[], MappedRod]]]:
-    """Further rods to start from, each unless the mean distance found is small enough, in diagonals.
+    """Yield further starts, each with the mean distance, in diagonals, below which it is not needed.
 
-    Where nothing meets the limits, those that are always good enough are tried whatever was spent before.
+    Starts with an infinite distance are tried, however many steps were used, as long as nothing meets the limits.
     """
     chord = task.target.position[-1] - task.target.position[0]
-    chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed)
+    chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed_gap)
     pull = max(task.limits.margin or 0.0, 0.0) * task.even_stiffness
     for tension in SETTINGS.tensions if pull else SETTINGS.tensions[-1:]:
         yield np.inf, partial(_start, task, problem, force=-tension * pull * chord)
     length = problem.grid.unknowns.length
     if problem.lower[length] < problem.upper[length]:
-        yield SETTINGS.follows, partial(_start, task, problem, length=SETTINGS.longer)
-    for seed in range(SETTINGS.bent):
-        yield SETTINGS.far, partial(_start, task, problem, lifts=SETTINGS.bent_lifts, seed=seed)
+        yield SETTINGS.long_distance, partial(_start, task, problem, length=SETTINGS.long_factor)
+    waves = partial(_start, task, problem, lifted_steps=SETTINGS.random_lifted_steps)
+    for seed in range(SETTINGS.random_starts):
+        yield SETTINGS.random_distance, partial(waves, seed=seed)
 
 
 def _start(
     task: NearestTask,
     problem: RodProblem,
     *,
-    lifts: int = SQP.lifts,
+    lifted_steps: int = SQP.lifted_steps,
     length: float | None = None,
     stiffness: float | None = None,
     seed: int | None = None,
@@ -318,21 +324,19 @@ def _start(
 ) -> MappedRod:
     """Return the rod that the lifted program finds from the target with constant stiffness and optional `force`.
 
-    A `seed` bends the target by slow waves and varies the stiffness: for other valleys.
+    A `seed` bends the target by slow waves and varies the stiffness, to reach other local optima.
     """
-    if stiffness is None:
-        stiffness = task.even_stiffness
     grid, target = problem.grid, task.target
     u, n = grid.unknowns, grid.edges
     places = np.concatenate([[0.0], (np.arange(n) + 0.5) / n, [1.0]])
     angles = target.angles(places)
     z = np.zeros(u.count)
-    z[u.stiffness] = stiffness
+    z[u.stiffness] = task.even_stiffness if stiffness is None else stiffness
     if seed is not None:
         rng = np.random.default_rng(seed)
         z[u.stiffness] *= rng.uniform(0.5, 2.0, u.coefficients)
         for k in range(1, 6):
-            angles += rng.normal(scale=SETTINGS.bent_rad / k) * np.sin(
+            angles += rng.normal(scale=SETTINGS.random_angle / k) * np.sin(
                 np.pi * k * places + rng.uniform(0, 2 * np.pi)
             )
     z[u.position], z[u.angle], z[u.length] = target.position[0], angles[0], 1.0
@@ -344,7 +348,7 @@ def _start(
     z = np.clip(z, problem.lower, problem.upper)
     moments = (grid.basis @ z[u.stiffness]) * (np.diff(angles) / grid.shares - grid.natural_curvature)
     start = grid.assemble(z, angles, moments)
-    return lift(replace(problem, distance=task.mean_distance), start, lifts)
+    return lift(replace(problem, distance=task.mean_distance), start, lifted_steps)
 
 
 _STRICTER = 6  # largest number of tapers for laying plies, each within stricter limits
@@ -429,14 +433,14 @@ def _broken_by(laid: LeafedRod, limits: Limits) -> tuple[Binding, ...]:
 
 def _stricter(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
     """Return stricter limits for the taper, so that a stack violates the actual limits less."""
-    for one in broken:
-        more = 1 + _BEYOND * one.broken
-        if one.name == "margin":
-            scale = max(10.0, abs(one.limit or 0.0))
-            limits = replace(limits, margin=(limits.margin or 0.0) + _BEYOND * one.broken * scale)
-        elif one.name == "curvature":
+    for binding in broken:
+        more = 1 + _BEYOND * binding.broken
+        if binding.name == "margin":
+            scale = max(10.0, abs(binding.limit or 0.0))
+            limits = replace(limits, margin=(limits.margin or 0.0) + _BEYOND * binding.broken * scale)
+        elif binding.name == "curvature":
             limits = limits.tightened(curvature=more)
-        elif one.name == "strain":
+        elif binding.name == "strain":
             limits = limits.tightened(strain=more)
     return limits
 

@@ -22,37 +22,110 @@ KEY_STRIDE = 1_000_000
 """Factor in the key of a row, constraint * KEY_STRIDE + index; larger than the number of values of a constraint."""
 
 
-class Closing(NamedTuple):
-    """Settings for closing a point. States are scaled so that linearity ends at about 1 (angles in radians).
+class SearchSettings(NamedTuple):
+    """Settings of a search. The defect is the change of state that closes a point, in radians.
+
+    States are scaled so that linearity ends at a change of about 1.
 
     Attributes
     ----------
-    steps : int
-        Newton corrections for one iterate; each squares the error.
-    room : float
+    steps, lifted_steps : int
+        Largest number of quadratic programs of one search (usual searches take less than half), and of lifted
+        steps, which converge quadratically or not at all.
+    progress_tolerance : float
+        The search ends when a step promises to reduce the objective by less than this fraction.
+    resolution : float
+        Absolute accuracy of an objective of order 1 (half a mean square), about 1 um on a strip of 300 mm.
+    smallest_radius, lifted_radius : float
+        Radius of the trust region, in scales, at which the search is given up; and the radius of lifted steps.
+    ascent_radius : float
+        Radius, in scales, below which a step that makes the objective worse ends the search.
+    damping, lifted_damping : float
+        Damping of steps and of the first lifted step, relative to the largest curvature of the objective. It keeps
+        the quadratic program strictly convex, and selects the smallest of several possible changes.
+    damping_cost : float
+        Largest fraction of the objective that damping may add to a step of one scale.
+    least_damping : float
+        Least remaining fraction of the damping when steps achieve the predicted decrease.
+    lifted_tolerance, lifted_progress : float
+        Lifted steps end when a step changes the state by less than `lifted_tolerance` and leaves more than the
+        fraction `lifted_progress` of the objective.
+    patience, stall_fraction, stall_violation : int, float, float
+        The search ends when `patience` steps leave more than the fraction `stall_fraction` of the violation, unless
+        the violation is below `stall_violation`.
+    same_optimum : float
+        A search ends near a known optimum, within this fraction of the distance of that optimum.
+    sensitivity : float
+        Root of the objective's curvature, per scale, above which an unknown gets a finer scale.
+
+    newton_steps : int
+        Newton corrections for one iterate; each squares the defect.
+    bound_tolerance : float
         Distance from a bound, in scales, below which an unknown is at the bound.
-    closed : float
-        Change of the state below which a point counts as closed, because its square is below rounding.
-    lost : float
-        Change of the state (about a quarter turn) above which a point cannot be closed.
-    tolerable : float
-        Largest error of the state of an iterate that is not reliable; its effect is about 1 %.
-    reliable : float
+    closed_defect : float
+        Defect below which a point counts as closed, because its square is below rounding.
+    divergence_defect, start_defect : float
+        Defect (about a quarter turn) above which a point cannot be closed; and the largest defect of a start, which
+        is otherwise replaced by the closed point of its unknowns.
+    tolerated_defect : float
+        Largest defect of an iterate that is not reliable; its effect is about 1 %.
+    defect_reduction : float
+        A rejected point is accepted if its defect is below this fraction of the present defect.
+    reliability : float
         Largest uncertainty, as a fraction of the promised decrease of a step.
-    badly_broken : float
+    large_violation : float
         Value of a badly violated constraint, 100 times the tolerance.
+
+    clearance : float
+        Distance that is kept from an active limit, so that rounding does not violate it.
+    exact_steps : int
+        Newton steps at the end of a search; each squares the remaining violation, down to rounding.
+    correctable_violation, exact_violation : float
+        Largest violation that these steps correct, and the violation at which they end.
+    correction_bound : float
+        Bound on such a step and on its multipliers, in multiples of the violation.
+    correction_accuracy : float
+        Accuracy of such a step, whose error the next one corrects.
     """
 
-    steps: int = 4
-    room: float = 1e-6
-    closed: float = 1e-8
-    lost: float = 1.5
-    tolerable: float = 0.1
-    reliable: float = 0.5
-    badly_broken: float = 1e-4
+    steps: int = 80
+    lifted_steps: int = 12
+    progress_tolerance: float = 3e-4
+    resolution: float = 1e-11
+    smallest_radius: float = 1e-7
+    lifted_radius: float = 20.0
+    ascent_radius: float = 0.01
+    damping: float = 1e-9
+    lifted_damping: float = 1e-6
+    damping_cost: float = 1e-2
+    least_damping: float = 1e-4
+    lifted_tolerance: float = 0.1
+    lifted_progress: float = 0.7
+    patience: int = 7
+    stall_fraction: float = 0.95
+    stall_violation: float = 0.02
+    same_optimum: float = 0.1
+    sensitivity: float = 100.0
+
+    newton_steps: int = 4
+    bound_tolerance: float = 1e-6
+    closed_defect: float = 1e-8
+    divergence_defect: float = 1.5
+    start_defect: float = 1.0
+    tolerated_defect: float = 0.1
+    defect_reduction: float = 0.1
+    reliability: float = 0.5
+    large_violation: float = 1e-4
+
+    clearance: float = 1e-9
+    exact_steps: int = 6
+    correctable_violation: float = 1e-3
+    exact_violation: float = 1e-13
+    correction_bound: float = 1e4
+    correction_accuracy: float = 1e-4
 
 
-CLOSING = Closing()
+SETTINGS = SearchSettings()
 
 
 @dataclass(frozen=True, eq=False)
@@ -200,6 +273,11 @@ class ActiveSet:
 _NONE_ACTIVE = ActiveSet(np.zeros(0, dtype=int), np.zeros(0))
 
 
+def _row_keys(rows: ConstraintRows) -> IntArray:
+    """Return a key for each row that does not depend on the point."""
+    return rows.constraint * KEY_STRIDE + rows.index
+
+
 @dataclass(frozen=True, eq=False)
 class Iterate(Generic[Point]):
     """The present, nearly closed point of a search.
@@ -208,22 +286,42 @@ class Iterate(Generic[Point]):
     ----------
     program : NonlinearProgram
     local : Linearization
-    change : (p + 1,) array
-        The least step that closes the point to first order and keeps the active rows at their aim; its last
-        entry is 1.
-    state_change : array
-        Change of the state due to `change`.
+    active : ActiveSet
+        Rows that keep their aim when the point is closed.
     """
 
     program: NonlinearProgram[Point]
     local: Linearization[Point]
-    change: FloatArray
-    state_change: FloatArray
+    active: ActiveSet = _NONE_ACTIVE
+
+    @cached_property
+    def change(self) -> FloatArray:
+        """Least step (p + 1,) that closes the point to first order with the active rows at their aim; ends in 1."""
+        change = np.zeros(self.local.z.size + 1)
+        change[-1] = 1.0
+        if self.active.keys.size:
+            program, rows, z = self.program, self.local.rows, self.local.z
+            _, here, there = np.intersect1d(
+                _row_keys(rows), self.active.keys, assume_unique=True, return_indices=True
+            )
+            room = np.minimum(z - program.lower, program.upper - z)
+            free = room > SETTINGS.bound_tolerance * program.scale
+            s = program.scale[free]
+            gap = self.active.aim[there] - rows.value[here]
+            # if there are more rows than free unknowns, the most sensitive rows have priority
+            change[:-1][free] = np.linalg.lstsq(rows.jacobian[here][:, free] * s, gap, rcond=1e-10)[0] * s
+        return change
 
     @cached_property
     def defect(self) -> float:
         """Largest change of the state that closes the point."""
-        return float(np.abs(self.state_change).max())
+        return float(np.abs(self.local.state_jacobian @ self.change).max())
+
+    @property
+    def equalities(self) -> ActiveSet:
+        """All equalities as an active set."""
+        keys = _row_keys(self.local.rows)[~self.local.rows.one_sided]
+        return ActiveSet(keys, np.zeros(keys.size))
 
     @cached_property
     def objective(self) -> float:
@@ -250,14 +348,14 @@ class Iterate(Generic[Point]):
 
     def is_reliable(self, promise: float, highest_price: float) -> bool:
         """Return True if the second-order change from closing is small compared with a predicted decrease."""
-        if not self.defect**2 * highest_price < CLOSING.reliable * promise:  # whatever the objective
+        if not self.defect**2 * highest_price < SETTINGS.reliability * promise:  # whatever the objective
             return False
         weight = 1.0 if self.local.model.peaks.size else float(np.sqrt(2 * max(self.objective, 0.0)))
-        return self.defect**2 * (weight + highest_price) < CLOSING.reliable * promise
+        return self.defect**2 * (weight + highest_price) < SETTINGS.reliability * promise
 
     def restores_feasibility(self, step: FloatArray) -> bool:
         """Return True if a step removes most of a large violation, even if the merit decreases little."""
-        return self.violation > CLOSING.badly_broken and bool(
+        return self.violation > SETTINGS.large_violation and bool(
             self._broken(step).max(initial=0.0) < 0.5 * self.violation
         )
 
@@ -283,40 +381,12 @@ def iterate_at(
 ) -> Iterate[Point] | None:
     """Return the iterate of a point, closed or not, or None if its derivatives are unusable."""
     local = program.linearize(point)
-    return None if local is None else _with_active(program, local, active)
+    return None if local is None else Iterate(program, local, active)
 
 
-def meet_equalities(at: Iterate[Point]) -> Iterate[Point]:
+def meet_equalities(here: Iterate[Point]) -> Iterate[Point]:
     """Return the iterate such that it is closed by the least change that meets every equality."""
-    return _with_active(at.program, at.local, all_equalities(at))
-
-
-def all_equalities(at: Iterate[Point]) -> ActiveSet:
-    """Return the active set of all equalities."""
-    keys = _row_keys(at.local.rows)[~at.local.rows.one_sided]
-    return ActiveSet(keys, np.zeros(keys.size))
-
-
-def _row_keys(rows: ConstraintRows) -> IntArray:
-    """Return a key for each row that does not depend on the point."""
-    return rows.constraint * KEY_STRIDE + rows.index
-
-
-def _with_active(
-    program: NonlinearProgram[Point], local: Linearization[Point], active: ActiveSet
-) -> Iterate[Point]:
-    change = np.zeros(local.z.size + 1)
-    change[-1] = 1.0
-    if active.keys.size:
-        rows = local.rows
-        _, here, there = np.intersect1d(_row_keys(rows), active.keys, assume_unique=True, return_indices=True)
-        room = np.minimum(local.z - program.lower, program.upper - local.z)
-        free = room > CLOSING.room * program.scale
-        s = program.scale[free]
-        gap = active.aim[there] - rows.value[here]
-        # if there are more rows than free unknowns, the most sensitive rows have priority
-        change[:-1][free] = np.linalg.lstsq(rows.jacobian[here][:, free] * s, gap, rcond=1e-10)[0] * s
-    return Iterate(program, local, change, local.state_jacobian @ change)
+    return replace(here, active=here.equalities)
 
 
 def follow_step(
@@ -329,110 +399,29 @@ def follow_step(
     with the promise. This allows far larger steps than solving for a sensitive state again, and avoids the Maratos
     effect.
     """
-    at, change = start, step
-    for _ in range(CLOSING.steps):
-        found = iterate_at(start.program, at.local.moved(change), active)
-        if found is None or not found.defect < CLOSING.lost:
+    here, change = start, step
+    for _ in range(SETTINGS.newton_steps):
+        after = iterate_at(start.program, here.local.moved(change), active)
+        if after is None or not after.defect < SETTINGS.divergence_defect:
             return None
-        if found.is_reliable(promise, highest_price):
-            return found
-        at, change = found, found.change
-    return at if at.defect < CLOSING.tolerable else None
+        if after.is_reliable(promise, highest_price):
+            return after
+        here, change = after, after.change
+    return here if here.defect < SETTINGS.tolerated_defect else None
 
 
 def close_iterate(start: Iterate[Point], active: ActiveSet) -> Point | None:
     """Return the closed point near an iterate, or None."""
-    at = start
-    for _ in range(2 * CLOSING.steps):
-        if not at.defect < CLOSING.lost:
+    here = start
+    for _ in range(2 * SETTINGS.newton_steps):
+        if not here.defect < SETTINGS.divergence_defect:
             return None
-        point = at.local.moved(at.change)
-        found = None if at.defect < CLOSING.closed else iterate_at(start.program, point, active)
-        if found is None:
+        point = here.local.moved(here.change)
+        after = None if here.defect < SETTINGS.closed_defect else iterate_at(start.program, point, active)
+        if after is None:
             break
-        at = found
+        here = after
     return start.program.close(point)
-
-
-class SearchSettings(NamedTuple):
-    """Settings of a search.
-
-    Attributes
-    ----------
-    steps, lifts : int
-        Largest number of quadratic programs of one search (usual searches take less than half), and of lifted
-        steps, which converge quadratically or not at all.
-    settled : float
-        The search ends when a step promises to reduce the objective by less than this fraction.
-    resolution : float
-        Absolute accuracy of an objective of order 1 (half a mean square), about 1 um on a strip of 300 mm.
-    smallest_radius, far : float
-        Radius of the trust region, in scales, at which the search is given up; and the radius of lifted steps.
-    stuck : float
-        Radius, in scales, below which a step that makes the objective worse ends the search.
-    damping, calm : float
-        Damping of steps and of the first lifted step, relative to the largest curvature of the objective. It keeps
-        the quadratic program strictly convex, and selects the smallest of several possible changes.
-    idle : float
-        Largest share of the objective that damping may add to a step of one scale.
-    easiest : float
-        Least remaining fraction of the damping when steps achieve the predicted decrease.
-    calmed, worthwhile : float
-        Lifted steps end when a step changes the state by less than `calmed` and leaves more than the fraction
-        `worthwhile` of the objective.
-    ajar : float
-        Largest change of the state that closes a start; a start that is farther from closed is replaced by the
-        closed point of its unknowns.
-    patience, stalled, far_from_met : int, float, float
-        The search ends when `patience` steps leave more than the fraction `stalled` of the violation, unless the
-        violation is below `far_from_met`.
-    alike : float
-        A search ends near a known optimum, within this fraction of the distance of that optimum.
-    closer : float
-        A rejected point is accepted if its defect is below this fraction of the present defect.
-    sensitive : float
-        Root of the objective's curvature, per scale, above which an unknown gets a finer scale.
-    clearance : float
-        Distance that is kept from an active limit, so that rounding does not violate it.
-    exact_steps : int
-        Newton steps at the end of a search; each squares the remaining violation, down to rounding.
-    in_reach, missed : float
-        Largest violation that these steps correct, and the violation at which they end.
-    firm : float
-        Bound on such a step and on its multipliers, in multiples of the violation.
-    rough : float
-        Accuracy of such a step, whose error the next one corrects.
-    """
-
-    steps: int = 80
-    lifts: int = 12
-    settled: float = 3e-4
-    resolution: float = 1e-11
-    smallest_radius: float = 1e-7
-    far: float = 20.0
-    stuck: float = 0.01
-    damping: float = 1e-9
-    calm: float = 1e-6
-    idle: float = 1e-2
-    easiest: float = 1e-4
-    calmed: float = 0.1
-    worthwhile: float = 0.7
-    ajar: float = 1.0
-    patience: int = 7
-    stalled: float = 0.95
-    far_from_met: float = 0.02
-    alike: float = 0.1
-    closer: float = 0.1
-    sensitive: float = 100.0
-    clearance: float = 1e-9
-    exact_steps: int = 6
-    in_reach: float = 1e-3
-    missed: float = 1e-13
-    firm: float = 1e4
-    rough: float = 1e-4
-
-
-SETTINGS = SearchSettings()
 
 
 @dataclass(frozen=True, eq=False)
@@ -464,7 +453,7 @@ class Outcome(Generic[Point]):
     stalled: bool
 
 
-def lift(program: NonlinearProgram[Point], start: Point, steps: int = SETTINGS.lifts) -> Point:
+def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
     """Find a nearly closed point near a point that is far from closed.
 
     Here the state is an unknown, and its linearised equations are an additional constraint. So the quadratic
@@ -478,8 +467,8 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int = SETTINGS.l
         here = iterate_at(program, point)
         if here is None:
             break
-        damping = _damping(here, SETTINGS.calm, np.inf if k == 0 else SETTINGS.idle)
-        solved = _solve_step(here, SETTINGS.far, damping)
+        damping = _damping(here, SETTINGS.lifted_damping, np.inf if k == 0 else SETTINGS.damping_cost)
+        solved = _solve_step(here, SETTINGS.lifted_radius, damping)
         if solved is None:
             break
         change = np.append(solved[0], 1.0)
@@ -489,18 +478,17 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int = SETTINGS.l
         # second order in the change of state is what closing the point may add to its distance
         if (rank := float(np.sqrt(2 * after)) + 0.1 * changed**2) < least:
             best, least = point, rank
-        if changed < SETTINGS.calmed and after > SETTINGS.worthwhile * before - SETTINGS.resolution:
+        if (
+            changed < SETTINGS.lifted_tolerance
+            and after > SETTINGS.lifted_progress * before - SETTINGS.resolution
+        ):
             break
         before = after
     return best
 
 
 def minimize(
-    program: NonlinearProgram[Point],
-    start: Point,
-    *,
-    steps: int = SETTINGS.steps,
-    known: Sequence[Outcome[Point]] = (),
+    program: NonlinearProgram[Point], start: Point, *, known: Sequence[Outcome[Point]] = ()
 ) -> Outcome[Point]:
     """Find a local minimum from a point that need not be closed; end early near a `known` optimum.
 
@@ -515,15 +503,17 @@ def minimize(
     """
     walk = _Walk(_begin(program, start), np.zeros(program.highest_prices.size))
     iteration, broken, stalled = 0, [walk.here.violation], False
-    while iteration < steps and not walk.settled and walk.radius > SETTINGS.smallest_radius and not stalled:
+    while not (
+        walk.settled or stalled or iteration == SETTINGS.steps or walk.radius <= SETTINGS.smallest_radius
+    ):
         for other in known:
-            if program.apart(walk.here.local.point, other.point) < SETTINGS.alike**2 * other.objective:
+            if program.apart(walk.here.local.point, other.point) < SETTINGS.same_optimum**2 * other.objective:
                 return replace(other, iterations=iteration)
         iteration += 1
         walk.advance()
         broken.append(walk.here.violation)
         before = max(broken[-SETTINGS.patience :]) if iteration > SETTINGS.patience else np.inf
-        stalled = broken[-1] > max(SETTINGS.far_from_met, SETTINGS.stalled * before)
+        stalled = broken[-1] > max(SETTINGS.stall_violation, SETTINGS.stall_fraction * before)
     point = _make_exact(program, walk.end())
     values = program.values(point)
     multipliers, low, high = _multipliers(program, values, walk.solved)
@@ -544,8 +534,8 @@ class _Walk(Generic[Point]):
         Penalty of every constraint in the merit function.
     radius : float
         Radius of the trust region, in scales.
-    damping_share : float
-        Share of the full damping; it decreases when steps achieve what they promise.
+    damping_fraction : float
+        Fraction of the full damping; it decreases when steps achieve what they promise.
     solved : pair of ConstraintRows and QuadraticSolution, or None
         The last quadratic program.
     settled : bool
@@ -557,12 +547,12 @@ class _Walk(Generic[Point]):
     here: Iterate[Point]
     prices: FloatArray
     radius: float = 1.0
-    damping_share: float = 1.0
+    damping_fraction: float = 1.0
     solved: tuple[ConstraintRows, QuadraticSolution] | None = None
     settled: bool = False
 
     def __post_init__(self) -> None:
-        self.active = all_equalities(self.here)
+        self.active = self.here.equalities
 
     def advance(self) -> None:
         """Try steps with decreasing radii, until a step is accepted or the radius is too small."""
@@ -572,13 +562,13 @@ class _Walk(Generic[Point]):
     def end(self) -> Point:
         """Return the closed point at the end of the search."""
         program = self.here.program
-        found = close_iterate(self.here, self.active) or program.close(self.here.local.point)
-        return found or program.fallback()
+        point = close_iterate(self.here, self.active) or program.close(self.here.local.point)
+        return point or program.fallback()
 
     def _try_step(self) -> bool:
         """Try one step of the quadratic program; return False if it must be repeated with the new radius."""
         here = self.here
-        damping = self.damping_share * _damping(here, SETTINGS.damping, SETTINGS.idle)
+        damping = self.damping_fraction * _damping(here, SETTINGS.damping, SETTINGS.damping_cost)
         solved = _solve_step(here, self.radius, damping)
         if solved is None:
             self.radius *= 0.25
@@ -586,14 +576,17 @@ class _Walk(Generic[Point]):
         step, solution = solved
         self.solved = here.local.rows, solution
         self.prices = _prices(here.program, here.local.rows, solution, self.prices)
-        merit, floor = here.merit(self.prices), SETTINGS.settled * here.objective + SETTINGS.resolution
+        merit, floor = (
+            here.merit(self.prices),
+            SETTINGS.progress_tolerance * here.objective + SETTINGS.resolution,
+        )
         promised = merit - here.predicted_merit(step, self.prices)
         worth, highest = max(promised, floor), float(self.prices.max(initial=0.0))
         reliable = here.is_reliable(worth, highest)
         if reliable and promised <= floor and not here.restores_feasibility(step):
-            if promised < -floor and self.radius > SETTINGS.stuck:
+            if promised < -floor and self.radius > SETTINGS.ascent_radius:
                 # the step does not solve the program: try a shorter step with full damping
-                self.damping_share, self.radius = 1.0, 0.25 * self.radius
+                self.damping_fraction, self.radius = 1.0, 0.25 * self.radius
                 return False
             self.settled = True
         touched = _touched(here, step, solution)
@@ -602,42 +595,50 @@ class _Walk(Generic[Point]):
         accepted = gain > 1e-4
         if trial is not None and accepted:
             self.here, self.active = trial, touched
-        elif not reliable:
-            # the present merit may belong to a point that does not close as predicted
-            nearer = follow_step(here, here.change, self.active, worth, highest)
-            if nearer is None and trial is not None and trial.defect < SETTINGS.closer * here.defect:
-                nearer = trial
-            if nearer is None and self.radius < SETTINGS.stuck:
-                point = here.program.close(here.local.point)
-                nearer = None if point is None else iterate_at(here.program, point)
-            if nearer is not None:
-                self.here = nearer
-                return True
+        elif not reliable and (nearer := self._nearer(trial, worth, highest)) is not None:
+            self.here = nearer
+            return True
         if not self.settled:
             self._adapt(gain, float(np.abs(step / here.program.scale).max()), accepted=accepted)
         return accepted or self.settled
 
+    def _nearer(
+        self, trial: Iterate[Point] | None, promise: float, highest_price: float
+    ) -> Iterate[Point] | None:
+        """Return an iterate that is nearer to being closed, or None.
+
+        The merit of an unreliable iterate may belong to a point that does not close as predicted.
+        """
+        here = self.here
+        nearer = follow_step(here, here.change, self.active, promise, highest_price)
+        if nearer is None and trial is not None and trial.defect < SETTINGS.defect_reduction * here.defect:
+            nearer = trial
+        if nearer is None and self.radius < SETTINGS.ascent_radius:
+            point = here.program.close(here.local.point)
+            nearer = None if point is None else iterate_at(here.program, point)
+        return nearer
+
     def _adapt(self, gain: float, size: float, *, accepted: bool) -> None:
-        """Change radius and damping after a step of `size` scales that achieved the share `gain` of its promise."""
+        """Change radius and damping after a step of `size` scales with the fraction `gain` of its promise."""
         if gain > 0.75:
             self.radius = max(self.radius, min(5.0, 2 * size))
-            self.damping_share = max(0.1 * self.damping_share, SETTINGS.easiest)
+            self.damping_fraction = max(0.1 * self.damping_fraction, SETTINGS.least_damping)
         elif gain < 0.25:
-            self.radius, self.damping_share = (0.5 if accepted else 0.3) * size, 1.0
+            self.radius, self.damping_fraction = (0.5 if accepted else 0.3) * size, 1.0
 
 
 def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
-    """First iterate: the given point, or where that cannot be closed, the point that belongs to its unknowns."""
+    """Return the first iterate: the start, or the closed point of its unknowns if the start cannot be closed."""
     point = program.clip(start)
-    found = iterate_at(program, point)
-    if found is not None:
-        here = meet_equalities(found)
-        if here.defect < SETTINGS.ajar:
+    here = iterate_at(program, point)
+    if here is not None:
+        here = meet_equalities(here)
+        if here.defect < SETTINGS.start_defect:
             return here
-    for other in (program.close(point), program.fallback()):
-        found = None if other is None else iterate_at(program, other)
-        if found is not None:
-            return found
+    for closed in (program.close(point), program.fallback()):
+        here = None if closed is None else iterate_at(program, closed)
+        if here is not None:
+            return here
     raise NotConvergedError("no rod is found to begin with: draw a smoother curve, or a shorter one")
 
 
@@ -671,7 +672,7 @@ def _solve_step(
     rows, model, z = local.rows, local.model, local.z
     p = z.size
     # use finer scales for very sensitive unknowns, which would determine the accuracy of all unknowns
-    curved = model.hessian.diagonal() * (program.scale / SETTINGS.sensitive) ** 2
+    curved = model.hessian.diagonal() * (program.scale / SETTINGS.sensitivity) ** 2
     fine = np.sqrt(np.maximum(1.0, curved))
     s = program.scale / fine
     hessian, gradient = model.hessian * np.outer(s, s) + np.diag(damping / fine**2), model.gradient * s
@@ -686,14 +687,14 @@ def _solve_step(
         jacobian = np.block([[jacobian, np.zeros((value.size, 1))], [-model.peak_rows * s, np.ones((k, 1))]])
         value = np.append(value, top - model.peaks)
         price, one_sided = np.append(price, np.full(k, 10.0)), np.append(one_sided, np.ones(k, dtype=bool))
-    found = solve_quadratic(
+    solution = solve_quadratic(
         QuadraticProgram(hessian, gradient, lower, upper, jacobian, -value, price, one_sided)
     )
-    if not np.all(np.isfinite(found.x)):
+    if not np.all(np.isfinite(solution.x)):
         return None
-    low, high = found.lower_multipliers[:p] * fine, found.upper_multipliers[:p] * fine
-    return found.x[:p] * s, replace(
-        found, x=found.x[:p] / fine, lower_multipliers=low, upper_multipliers=high
+    low, high = solution.lower_multipliers[:p] * fine, solution.upper_multipliers[:p] * fine
+    return solution.x[:p] * s, replace(
+        solution, x=solution.x[:p] / fine, lower_multipliers=low, upper_multipliers=high
     )
 
 
@@ -736,17 +737,18 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
             best, least = point, missed
         elif least <= SETTINGS.clearance:  # rounding is left
             break
-        if missed <= SETTINGS.missed or missed > SETTINGS.in_reach:
+        if missed <= SETTINGS.exact_violation or missed > SETTINGS.correctable_violation:
             break
         # scales in which no row changes fast, because one unknown may dominate all rows
         s, p = program.scale / np.maximum(1.0, np.linalg.norm(rows.jacobian * program.scale, axis=0)), z.size
+        bound = SETTINGS.correction_bound
+        lower, upper = ((limit - z) / s / missed for limit in (program.lower, program.upper))
         step = solve_quadratic(
             QuadraticProgram(
-                np.eye(p), np.zeros(p), np.maximum((program.lower - z) / s / missed, -SETTINGS.firm),
-                np.minimum((program.upper - z) / s / missed, SETTINGS.firm), rows.jacobian * s, aim / missed,
-                np.full(aim.size, SETTINGS.firm), rows.one_sided,
+                np.eye(p), np.zeros(p), np.maximum(lower, -bound), np.minimum(upper, bound),
+                rows.jacobian * s, aim / missed, np.full(aim.size, bound), rows.one_sided,
             ),
-            accuracy=SETTINGS.rough,
+            accuracy=SETTINGS.correction_accuracy,
         )  # fmt: skip
         trial = program.close(point, step.x * s * missed)
         if trial is None:
@@ -758,13 +760,13 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
 def _multipliers(
     program: NonlinearProgram[Point],
     values: Sequence[FloatArray],
-    found: tuple[ConstraintRows, QuadraticSolution] | None,
+    solved: tuple[ConstraintRows, QuadraticSolution] | None,
 ) -> tuple[tuple[FloatArray, ...], FloatArray, FloatArray]:
     """Return d(objective) / d(value) of constraints and box from the last quadratic program."""
     out = [np.zeros_like(v) for v in values]
-    if found is None:
+    if solved is None:
         return tuple(out), np.zeros(program.scale.size), np.zeros(program.scale.size)
-    rows, solution = found
+    rows, solution = solved
     for k, i, y in zip(rows.constraint, rows.index, solution.row_multipliers, strict=False):
         out[k][i] = y
     return (

@@ -8,7 +8,7 @@ from elastica_cad.forming.constraints import EndPosition
 from elastica_cad.forming.curve_distance import LargestDistance, MeanDistance, TargetCurve
 from elastica_cad.forming.rod_map import StiffnessBasis, StripGrid
 from elastica_cad.forming.rod_problem import RodProblem
-from elastica_cad.forming.sqp import all_equalities, close_iterate, follow_step, iterate_at, meet_equalities
+from elastica_cad.forming.sqp import close_iterate, follow_step, iterate_at, meet_equalities
 
 pytestmark = pytest.mark.core
 
@@ -53,7 +53,7 @@ def test_a_place_tells_the_closed_rod_to_second_order(measure):
     errors = []
     for size in (1e-2, 1e-3):
         here = meet_equalities(iterate_at(problem, disturbed(problem, rod, size)))
-        closed = close_iterate(here, all_equalities(here))
+        closed = close_iterate(here, here.equalities)
         assert np.abs(closed.position[-1] - rod.position[-1]).max() < 1e-9
         assert 0.5 * size < here.defect < 20 * size
         errors.append(abs(here.objective - problem.distance.value(closed)))
@@ -63,7 +63,7 @@ def test_a_place_tells_the_closed_rod_to_second_order(measure):
 def test_closed_rods_are_marched_ones():
     problem, rod = arch()
     here = meet_equalities(iterate_at(problem, disturbed(problem, rod, 0.05)))
-    closed = close_iterate(here, all_equalities(here))
+    closed = close_iterate(here, here.equalities)
     again = problem.grid.shoot(closed.z)
     np.testing.assert_array_equal(closed.all_angles, again.all_angles)
     np.testing.assert_array_equal(closed.z[problem.grid.unknowns.position], rod.position[0])
@@ -74,12 +74,12 @@ def test_what_follows_a_step_holds_what_is_held():
     here = iterate_at(problem, rod)
     step = np.zeros(rod.z.size + 1)
     step[problem.grid.unknowns.stiffness], step[-1] = 0.3, 1.0
-    reached = follow_step(here, step, all_equalities(here), 1e-9, 1.0)
+    reached = follow_step(here, step, here.equalities, 1e-9, 1.0)
     assert reached.defect < 1e-4
-    closed = close_iterate(reached, all_equalities(here))
+    closed = close_iterate(reached, here.equalities)
     assert np.abs(closed.position[-1] - rod.position[-1]).max() < 1e-9
     assert closed.stiffness.mean() > rod.stiffness.mean() + 0.1
-    assert follow_step(here, 1e4 * step, all_equalities(here), 1e-9, 1.0) is None
+    assert follow_step(here, 1e4 * step, here.equalities, 1e-9, 1.0) is None
 
 
 @pytest.mark.campaign
