@@ -187,7 +187,7 @@ class _Request:
     def _smoothed(self, asked: AskedCurve, found: EquilibriumCheck) -> tuple[Refusal, ...]:
         """Return a note whether noisy points of an impossible curve give a possible curve after smoothing."""
         points = measured_points(found.curve)
-        if found.realizable or points is None or points.stray:
+        if found.realizable or points is None or points.outlier:
             return ()
         fair = False
         with suppress(ElasticaError):

@@ -44,7 +44,7 @@ from elastica_cad.geometry.plane_curve import split_at_corners
 from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.sheets import Sheet, sheet_names
-from elastica_cad.mechanics.theorem1 import stray_point
+from elastica_cad.mechanics.theorem1 import outlier_message
 from elastica_cad.plot.drawing_process import DrawingProcess
 from elastica_cad.refusals import is_told
 from elastica_cad.strip.held_shape import about
@@ -141,9 +141,9 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             made.append(asked)
             wrong += strict and not result.strip.strain_verdict.allowed
         except ElasticaError as problem:
-            for stray in () if asked.drawn.problem else stray_point(asked.curve):
-                if stray not in str(problem):
-                    warn(stray)
+            for outlier in () if asked.drawn.problem else outlier_message(asked.curve):
+                if outlier not in str(problem):
+                    warn(outlier)
             if len(curves) == 1 and not chosen["every"]:
                 raise
             wrong, refused = wrong + 1, refused + 1
@@ -203,7 +203,7 @@ def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], p
             return [spec.changed(curve=piece) for piece in pieces] if apart else []
         return changed_requests(spec, change)
 
-    if stray_point(spec.curve) or not problem.refusal.changes or _is_taken(asked, chosen):
+    if outlier_message(spec.curve) or not problem.refusal.changes or _is_taken(asked, chosen):
         return ""
     found = ((change, option_words(change)) for change in problem.refusal.changes)
     return first_that_holds(
@@ -267,8 +267,8 @@ def _tell(result: StripResult, written: Iterable[Path], *, several: bool) -> Non
     with_tabs = f" ({rod.length + tabs_length:.2f} mm with its tabs)" if tabs_length else ""
     say(f"{made.label or 'strip'}: {rod.length:.2f} mm long{with_tabs}, {made.breadth()}, "
                f"stiffness ratio {rod.ratio:.4g}, {made.mass_told}")  # fmt: skip
-    for stray in (told_first := stray_point(result.spec.curve)):
-        warn(f"Warning: {whose}{stray}")
+    for outlier in (told_first := outlier_message(result.spec.curve)):
+        warn(f"Warning: {whose}{outlier}")
     if whole:
         say(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
                    f"({made.most_strained.name} bears {100 * made.strain_limit:.2f} %)")  # fmt: skip

@@ -13,7 +13,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.edges import Edge, Run, Source, reverse_run
 from elastica_cad.formats.source_file import MOST_PIECES, check_count, check_size, check_tolerance
 from elastica_cad.geometry.fairing import FIT_TOLERANCE, allowed_distance, fit_polyline, smooth_through
-from elastica_cad.geometry.measured_points import TOLD_MM, MeasuredPoints, Provenance
+from elastica_cad.geometry.measured_points import REPORTED_MM, MeasuredPoints, Provenance
 from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import lengths_along, near_pairs
@@ -475,7 +475,7 @@ def _interpolated_points(edge: Edge, rounding: float) -> MeasuredPoints | None:
     curve = PlaneCurve(edge.knots, edge.points, edge.degree)
     curvature = curve.curvature_at(knots)
     rough = np.abs(np.diff(curvature, 2)).max() > _ROUGH * np.abs(curvature).max()
-    return MeasuredPoints.of(edge.at(knots), TOLD_MM, rounding) if rough else None
+    return MeasuredPoints.of(edge.at(knots), REPORTED_MM, rounding) if rough else None
 
 
 def curve_from_points(
@@ -508,9 +508,9 @@ def curve_from_points(
         raise InputError("a curve needs two different points or more: draw it anew, or leave it out")
     drawn = drawn or Provenance()
     measured = MeasuredPoints.of(points, noise, drawn.rounding)
-    noise = measured.waver if measured.wavers else 0.0
+    noise = measured.noise if measured.is_noisy else 0.0
     cuts = [0, *_corners(points, LARGEST_TURN, _LONG * max(tolerance, noise)), len(points) - 1]
-    if len(cuts) == 2 and measured.wavers:
+    if len(cuts) == 2 and measured.is_noisy:
         try:
             curve = smooth_through(points, tolerance)
         except NotConvergedError:
@@ -527,7 +527,7 @@ def curve_from_points(
     whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
     # noise and corners cannot be separated
     drawn = (
-        replace(drawn, vertices=points) if sides else replace(drawn, measured=replace(measured, waver=0.0))
+        replace(drawn, vertices=points) if sides else replace(drawn, measured=replace(measured, noise=0.0))
     )
     return PlaneCurve(whole.knots, whole.points, whole.degree, provenance=drawn)
 

@@ -21,7 +21,7 @@ from elastica_cad.mechanics.loads import (
 )
 from elastica_cad.mechanics.moment_conditions import RodRequest
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.theorem1 import curvature_jump, measured_points, require_bendable, stray_point
+from elastica_cad.mechanics.theorem1 import curvature_jump, measured_points, outlier_message, require_bendable
 from elastica_cad.refusals import FieldName, Length, note
 
 LARGEST_SMOOTH = 1000.0
@@ -83,9 +83,9 @@ class Smoothing:
         """The curve of the bent strip: smoothed, or as drawn."""
         if self.fairing is None:
             return self.drawn
-        drawn, stray = self.drawn.provenance, stray_point(self.drawn)
+        drawn, outlier = self.drawn.provenance, outlier_message(self.drawn)
         if drawn is not None:  # an outlier stays an outlier in the smoothed curve
-            drawn = replace(drawn, measured=drawn.measured if stray else None)
+            drawn = replace(drawn, measured=drawn.measured if outlier else None)
         return self.fairing.curve.drawn_as(drawn)
 
     @property
@@ -158,20 +158,20 @@ class Smoothing:
     def noise(self) -> tuple[str, ...]:
         """A note if noise of unsmoothed points affects the widths visibly."""
         points = measured_points(self.drawn)
-        if points is None or points.stray or self.fairing is not None:
+        if points is None or points.outlier or self.fairing is not None:
             return ()
         change = self.change_by_noise
         if change <= SEEN_SHARE:
             return ()
         return (note(
             "The curvature, and the widths with it, change by {percent:.0f} % when noise is taken out: {points}.",
-            percent=100 * change, points=points.told, severity="warning",
+            percent=100 * change, points=points.noise_message, severity="warning",
         ),)  # fmt: skip
 
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences about what was moved, and about noise that was not."""
-        found: list[str] = [*stray_point(self.drawn)]
+        found: list[str] = [*outlier_message(self.drawn)]
         if self.healed > SEEN:
             found.append(note(
                 "The digits of the file turn its tangents where pieces meet: put right, {far:.2g} at most.",
@@ -180,8 +180,8 @@ class Smoothing:
         points = measured_points(self.drawn)
         if points is not None and self.fairing is not None:
             return (*found, note(
-                "The points waver by about {waver}: smoothed, {far} from them at most.",
-                waver=points.shown, far=Length(self.moved), severity="warning",
+                "The points have noise of about {noise}: smoothed, {far} from them at most.",
+                noise=points.rounded_noise, far=Length(self.moved), severity="warning",
             ))  # fmt: skip
         found += self.noise
         if self.fairing is not None:

@@ -384,7 +384,7 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
     (1, 0, 0.01)
     """
     drawn = curve.provenance
-    if drawn is not None and drawn.measured is not None and drawn.measured.wavers:
+    if drawn is not None and drawn.measured is not None and drawn.measured.is_noisy:
         fitted = PlaneCurve(*smoothest_spline(drawn.measured.points, DEGREE, smooth), DEGREE)
         moved = _farthest(drawn.measured.points, fitted)
         return fitted.drawn_as(drawn.of_part()), moved

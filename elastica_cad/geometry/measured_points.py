@@ -25,7 +25,7 @@ CROWDED_SHARE = 0.1
 """Noise, as a fraction of the point spacing, above which every other point is left out, because the order of
 the points along the curve is lost in noise."""
 
-TOLD_MM = 0.01
+REPORTED_MM = 0.01
 """Smallest reported noise, mm; a fit removes smaller noise."""
 
 FINEST_MM = 1e-3
@@ -38,7 +38,7 @@ REACH = 4.0
 """Number of standard deviations from a smooth curve within which about a hundred points are; fewer for fewer
 points."""
 
-STRAY_TIMES = 4.0
+OUTLIER_TIMES = 4.0
 """Factor for outliers. A point is an outlier if its distance from the curve of its neighbours exceeds this many
 times the largest distance without it, and this many times the rounding error.
 """
@@ -52,7 +52,7 @@ class MeasuredPoints:
     ----------
     points : (n, 2) array
         mm.
-    waver : float
+    noise : float
         Standard deviation of their distance from the curve, mm.
     least : float
         Standard deviation that rounding alone causes, mm.
@@ -61,7 +61,7 @@ class MeasuredPoints:
     """
 
     points: FloatArray
-    waver: float
+    noise: float
     least: float = 0.0
     rounding: float = 0.0
 
@@ -71,12 +71,12 @@ class MeasuredPoints:
 
         If `rounding` is 0, it is found from the decimals of the numbers.
         """
-        return cls(points, max(estimate_waver(points), least), least, rounding or _half_last_decimal(points))
+        return cls(points, max(estimate_noise(points), least), least, rounding or _half_last_decimal(points))
 
     @property
-    def wavers(self) -> bool:
-        """Return True if the noise is large enough to be reported."""
-        return self.waver >= TOLD_MM
+    def is_noisy(self) -> bool:
+        """True if the noise is large enough to be reported."""
+        return self.noise >= REPORTED_MM
 
     @property
     def resolution(self) -> float:
@@ -89,10 +89,10 @@ class MeasuredPoints:
 
         It is at least the largest rounding error, which is sqrt(3) times the standard deviation of rounding.
         """
-        return rounded_up(np.clip(2 * np.log10(len(self.points)), np.sqrt(3), REACH) * self.waver, 2)
+        return rounded_up(np.clip(2 * np.log10(len(self.points)), np.sqrt(3), REACH) * self.noise, 2)
 
     @cached_property
-    def stray(self) -> tuple[Refusal, ...]:
+    def outlier(self) -> tuple[Refusal, ...]:
         """Message about the point that is an outlier, such as a mistyped point; empty if there is none.
 
         Without the outlier, all points are close to the cubics through their neighbours. The first and last
@@ -106,8 +106,8 @@ class MeasuredPoints:
         near = range(max(1, first), min(count - 1, first + 5))
         others = {at: np.delete(self.points, at, axis=0) for at in near}
         without = {at: np.abs(_differences(points, 4)[0]).max() for at, points in others.items()}
-        at = min(without, key=lambda one: without[one])
-        if rough.max() <= STRAY_TIMES * max(without[at], self.least):
+        at = min(without, key=without.__getitem__)
+        if rough.max() <= OUTLIER_TIMES * max(without[at], self.least):
             return ()
         far, rest = _off_nearest(self.points)[at], _off_nearest(others[at]).max()
         message = (
@@ -152,16 +152,16 @@ class MeasuredPoints:
         return (np.diff(heading) + np.pi) % (2 * np.pi) - np.pi, rounding[1:] + rounding[:-1]
 
     @property
-    def shown(self) -> Length:
+    def rounded_noise(self) -> Length:
         """Noise, mm, rounded to one digit for messages."""
-        return Length(float(f"{self.waver:.1g}"))
+        return Length(float(f"{self.noise:.1g}"))
 
     @property
-    def told(self) -> str:
+    def noise_message(self) -> str:
         """Message about the noise, without a full stop."""
         return note(
-            "the points waver by about {waver}: set {field} to {reach:g} to smooth them",
-            waver=self.shown, field=FieldName("smooth"), reach=Length(self.reach),
+            "the points have noise of about {noise}: set {field} to {reach:g} to smooth them",
+            noise=self.rounded_noise, field=FieldName("smooth"), reach=Length(self.reach),
         )  # fmt: skip
 
 
@@ -178,7 +178,7 @@ def _half_last_decimal(points: FloatArray) -> float:
     return float(0.5 * 10.0 ** -next(decimals, MOST_DECIMALS))
 
 
-def estimate_waver(points: FloatArray) -> float:
+def estimate_noise(points: FloatArray) -> float:
     """Return the standard deviation, mm, of the distance of points (n, 2) from a smooth curve.
 
     It is the median of divided differences normal to the curve, scaled to unit variance of white noise. The
@@ -191,15 +191,15 @@ def estimate_waver(points: FloatArray) -> float:
     >>> x = np.linspace(0.0, 400.0, 200)
     >>> arch = np.column_stack([x, 0.001 * x * (400 - x)])
     >>> noise = 0.5 * np.random.default_rng(2).normal(size=arch.shape)
-    >>> round(estimate_waver(arch), 6), round(estimate_waver(arch + noise), 1)
+    >>> round(estimate_noise(arch), 6), round(estimate_noise(arch + noise), 1)
     (0.0, 0.5)
     """
     while True:
         sizes = [_across(points, order) for order in ORDERS if len(points) - order >= FEWEST]
-        waver = next((higher for lower, higher in pairwise(sizes) if higher > SETTLED * lower), 0.0)
+        noise = next((higher for lower, higher in pairwise(sizes) if higher > SETTLED * lower), 0.0)
         spacing = lengths_along(points)[-1] / len(points)
-        if waver <= CROWDED_SHARE * spacing or len(points) < 4 * FEWEST:
-            return waver
+        if noise <= CROWDED_SHARE * spacing or len(points) < 4 * FEWEST:
+            return noise
         points = points[::2]
 
 
@@ -293,7 +293,7 @@ class Provenance:
         offset = m[:2, 2] / m[2, 2]
         measured = self.measured and MeasuredPoints(
             self.measured.points @ linear.T + offset,
-            stretch * self.measured.waver,
+            stretch * self.measured.noise,
             stretch * self.measured.least,
             stretch * self.measured.rounding,
         )

@@ -71,7 +71,7 @@ def _compare_fits(
     """
     points = None if drawn.provenance is None else drawn.provenance.measured
     if (
-        points is None or check.any_stiffness or (points.wavers and points.stray)
+        points is None or check.any_stiffness or (points.is_noisy and points.outlier)
     ):  # the outlier must be corrected first
         return None
     distance = _distance(points, drawn)
@@ -245,8 +245,8 @@ def _with_unbent_ends(
     again = examine_curvature(unbent, supports, natural_curvature)
     moved = _largest_move(check.curve, unbent)
     drawn = _ends_near_zeros(check) - set(ends.tolist())
-    strays = _ends_near_zeros(again) - drawn
-    return check if moved > tolerance * check.length or strays else replace(again, moved=moved)
+    new_zeros = _ends_near_zeros(again) - drawn
+    return check if moved > tolerance * check.length or new_zeros else replace(again, moved=moved)
 
 
 def _ends_keep_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> bool:

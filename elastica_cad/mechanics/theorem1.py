@@ -191,8 +191,8 @@ class EquilibriumCheck:
         return f"<EquilibriumCheck {verdict}, {self.length:.4g} mm>"
 
     def __str__(self) -> str:
-        stray, points = stray_point(self.curve), self.told_of_points
-        first = [*stray, self.verdict] if stray else [self.verdict, *points]
+        outlier = outlier_message(self.curve)
+        first = [*outlier, self.verdict] if outlier else [self.verdict, *self.points_message]
         return sentences([*first, *self.reasons, *self.warnings], " ")
 
     @property
@@ -201,12 +201,14 @@ class EquilibriumCheck:
         return self.warnings if self.undecided is None else (str(self.undecided), *self.warnings)
 
     @property
-    def told_of_points(self) -> tuple[str, ...]:
+    def points_message(self) -> tuple[str, ...]:
         """Message about the outlier or the noise of the points to which the curve was fitted."""
         points = measured_points(self.curve)
         if points is None:
             return ()
-        return points.stray or (note("The curve was fitted to points, and {points}.", points=points.told),)
+        return points.outlier or (
+            note("The curve was fitted to points, and {points}.", points=points.noise_message),
+        )
 
     @property
     def verdict(self) -> str:
@@ -384,13 +386,13 @@ class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public n
 def measured_points(curve: PlaneCurve) -> MeasuredPoints | None:
     """Return the noisy points to which a curve was fitted, or None."""
     points = None if curve.provenance is None else curve.provenance.measured
-    return points if points is not None and points.wavers else None
+    return points if points is not None and points.is_noisy else None
 
 
-def stray_point(curve: PlaneCurve) -> tuple[Refusal, ...]:
+def outlier_message(curve: PlaneCurve) -> tuple[Refusal, ...]:
     """Return the message about an outlier of the measured points, if there is one."""
     points = measured_points(curve)
-    return () if points is None else points.stray
+    return () if points is None else points.outlier
 
 
 def changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
@@ -399,7 +401,7 @@ def changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
     There are none if a point is an outlier, because the outlier is probably a typing error.
     """
     points = measured_points(curve)
-    if points is not None and points.stray:
+    if points is not None and points.outlier:
         return ()
     smoothing = [] if points is None else [Change("smooth", times * points.reach) for times in (1, 2)]
     return (*smoothing, Change("nearest", True))
@@ -429,7 +431,7 @@ def require_bendable(curve: PlaneCurve) -> None:
     require_curve(curve)
     corners = curve.tangent_breaks
     if (corners or curve.has_corners) and (points := measured_points(curve)) is not None:
-        message = next(iter(points.stray), points.told)
+        message = next(iter(points.outlier), points.noise_message)
         raise InputError(message, kind="corner", changes=changes_of(curve))
     if corners:
         slight = _taken_out(curve)

@@ -57,7 +57,7 @@ def check(check: EquilibriumCheck) -> Figure:
     box = box_about(np.concatenate([nodes.position, tips]))
     width, height = 1.1 * np.maximum(box[1] - box[0], 0.3 * extent)
     told = fill(
-        " ".join((*check.told_of_points, *check.reasons))
+        " ".join((*check.points_message, *check.reasons))
         if check.reasons and check.undecided is None
         else str(check),
         LETTERS,
@@ -72,9 +72,9 @@ def check(check: EquilibriumCheck) -> Figure:
     if measured is not None:
         dots = "; the dots were measured"
         axes.plot(*measured.points.T, ".", color=INK, markersize=5, label="_measured points")
-        for stray in measured.stray:
+        for outlier in measured.outlier:
             ring = {"markersize": 16, "markerfacecolor": "none", "markeredgewidth": 1.6}
-            axes.plot(*stray.values["place"], "o", color=STRAY, label="_stands out", **ring)
+            axes.plot(*outlier.values["place"], "o", color=STRAY, label="_stands out", **ring)
     for label, color, marker, places in _marks(check):
         points = curve.at(np.array(places)).position
         axes.plot(*points.T, marker, color=color, markersize=8, label=label)

@@ -485,11 +485,11 @@ def _placed(
 
 
 def make_within(
-    strip: Strip, shop: FabricationLimits, *, compensate: bool, ignore_limits: bool, wavers: bool
+    strip: Strip, shop: FabricationLimits, *, compensate: bool, ignore_limits: bool, noisy: bool
 ) -> Strip:
     """Return the strip as the workshop makes it: joined from pieces if too long, and compensated on request.
 
-    `wavers`: as in `find_strip_faults`.
+    `noisy`: as in `find_strip_faults`.
 
     Raises
     ------
@@ -503,7 +503,7 @@ def make_within(
         strip = joined_within(strip, shop)
     if compensate:
         strip = compensate_within(strip, shop)
-    warnings = accept_faults(find_strip_faults(strip, shop, wavers=wavers), ignore_limits)
+    warnings = accept_faults(find_strip_faults(strip, shop, noisy=noisy), ignore_limits)
     joined = spliced(strip, shop)
     warnings += () if joined is None else (str(joined),)
     if not warnings:

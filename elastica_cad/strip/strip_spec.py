@@ -751,7 +751,7 @@ class StripSpec(EqualByValue):
         )
         return make_within(
             strip, self.shop, compensate=bool(self.compensate), ignore_limits=self.ignore_limits,
-            wavers=measured_points(self.curve) is not None,
+            noisy=measured_points(self.curve) is not None,
         )  # fmt: skip
 
     def changed(self, **fields: Any) -> "StripSpec":

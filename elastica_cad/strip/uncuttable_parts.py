@@ -385,11 +385,11 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
 
 
 def find_strip_faults(
-    strip: Strip, shop: FabricationLimits | None = None, *, wavers: bool = False
+    strip: Strip, shop: FabricationLimits | None = None, *, noisy: bool = False
 ) -> tuple[Fault, ...]:
     """Return all faults that prevent a strip from being cut and handled, the base first.
 
-    Widths are measured on the cut loops: free part, tabs, necks beside slots and holes. `wavers` is True if the
+    Widths are measured on the cut loops: free part, tabs, necks beside slots and holes. `noisy` is True if the
     curve passes through noisy measured points, so that smoothing helps.
 
     Examples
@@ -416,7 +416,7 @@ def find_strip_faults(
         long = min(length, stock[0] if joined else np.inf)
         if max(long, width) < FAR_LARGER * stock[0]:
             web = min(least, shop.bridge_for(layer.sheet))
-            faults += _thin_strip(called, strip, layer, least, web, wavers=wavers)
+            faults += _thin_strip(called, strip, layer, least, web, noisy=noisy)
         faults += _too_large(called, long, width, layer.sheet, stock, strip.style)
     style = strip.style
     if isinstance(style, Perforated) and style.least_ligament < ligament:
@@ -502,7 +502,7 @@ def _size(strip: Strip) -> tuple[float, float]:
 
 
 def _thin_strip(
-    name: str, strip: Strip, layer: Layer, least: float, web: float, *, wavers: bool
+    name: str, strip: Strip, layer: Layer, least: float, web: float, *, noisy: bool
 ) -> Iterator[Fault]:
     """Yield faults of necks of the strip and its tabs below `least` mm, and of webs beside holes below `web` mm."""
     pattern = strip.layout.pattern is not None
@@ -515,7 +515,7 @@ def _thin_strip(
         of_tab = not 0 <= place.x <= strip.rod.length and strip.ends[int(place.x > 0)].width is not None
         (tabs if of_tab else free).append(place)
     if free:
-        cure, changes = _cures_of_necks(strip, least / free[0].width, least, wavers)
+        cure, changes = _cures_of_necks(strip, least / free[0].width, least, noisy)
         for fault in _faults_at(name, free, least, layer.sheet, cure):
             yield replace(fault, changes=changes)
     for place in tabs[:1]:
@@ -530,7 +530,7 @@ def _thin_strip(
         yield _thin_web(name, place, _place_on(strip, place), web, layer.sheet)
 
 
-def _cures_of_necks(strip: Strip, times: float, least: float, wavers: bool) -> tuple[str, tuple[Change, ...]]:
+def _cures_of_necks(strip: Strip, times: float, least: float, noisy: bool) -> tuple[str, tuple[Change, ...]]:
     """Return suggestions for a strip that must be `times` as wide to have no neck below `least` mm."""
     wider = _wider(strip, times)
     field = outline_field(strip.style)
@@ -546,7 +546,7 @@ def _cures_of_necks(strip: Strip, times: float, least: float, wavers: bool) -> t
             width=Length(wider[0].value),
         )
     smoothing = note("smoothing its points more helps too ({field})", field=FieldName("smooth"))
-    more = [smoothing] if wavers else []
+    more = [smoothing] if noisy else []
     return sentences([cure, *more]), (*wider, Change("nearest", True))
 
 

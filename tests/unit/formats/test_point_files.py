@@ -93,7 +93,7 @@ def test_points_that_no_smooth_curve_follows(csv):
     noise = np.random.default_rng(7).normal(scale=0.1, size=300)
     points = np.column_stack([np.linspace(0, 200, 300), noise])
     (curve,) = csv(rows(points))
-    assert curve.provenance.measured.waver == pytest.approx(0.1, rel=0.2)
+    assert curve.provenance.measured.noise == pytest.approx(0.1, rel=0.2)
     with pytest.raises(InputError) as caught:
         require_bendable(curve)
     assert {one.field for one in caught.value.refusal.changes} == {"smooth", "nearest"}
@@ -245,7 +245,7 @@ def test_what_was_read_off_is_never_more_exact_than_its_digits(csv, heading, uni
     table = "\n".join(f"{a:.{digits}f},{b:.{digits}f}" for a, b in zip(x, x**2 / 100, strict=True))
     (curve,) = csv(f"{heading}\n{table}\n")
     measured = curve.provenance.measured
-    assert (0.0 if measured is None else measured.waver * np.sqrt(3)) == pytest.approx(least)
+    assert (0.0 if measured is None else measured.noise * np.sqrt(3)) == pytest.approx(least)
     assert measured is None or measured.reach >= least
 
 

@@ -6,7 +6,7 @@ import pytest
 from elastica_cad import PlaneCurve, check_equilibrium
 from elastica_cad.forming import smooth_curve
 from elastica_cad.geometry.fairing import round_corners
-from elastica_cad.geometry.measured_points import MeasuredPoints, Provenance, estimate_waver
+from elastica_cad.geometry.measured_points import MeasuredPoints, Provenance, estimate_noise
 
 pytestmark = pytest.mark.core
 
@@ -20,14 +20,14 @@ def wave(count, noise=0.0, seed=1):
 @pytest.mark.parametrize("count", [25, 60, 200, 1000])
 @pytest.mark.parametrize("noise", [0.05, 0.5, 2.0])
 def test_noise_is_estimated(count, noise):
-    found = [estimate_waver(wave(count, noise, seed)) / noise for seed in range(12)]
+    found = [estimate_noise(wave(count, noise, seed)) / noise for seed in range(12)]
     assert 0.8 < np.median(found) < 1.2
     assert max(found) < 1.9
 
 
 @pytest.mark.parametrize("count", [5, 12, 25, 60, 200])
 def test_a_smooth_curve_has_none(count):
-    assert not MeasuredPoints.of(wave(count)).wavers
+    assert not MeasuredPoints.of(wave(count)).is_noisy
 
 
 def test_points_follow_their_curve():
@@ -35,7 +35,7 @@ def test_points_follow_their_curve():
     points = MeasuredPoints(wave(30, 0.5), 0.5)
     drawn = Provenance(measured=points)
     larger = drawn.transformed(np.array([[0.0, -2.0, 5.0], [2.0, 0.0, 7.0], [0.0, 0.0, 1.0]])).measured
-    assert larger.waver == pytest.approx(1.0)
+    assert larger.noise == pytest.approx(1.0)
     assert larger.points[3] == pytest.approx((5 - 2 * points.points[3, 1], 7 + 2 * points.points[3, 0]))
     assert drawn.reversed().measured.points[0] == pytest.approx(points.points[-1])
     assert drawn.of_part().measured is None
@@ -90,21 +90,21 @@ def test_smoothing_within_what_is_told_takes_all_inflections_out():
 
 def test_a_check_tells_of_them_before_all_else():
     """Also where a strip happens to take the curve; nobody smooths by a mistyped point."""
-    wavering, mistyped = (PlaneCurve.fit(points, tolerance=0.01) for points in (wave(25, 0.3), offsets(1.0)))
-    told = str(check_equilibrium(wavering)).split(". ")[3]
-    assert "waver by about 0.3 mm: set smooth to 0.82 mm to smooth them" in told
+    noisy, mistyped = (PlaneCurve.fit(points, tolerance=0.01) for points in (wave(25, 0.3), offsets(1.0)))
+    told = str(check_equilibrium(noisy)).split(". ")[3]
+    assert "have noise of about 0.3 mm: set smooth to 0.82 mm to smooth them" in told
     told = str(check_equilibrium(mistyped))
     assert "number 8 of 12" in told.split(": ", maxsplit=1)[0]
     assert "smooth" not in told
-    smoothed = smooth_curve(wavering, 2.0).curve
-    assert "waver" not in str(check_equilibrium(smoothed))
+    smoothed = smooth_curve(noisy, 2.0).curve
+    assert "have noise" not in str(check_equilibrium(smoothed))
 
 
 def test_the_mistyped_point_is_named():
-    (told,) = MeasuredPoints.of(offsets(1.0)).stray
+    (told,) = MeasuredPoints.of(offsets(1.0)).outlier
     assert "(2134, 612.8) mm, number 8 of 12, is 27 mm off" in told
-    assert MeasuredPoints.of(offsets()).stray == ()
-    assert not any(MeasuredPoints(wave(25, 0.5, seed), 0.5).stray for seed in range(40))
+    assert MeasuredPoints.of(offsets()).outlier == ()
+    assert not any(MeasuredPoints(wave(25, 0.5, seed), 0.5).outlier for seed in range(40))
 
 
 HEIGHTS = np.array(
@@ -118,7 +118,9 @@ BREADTHS = np.array([2.25, 7, 11, 14.375, 17.125, 19.375, 21, 22.125, 22.75, 23,
 def test_an_inch_wrong_is_named_at_every_station_but_the_ends(offsets, wrong):
     table = 25.4 * np.column_stack([13.0 * np.arange(13), offsets])
     for at in range(1, 12):
-        (told,) = MeasuredPoints(table + np.outer(np.arange(13) == at, [0.0, 25.4 * wrong]), 0.92, 0.92).stray
+        (told,) = MeasuredPoints(
+            table + np.outer(np.arange(13) == at, [0.0, 25.4 * wrong]), 0.92, 0.92
+        ).outlier
         assert told.values["number"] == at + 1
 
 
@@ -129,4 +131,4 @@ def test_none_is_named_of_tables_that_are_only_rounded(count):
     for rise in np.linspace(0.0, 30.0, 40):
         eighths = np.round(8 * (29.5 + (rise - 23) * t + 18.5 * t**2))
         table = np.column_stack([3962.4 * t, 25.4 / 8 * eighths])
-        assert MeasuredPoints(table, 0.92, 0.92).stray == ()
+        assert MeasuredPoints(table, 0.92, 0.92).outlier == ()
