@@ -10,6 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.forming.limits import Box, HalfPlane
 from elastica_cad.forming.rod_map import MappedRod, SectionScale, Sensitivities
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.discrete_rod import DiscreteRod
 
 MOST_ROWS = 56  # rows of a constraint in one program; below 64, where factorisations start threads
@@ -225,7 +226,7 @@ class MiddleOfMirror(Constraint):
     def values(self, rod: MappedRod) -> FloatArray:
         """Distance from the axis, angle, force (3,)."""
         nodes, edges = _middle(rod)
-        normal = np.array([-self.axis[1], self.axis[0]])
+        normal = left_of(self.axis)
         off = rod.position[nodes].mean(axis=0) - np.asarray(self.centre)
         turn = rod.angles[edges].mean() - self.angle
         return np.array([normal @ off, turn, rod.force[edges].mean(axis=0) @ self.axis / self.scale])
@@ -234,7 +235,7 @@ class MiddleOfMirror(Constraint):
         """All three."""
         rod = sensitivities.rod
         nodes, edges = _middle(rod)
-        normal = np.array([-self.axis[1], self.axis[0]])
+        normal = left_of(self.axis)
         weights = np.zeros_like(rod.tangents)
         weights[edges] = np.asarray(self.axis) / len(edges) / self.scale
         return _all_rows(

@@ -14,6 +14,7 @@ from elastica_cad.forming.limits import Symmetry
 from elastica_cad.forming.rod_map import MappedRod, Sensitivities
 from elastica_cad.forming.sqp import LocalModel
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.refusals import Length
 
 if TYPE_CHECKING:
@@ -124,7 +125,7 @@ def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, Flo
     else:
         values, vectors = np.linalg.eigh(across.T @ across)
         axis = vectors[:, int(np.argmin(values))]
-        normal = np.array([-axis[1], axis[0]])
+        normal = left_of(axis)
         error = float(max(np.abs(across @ axis).max(), np.abs((middles - centre) @ normal).max()))
     if error > _SYMMETRIC_LENGTHS:
         name = "mirror image" if kind == "mirror" else "half turn"
@@ -257,7 +258,7 @@ def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArra
     feet = target.feet(rod.position, even_steps(n + 1))
     position, direction = target.at(feet)
     off = rod.position - position
-    normal = np.column_stack([-direction[:, 1], direction[:, 0]])
+    normal = left_of(direction)
     normal /= np.hypot(normal[:, 0], normal[:, 1])[:, None]
     size = np.hypot(off[:, 0], off[:, 1])
     past = ((feet <= 0) | (feet >= 1)) & (size > 0)

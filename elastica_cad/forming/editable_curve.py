@@ -7,6 +7,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.bending import bend, has_snapped
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
@@ -195,7 +196,7 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     there, turned, _ = shape.at(np.concatenate([ends, inner]))
     bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
     along = np.column_stack([np.cos(turned), np.sin(turned)])
-    across = np.column_stack([-along[2:, 1], along[2:, 0]])
+    across = left_of(along[2:])
     # a curvature that is not 0 depends on the speed too
     paced = inner[: inner.size * bool(np.any(rest))]
     C = np.vstack(

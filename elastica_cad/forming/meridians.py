@@ -12,6 +12,7 @@ from elastica_cad._values import is_number, pair, require_number
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import finite, fit_spline
@@ -446,7 +447,7 @@ class Meridian:
         moment = (self.a + nodes.position @ self.b) / least
         size = float(np.abs(moment).max())
         off = float(np.abs(x / least * nodes.curvature - moment).max())
-        force = np.broadcast_to(np.array([-self.b[1], self.b[0]]) / least, nodes.position.shape)
+        force = np.broadcast_to(left_of(self.b) / least, nodes.position.shape)
         return Rod(
             s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, stiffness=x / least,
             moment=moment, force=force, profile=self.distance.scaled(1 / least), shape=self.curve,

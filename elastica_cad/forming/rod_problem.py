@@ -33,6 +33,7 @@ from elastica_cad.forming.nearest_record import Binding
 from elastica_cad.forming.nearest_task import NearestTask, SearchPoint, values_along
 from elastica_cad.forming.rod_map import MappedRod, Sensitivities, StripGrid
 from elastica_cad.forming.sqp import ConstraintRows, Linearization, NonlinearProgram, Outcome
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.loads import LENGTHS_APART, RestCurvature
 from elastica_cad.refusals import Length
 
@@ -353,7 +354,7 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
         return MiddleOfTurn(centre=_pair(centre), scale=_moment_scale(task))
     if task.request.gravity is not None and abs(np.dot(task.request.gravity.direction, axis)) < 1 - 1e-9:
         raise InputError("gravity pulls across the mirror axis: a strip with weight cannot stay symmetric")
-    across = np.array([-axis[1], axis[0]])
+    across = left_of(axis)
     middle = float(target.angles(np.array([0.5]))[0])
     angle = float(np.arctan2(across[1], across[0]))
     angle += np.pi * np.round((middle - angle) / np.pi)

@@ -17,10 +17,9 @@ from elastica_cad._values import (
 )
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.nurbs_curve import turn_between
 from elastica_cad.geometry.path import distances, polyline_distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import lengths_along
+from elastica_cad.geometry.plane_points import lengths_along, turn_between
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import fit_spline
 from elastica_cad.mechanics.loads import Gravity

@@ -9,10 +9,10 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.nurbs_curve import turn_between
 from elastica_cad.geometry.path import Path, distances
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
-from elastica_cad.geometry.segments import Segment, Spline, place, require_tolerance_mm, segment_from_bulge
+from elastica_cad.geometry.plane_points import place, turn_between
+from elastica_cad.geometry.segments import Segment, Spline, require_tolerance_mm, segment_from_bulge
 from elastica_cad.geometry.splines import SplineFunction, bezier_spans, clamped_knots, knot_runs, solved
 from elastica_cad.refusals import Length
 

@@ -13,8 +13,8 @@ import numpy as np
 from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import is_whole, require_positive, require_record
 from elastica_cad.errors import InputError, NotConvergedError, quoted
-from elastica_cad.geometry.nurbs_curve import cross
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import cross, left_of
 from elastica_cad.geometry.polynomials import gauss_rule
 
 _EPS = float(np.finfo(float).eps)
@@ -64,7 +64,7 @@ class EndTangents:
         require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
         velocity = curve.evaluate(np.array(curve.domain), 1)
         unit = velocity / np.linalg.norm(velocity, axis=1, keepdims=True)
-        start, end = np.column_stack([-unit[:, 1], unit[:, 0]])
+        start, end = left_of(unit)
         return cls(start, end)
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
@@ -111,7 +111,7 @@ class SmoothJoints:
         residual = cross(before, after) / self.size
         rows, row = np.zeros((at.size, *points.shape)), np.arange(at.size)
         by_before = np.column_stack([after[:, 1], -after[:, 0]]) / self.size[:, None]
-        by_after = np.column_stack([-before[:, 1], before[:, 0]]) / self.size[:, None]
+        by_after = left_of(before) / self.size[:, None]
         rows[row, at - 1], rows[row, at], rows[row, at + 1] = -by_before, by_before - by_after, by_after
         return residual, rows.reshape(at.size, points.size)
 
@@ -197,7 +197,7 @@ class CollinearInflections:
         if not others:
             return np.zeros(0), np.zeros((0, curve.control_points.size))
         chord, size = position[j] - position[i], apart[i, j]
-        normal = np.array([-chord[1], chord[0]]) / size
+        normal = left_of(chord) / size
         offset = position[others] - position[i]
         along = offset @ chord / size**2
         # d<offset, n>: rotation of the chord moves the line by the fraction `along` of the movement of its far end
@@ -314,7 +314,7 @@ def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
     """Return derivatives (k, 2 m) of the curvature det(gamma', gamma'') / |gamma'|^3 at parameters t (k,)."""
     d1, d2 = curve.evaluate(t, 1), curve.evaluate(t, 2)
     speed = np.hypot(d1[:, 0], d1[:, 1])[:, None]
-    turned1, turned2 = (np.column_stack([-d[:, 1], d[:, 0]]) for d in (d1, d2))
+    turned1, turned2 = (left_of(d) for d in (d1, d2))
     kappa = curve.curvature_at(t)[:, None]
     by_velocity = directed_rows(curve.basis(t, 1), turned2 + 3 * kappa * speed * d1)
     return np.asarray((directed_rows(curve.basis(t, 2), turned1) - by_velocity) / speed**3)

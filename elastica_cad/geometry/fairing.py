@@ -22,7 +22,7 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.path import distances
 from elastica_cad.geometry.plane_curve import CORNER_RAD, CurveSamples, PlaneCurve
-from elastica_cad.geometry.plane_points import lengths_along
+from elastica_cad.geometry.plane_points import left_of, lengths_along
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import bezier_spans, fit_spline, smoothest_spline
 from elastica_cad.geometry.tangent_healing import SURE, Healing, heal_tangents
@@ -245,7 +245,7 @@ class _Problem:
         drawn = curve.at(self.s)
         self.data = drawn.position
         self.along = np.column_stack([np.cos(drawn.angle), np.sin(drawn.angle)])
-        self.across = np.column_stack([-self.along[:, 1], self.along[:, 0]])
+        self.across = left_of(self.along)
         self.basis = [self.spans.local_basis(self.s, k)[0] for k in range(4)]
         self.support = np.repeat(self.spans.first, _EACH)[:, None] + np.arange(DEGREE + 1)
         self.held = np.zeros((self.spans.count, 2))
@@ -313,7 +313,7 @@ class _Problem:
         d1, d2, d3 = (self._values(points, k) for k in (1, 2, 3))
         speed = np.hypot(d1[:, 0], d1[:, 1])
         t = d1 / speed[:, None]
-        n = np.column_stack([-t[:, 1], t[:, 0]])
+        n = left_of(t)
         kappa = (d2 * n).sum(axis=1) / speed**2
         slope = ((d3 * n).sum(axis=1) / speed**2 - 3 * kappa * (d2 * t).sum(axis=1) / speed) / speed
         rows = (

@@ -121,11 +121,11 @@ class Frame:
         return frame
 
 
-def frame_or_plain(frame: Frame | None, what: str = "the frame") -> Frame:
+def frame_or_plain(frame: Frame | None) -> Frame:
     """Return the frame, or the xy plane for None; raise InputError for any other type."""
     if frame is None:
         return Frame()
-    require_record(frame, Frame, what, "a Frame")
+    require_record(frame, Frame, "the frame", "a Frame")
     return frame
 
 

@@ -14,13 +14,13 @@ from elastica_cad._values import is_whole, numbers, require_number, require_reco
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.arc_length import ArcLength, arc_length_table
 from elastica_cad.geometry.measured_points import MeasuredPoints, Provenance
-from elastica_cad.geometry.plane_points import box_about
+from elastica_cad.geometry.plane_points import box_about, cross, dot, norm, place, turn_between
 from elastica_cad.geometry.polynomials import (
     binomials,
     interior_roots,
     product,
     raise_degree,
-    subdivide,
+    subdivide_pieces,
     sums_in_pieces,
 )
 from elastica_cad.geometry.projective_maps import map_spline
@@ -143,8 +143,7 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
         starts.append(low[decided])
         cones.append(part[decided])
         rest = ~decided
-        left, right = subdivide(np.swapaxes(part[rest], 1, 2))
-        part = np.swapaxes(np.concatenate([left, right]), 1, 2)
+        part = np.concatenate(subdivide_pieces(part[rest]))
         width, slowest = np.tile(width[rest] / 2, 2), np.tile(slowest[rest], 2)
         low = np.concatenate([low[rest], low[rest] + width[: rest.sum()]])
         size = np.hypot(part[..., 0], part[..., 1])
@@ -158,12 +157,6 @@ def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> Tangent
 def _unit(v: FloatArray) -> FloatArray:
     length = np.hypot(v[..., :1], v[..., 1:])
     return np.asarray(v / np.where(length > 0, length, 1.0))
-
-
-def turn_between(u: FloatArray, v: FloatArray) -> FloatArray:
-    """Return angles (...,) from directions u to directions v (..., 2), rad in (-pi, pi], positive to the left."""
-    cross = u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
-    return np.asarray(np.arctan2(cross, u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -321,21 +314,6 @@ def curvature_slope(d1: FloatArray, d2: FloatArray, d3: FloatArray) -> FloatArra
     return np.asarray(cross(d1, d3) / square - 3 * cross(d1, d2) * dot(d1, d2) / (square * speed2))
 
 
-def norm(v: FloatArray) -> FloatArray:
-    """Return lengths (n,) of vectors (n, 2)."""
-    return np.asarray(np.hypot(v[:, 0], v[:, 1]))
-
-
-def dot(u: FloatArray, v: FloatArray) -> FloatArray:
-    """Return products (n,) of pairs of vectors (n, 2)."""
-    return np.asarray(u[:, 0] * v[:, 0] + u[:, 1] * v[:, 1])
-
-
-def cross(u: FloatArray, v: FloatArray) -> FloatArray:
-    """Return determinants (n,) of pairs of vectors (n, 2)."""
-    return np.asarray(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
-
-
 ORDERS_OF_SIDES = 3
 """Number of derivatives that `KnotSides` compares; the multiplicity of a knot determines the higher ones."""
 
@@ -353,29 +331,29 @@ class KnotSides:
     @classmethod
     def of(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
         """Compare the curve on both sides of each knot."""
-        sides = []
-        for (_, d1, d2, d3), left in zip(pieces.beside_knots(3), (True, False), strict=True):
-            angle = turning.at(pieces.edges[1:-1], d1, left=left)
-            sides.append(np.array([angle, curvature(d1, d2), curvature_slope(d1, d2, d3)]))
-        return cls(*sides)
+        t, (before, after) = pieces.edges[1:-1], pieces.beside_knots(ORDERS_OF_SIDES)
+        return cls(_side(turning, t, before, left=True), _side(turning, t, after, left=False))
 
     @classmethod
     def of_seam(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
         """Compare the end of a closed curve with its start, (3, 1) each."""
-        sides = []
-        for t, left in ((pieces.edges[-1:], True), (pieces.edges[:1], False)):
-            _, d1, d2, d3 = pieces.at(t, 3, left=left)
-            sides.append(
-                np.array([turning.at(t, d1, left=left), curvature(d1, d2), curvature_slope(d1, d2, d3)])
-            )
-        turn = (sides[1][0] - sides[0][0] + np.pi) % (2 * np.pi) - np.pi
-        sides[1][0] = sides[0][0] + turn
-        return cls(*sides)
+        before, after = (
+            _side(turning, t, pieces.at(t, ORDERS_OF_SIDES, left=left), left=left)
+            for t, left in ((pieces.edges[-1:], True), (pieces.edges[:1], False))
+        )
+        after[0] = before[0] + (after[0] - before[0] + np.pi) % (2 * np.pi) - np.pi
+        return cls(before, after)
 
     @property
     def corners(self) -> FloatArray:
         """Exterior angles (p - 1,), rad."""
         return np.asarray(self.after[0] - self.before[0])
+
+
+def _side(turning: TangentAngle, t: FloatArray, derivatives: list[FloatArray], *, left: bool) -> FloatArray:
+    """Return angle, curvature and its slope (3, n) on one side of places t (n,), from the derivatives there."""
+    _, d1, d2, d3 = derivatives
+    return np.array([turning.at(t, d1, left=left), curvature(d1, d2), curvature_slope(d1, d2, d3)])
 
 
 def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
@@ -393,11 +371,6 @@ def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
     return np.asarray(np.cumprod(np.abs(before - after) <= allowed, axis=0).sum(axis=0))
 
 
-def _in_millimetres(point: FloatArray) -> str:
-    """Return a point formatted for messages."""
-    return f"({point[0]:g}, {point[1]:g}) mm"
-
-
 SHORT_HANDLE = 1e-3
 """Length of a handle, as a fraction of the curve's size, that is intended even if coordinates have few digits."""
 
@@ -405,8 +378,8 @@ SHORT_HANDLE = 1e-3
 def _refuse_standstill(
     pieces: RationalPieces,
     control_points: FloatArray,
-    shown: Callable[[FloatArray], str] = _in_millimetres,
-    rounding: float = 0.0,
+    shown: Callable[[FloatArray], str],
+    rounding: float,
 ) -> None:
     """Raise InputError, with the position, if the curve has zero length or a point without tangent.
 
@@ -418,12 +391,12 @@ def _refuse_standstill(
     t = pieces.tangent_cones.standstill
     if t is None:
         return
-    place = shown(pieces.at(np.array([t]), 0)[0][0])
+    at = shown(pieces.at(np.array([t]), 0)[0][0])
     twins = np.flatnonzero((np.diff(control_points, axis=0) == 0).all(axis=1))
     size = float(np.ptp(control_points, axis=0).max())
     where = note(
         "the curve has no tangent at {place}, {s} from its start",
-        place=place,
+        place=at,
         s=Length(_length_until(pieces, t)),
     )
     if not twins.size:
@@ -504,7 +477,7 @@ class NurbsCurve:
             object.__setattr__(self, "weights", weights if np.ptp(weights) > 0 else None)
         drawn = self.provenance
         require_record(drawn, Provenance | None, "provenance", "what read_curves gives, or None")
-        shown, rounding = (_in_millimetres, 0.0) if drawn is None else (drawn.shown, drawn.rounding)
+        shown, rounding = (place, 0.0) if drawn is None else (drawn.shown, drawn.rounding)
         steps = np.diff(points, axis=0)
         along = steps @ steps.sum(axis=0)
         if self.is_rational or along.min() <= _AHEAD_SHARE * along.sum():  # else no point has zero speed

@@ -9,19 +9,10 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import require_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.approximations import cubic_through, smooth_stretches
-from elastica_cad.geometry.nurbs_curve import turn_between
-from elastica_cad.geometry.path import JOIN, Path, distances
+from elastica_cad.geometry.path import JOIN, Path, distances, meets
 from elastica_cad.geometry.path_intersections import segment_crossings, self_crossing
-from elastica_cad.geometry.segments import (
-    Arc,
-    Line,
-    Segment,
-    Spline,
-    left_of,
-    place,
-    require_tolerance_mm,
-    trim_segment,
-)
+from elastica_cad.geometry.plane_points import left_of, place, turn_between
+from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, require_tolerance_mm, trim_segment
 from elastica_cad.refusals import Length
 
 _LOST_OFFSETS = 4.0
@@ -136,7 +127,7 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
         d = curve.evaluate(t, 1, left=before)
         if derivative:
             return (1 - left * curve.curvature_at(t, left=before))[:, None] * d
-        normal = np.column_stack([-d[:, 1], d[:, 0]]) / np.hypot(d[:, 0], d[:, 1])[:, None]
+        normal = left_of(d) / np.hypot(d[:, 0], d[:, 1])[:, None]
         return curve.evaluate(t, left=before) + left * normal
 
     return Spline(cubic_through(motion, stretches, tolerance))
@@ -195,11 +186,11 @@ class _Ring:
 
     def _refuse_losses(self, alive: set[int]) -> None:
         """Refuse a result in which a feature of the path has disappeared."""
-        n = len(self.elements)
-        if not alive or (self.closed and len(alive) == 1 and n > 1 and not _closes(self._piece(min(alive)))):
+        n, first = len(self.elements), min(alive, default=0)
+        alone = self.closed and len(alive) == 1 < n
+        if not alive or (alone and not meets(self._piece(first), self._piece(first))):
             self._refuse(self.elements[0].source)
         run = 0.0
-        first = min(alive)
         for k in range(first, first + n):
             run = 0.0 if k % n in alive else run + self.elements[k % n].source_length
             if run > _LOST_OFFSETS * abs(self.distance):
@@ -212,10 +203,6 @@ class _Ring:
             distance=Length(self.distance),
             at=place(at),
         )
-
-
-def _closes(piece: Segment) -> bool:
-    return bool(np.hypot(*(piece.end - piece.start)) <= JOIN)
 
 
 def _joint(a: Segment, b: Segment) -> tuple[float, float] | None:

@@ -11,7 +11,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, numbers, require_flag, several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import box_around, is_similarity, require_affine
+from elastica_cad.geometry.plane_points import box_around, is_similarity, place, require_affine
 from elastica_cad.geometry.segments import (
     Arc,
     Line,
@@ -19,7 +19,6 @@ from elastica_cad.geometry.segments import (
     Spline,
     chord_points,
     chords,
-    place,
     point,
     segment_from_bulge,
 )
@@ -141,6 +140,11 @@ def _chord_tolerance(spline: Spline) -> float:
 
 JOIN = 1e-6
 """Largest gap between the ends of neighbouring segments, mm."""
+
+
+def meets(before: Segment, after: Segment) -> bool:
+    """Return True if a segment ends where another one starts."""
+    return dist(before.end.tolist(), after.start.tolist()) <= JOIN
 
 
 @dataclass(frozen=True, eq=False)

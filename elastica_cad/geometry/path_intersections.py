@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.nurbs_curve import cross
-from elastica_cad.geometry.path import JOIN, Path
-from elastica_cad.geometry.plane_points import boxes_meet
+from elastica_cad.geometry.path import JOIN, Path, meets
+from elastica_cad.geometry.plane_points import boxes_meet, cross
 from elastica_cad.geometry.segments import Line, Segment, chords, trim_segment
 from elastica_cad.refusals import Length
 
@@ -239,12 +238,12 @@ def clip_across(path: Path, low: float, high: float) -> Path:
             bounds=path.bounds[0, 0],
             bounds_2=Length(path.bounds[1, 0]),
         )
-    if len(runs) > 1 and _meets(runs[-1][-1], runs[0][0]):
+    if len(runs) > 1 and meets(runs[-1][-1], runs[0][0]):
         runs[0] = runs.pop() + runs[0]
     chain: list[Segment] = []
     for run, following in zip(runs, [*runs[1:], runs[0]], strict=True):
         chain += run
-        if not _meets(run[-1], following[0]):
+        if not meets(run[-1], following[0]):
             if abs(run[-1].end[0] - following[0].start[0]) > JOIN:
                 raise InputError(
                     "the part between x = {low:g} and {high:g} is not in one piece",
@@ -310,7 +309,3 @@ def _is_within(segment: Segment, u: float) -> bool:
     """Return True if a point on a segment is not one of its ends, within rounding."""
     gaps = np.array([segment.start, segment.end]) - segment.at(u)
     return 0 < u < 1 and bool(np.hypot(*gaps.T).min() > JOIN)
-
-
-def _meets(before: Segment, after: Segment) -> bool:
-    return float(np.hypot(*(before.end - after.start))) <= JOIN

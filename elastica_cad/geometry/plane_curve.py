@@ -32,9 +32,9 @@ from elastica_cad.geometry.nurbs_curve import (
     curvature,
     curvature_slope,
     knot_orders,
-    norm,
     tabulate_tangent_angle,
 )
+from elastica_cad.geometry.plane_points import norm
 from elastica_cad.geometry.self_intersections import find_self_intersections
 from elastica_cad.geometry.splines import adaptive_spline, finite
 from elastica_cad.refusals import Length

@@ -1,4 +1,4 @@
-"""Arrays of points in the plane: matrices, boxes, running sums."""
+"""Arrays of vectors and points in the plane: products, matrices, boxes, running sums."""
 
 from math import atan2, hypot, inf, isfinite
 
@@ -7,6 +7,44 @@ import numpy as np
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad._values import numbers
 from elastica_cad.errors import InputError
+
+
+def norm(v: FloatArray) -> FloatArray:
+    """Return lengths (...,) of vectors (..., 2)."""
+    return np.asarray(np.hypot(v[..., 0], v[..., 1]))
+
+
+def dot(u: FloatArray, v: FloatArray) -> FloatArray:
+    """Return products (...,) of pairs of vectors (..., 2)."""
+    return np.asarray(u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1])
+
+
+def cross(u: FloatArray, v: FloatArray) -> FloatArray:
+    """Return determinants (...,) of pairs of vectors (..., 2)."""
+    return np.asarray(u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0])
+
+
+def left_of(vectors: ArrayLike) -> FloatArray:
+    """Return vectors (..., 2) turned by 90 degrees to the left.
+
+    Examples
+    --------
+    >>> left_of(np.array([[2.0, 1.0], [0.0, 3.0]])).tolist()
+    [[-1.0, 2.0], [-3.0, 0.0]]
+    """
+    v = np.asarray(vectors, dtype=float)
+    return np.stack([-v[..., 1], v[..., 0]], axis=-1)
+
+
+def turn_between(u: FloatArray, v: FloatArray) -> FloatArray:
+    """Return angles (...,) from directions u to directions v (..., 2), rad in (-pi, pi], positive to the left."""
+    return np.asarray(np.arctan2(cross(u, v), dot(u, v)))
+
+
+def place(p: ArrayLike) -> str:
+    """Return a point (2,) formatted for messages."""
+    x, y = np.asarray(p, dtype=float).round(9) + 0.0  # no -0
+    return f"({x:.6g}, {y:.6g}) mm"
 
 
 def transform_points(m: FloatArray, points: ArrayLike) -> FloatArray:

@@ -86,6 +86,12 @@ def subdivide(c: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
     return left, right
 
 
+def subdivide_pieces(bezier: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
+    """Return control points (..., n+1, d) of the parts on [0, u] and [u, 1] of Bezier pieces (..., n+1, d)."""
+    left, right = subdivide(np.swapaxes(bezier, -1, -2), u)
+    return np.swapaxes(left, -1, -2), np.swapaxes(right, -1, -2)
+
+
 def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return values and derivatives (k,) of polynomials (k, n+1) at u (k,)."""
     degree = c.shape[-1] - 1

@@ -7,7 +7,8 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.polynomials import subdivide
+from elastica_cad.geometry.plane_points import place
+from elastica_cad.geometry.polynomials import subdivide_pieces
 from elastica_cad.geometry.splines import finite
 from elastica_cad.refusals import Length
 
@@ -64,7 +65,7 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
         raise InputError(f"{name} must be four handles (x, y), shape (4, 2), not {handles.shape}")
     middle, size = handles.mean(axis=0), float(np.ptp(handles, axis=0).max())
     if size == 0:
-        raise InputError(f"{name}: all four handles lie at {_place(handles[0])}: take them apart")
+        raise InputError(f"{name}: all four handles lie at {place(handles[0])}: take them apart")
     rows = np.column_stack([(handles - middle) / size, np.ones(4)])
     for i, j in combinations(range(4), 2):
         if np.linalg.norm(rows[i] - rows[j]) <= IN_LINE_SHARE:
@@ -80,7 +81,7 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
                     size=Length(size),
                 )
             raise InputError(
-                f"{name}: handles {i + 1} and {j + 1} lie in one place, {_place(handles[i])}: move one"
+                f"{name}: handles {i + 1} and {j + 1} lie in one place, {place(handles[i])}: move one"
             )
     for three in combinations(range(4), 3):
         corner = rows[list(three)]
@@ -89,8 +90,8 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
         if abs(ux * vy - uy * vx) <= IN_LINE_SHARE * longest:
             numbers = ", ".join(str(i + 1) for i in three)
             raise InputError(
-                f"{name}: handles {numbers} lie in one line, through {_place(handles[three[0]])} and "
-                f"{_place(handles[three[2]])}: move one off it"
+                f"{name}: handles {numbers} lie in one line, through {place(handles[three[0]])} and "
+                f"{place(handles[three[2]])}: move one off it"
             )
     shares = np.linalg.solve(rows[:3].T, rows[3])
     back = np.array([[size, 0.0, middle[0]], [0.0, size, middle[1]], [0.0, 0.0, 1.0]])
@@ -100,14 +101,9 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
 def _vanishing(piece: FloatArray) -> FloatArray:
     """Return the homogeneous point of a Bezier piece where the weight, positive at the start, reaches 0."""
     for _ in range(_MOST_HALVINGS):
-        left, right = (np.ascontiguousarray(h.T) for h in subdivide(piece.T))
+        left, right = subdivide_pieces(piece)
         piece = left if left[-1, 2] <= 0 else right
     return np.asarray(piece[0])
-
-
-def _place(point: FloatArray) -> str:
-    x, y = point.round(9) + 0.0
-    return f"({x:.4g}, {y:.4g}) mm"
 
 
 def map_spline(
@@ -164,10 +160,10 @@ def _positive_pieces(
         if min(piece[0, 2], piece[-1, 2]) <= 0 or depth == _MOST_HALVINGS:
             x, y, w = back @ _vanishing(piece)
             raise InputError(
-                f"the projective map sends the curve through infinity, near {_place(np.array([x, y]) / w)}"
+                f"the projective map sends the curve through infinity, near {place(np.array([x, y]) / w)}"
                 ": keep the map's vanishing line off the curve (move the handles less)"
             )
-        left, right = (np.ascontiguousarray(h.T) for h in subdivide(piece.T))
+        left, right = subdivide_pieces(piece)
         middle = (a + b) / 2
         todo += [(middle, b, right, depth + 1), (a, middle, left, depth + 1)]
     return done

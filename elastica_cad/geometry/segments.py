@@ -11,11 +11,12 @@ import numpy as np
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray, IntArray
 from elastica_cad._values import is_number, numbers, require_flag, require_number
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.nurbs_curve import cross
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import (
+    cross,
     distinct,
     is_similarity,
+    place,
     require_affine,
     similarity_of,
     transform_points,
@@ -91,7 +92,7 @@ class Line:
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Return the signed area swept by the ray from `origin`, mm2: 1/2 of the integral of x dy - y dx."""
         origin = point(origin, "origin")
-        return 0.5 * _cross(self.start - origin, self.end - origin)
+        return 0.5 * float(cross(self.start - origin, self.end - origin))
 
     def reversed(self) -> "Line":
         """Return the reversed line."""
@@ -216,7 +217,8 @@ class Arc:
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Return the signed area swept by the ray from `origin`, mm2."""
         origin = point(origin, "origin")
-        return float(_swept_by(self.start - origin, self.end - origin, self.radius, self.sweep))
+        triangle = float(cross(self.start - origin, self.end - origin))
+        return 0.5 * (triangle + self.radius**2 * _beyond_sine(self.sweep))
 
     def reversed(self) -> "Arc":
         """Return the reversed arc."""
@@ -246,7 +248,7 @@ class Arc:
         return Spline(PlaneCurve.arc(self.center, self.radius, self.start_angle, self.end_angle))
 
     def _on(self, angle: FloatArray | float) -> FloatArray:
-        return _points_on_circles(self.center, self.radius, angle)
+        return self.center + self.radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -333,21 +335,6 @@ def segment_from_bulge(start: ArrayLike, end: ArrayLike, bulge: float) -> Line |
     return Arc.from_bulge(start, end, bulge)
 
 
-def left_of(v: FloatArray) -> FloatArray:
-    """Return the vector (2,) rotated by 90 degrees to the left."""
-    return np.array([-v[1], v[0]])
-
-
-def _cross(a: FloatArray, b: FloatArray) -> float:
-    return float(a[0] * b[1] - a[1] * b[0])
-
-
-def place(p: ArrayLike) -> str:
-    """Return a point formatted for messages."""
-    x, y = np.asarray(p, dtype=float)
-    return f"({x:.6g}, {y:.6g}) mm"
-
-
 def point(value: ArrayLike, name: str) -> FloatArray:
     """Check a point (2,), mm, and return it as a read-only array."""
     p = numbers(value, name).copy()
@@ -357,32 +344,11 @@ def point(value: ArrayLike, name: str) -> FloatArray:
     return p
 
 
-def _points_on_circles(
-    centers: FloatArray, radii: FloatArray | float, angles: FloatArray | float
-) -> FloatArray:
-    """Return points (..., 2) at angles (...), rad, from the x axis.
-
-    Examples
-    --------
-    >>> _points_on_circles(np.array([[3.0, 4.0]]), np.array([2.0]), np.array([0.0])).tolist()
-    [[5.0, 4.0]]
-    """
-    reach = np.asarray(radii)[..., None]
-    return np.asarray(centers + reach * np.stack([np.cos(angles), np.sin(angles)], axis=-1), dtype=float)
-
-
-def _swept_by(start: FloatArray, end: FloatArray, radius: ArrayLike, sweep: ArrayLike) -> FloatArray:
-    """Return areas (...,), mm2, swept by rays along arcs, or lines (radius and sweep 0)."""
-    triangle = start[..., 0] * end[..., 1] - start[..., 1] * end[..., 0]
-    segment = np.square(radius) * _beyond_sine(np.asarray(sweep, dtype=float))
-    return np.asarray(0.5 * (triangle + segment), dtype=float)
-
-
-def _beyond_sine(x: FloatArray) -> FloatArray:
+def _beyond_sine(x: float) -> float:
     """Return x - sin x without cancellation, for segments of flat arcs."""
     y = x * x
     near = x * y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110))))
-    return np.where(np.abs(x) > 0.3, x - np.sin(x), near)
+    return x - sin(x) if abs(x) > 0.3 else near
 
 
 def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:

@@ -12,13 +12,13 @@ from elastica_cad.geometry.nurbs_curve import (
     hodograph,
     tabulate_tangent_angle,
 )
-from elastica_cad.geometry.plane_points import boxes_about
+from elastica_cad.geometry.plane_points import boxes_about, boxes_meet
 from elastica_cad.geometry.polynomials import (
     binomials,
     divide_out_end_root,
     interior_roots,
     product,
-    subdivide,
+    subdivide_pieces,
     sums_in_pieces,
 )
 
@@ -76,7 +76,7 @@ def _meeting(
 ) -> tuple[IntArray, IntArray]:
     """Return pairs of pieces that overlap by their boxes and are not a continuation in one direction."""
     (low, high), box = limits, _boxes(part)
-    overlap = (box[first, 0] <= box[second, 1]).all(axis=1) & (box[second, 0] <= box[first, 1]).all(axis=1)
+    overlap = boxes_meet(box[first], box[second])
     first, second = first[overlap], second[overlap]
     joined = high[first] >= low[second]
     onward = np.zeros(first.size, dtype=bool)
@@ -97,8 +97,7 @@ def _halved(
     """Return the halves of the remaining pieces, and all pairs of halves."""
     used, index = np.unique(np.concatenate([first, second]), return_inverse=True)
     first, second = index[: first.size], index[first.size :]
-    left, right = subdivide(np.swapaxes(part[used], 1, 2))
-    halves = np.swapaxes(np.stack([left, right], axis=1), 2, 3).reshape(-1, *part.shape[1:])
+    halves = np.stack(subdivide_pieces(part[used]), axis=1).reshape(-1, *part.shape[1:])
     middle = (low[used] + high[used]) / 2
     low = np.stack([low[used], middle], axis=1).ravel()
     high = np.stack([middle, high[used]], axis=1).ravel()
@@ -202,8 +201,7 @@ def _views(curve: NurbsCurve, t: float) -> tuple[FloatArray, FloatArray, tuple[f
     if u > 1 - _AT_KNOT_SHARE:
         at += 1
     elif u > _AT_KNOT_SHARE:
-        left, right = subdivide(bezier[at].T, u)
-        bezier = np.concatenate([bezier[:at], [left.T, right.T], bezier[at + 1 :]])
+        bezier = np.concatenate([bezier[:at], subdivide_pieces(bezier[at], u), bezier[at + 1 :]])
         at += 1
         edges = np.concatenate([edges[:at], [t], edges[at:]])
     x, y, w = (bezier[at, 0] if at < len(bezier) else bezier[-1, -1]).tolist()

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray, IntArray
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.splines import elevate_degree, knot_runs
 
 ANYWAY = 1e-9
@@ -212,5 +213,5 @@ def _smooth_node(points: FloatArray, node: int, degree: int) -> None:
 
 def _is_straight(piece: FloatArray) -> bool:
     chord = piece[-1] - piece[0]
-    across = (piece - piece[0]) @ np.array([-chord[1], chord[0]])
+    across = (piece - piece[0]) @ left_of(chord)
     return bool(np.abs(across).max() <= _STRAIGHT * max(float(chord @ chord), 1e-300))

@@ -12,6 +12,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, is_one_of, is_series, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.loads import End, Gravity, Supports
@@ -277,6 +278,6 @@ def _side(rod: Rod) -> int:
         along, off = np.array([np.cos(rod.angle[0]), np.sin(rod.angle[0])]), off[-1:]
     else:
         along = off[-1] / np.hypot(*off[-1])
-    heights = off @ np.array([-along[1], along[0]])
+    heights = off @ left_of(along)
     far = np.flatnonzero(np.abs(heights) > 1e-6 * rod.length)
     return int(np.sign(heights[far[0]])) if far.size else 0

@@ -12,6 +12,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, require_number, require_record, several
 from elastica_cad.errors import InputError, NotConvergedError, rounded_up
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.polynomials import NODES, SLOPES, PanelFunction, legendre_basis, locate_in_panels
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import point
@@ -471,7 +472,7 @@ def _bent_rod(asked: RodRequest, balance: BalancedStiffness) -> Rod:
     if weight is not None:  # beta K stays what it is when K is divided by its least value
         weight = weight.scaled(beta=least)
     return _rod_of(
-        asked, check, moment, np.column_stack([-b[:, 1], b[:, 0]]), stiffness=K,
+        asked, check, moment, left_of(b), stiffness=K,
         profile=stiffness_profile(check, balance, 1 / least), residual=residual, weight=weight,
         bending_stiffness=None if balance.bending_stiffness is None else balance.bending_stiffness * least,
         warnings=warnings, moved=check.moved,

@@ -14,6 +14,7 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, numbers, pair, require_number, require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import DEGREE, SURVEY_POINTS, PlaneCurve, integrate_tangents
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.polynomials import gauss_rule
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import fit_spline, spline_through
@@ -316,9 +317,7 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
     for _ in range(NEWTON_STEPS):
         T = tangents(through(places) + turns @ c)
         gap = position[-1] - position[0] - weight @ T
-        rows = np.concatenate(
-            [end_turns, (weight[:, None] * np.column_stack([-T[:, 1], T[:, 0]])).T @ turns / length]
-        )
+        rows = np.concatenate([end_turns, (weight[:, None] * left_of(T)).T @ turns / length])
         missed = np.concatenate([angle[[0, -1]] - through(ends) - end_turns @ c, gap / length])
         c += np.linalg.lstsq(rows, missed, rcond=1e-13)[0]
     return integrate_tangents(

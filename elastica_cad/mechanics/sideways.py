@@ -9,6 +9,7 @@ from elastica_cad._compiled_scipy import crossing, lapack
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, require_number
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.discrete_rod import node_weights, tangents
 from elastica_cad.mechanics.laminated_section import LaminatedSection
@@ -386,7 +387,7 @@ def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> floa
     row = None
     if not any(free):
         T = tangents(angle)
-        row = np.column_stack([-T[:, 1], T[:, 0]]).ravel()
+        row = left_of(T).ravel()
     return _lowest(lower / edge, row) * rod.length**2
 
 
@@ -415,7 +416,7 @@ def _band(
     n = angle.size
     weight = node_weights(edge, n)
     T = tangents(nodal_angle)
-    N = np.column_stack([-T[:, 1], T[:, 0]])
+    N = left_of(T)
     spring = np.einsum("i,ij,ik->ijk", edgewise / weight, N, N) + np.einsum(
         "i,ij,ik->ijk", torsion / weight, T, T
     )  # of every node, (n + 1, 2, 2)
@@ -423,7 +424,7 @@ def _band(
         if is_free:
             spring[node] = 0.0
     t = tangents(angle)
-    m = np.column_stack([-t[:, 1], t[:, 0]])
+    m = left_of(t)
     along, across = (force * t).sum(axis=1), (force * m).sum(axis=1)
     blocks = spring[:-1] + spring[1:] - edge * along[:, None, None] * m[:, :, None] * m[:, None]
     mixed = t[:, :, None] * m[:, None]

@@ -9,6 +9,7 @@ from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad._values import numbers, require_record
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.discrete_rod import (
     DiscreteRod,
     constrained_inertia,
@@ -143,7 +144,7 @@ def determinant_gradient(
 
     # back through the equilibrium: its Jacobian is symmetric
     y, _ = solve_bordered(*rod.hessian, rows, right=per_angle, below=per_force[:, held].sum(axis=0))
-    per_force -= (lengths * y)[:, None] * np.column_stack([-T[:, 1], T[:, 0]])
+    per_force -= (lengths * y)[:, None] * left_of(T)
     gradient = per_spring / rod.node_lengths - moments / rod.stiffness * np.diff(y, prepend=0.0, append=0.0)
     for node, angle_held in zip((0, -1), rod.held_angles, strict=True):
         gradient[node] *= angle_held

@@ -13,6 +13,7 @@ from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.geometry.fairing import smooth_for_corners
 from elastica_cad.geometry.measured_points import MeasuredPoints, Provenance
 from elastica_cad.geometry.plane_curve import Break, CurvatureZero, PlaneCurve, TangentBreak, clamp_ends
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.tangent_healing import Turn
 from elastica_cad.mechanics.loads import (
     ExcessCurvature,
@@ -42,7 +43,7 @@ class InflectionLine:
     @property
     def b(self) -> FloatArray:
         """Unit normal (2,): the direction turned left."""
-        return np.array([-self.direction[1], self.direction[0]])
+        return left_of(self.direction)
 
     @property
     def a(self) -> float:

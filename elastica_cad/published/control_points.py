@@ -19,6 +19,7 @@ from elastica_cad.geometry.control_point_constraints import (
     least_norm_newton,
 )
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.polynomials import LEFT, NODES, WEIGHTS, PanelFunction
 from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
@@ -64,7 +65,7 @@ class CurveChanges:
     def _frame(self) -> tuple[FloatArray, FloatArray]:
         d1 = self.state.curve.evaluate(self._t, 1)
         tangent = d1 / np.linalg.norm(d1, axis=1, keepdims=True)
-        return np.column_stack([-tangent[:, 1], tangent[:, 0]]), _ALONG * tangent
+        return left_of(tangent), _ALONG * tangent
 
     def _weighted(self, directions: tuple[FloatArray, FloatArray]) -> FloatArray:
         basis = self.state.curve.basis(self._t)
@@ -105,7 +106,7 @@ class CurveChanges:
         bends = curvature_rows(curve, self._t) * (self._root_share * _BEND * length**2)
         d1, slope = curve.evaluate(self._t, 1), curve.basis(self._t, 1)
         share = self._root_share * (_STRETCH * length) / (d1**2).sum(axis=1, keepdims=True)
-        turned = np.column_stack([-d1[:, 1], d1[:, 0]])
+        turned = left_of(d1)
         stretches = np.concatenate([directed_rows(slope, d * share) for d in (d1, turned)])
         metric = np.concatenate([self.distance_rows, bends, stretches])
         gram = metric.T @ metric
@@ -190,7 +191,7 @@ class CurveChanges:
         moved = np.stack([curve.basis(nodes.t) @ self._moves[k::2] for k in (0, 1)], axis=1)
         moved += d1[:, :, None] * slide[:, None, :]
         edge = np.diff(nodes.position, axis=0)
-        turned = np.column_stack([-edge[:, 1], edge[:, 0]]) / (edge**2).sum(axis=1)[:, None]
+        turned = left_of(edge) / (edge**2).sum(axis=1)[:, None]
         angles = np.einsum("nk,nkr->nr", turned, np.diff(moved, axis=0))
         db = self.basis[-2:]
         by = rod.margin_derivatives

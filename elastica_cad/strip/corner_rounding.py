@@ -7,17 +7,9 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.nurbs_curve import cross, norm, turn_between
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.segments import (
-    Arc,
-    Segment,
-    SegmentTable,
-    Spline,
-    chord_points,
-    place,
-    trim_segment,
-)
+from elastica_cad.geometry.plane_points import cross, norm, place, turn_between
+from elastica_cad.geometry.segments import Arc, Segment, SegmentTable, Spline, chord_points, trim_segment
 from elastica_cad.refusals import Length
 
 SMOOTH_RAD = 0.02

@@ -12,7 +12,6 @@ from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, require_number, require_record, several
 from elastica_cad.declared import Asked, require_declared
 from elastica_cad.errors import InputError
-from elastica_cad.geometry.nurbs_curve import turn_between
 from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path, distances
 from elastica_cad.geometry.path_intersections import encloses, polylines_cross
@@ -20,11 +19,13 @@ from elastica_cad.geometry.plane_points import (
     box_around,
     is_similarity,
     near_pairs,
+    place,
     require_affine,
     similarity_of,
     transform_points,
+    turn_between,
 )
-from elastica_cad.geometry.segments import Segment, Spline, place, trim_segment
+from elastica_cad.geometry.segments import Segment, Spline, trim_segment
 from elastica_cad.mechanics.sheets import require_printable
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.lettering import Text, text_strokes

@@ -15,9 +15,9 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import Chords, chord_crossings, encloses, polylines_cross
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import box_about, boxes_meet, lengths_along
+from elastica_cad.geometry.plane_points import box_about, boxes_meet, left_of, lengths_along, place
 from elastica_cad.geometry.profile import Profile
-from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, left_of, place, trim_segment
+from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, trim_segment
 from elastica_cad.geometry.splines import spline_through
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.drawing import ENGRAVE, MARK
