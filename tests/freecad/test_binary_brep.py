@@ -9,21 +9,25 @@ import Part
 import pytest
 from freecad.elastica_wb.curves.part_shapes import make_face, make_solid, make_wire
 
-from elastica_cad.errors import InputError
+from elastica_cad import (
+    Frame,
+    Hole,
+    InputError,
+    Limits,
+    Path,
+    PlaneCurve,
+    Sheet,
+    Strip,
+    StripSpec,
+    Tab,
+    make_strip,
+    optimal_rod,
+)
 from elastica_cad.formats.binary_brep import boundary_brep
-from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.rod_solution import solve_rod
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.segments import Line
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.geometry import Line
+from elastica_cad.strip import BentSolid, FlatSolid
 from elastica_cad.strip.bent_boundary import SpaceCurve, SpaceSurface
-from elastica_cad.strip.outline import Hole, Tab
-from elastica_cad.strip.solids import BentSolid, FlatSolid
-from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.strip_spec import StripSpec, make_strip
 
 PLACE = Frame((5.0, -7.0, 11.0), (2.0, -1.0, 2.0), (2.0, 2.0, -1.0))
 STRETCHES = {"arch": 1, "wave": 2}  # of the outline, between its kinks

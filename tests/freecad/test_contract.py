@@ -8,7 +8,7 @@ import pytest
 from freecad.elastica_wb.features import strip as feature
 from freecad.elastica_wb.host.words import worded
 
-from elastica_cad.errors import ElasticaError
+from elastica_cad import ElasticaError
 from tests.contract import answers
 from tests.contract.more_requests import MORE_REQUESTS
 from tests.contract.table import REFUSED, REQUESTS

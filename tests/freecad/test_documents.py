@@ -33,13 +33,17 @@ from freecad.elastica_wb.features.pieces import cuts_of
 from freecad.elastica_wb.host import sheet_store as library
 from freecad.elastica_wb.live.sketch_drag import Dragged
 
-from elastica_cad.errors import InputError, MissingDependencyError, NotConvergedError
-from elastica_cad.geometry.path import Path as PlanePath
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.projective_maps import four_point_map
-from elastica_cad.geometry.segments import Arc, Line
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad import (
+    InputError,
+    MissingDependencyError,
+    NotConvergedError,
+    PlaneCurve,
+    Sheet,
+    check_equilibrium,
+    four_point_map,
+)
+from elastica_cad import Path as PlanePath
+from elastica_cad.geometry import Arc, Line
 from tests.freecad.features import change, new
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]

@@ -9,8 +9,8 @@ import Part
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER
-from elastica_cad.strip.outline import Hole
+from elastica_cad import Hole
+from elastica_cad.strip import CUT_INNER, CUT_OUTER
 
 
 @pytest.fixture

@@ -3,11 +3,9 @@
 import pytest
 from freecad.elastica_wb.curves import part_shapes
 
-from elastica_cad.geometry.frame import Frame
-from elastica_cad.geometry.path import Path
+from elastica_cad import Frame, Path
 from elastica_cad.model.fixtures import engraved
-from elastica_cad.strip.lettering import Text, text_strokes
-from elastica_cad.strip.solids import FlatSolid, PrismSolid
+from elastica_cad.strip import FlatSolid, PrismSolid, Text, text_strokes
 
 
 @pytest.mark.campaign

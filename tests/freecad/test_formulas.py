@@ -6,7 +6,7 @@ from freecad.elastica_wb.features.pieces import cuts_of
 from freecad.elastica_wb.features.proxy import Feature
 from freecad.elastica_wb.host.sheet_store import sheet_list
 
-from elastica_cad.errors import InputError
+from elastica_cad import InputError
 
 
 def told(obj):

@@ -5,7 +5,7 @@ import pytest
 from freecad.elastica_wb.features import baseplate, fixtures, flat, model, nest, proxy, strip
 from freecad.elastica_wb.features.pieces import cuts_of
 
-from elastica_cad.errors import InputError
+from elastica_cad import InputError
 from tests.freecad.features import change, new
 
 V = App.Vector

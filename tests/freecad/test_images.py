@@ -6,7 +6,7 @@ from freecad.elastica_wb.curves.copies import originals
 from freecad.elastica_wb.features import model, strip
 from freecad.elastica_wb.features.pieces import cuts_of
 
-from elastica_cad.errors import InputError
+from elastica_cad import InputError
 from tests.freecad.features import change, new
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]

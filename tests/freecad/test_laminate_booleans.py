@@ -5,9 +5,7 @@ import Part
 import pytest
 from freecad.elastica_wb.solving.strip_cache import bent_shape
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.strip.lamination import Laminated
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad import Laminated, PlaneCurve, make_strip
 
 
 def test_a_cut_laminate_is_the_sum_of_its_cut_sheets():

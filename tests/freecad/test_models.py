@@ -16,10 +16,10 @@ from freecad.elastica_wb.host.objects import is_model
 from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.solving import strip_cache
 
-from elastica_cad.errors import InputError
+from elastica_cad import InputError
 from elastica_cad.model import interlocking as interlock
+from elastica_cad.strip import PrismSolid
 from elastica_cad.strip.pieces import distinct
-from elastica_cad.strip.solids import PrismSolid
 from tests.freecad.features import change, new
 
 ARCH = [(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)]

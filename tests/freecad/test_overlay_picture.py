@@ -8,12 +8,7 @@ from freecad.elastica_wb.live.curve_picture import comb_scale, curve_picture, wi
 from freecad.elastica_wb.solving.strip_cache import solve_strip
 from freecad.elastica_wb.solving.verdicts import Verdict, refusal_answer, sentence_of, strip_answer
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.theorem1 import NotRealizable
-from elastica_cad.strip.perforation import Perforated
-from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad import NotRealizable, Perforated, PlaneCurve, Sheet, StripSpec, check_equilibrium
 
 ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
 WAVE = PlaneCurve.spline([(0, 0), (25, 55), (60, 45), (95, -50), (130, -40), (150, 0)])

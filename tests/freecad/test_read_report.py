@@ -9,7 +9,7 @@ from freecad.elastica_wb.curves.sketch_curves import read_line
 from freecad.elastica_wb.host import words
 from freecad.elastica_wb.host.words import worded
 
-from elastica_cad.errors import InputError
+from elastica_cad import InputError
 
 SPLINE = [(0, 0), (40, 80), (140, 80), (180, 0)]
 

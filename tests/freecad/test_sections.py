@@ -16,7 +16,7 @@ from freecad.elastica_wb.curves.plane_sections import (
 )
 from freecad.elastica_wb.features import curves, strip
 
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad import InputError, NotConvergedError
 from tests.freecad.features import change, new
 
 RADIUS = 50.0

@@ -11,12 +11,8 @@ import pytest
 from freecad.elastica_wb.curves.part_shapes import make_face, make_solid, make_wire
 from freecad.elastica_wb.features import flat, strip
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.solids import BentSolid, FlatSolid
-from elastica_cad.strip.strip import Strip
+from elastica_cad import InputError, PlaneCurve, Sheet, Strip, optimal_rod
+from elastica_cad.strip import BentSolid, FlatSolid
 from tests.freecad.features import change, new
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]

@@ -3,10 +3,8 @@
 import pytest
 from freecad.elastica_wb.features import strip
 
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
-from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad import PlaneCurve, Sheet, make_strip
+from elastica_cad.mechanics import RoundLaw, ThicknessLaw
 from tests.freecad.features import change
 
 POINTS = [(0, 0), (60, 120), (140, 160), (240, 120), (300, 0)]

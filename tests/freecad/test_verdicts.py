@@ -15,13 +15,9 @@ from freecad.elastica_wb.live.curve_picture import curve_picture
 from freecad.elastica_wb.solving.strip_cache import find_nearest_now, sharpest_bend, solve_strip
 from freecad.elastica_wb.solving.verdicts import Verdict, refusal_answer, strip_answer, strip_faults
 
-from elastica_cad.errors import ElasticaError, StrainError
-from elastica_cad.files import save
-from elastica_cad.forming.limits import Limits
+from elastica_cad import ElasticaError, Limits, PlaneCurve, Sheet, StripSpec, save
+from elastica_cad.errors import StrainError
 from elastica_cad.forming.rod_spec import RodSpec
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.strip.strip_spec import StripSpec
 from tests.freecad.features import change, new
 
 ARCH = [(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)]

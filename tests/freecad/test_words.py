@@ -10,10 +10,8 @@ import pytest
 from freecad.elastica_wb.host import words
 from freecad.elastica_wb.host.words import Unit, capital, worded
 
-from elastica_cad.errors import InputError
-from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
-from elastica_cad.mechanics.sideways import SidewaysStability
+from elastica_cad import InputError, PlaneCurve, check_equilibrium
+from elastica_cad.mechanics import SidewaysStability
 from elastica_cad.refusals import FieldName, Length, Listed, Point, Span, note, sentences
 from elastica_cad.strip.uncuttable_parts import Fault
 from tests.freecad.features import change

@@ -115,7 +115,7 @@ def nearest_command(document, bad):
     """A feature that follows the sketch; buttons of its panel draw the curve into the sketch instead."""
     from freecad.elastica_wb.curves.sketch_curves import drawn_curve, sketch_curve
 
-    from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+    from elastica_cad import check_equilibrium
 
     choose(bad)
     count = len(document.Objects)
@@ -216,7 +216,7 @@ def projective_command(document):
     """Four handles, pulled by a real mouse; the sketch's spline becomes rational."""
     from freecad.elastica_wb.curves.sketch_curves import sketch_curve
 
-    from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+    from elastica_cad import check_equilibrium
 
     wave = sketch(document, WAVE, name="Wave")
     wave.Placement = App.Placement(App.Vector(0, 0, 20), App.Rotation(App.Vector(1, 0, 0), 60))
