@@ -25,6 +25,7 @@ __all__ = [
     "UnknownOptionError",
     "how_to_install",
     "installed_version",
+    "missing_library",
     "near_names",
     "quoted",
     "refuse_options_unlike",
@@ -202,6 +203,17 @@ def how_to_install(package: str) -> str:
     return " ".join(words)
 
 
+def missing_library(use: str, library: str) -> MissingDependencyError:
+    """Return the error for a library that is not installed; `use` states what needs it.
+
+    Examples
+    --------
+    >>> str(missing_library("reading a.dxf needs ezdxf", "ezdxf")).endswith("pip install ezdxf")
+    True
+    """
+    return MissingDependencyError(f"{use}: {how_to_install(library)}")
+
+
 def installed_version(package: str) -> str | None:
     """Return the version of an installed package, or None; elastica_cad itself may run from a checkout."""
     from importlib.metadata import PackageNotFoundError, version
@@ -243,11 +255,11 @@ def refuse_unknown(asked: Iterable[str], known: Iterable[str], what: str) -> Non
             )
 
 
-def near_names(name: str, known: Iterable[str], *, most: int = 1, cutoff: float = 0.6) -> list[str]:
-    """Return known names with a similar spelling, the most similar first."""
+def near_names(name: str, known: Iterable[str], *, cutoff: float = 0.6) -> list[str]:
+    """Return the known name with the most similar spelling, or an empty list."""
     from difflib import get_close_matches
 
-    return get_close_matches(name, list(known), n=most, cutoff=cutoff)
+    return get_close_matches(name, list(known), n=1, cutoff=cutoff)
 
 
 def refuse_options_unlike(asked: Iterable[str], function: Callable[..., object], what: str) -> None:

@@ -8,7 +8,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from elastica_cad._units import look_up_unit
-from elastica_cad.errors import InputError, MissingDependencyError, how_to_install, refuse_options_unlike
+from elastica_cad.errors import (
+    InputError,
+    MissingDependencyError,
+    how_to_install,
+    missing_library,
+    refuse_options_unlike,
+)
 from elastica_cad.formats.chains import JOIN_TOLERANCE
 from elastica_cad.formats.drawn_file import CurveList, DrawnFile
 from elastica_cad.formats.source_file import name_source, require_file
@@ -183,12 +189,7 @@ def step_trouble() -> str:
 
 
 def _no_kernel(path: Path, doing: str = "reading") -> MissingDependencyError:
-    return MissingDependencyError(
-        "{doing} {name} needs a CAD kernel: {how_to_install}",
-        doing=doing,
-        name=path.name,
-        how_to_install=how_to_install("build123d"),
-    )
+    return missing_library(f"{doing} {path.name} needs a CAD kernel", "build123d")
 
 
 def save(made: "Drawing | Strip", path: str | Path, **options: Any) -> Path:

@@ -93,11 +93,13 @@ unit_option = click.option(
 curve_options = join_options(curve_argument(), unit_option)
 """The CURVE argument and the unit of its file."""
 
+number_option = click.option(
+    "--curve", "number", metavar="N|ID", help="Which curve of the file: its number from 1, or its id."
+)
+
 which_options = join_options(
-    click.option("--curve", "number", metavar="N|ID",
-                 help="Which curve of the file: its number from 1, or its id."),
-    click.option("--layer", metavar="NAME", help="Only curves on this layer of the drawing."),
-)  # fmt: skip
+    number_option, click.option("--layer", metavar="NAME", help="Only curves on this layer of the drawing.")
+)
 """Options that select a curve of the file."""
 
 split_option = click.option(

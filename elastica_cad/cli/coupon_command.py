@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from elastica_cad._text import quote_words
-from elastica_cad.cli.options import LENGTH, POINT, output_options
+from elastica_cad.cli.options import LENGTH, POINT, given_of, option_name, output_options
 from elastica_cad.cli.suggestions import name_program
 from elastica_cad.cli.voice import answer, say, warn, wrote
 from elastica_cad.errors import InputError
@@ -56,24 +56,7 @@ SIGMAS, LEAST_CONTRADICTION = 3.0, 0.1
 @click.option("--name", help="What to call the measured sheet [default: my-NAME].")
 @click.option("--keep", is_flag=True, help="Write the measured sheet into the library, for every command.")
 @output_options
-def coupon(
-    sheet: str | None,
-    overhang: float | None,
-    width: float,
-    clamp: float,
-    measured: tuple[tuple[float, float], ...],
-    reading_error: float,
-    thickness: float | None,
-    density: float | None,
-    least_radius: float | None,
-    grain: str | None,
-    kind: str | None,
-    kerf: float | None,
-    name: str | None,
-    keep: bool,
-    force: bool,
-    output: Path,
-) -> None:
+def coupon(**chosen: Any) -> None:
     """Write a coupon of a sheet as DXF and SVG, or tell with --measured what its droop says.
 
     Cut the coupon, clamp it level at the edge of a table up to one of its ticks, let the rest hang, and read how
@@ -86,56 +69,31 @@ def coupon(
     prints the stiffness and writes the sheet as NAME.toml, which every command takes: --sheet NAME.toml; with
     --keep it joins the library, and --sheet NAME is enough.
     """
-    known = _known(sheet, thickness, density, name)
+    known, name = _known(chosen), chosen["name"]
     if name and ("/" in name or "\\" in name):
         raise InputError("the name {name!r} is to name a file too: leave out / and \\", name=name)
-    if measured:
-        own = {
-            "grain": grain or known.grain,
-            "kerf": known.kerf if kerf is None else kerf,
-            "kind": kind or known.kind,
-        }
-        folder = _kept() if keep else output
-        _calibrate(
-            known,
-            measured,
-            reading_error,
-            least_radius,
-            name or f"my-{known.name}",
-            own,
-            folder,
-            force,
-            listed=sheet is not None,
-        )
+    if chosen["measured"]:
+        _calibrate(known, chosen)
         return
-    own_options = {
-        "--least-radius": least_radius,
-        "--kerf": kerf,
-        "--grain": grain,
-        "--kind": kind,
-        "--keep": keep or None,
-    }
-    for option, value in own_options.items():
-        if value is not None:
+    for option in ("least_radius", "kerf", "grain", "kind", "keep"):
+        if chosen[option] is not None and chosen[option] is not False:
             raise InputError(
-                "{option} belongs to a measurement: give --measured OVERHANG DROOP too", option=option
+                "{option} belongs to a measurement: give --measured OVERHANG DROOP too",
+                option=option_name(option),
             )
-    drawing = coupon_drawing(known, overhang=overhang, width=width, clamp=clamp)
+    overhang = chosen["overhang"]
+    drawing = coupon_drawing(known, overhang=overhang, width=chosen["width"], clamp=chosen["clamp"])
     files = [File(f"{drawing.name}.{kind}", partial(save, drawing)) for kind in ("dxf", "svg")]
-    written = write_files(files, output, force=force)
+    written = write_files(files, chosen["output"], force=chosen["force"])
     answer({"sheet": known, "measured": None})
     wrote(written)
     free = coupon_overhang(known) if overhang is None else overhang
-    given = {
-        "sheet": sheet,
-        "thickness": thickness,
-        "density": density,
-        "name": name if sheet else known.name,
-    }
+    given = given_of(chosen, ("sheet", "thickness", "density", "name"))
+    if chosen["sheet"] is None:
+        given["name"] = known.name
     typed = " ".join(
         f"--{option} {quote_words([value]) if isinstance(value, str) else f'{value:g}'}"
         for option, value in given.items()
-        if value is not None
     )
     say(f"next: cut it, hang {free:g} mm of it over an edge, read the droop of its end in mm, and")
     say(f"  {name_program()} coupon {typed} --measured {free:g} DROOP")
@@ -156,28 +114,29 @@ def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Ca
         )
 
 
-def _known(sheet: str | None, thickness: float | None, density: float | None, name: str | None) -> Sheet:
+def _known(chosen: dict[str, Any]) -> Sheet:
     """Return the named sheet with the measured thickness and density, or an assumed sheet if it is unknown."""
+    thickness, density = chosen["thickness"], chosen["density"]
     for option, value, key in (
         ("--thickness", thickness, "thickness_mm"),
         ("--density", density, "density_kg_m3"),
     ):
         if value is not None:
             plausible_number(value, key, option)
-    if sheet is None:
+    if chosen["sheet"] is None:
         if thickness is None or density is None:
             raise InputError(
                 "name the material most like yours with --sheet NAME, or give --thickness MM and --density KG/M3 "
                 "of one that is in no list"
             )
         return Sheet(
-            name or "my-sheet",
+            chosen["name"] or "my-sheet",
             thickness=thickness,
             density=density,
             youngs_modulus=GUESSED_MPA,
             max_strain=GUESSED_STRAIN,
         )
-    found = Sheet.named(sheet)
+    found = Sheet.named(chosen["sheet"])
     if thickness is not None:  # it is still that material, by its name
         found = replace(found.with_thickness(thickness), name=found.name)
     return found if density is None else replace(found, density=density, density_range=None)
@@ -197,33 +156,25 @@ def _kept() -> Path:
     return folder
 
 
-def _calibrate(
-    sheet: Sheet,
-    measured: tuple[tuple[float, float], ...],
-    reading_error: float,
-    least_radius: float | None,
-    name: str,
-    own: dict[str, Any],
-    output: Path,
-    force: bool,
-    *,
-    listed: bool,
-) -> None:
+def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
     """Print the result of the readings, with the listed values of a known sheet, and write the sheet."""
+    measured, least_radius, listed = chosen["measured"], chosen["least_radius"], chosen["sheet"] is not None
+    name, output = chosen["name"] or f"my-{sheet.name}", _kept() if chosen["keep"] else chosen["output"]
     result = calibrate_cantilever(
         [reading[0] for reading in measured],
         [reading[1] for reading in measured],
-        reading_error=reading_error,
+        reading_error=chosen["reading_error"],
         thickness=sheet.thickness,
         density=sheet.density,
     )
+    own = {key: getattr(sheet, key) for key in ("grain", "kerf", "kind", "poisson_ratio", "shear_modulus")}
+    own |= given_of(chosen, ("grain", "kerf", "kind"))
     limit: dict[str, Any] = (
         {"max_strain": sheet.max_strain} if least_radius is None else {"least_radius": least_radius}
     )
-    shear: dict[str, Any] = {"poisson_ratio": sheet.poisson_ratio, "shear_modulus": sheet.shear_modulus}
-    found = _as_readings_tell(result.sheet(name, **limit, **shear, **own))
+    found = _as_readings_tell(result.sheet(name, **limit, **own))
     file = File(f"{name}.toml", lambda path: write_text(path, found.toml()))
-    (written,) = write_files([file], output, force=force)
+    (written,) = write_files([file], output, force=chosen["force"])
     answer({"sheet": found, "measured": result})
     say(str(result))
     _warn_of_contradiction(measured, result)

@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from elastica_cad.cli.asked_curves import END_NAMES, Blank, read_curves_told, unit_option
+from elastica_cad.cli.asked_curves import END_NAMES, Blank, number_option, read_curves_told, unit_option
 from elastica_cad.cli.options import IDLE_DOWN, POINT, join_options, option_name, option_of, output_options
 from elastica_cad.cli.settings import GROUPS, CommandKeys, parsed_settings, set_option, twice
 from elastica_cad.cli.suggestions import typed_length
@@ -103,8 +103,7 @@ def _option(path: str, name: str) -> Callable[[Any], Any]:
 _HAND_MADE: dict[str, tuple[Any, ...]] = {
     "curve": (
         unit_option,
-        click.option("--curve", "number", metavar="N|ID",
-                     help="Which curve of the file: its number from 1, or its id."),
+        number_option,
         click.option("--all", "every", is_flag=True, help="A strip for every curve of the file, each for itself."),
         click.option("--natural-curvature", type=Blank(), metavar="1/MM|KEYS|FILE",
                      help="Curvature of the strip before bending; along it as 'stations = [0, 300], curvatures = "

@@ -13,7 +13,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH, look_up_unit
-from elastica_cad.errors import InputError, MissingDependencyError, how_to_install, quoted
+from elastica_cad.errors import InputError, missing_library, quoted
 from elastica_cad.formats.drawn_file import DrawnFile, ReadUnit, collect_curves
 from elastica_cad.formats.edges import Edge, Run, Source
 from elastica_cad.formats.placed_curve import flatten_run
@@ -229,11 +229,7 @@ def _opened(path: Path) -> "Drawing":
         from ezdxf.filemanagement import readfile
         from ezdxf.lldxf.const import DXFError
     except ImportError as error:
-        raise MissingDependencyError(
-            "reading {name} needs ezdxf, which is not installed: {how_to_install}",
-            name=path.name,
-            how_to_install=how_to_install("ezdxf"),
-        ) from error
+        raise missing_library(f"reading {path.name} needs ezdxf", "ezdxf") from error
     with path.open("rb") as opened:
         if re.match(rb"AC10\d\d", opened.read(6)):
             raise InputError("This is a DWG file, not a DXF file. Save the drawing as DXF.")

@@ -14,7 +14,7 @@ from typing import Any, Literal, TypeAlias, get_args
 from elastica_cad._text import MADE_BY
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
-from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
+from elastica_cad.errors import InputError, missing_library
 from elastica_cad.formats.drawing_style import (
     LayerChoice,
     LayerStyle,
@@ -170,9 +170,7 @@ def _plain_ezdxf() -> Iterator[Any]:
     try:
         ezdxf = import_module("ezdxf")
     except ImportError:
-        raise MissingDependencyError(
-            "writing DXF needs ezdxf: {how_to_install}", how_to_install=how_to_install("ezdxf")
-        ) from None
+        raise missing_library("writing DXF needs ezdxf", "ezdxf") from None
     logger = logging.getLogger("ezdxf")
     with _OPTIONS:
         before, level = ezdxf.options.write_fixed_meta_data_for_testing, logger.level

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._process import interrupts_held
 from elastica_cad._units import look_up_unit
-from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
+from elastica_cad.errors import InputError, missing_library
 from elastica_cad.formats.source_file import name_source, quiet_log, require_file
 from elastica_cad.forming.plane_sections import Mesh, mesh_sections
 from elastica_cad.forming.section_spec import Surface
@@ -69,11 +69,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
         with interrupts_held():
             from trimesh import load
     except ImportError as error:
-        raise MissingDependencyError(
-            "reading {name} needs trimesh: {how_to_install}",
-            name=path.name,
-            how_to_install=how_to_install("trimesh"),
-        ) from error
+        raise missing_library(f"reading {path.name} needs trimesh", "trimesh") from error
     with name_source(path):
         try:
             with quiet_log("trimesh"), np.errstate(all="ignore"):

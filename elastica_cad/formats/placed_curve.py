@@ -122,7 +122,7 @@ def placed_curve(
     """
     if not edges:
         raise InputError("no edge was given: give at least one edge or wire for the strip to follow")
-    runs = join_runs([(edge,) for edge in edges], JOIN).chains
+    runs = edge_chains(edges)
     if not runs:
         raise InputError("the edge has no length: draw a curve for the strip to follow")
     runs, holes = holes_on_chains(runs)

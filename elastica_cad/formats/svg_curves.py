@@ -12,7 +12,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MILLIMETRES, MM_PER_INCH, look_up_unit
-from elastica_cad.errors import InputError, MissingDependencyError, how_to_install, quoted
+from elastica_cad.errors import InputError, missing_library, quoted
 from elastica_cad.formats.drawn_file import DrawnFile, ReadUnit, collect_curves
 from elastica_cad.formats.edges import Edge, Run, Source
 from elastica_cad.formats.source_file import MOST_EDGES, NUMBER, UNIT, check_count
@@ -150,11 +150,7 @@ def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
     try:
         from svgelements import SVG, Shape
     except ImportError as error:
-        raise MissingDependencyError(
-            "reading {name} needs svgelements, which is not installed: {how_to_install}",
-            name=path.name,
-            how_to_install=how_to_install("svgelements"),
-        ) from error
+        raise missing_library(f"reading {path.name} needs svgelements", "svgelements") from error
     count = 0
     try:
         drawing = SVG.parse(BytesIO(_in_user_units(shapes.tree)), reify=False, on_error="raise")

@@ -50,9 +50,7 @@ HEADING = b"binary STL, mm".ljust(80)
 TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
 
-def write_stl(
-    body: Shape, path: str | PathLike[str], *, bed: Frame | None = None, force: bool = False
-) -> None:
+def write_stl(body: Shape, path: str | PathLike[str], *, bed: Frame | None = None) -> None:
     """Write a body as binary STL, optionally moved to the printer's bed.
 
     Parameters
@@ -61,13 +59,11 @@ def write_stl(
     path : path-like
     bed : Frame, optional
         Plane that becomes z = 0, with its z axis up; by default the body is not moved.
-    force : bool
-        Overwrite an existing file.
 
     Raises
     ------
     InputError
-        The file exists (without `force`) or cannot be written.
+        The file exists or cannot be written.
     """
     bed = bed or Frame()
     nets = face_triangles(body, chord=PRINTED_MM, turn=TURN_RAD)
@@ -79,7 +75,7 @@ def write_stl(
     rows["corners"] = corners
     rows["normal"] = _normals(corners)
     content = HEADING + np.uint32(len(rows)).astype("<u4").tobytes() + rows.tobytes()
-    write_atomically(path, content, force=force)
+    write_atomically(path, content)
 
 
 def _normals(corners: np.ndarray) -> np.ndarray:
@@ -89,15 +85,13 @@ def _normals(corners: np.ndarray) -> np.ndarray:
     return np.asarray(across / np.maximum(np.linalg.norm(across, axis=1), 1e-30)[:, None])
 
 
-def write_glb(
-    parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str, force: bool = False
-) -> None:
+def write_glb(parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str) -> None:
     """Write parts, each in its place, with names and colours to a GLB file; units are m, and y is up.
 
     Raises
     ------
     InputError
-        The file exists (without `force`) or cannot be written.
+        The file exists or cannot be written.
     """
     k = kernel()
     for part in parts:
@@ -115,4 +109,4 @@ def write_glb(
         if not writer.Perform(document, about, k.Message_ProgressRange()):
             raise InputError("OpenCASCADE could not write this model as GLB: check that its parts are valid")
         content = file.read_bytes()
-    write_atomically(path, content, force=force)
+    write_atomically(path, content)

@@ -108,7 +108,7 @@ class StripResult:
             files += self._drawn("side", bench_drawing, asked, pdf=pictures or looked_at)
         more: dict[str, tuple[object, Callable[[Path], object]]] = {
             "png": (pictures, self._picture()),
-            "pdf": (asked.paper, partial(self._draw_template, str(asked.paper))),
+            "pdf": (asked.paper, partial(self._write_drawing, self._template, "pdf", asked)),
             "step": (asked.step and not step_trouble(), self._write_step),
             "stl": (asked.stl, self._write_stl),
             "glb": (asked.glb, self._write_glb),
@@ -180,15 +180,13 @@ class StripResult:
         target = None if self.near is None else self.near.target
         return partial(draw_file, partial(strip_sheet, self.strip, wish=target))
 
-    def _draw_template(self, paper: str, path: Path) -> None:
-        from elastica_cad.plot.template_pages import save_template
+    def _template(self, strip: Strip) -> Drawing:
+        """Return the drawing for paper: the base's pattern, or the side view of glued leaves."""
+        if not strip.layout.stack:
+            return self.patterns[0]
+        from elastica_cad.model.batten import bench_drawing
 
-        drawing = self.patterns[0]
-        if self.strip.layout.stack:
-            from elastica_cad.model.batten import bench_drawing
-
-            drawing = bench_drawing(self.strip)
-        save_template(drawing, path, paper=paper)
+        return bench_drawing(strip)
 
     def _write_stl(self, path: Path) -> None:
         from elastica_cad.strip.solids import BentSolid

@@ -11,7 +11,7 @@ import numpy as np
 from elastica_cad._text import MADE_BY
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_path
-from elastica_cad.errors import InputError, MissingDependencyError, how_to_install
+from elastica_cad.errors import InputError, missing_library
 from elastica_cad.formats.write_files import write_atomically
 from elastica_cad.geometry.plane_points import box_about
 
@@ -126,7 +126,7 @@ def write_pages(
     try:
         from matplotlib.backends.backend_pdf import PdfPages
     except ImportError as error:
-        raise _needs_matplotlib(what) from error
+        raise missing_library(f"{what} need matplotlib", "matplotlib") from error
     stream = BytesIO()
     with PdfPages(stream, metadata=_properties() | {"Title": title}) as pages:
         for figure in figures:
@@ -137,11 +137,6 @@ def write_pages(
 def _properties() -> dict[str, str | None]:
     """Metadata of a PDF: no time, and the running command."""
     return {"CreationDate": None} | ({"Subject": command} if (command := MADE_BY.get()) else {})
-
-
-def _needs_matplotlib(what: str) -> MissingDependencyError:
-    """Return the error for a missing matplotlib; `what` are the files or pictures that need it."""
-    return MissingDependencyError(f"{what} need matplotlib: {how_to_install('matplotlib')}")
 
 
 def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **style: Any) -> None:
@@ -170,7 +165,7 @@ def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axe
     try:
         from matplotlib.figure import Figure as MatplotlibFigure
     except ImportError as error:
-        raise _needs_matplotlib("pictures") from error
+        raise missing_library("pictures need matplotlib", "matplotlib") from error
 
     class Page(MatplotlibFigure):
         """A figure that a notebook shows where it is the last thing of a cell, once."""

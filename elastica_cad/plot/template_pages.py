@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH
-from elastica_cad._values import is_number, require_record
+from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
 from elastica_cad.plot.canvas import INK, write_pages
 from elastica_cad.plot.strip_pictures import LAYER_COLORS
@@ -58,13 +58,13 @@ class Tiling:
     size: tuple[float, float]
 
 
-def _tile_drawing(drawing: Drawing, paper: str = "A4", *, overlap: float = OVERLAP_MM) -> Tiling:
+def _tile_drawing(drawing: Drawing, paper: str = "A4") -> Tiling:
     """Return the tiles that cover a drawing, upright or across, whichever needs fewer pages, without empty tiles.
 
     Raises
     ------
     InputError
-        The paper is unknown, the overlap is too large, or there are more than 400 pages.
+        The paper is unknown, or there are more than 400 pages.
 
     Examples
     --------
@@ -77,17 +77,15 @@ def _tile_drawing(drawing: Drawing, paper: str = "A4", *, overlap: float = OVERL
     require_record(drawing, Drawing, "what is printed", "a Drawing")
     if not isinstance(paper, str) or paper not in PAPERS:
         raise InputError(f"unknown paper {paper!r}: use one of {', '.join(PAPERS)}")
-    if not (is_number(overlap) and 0 <= overlap < 0.5 * (PAPERS[paper][0] - 2 * MARGIN_MM)):
-        raise InputError(f"the overlap is {overlap!r} mm: give 0 mm or more, and less than half a page")
-    ways = [_tiles(drawing, page, overlap) for page in (PAPERS[paper], PAPERS[paper][::-1])]
+    ways = [_tiles(drawing, page) for page in (PAPERS[paper], PAPERS[paper][::-1])]
     return min(ways, key=lambda way: len(way.names))
 
 
-def _tiles(drawing: Drawing, page: tuple[float, float], overlap: float) -> Tiling:
+def _tiles(drawing: Drawing, page: tuple[float, float]) -> Tiling:
     low, high = drawing.bounds
     size = np.array(page) - 2 * MARGIN_MM
-    step = size - overlap
-    counts = np.maximum(1, np.ceil((high - low - overlap) / step - 1e-9)).astype(int)
+    step = size - OVERLAP_MM
+    counts = np.maximum(1, np.ceil((high - low - OVERLAP_MM) / step - 1e-9)).astype(int)
     if counts.prod() > MOST_TILES:
         raise InputError(f"{drawing.name} needs {counts.prod()} pages of this paper: print larger paper")
     start = (low + high) / 2 - (size + (counts - 1) * step) / 2
@@ -124,7 +122,6 @@ def save_template(
     path: str | PathLike[str],
     *,
     paper: str = "A4",
-    overlap: float = OVERLAP_MM,
     force: bool = False,
 ) -> Tiling:
     """Write a drawing at its true size as PDF, on as many pages as necessary.
@@ -138,8 +135,6 @@ def save_template(
     path : path-like
     paper : str
         One of `PAPERS`.
-    overlap : float
-        Overlap of neighbouring pages, mm.
     force : bool
         Overwrite an existing file.
 
@@ -151,12 +146,12 @@ def save_template(
     Raises
     ------
     InputError
-        Unknown paper, an overlap that leaves nothing, more than 400 pages, or the file exists.
+        Unknown paper, more than 400 pages, or the file exists.
     MissingDependencyError
         matplotlib is not installed.
     """
-    tiling = _tile_drawing(drawing, paper, overlap=overlap)
-    write_pages(_pages(drawing, tiling, overlap), path, drawing.name, what="PDF templates", force=force)
+    tiling = _tile_drawing(drawing, paper)
+    write_pages(_pages(drawing, tiling), path, drawing.name, what="PDF templates", force=force)
     return tiling
 
 
@@ -166,27 +161,24 @@ def save_templates(
     *,
     title: str,
     paper: str = "A4",
-    force: bool = False,
 ) -> None:
     """Write several drawings 1:1 to one PDF, one after another; see `save_template`."""
-    pages = (
-        page for drawing in drawings for page in _pages(drawing, _tile_drawing(drawing, paper), OVERLAP_MM)
-    )
-    write_pages(pages, path, title, what="PDF templates", force=force)
+    pages = (page for drawing in drawings for page in _pages(drawing, _tile_drawing(drawing, paper)))
+    write_pages(pages, path, title, what="PDF templates")
 
 
-def _pages(drawing: Drawing, tiling: Tiling, overlap: float) -> Iterator[Any]:
+def _pages(drawing: Drawing, tiling: Tiling) -> Iterator[Any]:
     """Yield one figure for each tile."""
     from matplotlib.figure import Figure
 
     for k, name in enumerate(tiling.names):
         page: Any = Figure(figsize=(tiling.page[0] / MM_PER_INCH, tiling.page[1] / MM_PER_INCH))
         tile = f"   page {name}" if len(tiling.names) > 1 else ""
-        _draw_page(page, drawing, tiling, k, overlap, f"{drawing.name}{tile}   print at 100 %")
+        _draw_page(page, drawing, tiling, k, f"{drawing.name}{tile}   print at 100 %")
         yield page
 
 
-def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, overlap: float, title: str) -> None:
+def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, title: str) -> None:
     """Draw a tile; its axes are the page itself, in mm of the drawing."""
     low = tiling.origins[k]
     high = low + tiling.size
@@ -204,8 +196,8 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, overlap: f
         axes.plot(*points.T, color=LAYER_COLORS[item.layer], linewidth=0.6, solid_capstyle="butt")[
             0
         ].set_clip_path(window)
-    for x in (low[0] + overlap / 2, high[0] - overlap / 2):
-        for y in (low[1] + overlap / 2, high[1] - overlap / 2):
+    for x in (low[0] + OVERLAP_MM / 2, high[0] - OVERLAP_MM / 2):
+        for y in (low[1] + OVERLAP_MM / 2, high[1] - OVERLAP_MM / 2):
             for dx, dy in ((CROSS_MM, 0.0), (0.0, CROSS_MM)):
                 axes.plot([x - dx, x + dx], [y - dy, y + dy], color=INK, linewidth=0.4)
     height = 3.0 * POINTS_PER_MM

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from elastica_cad._exports import installed_modules
 from elastica_cad.defaults import MAX_WIDTH, SHEET
-from elastica_cad.errors import MissingDependencyError, how_to_install
+from elastica_cad.errors import missing_library
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.strip.strip_spec import StripSpec
@@ -72,9 +72,7 @@ def _widget() -> type["AnyWidget"]:
         from anywidget import AnyWidget
         from traitlets import Dict
     except ImportError:
-        raise MissingDependencyError(
-            "the studio in a notebook needs anywidget: {install}", install=how_to_install("anywidget")
-        ) from None
+        raise missing_library("the studio in a notebook needs anywidget", "anywidget") from None
     page = files("elastica_cad.web").joinpath("page")
     texts = {f"./{name}": page.joinpath(name).read_text(encoding="utf-8") for name in MODULES}
 
