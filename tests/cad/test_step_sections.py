@@ -2,15 +2,10 @@
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import elastica_cad as ec
-from elastica_cad.cli.commands import elastica
 from elastica_cad.kernel.step_files import NamedShape, write_step
-
-
-def run(*arguments):
-    return CliRunner().invoke(elastica, [str(argument) for argument in arguments])
+from tests.command_line import run
 
 
 @pytest.fixture
@@ -23,7 +18,7 @@ def torus(tmp_path):
 
 @pytest.mark.campaign
 def test_a_body_becomes_strips(torus, tmp_path):
-    made = run(
+    run(
         "sections",
         torus,
         "--radial",
@@ -40,24 +35,27 @@ def test_a_body_becomes_strips(torus, tmp_path):
         "-o",
         tmp_path,
     )
-    assert made.exit_code == 0, made.output
     curves = ec.read_curves(tmp_path / "ring-sections.json")
     assert [curve.length for curve in curves] == pytest.approx(6 * [40 * np.pi], rel=1e-3)
-    kit = run("model", tmp_path / "ring-sections.toml", "-o", tmp_path / "kit", "--no-step", "--no-pictures",
-              "--no-effects")  # fmt: skip
-    assert kit.exit_code == 0, kit.output
+    kit = run(
+        "model",
+        tmp_path / "ring-sections.toml",
+        "-o",
+        tmp_path / "kit",
+        "--no-step",
+        "--no-pictures",
+        "--no-effects",
+    )
     assert "ring-sections: 6 strips" in kit.output
 
 
 def test_units_and_scales_of_a_body(torus, tmp_path):
     """STEP files say their unit; a scale makes a model of it."""
     cut = ("--offset", 0, "--axis", 0, 1, 0, "--point", 0, 0, 0, "--split", 0, 0, 0, 0, 0, 1, "-o", tmp_path)
-    made = run("sections", torus, *cut, "--scale", 0.5)
-    assert made.exit_code == 0, made.output
+    run("sections", torus, *cut, "--scale", 0.5)
     lengths = [curve.length for curve in ec.read_curves(tmp_path / "ring-sections.json")]
     assert lengths == pytest.approx(4 * [20 * np.pi], rel=1e-3)
-    tiny = run("sections", torus, *cut, "--scale", 1e-6, "--force")
-    assert tiny.exit_code == 2
+    tiny = run("sections", torus, *cut, "--scale", 1e-6, "--force", code=2)
     assert "nothing made of strips does" in tiny.stderr
 
 
@@ -74,7 +72,6 @@ def test_files_without_a_surface(tmp_path):
         ("e.step", "it holds no faces to cut"),
         ("bad.step", "no STEP file that OpenCASCADE can read"),
     ):
-        result = run("sections", tmp_path / name, "--radial", 3)
-        assert result.exit_code == 2
+        result = run("sections", tmp_path / name, "--radial", 3, code=2)
         assert sentence in result.stderr
         assert result.stderr.count("\n") == 1

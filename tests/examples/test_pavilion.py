@@ -7,13 +7,12 @@ import json
 import numpy as np
 import pytest
 import shapely
-from click.testing import CliRunner
 
 from elastica_cad import read_curves
-from elastica_cad.cli.commands import elastica
 from elastica_cad.design import read_design
 from elastica_cad.model import rocking_tabs
 from elastica_cad.strip import CUT_OUTER
+from tests.command_line import run
 
 MARGIN = 2.0
 
@@ -33,8 +32,7 @@ def folder(project_root, tmp_path_factory):
     """Everything that the command writes, but for the assembly."""
     out = tmp_path_factory.mktemp("pavilion")
     file = project_root / "examples" / "pavilion" / "pavilion.toml"
-    result = CliRunner().invoke(elastica, ["model", str(file), "-o", str(out), "--no-step"])
-    assert result.exit_code == 0, result.output
+    result = run("model", file, "-o", out, "--no-step")
     assert "31 strips" in result.output
     return out
 

@@ -3,13 +3,12 @@
 import json
 
 import pytest
-from click.testing import CliRunner
 
 import elastica_cad as ec
 from elastica_cad._notebook import html_table
 from elastica_cad._text import printable
-from elastica_cad.cli.commands import elastica
 from elastica_cad.design.model_report import compose_start_page
+from tests.command_line import run
 
 CLIPBOARD, RED, BACKWARDS = "\x1b]52;c;eA==\x07", "\x9b31m", "\u202e\u2066"
 NAME = f"L{CLIPBOARD}{RED}{BACKWARDS}"
@@ -50,20 +49,15 @@ FILES = {
 }
 
 
-def run(*words):
-    """What is shown in colour, as a terminal gets it."""
-    return CliRunner().invoke(elastica, words, color=True)
-
-
 @pytest.mark.parametrize("file", FILES, ids=["dxf", "svg", "json", "toml", "csv", "name"])
 def test_terminals(tmp_path, file):
     (tmp_path / file).write_text(FILES[file], encoding="utf-8")
     command = "model" if file.endswith("toml") else "check"
-    done = run(command, str(tmp_path / file))
+    done = run(command, tmp_path / file, color=True, code=None)
     assert not STEERING & set(done.output)
     if file != "curves.json":
         assert r"\u202e" in done.output or r"\x1b" in done.output, done.output
-    told = run(command, str(tmp_path / file), "--json")
+    told = run(command, tmp_path / file, "--json", color=True, code=None)
     assert not STEERING & set(told.stdout)
     json.loads(told.stdout)
 
@@ -74,7 +68,7 @@ def test_programs_get_the_names_as_they_are():
 
 @pytest.mark.parametrize("words", [[NAME], ["check", NAME], ["check", "a.svg", f"--{NAME}"]])
 def test_what_was_typed(words):
-    assert not STEERING & set(run(*words).output)
+    assert not STEERING & set(run("", *words, color=True, code=2).output)
 
 
 def test_html():

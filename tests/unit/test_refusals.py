@@ -5,12 +5,11 @@ from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 
 import pytest
-from click.testing import CliRunner
 
 from elastica_cad import InputError, NotConvergedError, NotRealizable, PlaneCurve, check_equilibrium
-from elastica_cad.cli.commands import elastica
 from elastica_cad.errors import Change, Length
 from elastica_cad.refusals import Listed, Point, note, sentences
+from tests.command_line import run
 
 WAVE = [(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)]  # no strip takes it
 FAR = InputError(
@@ -49,7 +48,7 @@ def test_errors_are_pickled_with_their_records(kind):
 
 
 def test_an_option_is_named_that_other_commands_call_otherwise():
-    said = CliRunner().invoke(elastica, ["strip", "a.dxf", "--name", "x"]).output
+    said = run("strip", "a.dxf", "--name", "x", code=2).output
     assert said.endswith("--name is called --label\n")
 
 

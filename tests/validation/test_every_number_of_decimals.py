@@ -7,13 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 from elastica_cad import InputError, PlaneCurve, check_equilibrium
-from elastica_cad.cli.commands import elastica
 from elastica_cad.files import read_drawing
 from elastica_cad.forming import smooth_curve
 from elastica_cad.mechanics.theorem1 import require_bendable
+from tests.command_line import run
 
 pytest.importorskip("svgelements")
 
@@ -208,5 +207,5 @@ def test_a_handle_that_is_lost_by_rounding_is_undecided_at_the_door(tmp_path):
         (3, "can take this"),
     ):
         written(tmp_path / "drawn.svg", decimals, "mm", relative=True, curves=drawn)
-        run = CliRunner().invoke(elastica, ["check", str(tmp_path / "drawn.svg")])
-        assert words in run.output
+        told = run("check", tmp_path / "drawn.svg", code=None)
+        assert words in told.output

@@ -7,26 +7,20 @@ import sys
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 from scipy.integrate import solve_bvp
 
 from elastica_cad import NotConvergedError, PlaneCurve, Sheet, StripSpec
-from elastica_cad.cli.commands import elastica
 from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics import RoundLaw, ThicknessLaw
 from elastica_cad.model.batten import BattenSpec, bench_drawing
+from tests.command_line import run
 
 ASKED = ("--sheet", "pom-1", "--length", "2400", "--camber", "10", "--at", "40")
 
 
-def run(*arguments):
-    return CliRunner().invoke(elastica, ["batten", *map(str, arguments)])
-
-
 def test_the_files_say_what_is_told(tmp_path, check_drawing_file):
-    told = run(*ASKED, "--stock", 25, 8, "--least", 3, "--every", 300, "--weight", "-o", tmp_path)
-    assert told.exit_code == 0, told.output
+    told = run("batten", *ASKED, "--stock", 25, 8, "--least", 3, "--every", 300, "--weight", "-o", tmp_path)
     assert "camber 10.00 % at 40.00 % of the chord" in told.output
     assert "under its own weight, lying level and bulging down: camber" in told.output
     rows = list(csv.DictReader((tmp_path / "batten.csv").read_text().splitlines()))
@@ -47,8 +41,7 @@ def test_what_cannot_be_written_is_told(tmp_path, monkeypatch):
     """No CAD kernel and no matplotlib: the other files, and how to get these."""
     for module in ("OCP", "matplotlib"):
         monkeypatch.setitem(sys.modules, module, None)
-    told = run(*ASKED, "--stock", 25, 8, "--least", 3, "-o", tmp_path)
-    assert told.exit_code == 0, told.output
+    told = run("batten", *ASKED, "--stock", 25, 8, "--least", 3, "-o", tmp_path)
     assert re.search("not written: STEP; .*build123d", told.output)
     assert re.search("not written: PDF; .*matplotlib", told.output)
     assert sorted(one.suffix for one in tmp_path.iterdir()) == [".csv", ".dxf", ".json", ".svg"]
@@ -190,8 +183,7 @@ def test_what_is_too_heavy_to_bulge_is_told():
 
 
 def test_leaves_instead_of_a_plane(tmp_path, check_drawing_file):
-    told = run(*ASKED, "--stock", 25, 8, "--least", 3, "--leaves", 4, "-o", tmp_path)
-    assert told.exit_code == 0, told.output
+    told = run("batten", *ASKED, "--stock", 25, 8, "--least", 3, "--leaves", 4, "-o", tmp_path)
     assert "4 leaves of 2 mm" in told.output
     report = json.loads((tmp_path / "batten.json").read_text())
     assert report["camber"] == pytest.approx(0.1, abs=2e-3)
@@ -210,17 +202,14 @@ def test_leaves_instead_of_a_plane(tmp_path, check_drawing_file):
 @pytest.mark.parametrize(("place", "towards"), [(25, "at least"), (80, "at most")])
 def test_the_place_that_is_told_instead_can_be_made(place, towards, tmp_path):
     asked = ("--sheet", "pom-1", "--length", 2400, "--camber", 10, "--stock", 25, 8, "-o", tmp_path)
-    refused = run(*asked, "--at", place)
-    assert refused.exit_code == 2
+    refused = run("batten", *asked, "--at", place, code=2)
     told = re.search(rf"move the camber to {towards} (\d\d\.\d) %", refused.output)[1]
-    made = run(*asked, "--at", told)
-    assert made.exit_code == 0, made.output
+    made = run("batten", *asked, "--at", told)
     assert f"camber 10.00 % at {float(told):.2f} % of the chord" in made.output
 
 
 def test_stock_as_it_is_sold_in_inches(tmp_path):
-    told = run(*ASKED, "--stock", "1in", "5/16in", "-o", tmp_path)
-    assert told.exit_code == 0, told.output
+    run("batten", *ASKED, "--stock", "1in", "5/16in", "-o", tmp_path)
     *_, thick = csv.DictReader((tmp_path / "batten.csv").read_text().splitlines())
     assert float(thick["thickness_inch"]) == pytest.approx(0.3125, abs=5.1e-4)
 
@@ -250,8 +239,7 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
     ],
 )
 def test_a_slip_is_one_sentence(arguments, said, tmp_path):
-    told = run(*ASKED, *arguments, "-o", tmp_path)
-    assert told.exit_code == 2
+    told = run("batten", *ASKED, *arguments, "-o", tmp_path, code=2)
     assert re.search(said, told.output), told.output
     assert not list(tmp_path.iterdir())
 

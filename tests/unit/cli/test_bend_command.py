@@ -4,15 +4,10 @@ import re
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import elastica_cad as ec
-from elastica_cad.cli.commands import elastica
 from elastica_cad.formats import curves_json
-
-
-def run(*arguments):
-    return CliRunner().invoke(elastica, [str(argument) for argument in arguments])
+from tests.command_line import run
 
 
 @pytest.fixture
@@ -26,7 +21,6 @@ def test_bend_leads_the_ends(drawn, tmp_path):
     result = run(
         "bend", drawn, "--from", 180, 0, "--to", -170, 30, "--end-angle", 250, "--steps", 3, "-o", tmp_path
     )
-    assert result.exit_code == 0, result.output
     shapes = ec.read_curves(tmp_path / "bow-bent.json")
     assert len(shapes) == 3
     table = np.loadtxt(tmp_path / "bow-bent.csv", delimiter=",", skiprows=1)
@@ -43,7 +37,7 @@ def test_bend_leads_the_ends(drawn, tmp_path):
 def test_a_straight_strip_buckles_to_the_side_asked_for(tmp_path):
     arguments = ("bend", "--straight", 100, "--to", 70, 0, "--hold-start", "pinned", "--hold-end", "pinned")
     for side, sign in (("left", 1), ("right", -1)):
-        assert run(*arguments, "--side", side, "-o", tmp_path / side).exit_code == 0
+        run(*arguments, "--side", side, "-o", tmp_path / side)
         table = np.loadtxt(tmp_path / side / "straight-bent.csv", delimiter=",", skiprows=1)
         peak = table[np.argmax(np.abs(table[:, 3])), 3]
         assert sign * peak > 30
@@ -64,8 +58,7 @@ def test_a_straight_strip_buckles_to_the_side_asked_for(tmp_path):
     ],
 )
 def test_bend_refuses_in_words(arguments, message, tmp_path):
-    result = run("bend", *arguments, "-o", tmp_path)
-    assert result.exit_code == 2
+    result = run("bend", *arguments, "-o", tmp_path, code=2)
     assert message in result.stderr
     assert list(tmp_path.iterdir()) == []
 
@@ -73,8 +66,21 @@ def test_bend_refuses_in_words(arguments, message, tmp_path):
 @pytest.mark.parametrize(("distance", "tips"), [(5, True), (200, False)])
 def test_a_strip_that_tips_sideways_on_its_way_is_told(distance, tips, tmp_path):
     """Nearly a loop (an elastica of modulus 0.9) it leaves its plane in CalculiX too: docs/finite_elements.md."""
-    result = run("bend", "--straight", 300, "--to", distance, 0, "--steps", 3, "--side", "left",
-                 "--sheet", "birch-plywood-0.8", "--max-width", 5, "-o", tmp_path)  # fmt: skip
+    result = run(
+        "bend --straight 300 --to",
+        distance,
+        0,
+        "--steps",
+        3,
+        "--side",
+        "left",
+        "--sheet",
+        "birch-plywood-0.8",
+        "--max-width",
+        5,
+        "-o",
+        tmp_path,
+    )
     said = re.search(
         r"Warning: at ([\d.]+) mm of travel, sideways margin -[\d.]+ \(unstable\): it tips", result.stderr
     )

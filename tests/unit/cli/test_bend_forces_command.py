@@ -3,27 +3,19 @@
 import csv
 import json
 import re
-from contextlib import chdir
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 from elastica_cad import Rod, Sheet, bend, bend_strip, make_strip, read_curves, stability_limit
-from elastica_cad.cli.commands import elastica
+from tests.command_line import run
 
 ARCH = "0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n"
 
 
-def typed(line, cwd):
-    with chdir(cwd):
-        return CliRunner().invoke(elastica, line.split(), catch_exceptions=False)
-
-
 def test_a_spring_and_its_force_travel_curve(tmp_path):
     line = "bend --straight 120 --sheet spring-steel-0.2 --max-width 10 --to 110 0 --steps 5 -o out"
-    made = typed(line, tmp_path)
-    assert made.exit_code == 0, made.stderr
+    made = run(line, cwd=tmp_path)
     rows = list(csv.DictReader((tmp_path / "out" / "straight-travel.csv").read_text().splitlines()))
     assert [round(float(row["travel_mm"]), 6) for row in rows] == [2.0, 4.0, 6.0, 8.0, 10.0]
     energy = [float(row["energy_Nmm"]) for row in rows]
@@ -39,15 +31,14 @@ def test_a_spring_and_its_force_travel_curve(tmp_path):
 
 def test_a_strain_beyond_the_sheet_is_told(tmp_path):
     line = "bend --straight 60 --sheet acrylic-3 --max-width 10 --to 30 0 -o out"
-    made = typed(line, tmp_path)
-    assert made.exit_code == 0
+    made = run(line, cwd=tmp_path)
     assert "strained beyond what the sheet bears" in made.stderr
 
 
 def test_where_it_snaps_and_where_its_strain_is_too_much_is_told_between_steps(tmp_path):
     (tmp_path / "arch.csv").write_text(ARCH)
     line = "bend arch.csv --sheet pom-1 --max-width 10 --to -100 0 --steps 4 -o out --json"
-    made = typed(line, tmp_path)
+    made = run(line, cwd=tmp_path)
     told, sheet = json.loads(made.stdout), Sheet.named("pom-1")
     strip = make_strip(read_curves(tmp_path / "arch.csv")[0], sheet, max_width=10.0)
     limit = stability_limit(strip.rod_to_bend, [(-100.0, 0.0)])
@@ -62,15 +53,13 @@ def test_where_it_snaps_and_where_its_strain_is_too_much_is_told_between_steps(t
 
 
 def test_a_width_without_a_material(tmp_path):
-    made = typed("bend --straight 60 --max-width 10 --to 30 0", tmp_path)
-    assert made.exit_code == 2
+    made = run("bend --straight 60 --max-width 10 --to 30 0", cwd=tmp_path, code=2)
     assert "add --sheet" in made.stderr
 
 
 def test_a_wide_spring_pushes_as_the_plate_that_it_becomes(tmp_path, wide_strips):
     """Straight it bends with E; where it is bent its edges alone curl across, and it is up to a tenth stiffer."""
-    made = typed("bend --straight 120 --sheet spring-steel-0.2 --max-width 20 --to 40 0 -o out", tmp_path)
-    assert made.exit_code == 0, made.stderr
+    run("bend --straight 120 --sheet spring-steel-0.2 --max-width 20 --to 40 0 -o out", cwd=tmp_path)
     (row,) = csv.DictReader((tmp_path / "out" / "straight-travel.csv").read_text().splitlines())
     beam = bend(Rod.straight(120.0), end=(40.0, 0.0))
     strip = wide_strips.OwnStrip.cut(lambda s: np.full(np.shape(s), 20.0), Sheet.named("spring-steel-0.2"))
@@ -86,8 +75,7 @@ def test_a_drawn_strip_is_as_wide_as_the_strip_that_is_made_of_it(tmp_path, grav
     (tmp_path / "arch.csv").write_text(ARCH)
     weight = " --gravity" if gravity else ""
     line = f"bend arch.csv --sheet acrylic-2 --max-width 40 --to 250 0 -o out{weight}"
-    made = typed(line, tmp_path)
-    assert made.exit_code == 0, made.stderr
+    run(line, cwd=tmp_path)
     (row,) = csv.DictReader((tmp_path / "out" / "arch-travel.csv").read_text().splitlines())
     (curve,) = read_curves(tmp_path / "arch.csv")
     moved = bend_strip(make_strip(curve, "acrylic-2", max_width=40.0, gravity=gravity), [(250.0, 0.0)])
@@ -98,7 +86,7 @@ def test_a_drawn_strip_is_as_wide_as_the_strip_that_is_made_of_it(tmp_path, grav
 def test_other_keys_of_the_strip_are_set(tmp_path):
     (tmp_path / "arch.csv").write_text(ARCH)
     line = "bend arch.csv --sheet pom-1 --to 300 0 --set max_width=12 --set samples=301 -o out --json"
-    told = json.loads(typed(line, tmp_path).stdout)
+    told = json.loads(run(line, cwd=tmp_path).stdout)
     strip = make_strip(read_curves(tmp_path / "arch.csv")[0], "pom-1", max_width=12.0, samples=301)
     moved = bend_strip(strip, [(300.0, 0.0)])
     assert told["travel"]["force_along_N"] == pytest.approx(moved.force_along.tolist(), rel=1e-4)
@@ -118,8 +106,7 @@ def test_other_keys_of_the_strip_are_set(tmp_path):
 )
 def test_settings_are_refused_in_a_sentence(words, says, tmp_path):
     (tmp_path / "arch.csv").write_text(ARCH)
-    made = typed(f"bend arch.csv --to 300 0 {words}", tmp_path)
-    assert made.exit_code == 2
+    made = run(f"bend arch.csv --to 300 0 {words}", cwd=tmp_path, code=2)
     assert says in made.stderr
 
 
@@ -133,14 +120,14 @@ def test_the_share_at_which_it_snaps_is_of_the_whole_movement(tmp_path, to):
     (tmp_path / "low.csv").write_text(LOW)
     shares = []
     for steps in (1, 6):
-        made = typed(f"bend low.csv {to} --steps {steps} -o out --force", tmp_path)
+        made = run(f"bend low.csv {to} --steps {steps} -o out --force", cwd=tmp_path)
         shares += [float(one) for one in re.findall(r"the rod snaps ([\d.]+) %", made.stderr)[:1]]
     assert shares == pytest.approx([shares[0]] * 2, abs=0.3)
 
 
 def test_places_of_a_turn_are_in_degrees(tmp_path):
     (tmp_path / "low.csv").write_text(LOW)
-    made = typed(f"bend low.csv {TURNED} --steps 6 -o out --json", tmp_path)
+    made = run(f"bend low.csv {TURNED} --steps 6 -o out --json", cwd=tmp_path)
     told = json.loads(made.stdout)
     (share,) = re.findall(r"the rod snaps ([\d.]+) %", "\n".join(told["notes"]))
     whole = told["travel"]["turn_deg"][-1]

@@ -1,13 +1,11 @@
 """`elastica bend` of the report of a strip: the same strip, with what the options replace."""
 
 import json
-from contextlib import chdir
 from dataclasses import fields, is_dataclass, replace
 from typing import get_args, get_type_hints
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 from elastica_cad import (
     Hole,
@@ -23,12 +21,12 @@ from elastica_cad import (
     make_strip,
     read_curves,
 )
-from elastica_cad.cli.commands import elastica
 from elastica_cad.design.strip_request import RECORDS, SOLVED, FinishedStrip, request_record
 from elastica_cad.files import read_drawing
 from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.mechanics import LeavesLaw, RestCurvature, ThicknessLaw
 from elastica_cad.strip import TSlot
+from tests.command_line import run
 
 ARCH = "0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n"
 SINE = PlaneCurve.fit(
@@ -42,14 +40,8 @@ def without_pictures(monkeypatch):
     monkeypatch.setattr("elastica_cad.cli.bend_command.can_draw", lambda: False)
 
 
-def typed(line, cwd):
-    with chdir(cwd):
-        return CliRunner().invoke(elastica, line.split(), catch_exceptions=False)
-
-
 def bent(line, cwd):
-    made = typed(f"{line} --json --force", cwd)
-    assert made.exit_code == 0, made.output
+    made = run(f"{line} --json --force", cwd=cwd)
     return json.loads(made.stdout)
 
 
@@ -67,8 +59,7 @@ def bent(line, cwd):
 )
 def test_a_report_holds_all_of_its_strip(tmp_path, made):
     (tmp_path / "arch.csv").write_text(ARCH)
-    written = typed(f"strip arch.csv {made} --no-step --no-pictures -o out", tmp_path)
-    assert written.exit_code == 0, written.output
+    run(f"strip arch.csv {made} --no-step --no-pictures -o out", cwd=tmp_path)
     report = json.loads((tmp_path / "out" / "arch.json").read_text())
     told = bent("bend out/arch.json -o bent", tmp_path)
     (rest,), (again,) = (read_curves(tmp_path / name) for name in ("out/arch.json", "bent/arch-bent.json"))
@@ -86,7 +77,7 @@ def test_supports_are_those_of_the_report_unless_an_option_says_others(tmp_path)
     assert told["travel"]["end_moment_Nmm"] == pytest.approx([0.0], abs=1e-9)
     turned = bent("bend sine.json --hold-end clamped --end-angle -70 -o bent", tmp_path)
     assert turned["shapes"][0]["angles"][1] == pytest.approx(np.radians(-70))
-    said = typed("bend sine.json --hold-end clamped -o bent --force", tmp_path).stdout
+    said = run("bend sine.json --hold-end clamped -o bent --force", cwd=tmp_path).stdout
     assert "with its ends held otherwise; here its end clamped" in said
 
 
@@ -164,8 +155,7 @@ def test_a_report_under_another_load_comes_to_rest(loaded, more):
 
 
 def test_a_mass_that_no_width_carries_bends_the_strip_of_a_report(loaded):
-    told = typed("bend light.json --gravity --set loads=[{at=90,mass=9e4}] -o bent --force", loaded)
-    assert told.exit_code == 0, told.output
+    told = run("bend light.json --gravity --set loads=[{at=90,mass=9e4}] -o bent --force", cwd=loaded)
     assert "it snaps" in told.output
 
 
@@ -183,13 +173,12 @@ def test_the_unit_of_a_report_is_that_of_its_lengths(loaded):
 def test_what_a_finished_strip_has_no_use_for_is_refused(tmp_path):
     report(StripSpec(SINE, "pom-0.5", max_width=30), tmp_path / "sine.json")
     for idle in ("nearest", "smooth 0.1", "set limits.margin=5", "set keep.length=true"):
-        made = typed(f"bend sine.json --{idle}", tmp_path)
-        assert made.exit_code == 2
+        made = run(f"bend sine.json --{idle}", cwd=tmp_path, code=2)
         assert "the strip of a report is finished" in made.stderr
     data = json.loads((tmp_path / "sine.json").read_text())
     data["request"]["sheet"] = {"record": "os"}
     (tmp_path / "bad.json").write_text(json.dumps(data))
-    assert "make the report again" in typed("bend bad.json", tmp_path).stderr
+    assert "make the report again" in run("bend bad.json", cwd=tmp_path, code=2).stderr
     del data["request"]
     (tmp_path / "old.json").write_text(json.dumps(data))
     assert bent("bend old.json --to 250 0 -o bent", tmp_path)["travel"] is None

@@ -4,13 +4,12 @@ import json
 import re
 
 import pytest
-from click.testing import CliRunner
 
 import elastica_cad as ec
 from elastica_cad import InputError
-from elastica_cad.cli.commands import elastica
 from elastica_cad.design.measuring_sheet import read_measuring, read_readings
 from elastica_cad.formats import curves_json
+from tests.command_line import run
 
 
 @pytest.fixture(scope="module")
@@ -20,28 +19,31 @@ def report(tmp_path_factory):
     drawn.write_text(
         curves_json([ec.PlaneCurve.spline([(0, 0), (30, 120), (140, 170), (240, 90), (320, 0)])])
     )
-    made = run("strip", drawn, "--sheet", "birch-plywood-0.8", "--max-width", 30, "--no-step", "--no-pictures",
-               "-o", folder / "out")  # fmt: skip
-    assert made.exit_code == 0, made.output
+    run(
+        "strip",
+        drawn,
+        "--sheet",
+        "birch-plywood-0.8",
+        "--max-width",
+        30,
+        "--no-step",
+        "--no-pictures",
+        "-o",
+        folder / "out",
+    )
     return folder / "out" / "arch.json"
 
 
-def run(*words):
-    return CliRunner().invoke(elastica, [str(word) for word in words])
-
-
 def test_a_page_and_readings_to_fill_in(report):
-    made = run("compare", report)
-    assert made.exit_code == 0, made.output
+    run("compare", report)
     folder = report.parent
     assert "<svg" in (folder / "arch-measure.svg").read_text()
     readings = folder / "arch-measured.toml"
     assert readings.read_text().count("# height_") == 3
-    assert run("compare", report).exit_code == 2  # they are there
+    run("compare", report, code=2)  # they are there
     filled = re.sub(r"^# (\w+ = [\d.]+)", r"\1", readings.read_text(), flags=re.MULTILINE)
     readings.write_text(filled)
     told = run("compare", report, readings)
-    assert told.exit_code == 0, told.output
     assert told.output.rstrip().endswith("within what sheet, cut, clamps and model leave open")
 
 
@@ -65,16 +67,14 @@ def test_a_clamp_that_gives_way_is_told(report, tmp_path):
 def test_readings_that_are_none(report, tmp_path, text, said):
     readings = tmp_path / "measured.toml"
     readings.write_text(text)
-    told = run("compare", report, readings)
-    assert told.exit_code == 2
+    told = run("compare", report, readings, code=2)
     assert said in told.output
 
 
 def test_a_file_that_is_no_report(tmp_path):
     path = tmp_path / "other.json"
     path.write_text("{}")
-    told = run("compare", path)
-    assert told.exit_code == 2
+    told = run("compare", path, code=2)
     assert "is no report of an open strip" in told.output
 
 

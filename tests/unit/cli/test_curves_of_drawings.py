@@ -5,9 +5,8 @@ import tomllib
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
-from elastica_cad.cli import commands
+from tests.command_line import run
 
 pytest.importorskip("svgelements")
 
@@ -28,13 +27,9 @@ def drawing(tmp_path):
     return path
 
 
-def elastica(*words, stdin=""):
-    return CliRunner().invoke(commands.elastica, [*map(str, words)], input=stdin, catch_exceptions=False)
-
-
 @pytest.mark.campaign
 def test_every_curve_is_judged_for_itself(drawing):
-    done = elastica("check", drawing)
+    done = run("check", drawing, code=2)
     said, told = done.stdout, done.stderr
     assert done.exit_code == 2
     assert "curve 1 (arch, layer Cut) of 3:\nA flat strip can take this curve" in said
@@ -50,14 +45,14 @@ def test_a_verdict_that_many_curves_have_is_said_once(tmp_path):
     (tmp_path / "five.svg").write_text(
         f'<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="300mm" viewBox="0 0 300 300">{paths}</svg>'
     )
-    said = elastica("check", tmp_path / "five.svg").stdout
+    said = run("check", tmp_path / "five.svg").stdout
     assert "curve 1 (a0) to curve 5 (a240) of 5:" in said
     assert said.count("A flat strip can take this curve") == 1
 
 
 @pytest.mark.parametrize("choice", [("--curve", "bow"), ("--curve", "3"), ("--layer", "Notes")])
 def test_a_curve_is_chosen_by_number_id_or_layer(drawing, choice):
-    answers = json.loads(elastica("check", drawing, *choice, "--json").stdout)
+    answers = json.loads(run("check", drawing, *choice, "--json").stdout)
     assert [one["realizable"] for one in answers] == [True]
 
 
@@ -67,38 +62,34 @@ def test_one_curve_of_several_gets_the_whole_verdict(drawing, tmp_path, choice):
     alone.write_text(
         drawing.read_text().replace("<path", "<desc").replace('<desc id="bow"', '<path id="bow"')
     )
-    said, expected = (elastica("check", *words).stdout for words in ((drawing, *choice), (alone,)))
+    said, expected = (run("check", *words).stdout for words in ((drawing, *choice), (alone,)))
     assert "The widest place of a plain strip" in expected
     read, verdict = expected.split("\n", maxsplit=1)
     assert read == "Read  100.0 x 30.0 mm (mm, from width and height), 1 spline, exact"
     assert said == f"{read}\ndrawn.svg, curve 3 (bow, layer Notes) of 3:\n{verdict}"
-    told = elastica("check", drawing, "--curve", "corner")
-    assert told.exit_code == 2
+    told = run("check", drawing, "--curve", "corner", code=2)
     assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in told.stderr
 
 
 def test_a_choice_that_is_not_there_is_told_with_those_that_are(drawing):
-    done = elastica("check", drawing, "--curve", "nix")
-    assert done.exit_code == 2
+    done = run("check", drawing, "--curve", "nix", code=2)
     assert "nix is not among them" in done.stderr
     assert "1 (arch, layer Cut), 2 (corner, layer Cut), 3 (bow, layer Notes)" in done.stderr
 
 
 def test_a_drawing_comes_through_a_pipe(drawing):
-    done = elastica("check", "-", "--curve", "bow", stdin=drawing.read_text())
-    assert done.exit_code == 0
+    done = run("check", "-", "--curve", "bow", input=drawing.read_text())
     assert "can take this curve" in done.stdout
-    assert "standard input is empty" in elastica("check", "-", stdin="").stderr
+    assert "standard input is empty" in run("check", "-", input="", code=2).stderr
     points = "0, 0\n10, 8\n20, 12\n30, 13\n40, 12\n50, 8\n60, 0\n"
-    assert elastica("check", "-", stdin=points).exit_code == 0
+    run("check", "-", input=points)
 
 
 @pytest.mark.campaign
 def test_a_strip_for_every_curve_and_none_spoils_the_others(drawing, tmp_path):
     out = tmp_path / "out"
     wishes = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "-o", out)
-    done = elastica("strip", drawing, "--all", *wishes)
-    assert done.exit_code == 1
+    done = run("strip", drawing, "--all", *wishes, code=1)
     assert {"drawn-arch.dxf", "drawn-bow.dxf"} <= {path.name for path in out.iterdir()}
     assert not (out / "drawn-corner.dxf").exists()
     assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in done.stderr
@@ -110,7 +101,7 @@ def test_a_saved_design_knows_curves_by_name_and_leaves_out_what_was_refused(dra
     drawing.write_text(drawing.read_text().replace('id="bow"', 'id="path9" inkscape:label="Böw"'))
     design = tmp_path / "class.toml"
     wishes = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "--no-pictures", "--no-step")
-    done = elastica("strip", drawing, "--all", *wishes, "--save-design", design, "-o", tmp_path / "out")
+    done = run("strip", drawing, "--all", *wishes, "--save-design", design, "-o", tmp_path / "out", code=1)
     assert f"1 of 3 curves made no strip as asked; {design} leaves them out" in done.stderr
     saved = tomllib.loads(design.read_text())["strips"]
     assert [(one["label"], one["curve"]["id"]) for one in saved] == [("arch", "arch"), ("Bow", "Böw")]
@@ -119,16 +110,14 @@ def test_a_saved_design_knows_curves_by_name_and_leaves_out_what_was_refused(dra
     moved = f"<path{moved}"
     drawing.write_text(drawing.read_text().replace(moved, "").replace("</svg>", f"{moved}</svg>"))
     assert lengths_of(design, tmp_path / "after") == before
-    again = elastica("strip", drawing, "--all", *wishes, "--save-design", design, "-o", tmp_path / "again")
-    assert again.exit_code == 2
+    run("strip", drawing, "--all", *wishes, "--save-design", design, "-o", tmp_path / "again", code=2)
     assert not (tmp_path / "again").exists(), "refused before anything is made"
 
 
 def lengths_of(design, folder):
     """How long the parts of a design are cut, by their names."""
     quick = ("--no-effects", "--no-pictures", "--no-step", "--no-parts")
-    done = elastica("model", design, *quick, "--json", "-o", folder)
-    assert done.exit_code == 0, done.stderr
+    done = run("model", design, *quick, "--json", "-o", folder)
     return {one["name"]: one["length"] for one in json.loads(done.stdout)["parts"]}
 
 
@@ -137,7 +126,7 @@ def test_a_column_that_makes_no_curve_spoils_no_other(tmp_path):
     rows = "\n".join(f"0,1,{5 + k}" for k in range(5))
     (tmp_path / "lines.csv").write_text(f"Station,A,B\n{rows}\n")
     wishes = ("--sheet", "card-200gsm", "--max-width", 2, "--no-pictures", "--no-step")
-    done = elastica("strip", tmp_path / "lines.csv", "--all", *wishes, "-o", tmp_path / "out")
+    done = run("strip", tmp_path / "lines.csv", "--all", *wishes, "-o", tmp_path / "out", code=1)
     assert "curve 1 (A) of 2: a curve needs two different points" in done.stderr
     assert "1 of 2 curves made no strip as asked" in done.stderr
     assert "nan" not in done.stderr
@@ -152,7 +141,7 @@ def test_a_model_warns_of_a_strip_that_will_not_stay(tmp_path):
         'schema = 1\nsheet = "card-200gsm"\nmax_width = 10\n[[strips]]\nlabel = "W"\ncurve = "wave.csv"\n'
     )
     quick = ("--no-effects", "--no-pictures", "--no-step", "--no-parts")
-    done = elastica("model", design, *quick, "-o", tmp_path / "kit")
+    done = run("model", design, *quick, "-o", tmp_path / "kit")
     assert "Note: W: margin -0.613 (unstable): in balance but it will not stay" in done.stderr
     assert "it will not stay" in (tmp_path / "kit" / "index.html").read_text()
 
@@ -174,8 +163,7 @@ def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path)
             "-o",
             out,
         )
-        done = elastica(*words, *(() if smooth is None else ("--set", f"smooth={smooth}")))
-        assert done.exit_code == 0, done.stderr
+        done = run(*words, *(() if smooth is None else ("--set", f"smooth={smooth}")))
         report = json.loads((out / "drawn-arch.json").read_text())
         ratios[smooth] = report["ratio"]
         moved = report["smoothing"]["moved"]
@@ -199,8 +187,7 @@ def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path)
     (("--max-width", "30", "--set", "samples=" + "9" * 20), "at most 1e+09"),
 ])  # fmt: skip
 def test_numbers_at_the_edge_are_refused_in_a_sentence(drawing, words, sentence):
-    done = elastica("strip", drawing, "--curve", "arch", "--sheet", "birch-plywood-0.8", *words)
-    assert done.exit_code == 2
+    done = run("strip", drawing, "--curve", "arch", "--sheet", "birch-plywood-0.8", *words, code=2)
     assert sentence in done.stderr
     assert done.stderr.strip().count("\n") <= 1
 
@@ -213,8 +200,7 @@ def test_a_design_file_chooses_by_id_and_layer_and_smooths(drawing, tmp_path):
         '[[strips]]\nlabel = "B"\ncurve = { file = "drawn.svg", layer = "Notes" }\nsmooth = 0\n'
         "origin = [0, 90, 0]\n"
     )
-    done = elastica("model", design, "-o", tmp_path / "out", "--no-step", "--no-pictures")
-    assert done.exit_code == 0, done.stderr
+    run("model", design, "-o", tmp_path / "out", "--no-step", "--no-pictures")
 
 
 ARCH = [(0, 0), (60, 150), (150, 190), (240, 150), (300, 0)]
@@ -226,7 +212,7 @@ def test_a_gap_between_two_curves_is_told(tmp_path):
         '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="100mm" viewBox="0 0 300 100">'
         '<path d="M10 80 C 40 20 60 20 100 40"/><path d="M100.2 40 C 140 60 160 60 200 20"/></svg>'
     )
-    told = elastica("check", drawing).stderr
+    told = run("check", drawing).stderr
     assert "curve 1 and curve 2 end 0.2 mm apart near (100, -40) mm and are two strips" in told
 
 
@@ -237,7 +223,7 @@ def test_of_many_refusals_the_first_are_told_and_the_others_counted(tmp_path):
     path.write_text(
         f'<svg xmlns="http://www.w3.org/2000/svg" width="300mm" viewBox="0 0 300 300">{corners}</svg>'
     )
-    told = elastica("check", path).stderr.splitlines()
+    told = run("check", path, code=2).stderr.splitlines()
     assert len(told) <= 10
     assert told[-1].startswith("30 of 30 curves are no open, smooth curves, of which the first 7 are told")
-    assert len(elastica("check", path, "-v").stderr.splitlines()) > 30
+    assert len(run("check", path, "-v", code=2).stderr.splitlines()) > 30

@@ -7,14 +7,13 @@ import signal
 import subprocess
 import sys
 import time
-from contextlib import chdir
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
 from elastica_cad.cli.commands import elastica
 from elastica_cad.strip.measuring import ANGLES, LENGTHS
+from tests.command_line import run
 
 ROOT = Path(__file__).resolve().parents[3]
 SHEET = ("--sheet", "birch-plywood-0.8")
@@ -44,11 +43,6 @@ def command(*words):
     return [sys.executable, "-m", "elastica_cad", *map(str, words)]
 
 
-def typed(*words, cwd):
-    with chdir(cwd):
-        return CliRunner().invoke(elastica, [*map(str, words)], catch_exceptions=False)
-
-
 @pytest.fixture
 def folder(tmp_path):
     (tmp_path / "bow.txt").write_text(BOW)
@@ -64,7 +58,7 @@ def folder(tmp_path):
     (tmp_path / "made.json").write_text(json.dumps({"measuring": chord}))
     (tmp_path / "read.toml").write_text("chord = 90.5")
     for kind in ("arch", "sections"):
-        assert typed("new", kind, "-q", cwd=tmp_path).exit_code == 0
+        run("new", kind, "-q", cwd=tmp_path)
     return tmp_path
 
 
@@ -76,8 +70,7 @@ def test_every_command_is_documented_and_tried():
 
 @pytest.mark.parametrize("name", TYPED)
 def test_a_command_prints_one_record_with_the_documented_keys(folder, name):
-    done = typed(name, *TYPED[name], "--json", cwd=folder)
-    assert done.exit_code == 0, done.stderr
+    done = run(name, *TYPED[name], "--json", cwd=folder)
     record = json.loads(done.stdout)
     usual = {"schema", "notes", "files"}
     if name == "check":
@@ -93,7 +86,7 @@ def test_a_command_prints_one_record_with_the_documented_keys(folder, name):
 
 @pytest.mark.campaign
 def test_a_refusal_is_a_record_too(folder):
-    done = typed("strip", "bow.txt", "--sheet", "no such sheet", "--json", cwd=folder)
+    done = run("strip", "bow.txt", "--sheet", "no such sheet", "--json", cwd=folder, code=2)
     record = json.loads(done.stdout)
     assert set(record) == KEYS["error"] | {"schema"}
     assert record["exit_code"] == done.exit_code == 2
@@ -104,10 +97,10 @@ def test_a_refusal_is_a_record_too(folder):
 
 @pytest.mark.campaign
 def test_quiet_says_nothing_and_verbose_every_step(folder):
-    quiet = typed("strip", "bow.txt", *SHEET, "--max-width", 20, "-q", "-o", "a", cwd=folder)
+    quiet = run("strip", "bow.txt", *SHEET, "--max-width", 20, "-q", "-o", "a", cwd=folder)
     assert (quiet.exit_code, quiet.stdout, quiet.stderr) == (0, "", "")
     assert (folder / "a" / "bow.dxf").exists()
-    wordy = typed("model", "arch.toml", "-o", "b", "--no-step", "--no-pictures", "-v", cwd=folder)
+    wordy = run("model", "arch.toml", "-o", "b", "--no-step", "--no-pictures", "-v", cwd=folder)
     assert re.search(r"^ +[0-9.]+ s  made strip ARCH$", wordy.stderr, re.MULTILINE)
     assert re.search(r"s  wrote \S+ \(1 of \d+\)$", wordy.stderr, re.MULTILINE)
 
@@ -115,7 +108,7 @@ def test_quiet_says_nothing_and_verbose_every_step(folder):
 @pytest.mark.campaign
 def test_a_width_meant_in_mm_is_told_where_lengths_are_inches(folder):
     words = ("--units", "inch", "--max-width", "40", "-o", "out")
-    made = typed("strip", "arch.dxf", "--sheet", "card-200gsm", *words, cwd=folder)
+    made = run("strip", "arch.dxf", "--sheet", "card-200gsm", *words, cwd=folder)
     assert "1016 mm wide" in made.stderr
     assert "look at its unit" in made.stderr
 
@@ -134,7 +127,7 @@ def test_a_width_meant_in_mm_is_told_where_lengths_are_inches(folder):
     ],
 )
 def test_lengths_may_be_inches(folder, words):
-    said = typed("strip", "bow.txt", *SHEET, *words, "-o", "out", "--json", cwd=folder).stdout
+    said = run("strip", "bow.txt", *SHEET, *words, "-o", "out", "--json", cwd=folder).stdout
     (report,) = json.loads(said)["strips"]
     assert report["width"]["largest"] == pytest.approx(38.1)
 
@@ -144,14 +137,14 @@ def test_what_stays_in_mm_is_told_where_lengths_are_inches(folder):
     """A slot meant 2 inches along, of 0.05 inch, came out at 2 mm and 0.05 mm wide without a word."""
     words = ("strip", "bow.txt", *SHEET, "--max-width", "1", "--units", "inch", "--json")
     slot = ("--set", "slots = [{ at = 60, width = 1.27 }]", "--natural-curvature", "0")
-    told = json.loads(typed(*words, *slot, "-o", "a", cwd=folder).stdout)
+    told = json.loads(run(*words, *slot, "-o", "a", cwd=folder).stdout)
     assert [text for text in told["notes"] if "whatever --units says" in text] == [
         'Note: --set: lengths are mm, as in design files; 5 inches are "5*inch", whatever --units says',
         "Note: --natural-curvature: in 1/mm, of which 1/inch is 0.03937, whatever --units says",
     ]
     inches = ("--set", 'slots = [{ at = "60/25.4*inch", width = "0.05*inch" }]')
-    assert typed(*words, *inches, "-o", "b", cwd=folder).exit_code == 0
-    plain = typed(*words[:4], "--max-width", "25.4", *slot[:2], "-o", "c", "--json", cwd=folder)
+    run(*words, *inches, "-o", "b", cwd=folder)
+    plain = run(*words[:4], "--max-width", "25.4", *slot[:2], "-o", "c", "--json", cwd=folder)
     assert not any("whatever --units says" in text for text in json.loads(plain.stdout)["notes"])
     cut = [(folder / name / "bow.svg").read_text().partition("</desc>")[2] for name in "bc"]
     assert cut[0] == cut[1]
@@ -160,8 +153,7 @@ def test_what_stays_in_mm_is_told_where_lengths_are_inches(folder):
 
 @pytest.mark.campaign
 def test_lengths_without_sense_are_refused(folder):
-    done = typed("strip", "bow.txt", *SHEET, "--max-width", "3parsec", cwd=folder)
-    assert done.exit_code == 2
+    done = run("strip", "bow.txt", *SHEET, "--max-width", "3parsec", cwd=folder, code=2)
     assert (
         "'3parsec' is no length: give a number of mm, or a length with its unit such as 1.5in" in done.stderr
     )

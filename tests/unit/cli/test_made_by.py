@@ -4,11 +4,10 @@ import subprocess
 
 import ezdxf
 import pytest
-from click.testing import CliRunner
 
 from elastica_cad import PlaneCurve, write_curves
 from elastica_cad._text import MADE_BY, command_of_drawings, quote_words
-from elastica_cad.cli.commands import elastica
+from tests.command_line import run
 
 ARCH = PlaneCurve.spline([(0, 0), (60, 150), (150, 190), (240, 150), (300, 0)])
 
@@ -18,8 +17,7 @@ def test_drawings_carry_the_command_that_made_them(tmp_path):
     write_curves([ARCH], tmp_path / "my arch.json")
     words = ["strip", str(tmp_path / "my arch.json"), "--sheet", "pom-1", "--max-width", "30", "--no-step"]
     for folder in ("first", "second"):
-        done = CliRunner().invoke(elastica, [*words, "--no-pictures", "-o", str(tmp_path / folder)])
-        assert done.exit_code == 0, done.output
+        run(*words, "--no-pictures", "-o", tmp_path / folder)
     command = "elastica strip 'my arch.json' --sheet pom-1 --max-width 30 --no-step --no-pictures"
     for name in ("my arch.dxf", "my arch.svg", "my arch-holding.dxf"):
         content = (tmp_path / "first" / name).read_bytes()
@@ -42,8 +40,7 @@ def test_old_drawings_and_prints_carry_it_too(tmp_path):
         "-o",
         str(tmp_path / "out"),
     ]
-    done = CliRunner().invoke(elastica, [*words, *more])
-    assert done.exit_code == 0, done.output
+    run(*words, *more)
     command = "elastica strip arch.json --sheet pom-1"
     assert command in (tmp_path / "out/arch-mm.dxf").read_text(encoding="ascii")
     assert command in (tmp_path / "out/arch.pdf").read_bytes().decode("latin-1")

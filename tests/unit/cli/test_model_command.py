@@ -8,11 +8,9 @@ from urllib.parse import unquote
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import elastica_cad as ec
 from elastica_cad.cli import model_command
-from elastica_cad.cli.commands import elastica
 from elastica_cad.design import read_design
 from elastica_cad.formats import curves_json
 from elastica_cad.kit.kit_contents import kit_contents
@@ -20,6 +18,7 @@ from elastica_cad.model.assembly import list_assembly_steps
 from elastica_cad.plot import save_assembly_sheet
 from elastica_cad.plot.drawing_process import drawing_process
 from elastica_cad.strip import CUT_OUTER
+from tests.command_line import run
 
 DESIGN = """
 schema = 1
@@ -44,10 +43,6 @@ wall = 3
 kerf = "sheet"
 version = "R12"
 """
-
-
-def run(*arguments, **options):
-    return CliRunner().invoke(elastica, [str(argument) for argument in arguments], **options)
 
 
 @pytest.fixture
@@ -92,7 +87,7 @@ def test_a_model_becomes_one_folder(design, tmp_path):
 
 def test_the_same_design_gives_the_same_files(design, tmp_path):
     for folder in ("one", "two"):
-        assert run("model", design, "-o", tmp_path / folder, "--no-step", "--no-pictures").exit_code == 0
+        run("model", design, "-o", tmp_path / folder, "--no-step", "--no-pictures")
     written = [path for path in (tmp_path / "one").rglob("*") if path.is_file()]
     assert len(written) > 10
     for path in written:
@@ -106,7 +101,6 @@ def test_parts_of_an_earlier_run_are_told(design, tmp_path):
     assert "earlier run" not in run("model", design, "-o", out, *quick, "--force").output
     design.write_text(DESIGN.replace("count = 2", "count = 1"))
     fewer = run("model", design, "-o", out, *quick, "--force")
-    assert fewer.exit_code == 0, fewer.output
     left = sorted(path.name for path in (out / "parts").iterdir() if path.name.startswith("K2_"))
     assert len(left) == 2
     assert f"holds 2 files that are no part of this model, parts/{left[0]} and others" in fewer.stderr
@@ -118,8 +112,7 @@ def test_parts_of_an_earlier_run_are_told(design, tmp_path):
 def test_nothing_is_left_of_a_model_that_fails(design, tmp_path):
     out = tmp_path / "out"
     design.write_text(DESIGN.replace("max_width = 24", "max_width = 24\nnest.sheet_size = [300, 200]"))
-    result = run("model", design, "-o", out)
-    assert result.exit_code == 2
+    result = run("model", design, "-o", out, code=2)
     assert "K1: " in result.stderr
     assert "is larger than a sheet of 300 by 200 mm" in result.stderr
     assert not out.exists()
@@ -127,7 +120,7 @@ def test_nothing_is_left_of_a_model_that_fails(design, tmp_path):
     taken = out / "kit.json"
     taken.write_text("mine")
     design.write_text(DESIGN)
-    assert "exists already" in run("model", design, "-o", out, "--no-step").stderr
+    assert "exists already" in run("model", design, "-o", out, "--no-step", code=2).stderr
     assert [path.name for path in out.iterdir()] == ["kit.json"]
     assert taken.read_text() == "mine"
 
@@ -149,8 +142,7 @@ def test_where_nothing_can_be_written_is_told_before_the_model_is_made(
     (tmp_path / "file").write_text("mine")
     (tmp_path / "kit").mkdir()
     (tmp_path / "kit" / "index.html").write_text("mine")
-    result = run("model", design, "-o", tmp_path / out)
-    assert result.exit_code == 2
+    result = run("model", design, "-o", tmp_path / out, code=2)
     assert sentence in result.stderr
     assert "This works" not in result.stderr
     assert not made
@@ -159,8 +151,7 @@ def test_where_nothing_can_be_written_is_told_before_the_model_is_made(
 
 def test_bad_designs_are_one_sentence(design):
     design.write_text(DESIGN.replace("150, 100", '"os.system(1)", 100'))
-    result = run("model", design)
-    assert result.exit_code == 2
+    result = run("model", design, code=2)
     assert result.stderr.count("\n") == 1
     assert "strips[1], i = 1 (K1): curve: ellipse: semi_axes[1]" in result.stderr
 
@@ -169,8 +160,7 @@ def test_a_design_that_cannot_be_bent_exits_with_1(design):
     wave = '{ x = "50 * t", y = "40 * sin(t) + 6 * t ** 1.6", t = [0.1, 7.8] }'
     ellipse = next(line for line in DESIGN.splitlines() if line.startswith("curve.ellipse"))
     design.write_text(DESIGN.replace(ellipse, f"curve = {wave}"))
-    result = run("model", design)
-    assert result.exit_code == 1
+    result = run("model", design, code=1)
     assert result.stderr.startswith("Not realizable: K1: ")
 
 
@@ -183,14 +173,14 @@ def test_file_names_suit_every_system(design, tmp_path):
         .replace('"sheet"', "0")
     )
     design.write_text(text.replace('"K{i}"', '"K/{i}"') + own)
-    result = run("model", design, "-o", tmp_path / "out", "--no-step", "--no-pictures")
-    assert result.exit_code == 0, result.output
+    run("model", design, "-o", tmp_path / "out", "--no-step", "--no-pictures")
     names = {path.name for path in (tmp_path / "out").rglob("*")}
     assert {"my-kit-2.json", "my-kit-2-nest-1-felt-1-2.svg", "K-1_felt-1-2_1mm_x1.svg"} <= names
     second = "\n[[strips]]\nlabel = 'k1'\ncurve.ellipse = { semi_axes = [150, 100], start = 0.1, end = 2 }\n"
     design.write_text(DESIGN + second)
     assert (
-        "k1: another part would be written to k1_birch" in run("model", design, "-o", tmp_path / "no").stderr
+        "k1: another part would be written to k1_birch"
+        in run("model", design, "-o", tmp_path / "no", code=2).stderr
     )
 
 
@@ -231,7 +221,6 @@ def crossed(tmp_path):
 def test_what_slots_do_is_told(crossed, tmp_path):
     out = tmp_path / "out"
     result = run("model", crossed, "-o", out, "--no-step", "--no-pictures")
-    assert result.exit_code == 0, result.output
     assert "the one that strays most: as made and held" in result.output
     held = json.loads((out / "crossed.json").read_text())["held"]
     for name in ("A", "B"):
@@ -248,7 +237,6 @@ def test_strips_that_run_through_each_other_unslotted_are_told(crossed, tmp_path
     crossed.write_text(crossed.read_text().replace("interlock = { clearance = 0.1 }", ""))
     quick = ("--no-step", "--no-pictures", "--no-parts", "--no-effects")
     result = run("model", crossed, "-o", tmp_path / "out", *quick)
-    assert result.exit_code == 0, result.output
     (note,) = (line for line in result.stderr.splitlines() if "runs through" in line)
     assert re.fullmatch(
         r"Note: A at [0-9.]+ mm runs through B at [0-9.]+ mm: slot them \(interlock\), .*", note
@@ -265,8 +253,7 @@ def test_widths_make_up_for_slots_when_asked(crossed, tmp_path):
         path.write_text(
             crossed.read_text().replace("max_width = 24", f"max_width = 24\ncompensate = {asked}")
         )
-        result = run("model", path, "-o", tmp_path / asked, "--no-step", "--no-pictures")
-        assert result.exit_code == 0, result.output
+        run("model", path, "-o", tmp_path / asked, "--no-step", "--no-pictures")
         (report,) = (tmp_path / asked).glob("**/crossed.json")
         found[asked] = {
             name: held["deviation"] for name, held in json.loads(report.read_text())["held"].items()
@@ -279,7 +266,6 @@ def test_the_sheets_alone(crossed, tmp_path):
     out = tmp_path / "out"
     quick = ("--no-step", "--no-pictures", "--no-parts", "--no-effects")
     result = run("model", crossed, "-o", out, *quick)
-    assert result.exit_code == 0, result.output
     assert "strays" not in result.output
     sheet = "crossed-nest-1-birch-plywood-0.8"
     ends = ("-cut-list.csv", "-cut-list.txt", ".json")
@@ -298,8 +284,7 @@ def test_bridges_hold_the_parts(crossed, drawn, tmp_path):
 
     for given, width in (((), 0.4), (("--set", "cut.holding.width=1.5"), 1.5)):
         out = tmp_path / f"out{width}"
-        result = run("model", crossed, "-o", out, "--no-step", "--no-pictures", "--no-effects", *given)
-        assert result.exit_code == 0, result.output
+        run("model", crossed, "-o", out, "--no-step", "--no-pictures", "--no-effects", *given)
         (part,) = out.glob("parts/A_*.dxf")
         cuts = [e for e in ezdxf.readfile(part).modelspace() if e.dxf.layer == "CUT_OUTER"]
         assert cuts
@@ -310,22 +295,20 @@ def test_bridges_hold_the_parts(crossed, drawn, tmp_path):
     assert (whole.exit_code, held.exit_code) == (0, 0), held.output
     first, second = ((tmp_path / name / f"{drawn.stem}.svg").read_text() for name in ("whole", "held"))
     assert first.count("Z") > second.count("Z") == 0
-    assert run("strip", drawn, *sizes, "--set", "cut.holding.width=-1", "-o", tmp_path).exit_code == 2
+    run("strip", drawn, *sizes, "--set", "cut.holding.width=-1", "-o", tmp_path, code=2)
 
 
 @pytest.mark.campaign
 def test_what_cannot_be_cut_is_made_anyway_only(design, tmp_path):
     """A base slot as wide as a finger; and a slot of a neighbour that leaves a strip a neck."""
     design.write_text(DESIGN.replace("height = 10", "height = 10\nslot_width = 9"))
-    refused = run("model", design, "-o", tmp_path / "out")
-    assert refused.exit_code == 2
+    refused = run("model", design, "-o", tmp_path / "out", code=2)
     assert "the slot for K1:1 (and 3 more) is 9 mm wide for a tab of 0.8 mm" in refused.output
     assert not (tmp_path / "out").exists()
     design.write_text(
         DESIGN.replace('label = "K{i}"', 'label = "K{i}"\nslots = [{ at = 30, width = 1, depth = 20 }]')
     )
-    refused = run("model", design, "-o", tmp_path / "out")
-    assert refused.exit_code == 2
+    refused = run("model", design, "-o", tmp_path / "out", code=2)
     assert "K1: only" in refused.output
     written = run(
         "model",
@@ -337,7 +320,6 @@ def test_what_cannot_be_cut_is_made_anyway_only(design, tmp_path):
         "--no-pictures",
         "--no-step",
     )
-    assert written.exit_code == 0, written.output
     assert "Note: made anyway: K1: only" in written.stderr
     reports = json.loads((tmp_path / "out" / "kit.json").read_text())["reports"]
     assert sum(text.startswith("made anyway: K1: only") for text in reports) == 1
@@ -345,8 +327,7 @@ def test_what_cannot_be_cut_is_made_anyway_only(design, tmp_path):
 
 def test_the_stock_of_a_design_holds_for_its_plates_too(design, tmp_path):
     design.write_text(DESIGN.replace("max_width = 24", "max_width = 24\nshop = { stock = [600, 120] }"))
-    refused = run("model", design, "-o", tmp_path / "out")
-    assert refused.exit_code == 2
+    refused = run("model", design, "-o", tmp_path / "out", code=2)
     assert "base: 324.3 x 147.5 mm is larger than the stock of 600 x 120 mm in mdf-3" in refused.output
 
 
@@ -369,8 +350,7 @@ def test_feet_of_copies_are_one_part_of_the_cut_list(design, tmp_path):
         + "[[patterns]]\nrepeat = { count = 2, step = [0, 300, 0] }\n"
     )
     quick = ("--no-step", "--no-pictures", "--no-effects")
-    result = run("model", design, "-o", tmp_path / "out", *quick)
-    assert result.exit_code == 0, result.stderr
+    run("model", design, "-o", tmp_path / "out", *quick)
     rows = csv.DictReader((tmp_path / "out" / "kit-cut-list.csv").read_text().splitlines())
     feet = {row["part"]: int(row["count"]) for row in rows if "foot" in row["part"]}
     assert len(feet) == 8
@@ -380,7 +360,7 @@ def test_feet_of_copies_are_one_part_of_the_cut_list(design, tmp_path):
 @pytest.mark.campaign
 def test_the_start_page_shows_and_links_every_file(design, tmp_path):
     out = tmp_path / "out"
-    assert run("model", design, "-o", out, "--no-step").exit_code == 0
+    run("model", design, "-o", out, "--no-step")
     page = (out / "index.html").read_text(encoding="utf-8")
     linked = {unquote(one) for one in re.findall(r'(?:href|src)="([^"]+)"', page)}
     written = {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}
@@ -392,7 +372,7 @@ def test_the_start_page_shows_and_links_every_file(design, tmp_path):
 def test_the_start_page_of_a_single_strip_counts_one(tmp_path):
     alone = tmp_path / "alone.toml"
     alone.write_text(DESIGN.replace("count = 2", "count = 1").split("[base]")[0])
-    assert run("model", alone, "-o", tmp_path / "out", "--no-step", "--no-pictures").exit_code == 0
+    run("model", alone, "-o", tmp_path / "out", "--no-step", "--no-pictures")
     page = (tmp_path / "out" / "index.html").read_text(encoding="utf-8")
     assert "1 strip; 1 piece, " in page
     assert ": 1 piece takes " in page
@@ -467,7 +447,7 @@ def test_the_assembly_sheet_names_files_that_are_there(option, design, tmp_path,
 
     monkeypatch.setattr("elastica_cad.plot.assembly_sheet.save_assembly_sheet", write)
     out = tmp_path / "out"
-    assert run("model", design, "-o", out, "--no-step", option).exit_code == 0
+    run("model", design, "-o", out, "--no-step", option)
     assert shown
     assert [file for file in shown if not (out / file).is_file()] == []
 
@@ -478,7 +458,7 @@ def test_the_model_is_written_for_screens(design, tmp_path):
     import trimesh
 
     out = tmp_path / "out"
-    assert run("model", design, "-o", out, "--no-pictures").exit_code == 0
+    run("model", design, "-o", out, "--no-pictures")
     scene = trimesh.load(out / "model" / "kit.glb")
     names = {str(name) for name in scene.graph.nodes}
     assert {"K1", "K2", "base", "fixture K1:1"} <= names
@@ -490,8 +470,7 @@ def test_the_model_is_written_for_screens(design, tmp_path):
 def test_a_slip_beside_braces_is_mended_too(tmp_path):
     """What stands in the file may hold braces, which are no gaps of a sentence."""
     (tmp_path / "a.toml").write_text('schema = 1\nsheet = birch{plywood\n[[strips]]\nlabel = "A{i"\n')
-    done = run("model", tmp_path / "a.toml", "-o", tmp_path / "out")
-    assert done.exit_code == 2
+    done = run("model", tmp_path / "a.toml", "-o", tmp_path / "out", code=2)
     assert "is no TOML file" in done.output
 
 
@@ -510,7 +489,6 @@ def test_what_twelve_ribs_share_is_told_once(tmp_path):
     told = run(
         "model", design, "-o", tmp_path / "kit", "--no-effects", "--no-pictures", "--no-step", "--no-parts"
     )
-    assert told.exit_code == 0, told.output
     (note,) = (line for line in told.stderr.splitlines() if "made fair" in line)
     assert note.startswith("Note: R1 (and 11 more): The curvature jumped where pieces meet: made fair, 0.4")
 
@@ -525,8 +503,7 @@ def test_pieces_of_a_long_strip_leave_the_margin_of_the_sheet(tmp_path):
         'curve.ellipse = { semi_axes = [399.4, 399.4], start = "0.1", end = "pi - 0.1" }\n'
     )
     out = tmp_path / "out"
-    result = run("model", path, "-o", out, "--no-step", "--no-pictures", "--no-effects")
-    assert result.exit_code == 0, result.output
+    run("model", path, "-o", out, "--no-step", "--no-pictures", "--no-effects")
     with (out / "long-cut-list.csv").open() as file:
         lengths = [float(row["length_mm"]) for row in csv.DictReader(file)]
     assert 1194 < sum(length for length in lengths if length > 100) < 1196
@@ -557,12 +534,10 @@ def test_glued_leaves_beside_strips_that_are_held(tmp_path):
     path = tmp_path / "mast.toml"
     path.write_text(LEAVES + '[fixtures]\nstrips = ["BAT"]\n')
     done = run("model", path, "-o", tmp_path / "kit")
-    assert done.exit_code == 0, done.output
     parts = {file.name for file in (tmp_path / "kit" / "parts").iterdir()}
     assert {"fixture-BAT-1.stl", "fixture-BAT-2.stl", "LEAF_gfrp-1_1mm_x1.dxf"} <= parts
     assert "LEAF" in (tmp_path / "kit" / "mast-cut-list.txt").read_text()
     path.write_text(LEAVES + "[fixtures]\n")
-    done = run("model", path, "-o", tmp_path / "all")
-    assert done.exit_code == 2
+    done = run("model", path, "-o", tmp_path / "all", code=2)
     assert "LEAF: a stack of leaves" in done.output
     assert not (tmp_path / "all").exists()

@@ -5,19 +5,12 @@ import re
 import shlex
 import subprocess
 import sys
-from contextlib import chdir
 
 import pytest
-from click.testing import CliRunner
 
-from elastica_cad.cli.commands import elastica
+from tests.command_line import run
 
 KINDS = ("arch", "lamp", "pavilion", "revolution", "sections")
-
-
-def typed(*words, cwd):
-    with chdir(cwd):
-        return CliRunner().invoke(elastica, words, catch_exceptions=False)
 
 
 @pytest.mark.campaign
@@ -38,7 +31,7 @@ def test_written_and_made(kind, tmp_path):
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_material_it_speaks_of_is_that_of_its_sheet(kind, tmp_path):
     """The lamp of polypropylene was said to be of plywood."""
-    typed("new", kind, cwd=tmp_path)
+    run("new", kind, cwd=tmp_path)
     design = (tmp_path / f"{kind}.toml").read_text()
     sheets = re.findall(r'^(?:sheet|rings) = "([a-z-]+)', design, re.MULTILINE)
     names = {"plywood": "birch-plywood-", "card": "card-", "plastic": "polypropylene-"}
@@ -47,17 +40,16 @@ def test_the_material_it_speaks_of_is_that_of_its_sheet(kind, tmp_path):
 
 
 def test_the_command_that_comes_next_can_be_typed_as_told(tmp_path):
-    wrote = typed("new", "arch", "-o", "my lamp's files", cwd=tmp_path)
+    wrote = run("new", "arch", "-o", "my lamp's files", cwd=tmp_path)
     told = wrote.stdout.splitlines()[-1].removeprefix("next: ")
     words = shlex.split(told)
     assert words[-4:] == ["model", "my lamp's files/arch.toml", "-o", "my lamp's files/arch-kit"]
 
 
 def test_nothing_is_overwritten_unasked(tmp_path):
-    assert typed("new", "arch", cwd=tmp_path).exit_code == 0
+    run("new", "arch", cwd=tmp_path)
     (tmp_path / "arch.toml").write_text("mine")
-    again = typed("new", "arch", cwd=tmp_path)
-    assert again.exit_code == 2
+    again = run("new", "arch", cwd=tmp_path, code=2)
     assert "exists already" in again.stderr
     assert (tmp_path / "arch.toml").read_text() == "mine"
 
@@ -65,12 +57,11 @@ def test_nothing_is_overwritten_unasked(tmp_path):
 @pytest.mark.campaign
 def test_the_schema_comes_beside_and_alone(tmp_path):
     for kind in ("arch", "lamp"):  # the same schema serves both
-        done = typed("new", kind, cwd=tmp_path)
-        assert done.exit_code == 0, done.stderr
+        run("new", kind, cwd=tmp_path)
     (tmp_path / "elastica.schema.json").write_text("mine")
-    assert "exists already" in typed("new", "schema", cwd=tmp_path).stderr
-    assert "exists already" in typed("new", "pavilion", cwd=tmp_path).stderr
-    assert typed("new", "schema", "--force", cwd=tmp_path).stdout == "wrote elastica.schema.json\n"
+    assert "exists already" in run("new", "schema", cwd=tmp_path, code=2).stderr
+    assert "exists already" in run("new", "pavilion", cwd=tmp_path, code=2).stderr
+    assert run("new", "schema", "--force", cwd=tmp_path).stdout == "wrote elastica.schema.json\n"
     keys = json.loads((tmp_path / "elastica.schema.json").read_text())["properties"]
     assert keys["max_width"]["description"].endswith("(mm).")
 
@@ -78,9 +69,8 @@ def test_the_schema_comes_beside_and_alone(tmp_path):
 @pytest.mark.campaign
 def test_the_kit_of_sections_stands(tmp_path):
     """No tab rocks in its rings, and the strips as made follow the surface by hundredths of a millimetre."""
-    assert typed("new", "sections", cwd=tmp_path).exit_code == 0
-    made = typed("model", "sections.toml", "-o", "kit", "--no-step", "--no-pictures", "-v", cwd=tmp_path)
-    assert made.exit_code == 0, made.stderr
+    run("new", "sections", cwd=tmp_path)
+    made = run("model", "sections.toml", "-o", "kit", "--no-step", "--no-pictures", "-v", cwd=tmp_path)
     assert "rocks" not in made.stdout + made.stderr
     report = json.loads((tmp_path / "kit" / "sections.json").read_text())
     assert len(report["held"]) == 8
@@ -91,9 +81,8 @@ def test_the_kit_of_sections_stands(tmp_path):
 @pytest.mark.campaign
 def test_the_pavilion_stands_as_drawn(tmp_path):
     """Wide tabs between two plates and widths made up for: no strip strays by a thousandth of its length."""
-    assert typed("new", "pavilion", cwd=tmp_path).exit_code == 0
-    made = typed("model", "pavilion.toml", "-o", "kit", "--no-step", "--no-pictures", "-v", cwd=tmp_path)
-    assert made.exit_code == 0, made.stderr
+    run("new", "pavilion", cwd=tmp_path)
+    made = run("model", "pavilion.toml", "-o", "kit", "--no-step", "--no-pictures", "-v", cwd=tmp_path)
     share = re.search(r"the model says ([0-9.]+) mm", made.stdout)
     assert float(share[1]) < 0.4
     joints = re.search(r"(\d+) joints", made.stdout)

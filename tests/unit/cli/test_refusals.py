@@ -7,26 +7,19 @@ import shutil
 import signal
 import subprocess
 import sys
-from contextlib import chdir
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import elastica_cad as ec
 from elastica_cad import write_curves
 from elastica_cad.cli import suggestions
-from elastica_cad.cli.commands import elastica
+from tests.command_line import run
 
 CURVES = {
     "wave": [(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)],  # no strip takes it
     "tall": [(0, 0), (30, 120), (70, 130), (120, 60), (150, 0)],  # one does, with a neck of 2.3 mm
 }
-
-
-def typed(words, cwd):
-    with chdir(cwd):
-        return CliRunner().invoke(elastica, words, catch_exceptions=False)
 
 
 def ended_by_ctrl_c(words, cwd, first="pass"):
@@ -63,8 +56,7 @@ def test_a_neck_is_written_anyway_and_said(tmp_path):
         "-o",
         "out",
     ]
-    made = typed(words, tmp_path)
-    assert made.exit_code == 0, made.stderr
+    made = run(*words, cwd=tmp_path)
     assert "made anyway: tall: only 2.3 mm wide" in made.stderr
     assert "made anyway" in (tmp_path / "out" / "tall.json").read_text()
 
@@ -72,7 +64,7 @@ def test_a_neck_is_written_anyway_and_said(tmp_path):
 @pytest.mark.campaign
 def test_the_margin_comes_with_a_word(tmp_path):
     write_curves([ec.PlaneCurve.spline(CURVES["tall"], degree=4)], tmp_path / "tall.dxf")
-    made = typed(["strip", "tall.dxf", "--sheet", "pom-0.5", "--max-width", "30", "-o", "out"], tmp_path)
+    made = run("strip", "tall.dxf", "--sheet", "pom-0.5", "--max-width", "30", "-o", "out", cwd=tmp_path)
     assert re.search(r"stable, margin [0-9.]+ \((low|ample)\): it stays", made.stdout)
 
 
@@ -80,10 +72,7 @@ def test_the_margin_comes_with_a_word(tmp_path):
 def test_a_long_thin_arch_is_refused(tmp_path):
     arch = [(0, 0), (1500, 1900), (3500, 2000), (6000, 0)]
     write_curves([ec.PlaneCurve.spline(arch, degree=3)], tmp_path / "long.dxf")
-    refused = typed(
-        ["strip", "long.dxf", "--sheet", "birch-plywood-0.8", "--max-width", "3.6", "-o", "out"], tmp_path
-    )
-    assert refused.exit_code == 2
+    refused = run("strip long.dxf --sheet birch-plywood-0.8 --max-width 3.6 -o out", cwd=tmp_path, code=2)
     assert "larger than the stock" in refused.stderr
     assert not (tmp_path / "out").exists()
 
@@ -122,8 +111,7 @@ def desk(tmp_path_factory):
     (folder / "arch.dxf").write_bytes((folder / "tall.dxf").read_bytes())
     (folder / "design.toml").write_text(f'{DESIGN}curve = "wave.dxf"\n')
     (folder / "thin.toml").write_text(f'{DESIGN}curve = "tall.dxf"\n')
-    made = typed(["new", "sections"], folder)
-    assert made.exit_code == 0, made.stderr
+    run("new", "sections", cwd=folder)
     return folder
 
 
@@ -142,12 +130,11 @@ SUGGESTED = [
 @pytest.mark.parametrize(("words", "code", "told"), SUGGESTED)
 def test_a_suggestion_is_made_as_it_is_printed(words, code, told, desk, monkeypatch):
     monkeypatch.chdir(desk)
-    refused = CliRunner().invoke(elastica, words.split())
-    assert refused.exit_code == code
+    refused = run(words, code=code)
     *_, last = refused.output.splitlines()
     (command,) = re.findall(r"^This works: `.*?elastica(?:_cad)? ([^`]*)` \(", last)
     assert told in command
-    made = CliRunner().invoke(elastica, shlex.split(command))
+    made = run(*shlex.split(command))
     shutil.rmtree(desk / "out", ignore_errors=True)
     assert made.exit_code == 0, made.output
     assert "Warning: strain" not in made.output
@@ -157,17 +144,14 @@ def test_a_suggestion_is_made_as_it_is_printed(words, code, told, desk, monkeypa
 def test_what_is_nearest_to_working_is_told_where_no_change_of_the_request_works(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     write_curves([ec.PlaneCurve.arc((0, 0), 60, 0, 3)], tmp_path / "arc.json")
-    refused = CliRunner().invoke(
-        elastica, ["strip", "arc.json", "--sheet", "oak-3", "--max-width", "12", "-o", "out"]
-    )
+    refused = run("strip", "arc.json", "--sheet", "oak-3", "--max-width", "12", "-o", "out", code=1)
     *_, last = refused.output.splitlines()
     sheet, scale = re.fullmatch(
         r"Nearest to working: `.*?elastica(?:_cad)? ([^`]*)` \(.*\); or oak-3 on the same curve drawn ([0-9.]+) "
         r"times as large \(.*\)\.",
         last,
     ).groups()
-    made = CliRunner().invoke(elastica, [*shlex.split(sheet), "--no-step", "--no-pictures"])
-    assert made.exit_code == 0, made.output
+    run(*shlex.split(sheet), "--no-step", "--no-pictures")
     larger = ec.PlaneCurve.arc((0, 0), 60 * float(scale), 0, 3)
     assert ec.make_strip(larger, "oak-3", max_width=12).strain_verdict.allowed
 
@@ -183,7 +167,7 @@ def test_what_is_nearest_to_working_is_told_where_no_change_of_the_request_works
 )
 def test_nothing_is_suggested_that_does_not_hold(words, desk, monkeypatch):
     monkeypatch.chdir(desk)
-    refused = CliRunner().invoke(elastica, words.split())
+    refused = run(words, code=None)
     assert refused.exit_code in (1, 2)
     assert "This works" not in refused.output
 
@@ -202,23 +186,18 @@ def test_only_a_few_candidates_are_tried_and_ctrl_c_ends_the_trials():
 
 
 def test_a_mistyped_command_is_told_the_near_one():
-    refused = CliRunner().invoke(elastica, ["chekc", "arch.dxf"])
-    assert refused.exit_code == 2
+    refused = run("chekc", "arch.dxf", code=2)
     assert "Did you mean 'check'?" in refused.output
 
 
 @pytest.mark.campaign
 def test_pieces_between_corners_carry_the_number_of_the_joint(desk, tmp_path):
     words = "strip corner.svg --set curve.split_corners=true --sheet card-200gsm --max-width 12 --json"
-    made = typed([*words.split(), "-o", str(tmp_path)], desk)
-    assert made.exit_code == 0, made.stderr
+    made = run(*words.split(), "-o", tmp_path, cwd=desk)
     first, last = json.loads(made.stdout)["strips"]
     assert (first["joints"], last["joints"]) == (["", "J1"], ["J1", ""])
     assert first["length"] == pytest.approx(last["length"], rel=1e-6)
-    plain = typed(
-        [*words.split(), "--label", "", "--set", "cut.curves=polyline", "-o", str(tmp_path / "bare")], desk
-    )
-    assert plain.exit_code == 0
+    run(*words.split(), "--label", "", "--set", "cut.curves=polyline", "-o", tmp_path / "bare", cwd=desk)
     engraved = [(tmp_path / "bare" / f"corner-{k}.dxf").read_text().count("ENGRAVE") for k in (1, 2)]
     assert engraved[0] == engraved[1] > 2  # strokes of J and 1, at the end of one, at the start of the other
 
@@ -229,7 +208,7 @@ def test_all_strips_of_a_design_that_cannot_be_made_are_named(desk, tmp_path):
     strip = '[[strips]]\nlabel = "K{}"\ncurve = "{}"\n'
     named = [strip.format(2, "wide.dxf"), strip.format(3, "wide.dxf").replace("K3", "good")]
     design.write_text(f'{DESIGN}curve = "wave.dxf"\n' + named[0] + named[1] + "max_width = 40\n")
-    refused = typed(["model", "several.toml", "--no-step", "--no-pictures", "-o", str(tmp_path)], desk)
+    refused = run("model", "several.toml", "--no-step", "--no-pictures", "-o", tmp_path, cwd=desk, code=1)
     design.unlink()
     assert refused.exit_code == 1
     assert "K1: " in refused.stderr
@@ -239,7 +218,7 @@ def test_all_strips_of_a_design_that_cannot_be_made_are_named(desk, tmp_path):
 
 
 def test_margins_of_bent_strips_come_with_a_word(tmp_path):
-    made = typed(["bend", "--straight", "200", "--to", "150", "0", "-o", "out"], tmp_path)
+    made = run("bend", "--straight", "200", "--to", "150", "0", "-o", "out", cwd=tmp_path)
     assert re.search(r"stable, margin [0-9.]+ \((low|ample)\)", made.stdout)
 
 
@@ -259,16 +238,14 @@ def test_a_file_where_files_should_go_is_told_and_no_command_that_fails_as_well(
         "-o",
         str(tmp_path / out),
     ]
-    refused = typed(words, desk)
-    assert refused.exit_code == 2
+    refused = run(*words, cwd=desk, code=2)
     assert "choose another folder" in refused.stderr
     assert "This works" not in refused.stderr
     assert taken.read_text() == "mine"
 
 
 def test_an_option_is_no_folder(tmp_path):
-    asked = typed(["new", "lamp", "-o", "--json"], tmp_path)
-    assert asked.exit_code == 2
+    asked = run("new", "lamp", "-o", "--json", cwd=tmp_path, code=2)
     assert "'--json' reads as an option: name a folder before it" in asked.stderr
     assert not (tmp_path / "--json").exists()
 
@@ -279,16 +256,13 @@ def test_an_option_is_no_folder(tmp_path):
 )
 def test_an_absurd_width_is_told_at_once(width, told, desk):
     asked = ["strip", "wide.dxf", "--sheet", "birch-plywood-0.8", "--max-width", width]
-    refused = typed(asked, desk)
-    assert refused.exit_code == 2
+    refused = run(*asked, cwd=desk, code=2)
     assert told in refused.stderr
 
 
 @pytest.mark.parametrize("words", ["sheets --units", "strip arch.csv --max-width", "batten --stock 20"])
 def test_an_option_without_its_value_is_one_sentence(words, tmp_path):
-    refused = typed(words.split(), tmp_path)
-    assert refused.exit_code == 2
-    assert "Traceback" not in refused.stderr
+    refused = run(words, cwd=tmp_path, code=2)
     assert words.split()[-1 if "20" not in words else 1] in refused.stderr
 
 
@@ -308,9 +282,7 @@ def test_handles_of_a_curve_that_is_not_there_are_refused(tmp_path):
         "0.5",
         "--curve",
     ]
-    refused = typed([*words, "point = [0, 0], normal = [0, 1]", "-o", "out"], tmp_path)
-    assert refused.exit_code == 2
-    assert "Traceback" not in refused.stderr
+    refused = run(*words, "point = [0, 0], normal = [0, 1]", "-o", "out", cwd=tmp_path, code=2)
     assert refused.stderr.startswith(("Error: ", "Usage: "))
 
 
@@ -318,8 +290,7 @@ def test_no_command_is_told_where_the_folder_reads_as_an_option(tmp_path):
     """Trials write elsewhere, so one had been told that is refused as well."""
     write_curves([ec.PlaneCurve.spline([(0, 0), (40, 60), (100, 0)], degree=2)], tmp_path / "a.dxf")
     words = ["strip", "a.dxf", "--sheet", "birch-plywood-0.8", "--max-width", "12", "-o", "-o"]
-    refused = typed(words, tmp_path)
-    assert refused.exit_code == 2
+    refused = run(*words, cwd=tmp_path, code=2)
     assert refused.stderr.endswith("name a folder before it, or write ./-o\n")
 
 
@@ -340,8 +311,7 @@ label = "B"
 @pytest.mark.campaign
 def test_limits_that_two_strips_miss_are_named_with_those_to_relax(tmp_path):
     (tmp_path / "pair.toml").write_text(FLATTER_THAN_THEY_CAN_BE)
-    refused = typed(["model", "pair.toml", "-o", "out"], tmp_path)
-    assert refused.exit_code == 1
+    refused = run("model", "pair.toml", "-o", "out", cwd=tmp_path, code=1)
     assert refused.stderr.startswith("Not within these limits: A: The limits cannot be met")
     assert re.search(
         r"Missed: the end position, by \d+(\.\d+)? mm\. .*Relax .*the curvature limit", refused.stderr
@@ -360,8 +330,7 @@ def test_limits_that_two_strips_miss_are_named_with_those_to_relax(tmp_path):
     ],
 )  # fmt: skip
 def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
-    refused = typed(words.split(), tmp_path)
-    assert refused.exit_code == 2
+    refused = run(words, cwd=tmp_path, code=2)
     assert f"Error: {told}" in refused.stderr
 
 
@@ -384,8 +353,7 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
 def test_the_options_that_set_a_refused_field_are_named(words, options, tmp_path):
     (tmp_path / "arch.csv").write_text("0,0\n60,62\n120,95\n180,105\n240,95\n300,62\n360,0\n")
     asked = ["strip", str(tmp_path / "arch.csv"), "--sheet", "pom-0.5", "--max-width", "20", *words.split()]
-    refused = CliRunner().invoke(elastica, [*asked, "-o", str(tmp_path / "out")])
-    assert refused.exit_code == 2
+    refused = run(*asked, "-o", tmp_path / "out", code=2)
     assert options in refused.output
 
 
@@ -400,13 +368,12 @@ def test_points_that_waver_are_smoothed_first(count, words, tmp_path, monkeypatc
     points = np.column_stack([x, 0.001 * x * (400 - x)])
     points += 0.5 * np.random.default_rng(1).normal(size=points.shape)
     np.savetxt("points.csv", points, delimiter=",", fmt="%.2f")
-    refused = CliRunner().invoke(elastica, words.split())
+    refused = run(words, code=None)
     assert refused.exit_code in (1, 2)
     *_, last = refused.output.splitlines()
     (command,) = re.findall(r"^This works: `.*?elastica(?:_cad)? ([^`]*)` \(", last)
     assert "smooth" in command
-    made = CliRunner().invoke(elastica, [*shlex.split(command), "--no-step", "--no-pictures", "--json"])
-    assert made.exit_code == 0, made.output
+    made = run(*shlex.split(command), "--no-step", "--no-pictures", "--json")
     assert json.loads(made.stdout)["strips"][0]["ratio"] < 2
 
 
@@ -418,12 +385,11 @@ def test_a_mistyped_offset_is_named_once(smooth, code, length, tmp_path, monkeyp
     rows = [f"{x},{y}" for x, y in zip(stations, inches.split(","), strict=True)]
     monkeypatch.chdir(tmp_path)
     (tmp_path / "bad.csv").write_text("\n".join(["Station,Half-breadth", *rows]))
-    told = CliRunner().invoke(elastica, ["check", "bad.csv", "--smooth", str(smooth)])
+    told = run("check", "bad.csv", "--smooth", smooth, code=None)
     assert (told.exit_code, told.output.count("(2134, 612.8) mm, number 8 of 12, is 27 mm off")) == (code, 1)
     assert f"this curve of {length} mm" in told.output
     words = f"strip bad.csv --sheet pom-1 --max-width 60 --smooth {smooth} --ignore-limits --no-step --no-pictures"
-    made = CliRunner().invoke(elastica, [*words.split(), "-o", "out"])
-    assert made.exit_code == code
+    made = run(*words.split(), "-o", "out", code=code)
     for one in (told, made):
         said = one.stderr if one is made else one.stdout
         assert re.match(
@@ -444,7 +410,7 @@ def test_a_check_says_first_whether_points_are_fair_but_for_their_noise(noise, f
     np.savetxt(
         tmp_path / "sheer.csv", np.column_stack([x, y, y]), delimiter=",", header="Station,A,B", comments=""
     )
-    told = CliRunner().invoke(elastica, ["check", str(tmp_path / "sheer.csv"), "--json"])
+    told = run("check", tmp_path / "sheer.csv", "--json", code=None)
     answers = json.loads(told.stdout)
     assert all(one["advice"].startswith(first) for one in answers), told.stdout
     assert all(not noise or any(said.startswith(first) for said in one["notes"]) for one in answers)
@@ -457,10 +423,18 @@ def test_widths_made_of_noise_are_warned_of(tmp_path, monkeypatch):
     for name, noise in (("even", 0.0), ("wavy", 0.02)):
         y = 0.001 * x * (400 - x) + noise * np.random.default_rng(3).normal(size=40)
         np.savetxt(f"{name}.csv", np.column_stack([x, y]), delimiter=",", fmt="%.3f")
-        made = CliRunner().invoke(
-            elastica, ["strip", f"{name}.csv", "--sheet", "pom-1", "--max-width", "30", "--no-step",
-                       "--no-pictures", "--json", "-o", "out"]
-        )  # fmt: skip
-        assert made.exit_code == 0, made.output
+        made = run(
+            "strip",
+            f"{name}.csv",
+            "--sheet",
+            "pom-1",
+            "--max-width",
+            "30",
+            "--no-step",
+            "--no-pictures",
+            "--json",
+            "-o",
+            "out",
+        )
         told.append(len(json.loads(made.stdout)["strips"][0]["warnings"]))
     assert told == [0, 2]

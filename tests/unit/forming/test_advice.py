@@ -5,7 +5,6 @@ import re
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 from elastica_cad import (
     Box,
@@ -19,8 +18,8 @@ from elastica_cad import (
     nearest_rod,
     stability,
 )
-from elastica_cad.cli.commands import elastica
 from elastica_cad.formats import curves_json
+from tests.command_line import run
 
 ARCH = PlaneCurve.spline([(0, 0), (20, 70), (60, 90), (110, 60), (120, 0)], degree=4)
 WAVE = PlaneCurve.spline([(0, 0), (40, 60), (70, -60), (110, 70), (150, -40), (190, 10)], degree=4)
@@ -128,8 +127,7 @@ def test_the_command_line_passes_advice_on(tmp_path):
     drawn = tmp_path / "arch.json"
     drawn.write_text(curves_json([ARCH]), encoding="utf-8")
     asked = ["strip", str(drawn), "--sheet", "card-200gsm", "--max-width", "20", "-o", str(tmp_path / "out")]
-    done = CliRunner().invoke(elastica, [*asked, "--ratio", "1.2", "--no-step", "--no-pictures"])
-    assert done.exit_code == 0
+    done = run(*asked, "--ratio", "1.2", "--no-step", "--no-pictures")
     assert nearest_rod(ARCH, Limits(ratio=1.2)).advice[0] in done.stdout
 
 
@@ -141,8 +139,7 @@ def test_refused_limits_are_told_with_advice(tmp_path):
     asked += ["--nearest", "--ratio", "1.2", "--keep-strain", "--keep-tangents", "--keep-length"]
     sheet = Sheet.named("mdf-3")
     radius = f"least radius of {sheet.least_radius:.3g} mm is missed"
-    done = CliRunner().invoke(elastica, asked)
-    assert done.exit_code == 1
+    done = run(*asked, code=1)
     assert radius in done.stderr
     assert "Relax the sheet's strain limit, " in done.stderr
 

@@ -7,7 +7,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import shapely
-from click.testing import CliRunner
 from scipy.integrate import solve_ivp
 from scipy.optimize import root
 
@@ -22,6 +21,7 @@ from elastica_cad.model.nesting import Nesting
 from elastica_cad.strip import CUT_INNER, CUT_OUTER, MARK, text_strokes
 from elastica_cad.strip.layers import PLATE_CUT, PLATE_END, LapPlates
 from elastica_cad.strip.makeable_strip import Splice, joined_within, splice, spliced
+from tests.command_line import run
 
 PLY = ec.Sheet.named("birch-plywood-4")
 ARCH = ec.PlaneCurve.spline([(0, 0), (300, 900), (1500, 1400), (2700, 900), (3000, 0)])  # 3.7 m
@@ -136,8 +136,7 @@ def test_what_is_told_of_plates_is_what_the_report_says_of_the_strip(tmp_path):
     ]
     told = {}
     for more in ((), ("--compensate",)):
-        done = CliRunner().invoke(elastica, [*command, *more])
-        assert done.exit_code == 0, done.output
+        done = run(*command, *more)
         (report,) = json.loads(done.stdout)["strips"]
         (sentence,) = (text for text in report["warnings"] if text.startswith("cut in 2 pieces"))
         told[more] = held = report["held"]
@@ -285,11 +284,10 @@ def test_the_door_takes_laps_for_every_style(style, tmp_path, check_drawing_file
         ],
         "laminated": ["birch-plywood-0.8", "--set", "style.backing=birch-plywood-1.5"],
     }[style]
-    refused = CliRunner().invoke(elastica, words)
+    refused = run(*words, code=2)
     lap = {"perforated": "80", "laminated": "16"}[style]
     assert f"--set shop.lap={lap}` (the curve as drawn" in refused.stderr
-    made = CliRunner().invoke(elastica, [*words, "--set", f"shop.lap={lap}"])
-    assert made.exit_code == 0, made.output
+    run(*words, "--set", f"shop.lap={lap}")
     files = ["arch.dxf", "arch-backing.dxf"] if style == "laminated" else ["arch.dxf"]
     for file in files:
         curves = check_drawing_file(tmp_path / "out" / file)
@@ -320,12 +318,9 @@ def test_the_commands_cut_and_nest_pieces(tmp_path, check_drawing_file):
     ec.write_curves([ARCH], tmp_path / "arch.dxf")
     words = ["strip", str(tmp_path / "arch.dxf"), "--sheet", "birch-plywood-4", "--max-width", "120"]
     words += ["--set", "shop.stock=[2500,1250]", "-o", str(tmp_path / "out")]
-    run = CliRunner().invoke
-    refused = run(elastica, words)
-    assert refused.exit_code == 2
+    refused = run(*words, code=2)
     assert "--set shop.lap=80` (the curve as drawn" in refused.stderr
-    made = run(elastica, [*words, "--set", "shop.lap=80"])
-    assert made.exit_code == 0, made.output
+    run(*words, "--set", "shop.lap=80")
     curves = check_drawing_file(tmp_path / "out" / "arch.dxf")
     assert sum(curve.layer == CUT_OUTER for curve in curves) == 3
     (tmp_path / "arch.toml").write_text(
@@ -333,11 +328,10 @@ def test_the_commands_cut_and_nest_pieces(tmp_path, check_drawing_file):
         "shop = { stock = [2500, 1250], lap = 80 }\nnest.sheet_size = [2500, 1250]\n"
         '[[strips]]\nlabel = "A"\ncurve = "arch.dxf"\n'
     )
-    kit = run(
+    run(
         elastica,
         ["model", str(tmp_path / "arch.toml"), "-o", str(tmp_path / "kit"), "--no-step", "--no-pictures"],
     )
-    assert kit.exit_code == 0, kit.output
     report = json.loads((tmp_path / "kit" / "kit.json").read_text())
     (sheet,) = report["sheets"]
     assert sheet["pieces"] == {"A-1": 1, "A-2": 1, "A-lap-1": 1}
