@@ -178,29 +178,32 @@ def test_a_plane_that_is_given_is_kept_or_refused():
         placed_curve([arch], plane=Frame((0, 0, 2), (1, 0, 0), (0, 1, 0)))
 
 
-def test_edges_that_do_not_make_one_smooth_chain_are_refused():
-    side, up = Edge.polyline([(0, 0, 0), (40, 0, 0)]), Edge.polyline([(40, 0, 0), (40, 30, 0)])
-    with pytest.raises(InputError, match=r"a corner of 90 degrees at \(40, 0, 0\) mm"):
-        placed_curve([side, up])
-    with pytest.raises(
-        InputError,
-        match=r"make 2 separate chains, the nearest 9 mm apart at \(0, 0, 0\) mm: make their ends meet, or leave",
-    ):
-        placed_curve([side, Edge.polyline([(0, 9, 0), (40, 9, 0)])])
-    beyond = Edge.polyline([(40.3, 0, 0), (90, 0, 0)])
-    with pytest.raises(
-        InputError, match=r"two edges end 0\.3 mm apart at \(40, 0, 0\) mm: make their ends meet"
-    ):
-        placed_curve([side, beyond])
-    with pytest.raises(InputError, match=r"three edges or more meet at \(40, 0, 0\) mm"):
-        placed_curve([side, up, Edge.polyline([(40, 0, 0), (90, 0, 0)])])
-    with pytest.raises(InputError, match="no edge was given: give at least one"):
-        placed_curve([])
-    with pytest.raises(InputError, match="the edge has no length: draw a curve"):
-        placed_curve([Edge.polyline([(3, 4, 0), (3, 4, 0)])])
-    drop = Edge([0] * 4 + [1] * 4, np.array([(0, 0, 0), (60, 40, 0), (60, -40, 0), (0, 0, 0)]), 3)
-    with pytest.raises(InputError, match=r"a corner of 113 degrees at \(0, 0, 0\) mm"):
-        placed_curve([drop])
+SIDE, UP = Edge.polyline([(0, 0, 0), (40, 0, 0)]), Edge.polyline([(40, 0, 0), (40, 30, 0)])
+DROP = Edge([0] * 4 + [1] * 4, np.array([(0, 0, 0), (60, 40, 0), (60, -40, 0), (0, 0, 0)]), 3)
+
+test_edges_that_do_not_make_one_smooth_chain_are_refused = refusal_test(
+    [
+        (lambda: placed_curve([SIDE, UP]), r"a corner of 90 degrees at \(40, 0, 0\) mm"),
+        (
+            lambda: placed_curve([SIDE, Edge.polyline([(0, 9, 0), (40, 9, 0)])]),
+            r"make 2 separate chains, the nearest 9 mm apart at \(0, 0, 0\) mm: make their ends meet, or leave",
+        ),
+        (
+            lambda: placed_curve([SIDE, Edge.polyline([(40.3, 0, 0), (90, 0, 0)])]),
+            r"two edges end 0\.3 mm apart at \(40, 0, 0\) mm: make their ends meet",
+        ),
+        (
+            lambda: placed_curve([SIDE, UP, Edge.polyline([(40, 0, 0), (90, 0, 0)])]),
+            r"three edges or more meet at \(40, 0, 0\) mm",
+        ),
+        (lambda: placed_curve([]), "no edge was given: give at least one"),
+        (
+            lambda: placed_curve([Edge.polyline([(3, 4, 0), (3, 4, 0)])]),
+            "the edge has no length: draw a curve",
+        ),
+        (lambda: placed_curve([DROP]), r"a corner of 113 degrees at \(0, 0, 0\) mm"),
+    ]
+)
 
 
 @pytest.mark.parametrize(

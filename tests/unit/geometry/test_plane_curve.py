@@ -8,6 +8,7 @@ from scipy.interpolate import BSpline
 from scipy.special import ellipeinc
 
 from elastica_cad import InputError, PlaneCurve
+from tests.refusals import refusal_test
 
 pytestmark = pytest.mark.core
 
@@ -270,18 +271,17 @@ def test_bezier_pieces_are_the_curve():
     assert t1 == curve.domain[1]
 
 
-def test_parameters_and_arc_lengths_outside_are_refused():
-    curve = PlaneCurve.spline(POINTS)
-    with pytest.raises(InputError, match="outside the curve"):
-        curve.evaluate(1.1)
-    with pytest.raises(InputError, match="outside the curve"):
-        curve.parameter([0.0, curve.length * 1.01])
-    with pytest.raises(InputError, match="outside the curve"):
-        curve.at(np.nan)
-    with pytest.raises(InputError, match="order 0 to 3"):
-        curve.evaluate(0.5, 4)
-    with pytest.raises(InputError, match="2 points or more"):
-        curve.sample(1)
+OPEN = PlaneCurve.spline(POINTS)
+
+test_parameters_and_arc_lengths_outside_are_refused = refusal_test(
+    [
+        (lambda: OPEN.evaluate(1.1), "outside the curve"),
+        (lambda: OPEN.parameter([0.0, 1.01 * OPEN.length]), "outside the curve"),
+        (lambda: OPEN.at(np.nan), "outside the curve"),
+        (lambda: OPEN.evaluate(0.5, 4), "order 0 to 3"),
+        (lambda: OPEN.sample(1), "2 points or more"),
+    ]
+)
 
 
 @pytest.mark.parametrize("size", [1e-7, 1e-3, 1e5, 1e9])
