@@ -5,7 +5,7 @@ from typing import Any, TypeAlias
 
 from elastica_cad.declared import Field, Kind, Record
 from elastica_cad.design.model_tables import DesignKeys
-from elastica_cad.design.records import fields_of, title, told, word_of, written
+from elastica_cad.design.records import fields_of, tables_in, title, told, word_of, written
 
 SCHEMA_FILE = "elastica.schema.json"
 """Name of the schema file beside a design file, which refers to it in its first line."""
@@ -35,17 +35,11 @@ def tables() -> dict[str, Keys]:
     waiting: list[Record] = [DesignKeys]
     while waiting:
         for one in fields_of(waiting.pop()):
-            for inner in _records(written(one.kind)):
+            for inner in tables_in(written(one.kind)):
                 if title(inner) not in found:
                     found[title(inner)] = inner
                     waiting.append(inner)
     return {name: _keys(record) for name, record in found.items()}
-
-
-def _records(kind: Kind) -> list[Record]:
-    """Return the records of the tables in a value."""
-    inner = [record for one in kind.of for record in _records(written(one))]
-    return [*inner, *([kind.record] if kind.record is not None else [])]
 
 
 def _keys(record: Record) -> Keys:

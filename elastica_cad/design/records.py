@@ -438,7 +438,7 @@ def _walked(record: Record) -> Iterator[tuple[str, Field]]:
         if one.name in without:
             continue
         yield one.name, one
-        for inner in _tables(written(one.kind)):
+        for inner in tables_in(written(one.kind)):
             if word := word_of(inner):
                 yield (
                     f"{one.name}.kind",
@@ -448,8 +448,9 @@ def _walked(record: Record) -> Iterator[tuple[str, Field]]:
                 yield f"{one.name}.{path}", entry
 
 
-def _tables(kind: Kind) -> list[Record]:
-    found = [inner for one in kind.of for inner in _tables(written(one))]
+def tables_in(kind: Kind) -> list[Record]:
+    """Return the records of the tables in a value."""
+    found = [inner for one in kind.of for inner in tables_in(written(one))]
     return [*found, *([kind.record] if kind.record is not None else [])]
 
 

@@ -1,7 +1,6 @@
 """Play of tabs in their holders: pockets and slots, shapes of the held strips, and tabs that rock."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TypeGuard
 
 import numpy as np
 
@@ -154,19 +153,12 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
                 "{name} leaves its tabs {across:.2g} across and {turn:.2g} degrees to turn",
                 name=name, across=Length(across), turn=turn,
             ))  # fmt: skip
-    glued = (one for one in holders if (isinstance(one, BasePlate) and one.glued) or _lies_on(one))
-    return (
-        *told,
-        *(
-            note("{name} leaves its tabs no play: they are glued at their angle", name=one.name)
-            for one in glued
-        ),
-    )
-
-
-def _lies_on(holder: object) -> TypeGuard[Ring]:
-    """Return True if the holder is a ring with tabs on its face."""
-    return isinstance(holder, Ring) and bool(holder.seats)
+    for holder in holders:
+        lies_on_ring = isinstance(holder, Ring) and bool(holder.seats)
+        if isinstance(holder, BasePlate) and (holder.glued or lies_on_ring):
+            text = "{name} leaves its tabs no play: they are glued at their angle"
+            told.append(note(text, name=holder.name))
+    return tuple(told)
 
 
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:

@@ -207,16 +207,12 @@ def _nested_group(
     ]
 
 
-def _turns(piece: Piece) -> tuple[bool, ...]:
-    """Return the permitted orientations, with True for turned by 90 degrees; the grain of the sheet is along x."""
-    return {"along": (False,), "across": (True,)}.get(piece.sheet.grain, (False, True))
-
-
 def _boxes(index: int, piece: Piece, margin: float, room: tuple[float, float], upright: bool) -> list[_Box]:
     """Return the orientations in which the piece fits the sheet."""
     x, y = (side + margin for side in piece.size)
     found = []
-    for turned in _turns(piece):
+    turns = {"along": (False,), "across": (True,)}.get(piece.sheet.grain, (False, True))  # grain is along x
+    for turned in turns:
         long, wide = (y, x) if turned != upright else (x, y)
         if long <= room[0] + SLACK_MM and wide <= room[1] + SLACK_MM:
             found.append(_Box(index, long, wide, turned))

@@ -197,20 +197,14 @@ class Splice:
     Attributes
     ----------
     strip : Strip
-    joints : tuple of float
-        Places at which the strip (for a laminate, its base) is cut, mm along it.
-    lap : float
-        Length of the plates, half of it on either piece, mm.
-    backing_joints : tuple of float
-        Places at which the backing of a laminate is cut, mm along it.
+    plates : LapPlates
+        Plates that join the pieces, half of each plate on either piece.
     ends : (str, str)
         Texts engraved at the start and at the end of the strip's base; empty for no text.
     """
 
     strip: Strip
-    joints: tuple[float, ...]
-    lap: float
-    backing_joints: tuple[float, ...] = ()
+    plates: LapPlates
     ends: tuple[str, str] = ("", "")
 
     @property
@@ -225,11 +219,11 @@ class Splice:
         name, base = strip.label or "strip", strip.layers[0]
         marks = [drawing.on(MARK) for drawing in strip.drawings()]
         cut = replace(base, holes=self._holes)
-        whole = [_Whole(name, cut, strip.width, marks[0], self.joints, strip.slots, self.ends)]
+        whole = [_Whole(name, cut, strip.width, marks[0], self.plates.joints, strip.slots, self.ends)]
         if layout.backing is not None:
             glued = strip.layers[1]
             whole.append(
-                _Whole(f"{name}-backing", glued, layout.backing.width, marks[1], self.backing_joints)
+                _Whole(f"{name}-backing", glued, layout.backing.width, marks[1], self.plates.backing_joints)
             )
         return {layer.name: self._cut(layer) for layer in whole}
 
@@ -258,7 +252,7 @@ class Splice:
     def __str__(self) -> str:
         """Return a sentence on joints, plates and their effect."""
         if len(self.strip.layers) > 1:
-            joints = zip(self.layer_pieces, (self.joints, self.backing_joints), strict=True)
+            joints = zip(self.layer_pieces, (self.plates.joints, self.plates.backing_joints), strict=True)
             pieces = Listed(
                 note("{pieces} at {places}", pieces=name, places=Listed(map(Mm, at)))
                 for name, at in joints
@@ -267,7 +261,7 @@ class Splice:
             return note(
                 "cut in pieces: {pieces}, joined by plates of {lap:g} on the free face of each layer, which "
                 "are stiffer and move the shape by {far:.2g}",
-                pieces=pieces, lap=Mm(self.lap), far=Mm(self.deviation), severity="warning",
+                pieces=pieces, lap=Mm(self.plates.lap), far=Mm(self.deviation), severity="warning",
             )  # fmt: skip
         text = (
             "cut in {count} pieces at {places}, joined by plates of {lap:g}, without the {lost} holes that "
@@ -276,21 +270,16 @@ class Splice:
             else "cut in {count} pieces at {places}, joined by plates of {lap:g}, which are stiffer and "
             "move the shape by {far:.2g}"
         )
-        places = Listed(map(Mm, self.joints))
+        places = Listed(map(Mm, self.plates.joints))
         return note(
             text,
-            count=len(self.joints) + 1,
+            count=len(self.plates.joints) + 1,
             places=places,
-            lap=Mm(self.lap),
+            lap=Mm(self.plates.lap),
             lost=lost,
             far=Mm(self.deviation),
             severity="warning",
         )
-
-    @property
-    def plates(self) -> LapPlates:
-        """Plates that join the pieces."""
-        return LapPlates(self.joints, self.lap, self.backing_joints)
 
     @cached_property
     def _holes(self) -> tuple[Path, ...]:
@@ -300,13 +289,13 @@ class Splice:
     def _cut(self, whole: "_Whole") -> tuple[Piece, ...]:
         """Return the pieces of a layer in order, then its plates."""
         (first, _), (last, _) = whole.layer.outline.bounds
-        ends = [float(first), *whole.joints, float(last)]
+        ends, half = [float(first), *whole.joints, float(last)], self.plates.lap / 2
         pieces = [
             self._piece(whole, f"{whole.name}-{k}", low, high)
             for k, (low, high) in enumerate(pairwise(ends), start=1)
         ]
         plates = [
-            self._piece(whole, f"{whole.name}-lap-{k}", at - self.lap / 2, at + self.lap / 2, plate=True)
+            self._piece(whole, f"{whole.name}-lap-{k}", at - half, at + half, plate=True)
             for k, at in enumerate(whole.joints, start=1)
         ]
         return (*pieces, *plates)
@@ -318,7 +307,7 @@ class Splice:
         holes: list[Path] = []
         slots: list[Slot] = []
         if not plate:
-            edges = [at + side * self.lap / 2 for at in whole.joints for side in (-1, 1)]
+            edges = [at + side * self.plates.lap / 2 for at in whole.joints for side in (-1, 1)]
             marks = [_tick(whole, x) for x in edges if low < x < high]
             marks += [part for mark in whole.marks for part in trim_across(mark, low, high)]
             holes = [hole for hole in layer.holes if low < float(hole.bounds.mean(axis=0)[0]) < high]
@@ -344,7 +333,7 @@ class Splice:
     def _clear_of_holes(self, whole: "_Whole", low: float, high: float) -> tuple[float, float]:
         """Return the span of a perforated piece under a plate, which has no holes."""
         joint = next(at for at in whole.joints if at in (low, high))
-        return (joint, joint + self.lap / 2) if joint == low else (joint - self.lap / 2, joint)
+        return (joint, joint + self.plates.lap / 2) if joint == low else (joint - self.plates.lap / 2, joint)
 
 
 @dataclass(frozen=True, eq=False)
@@ -432,7 +421,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
                 lap=Mm(lap),
             )
         found.append(joints)
-    return Splice(strip, found[0], lap, found[1] if len(found) > 1 else ())
+    return Splice(strip, LapPlates(found[0], lap, found[1] if len(found) > 1 else ()))
 
 
 def spliced(strip: Strip, shop: FabricationLimits) -> Splice | None:

@@ -515,11 +515,6 @@ class Strip:
         return self.layers[0].outline
 
     @property
-    def _begins_at(self) -> str:
-        """Start of the strip in the coordinates of the program in which the curve was drawn."""
-        return (self.rod.curve.provenance or Provenance()).shown(self.rod.position[0])
-
-    @property
     def mass_told(self) -> str:
         """Mass in words: in grams, or in kilograms from 1000 g on."""
         return f"{self.mass:.3g} g" if self.mass < 1000 else f"{self.mass / 1000:.3g} kg"
@@ -553,7 +548,8 @@ class Strip:
         """Sentence on the joint of a closed strip and its load; empty for an open strip."""
         if not self.is_closed:
             return ""
-        return _tell_joint(self.ends[1].length, self.end_widths[1], self.reactions(), self._begins_at)
+        start = (self.rod.curve.provenance or Provenance()).shown(self.rod.position[0])
+        return _tell_joint(self.ends[1].length, self.end_widths[1], self.reactions(), start)
 
     @cached_property
     def end_widths(self) -> tuple[float, float]:

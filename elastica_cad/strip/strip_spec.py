@@ -674,7 +674,8 @@ class StripSpec(EqualByValue):
         """Return the law with the weight that acts in the plane."""
         law: BoundedLaw | None = self.law
         felt = self.gravity_in_plane
-        if law is None and self.makes_up_for_curl and (felt is not None or self._asks_for_margin):
+        asks_for_margin = self.limits is not None and self.limits.margin is not None
+        if law is None and self.makes_up_for_curl and (felt is not None or asks_for_margin):
             law = self._width_law  # with the sheet's weight and the stability of a plate
             share = 1.0 if felt is None else (self.material.elasto_gravity_length / felt.length) ** 3
         if law is None and felt is None and isinstance(self.style, Laminated):
@@ -688,10 +689,6 @@ class StripSpec(EqualByValue):
             return law
         lighter = replace(sheet, density=share * sheet.density, density_range=None)
         return cast(BoundedLaw, replace(cast(Any, law), sheet=lighter))
-
-    @property
-    def _asks_for_margin(self) -> bool:
-        return self.limits is not None and self.limits.margin is not None
 
     @property
     def _makeable_limits(self) -> Limits:
@@ -781,12 +778,6 @@ class StripSpec(EqualByValue):
             return None
         return self.changed(**{change.field: change.value})
 
-    @property
-    def _bent(self) -> PlaneCurve:
-        """Curve of the strip if it may not change."""
-        widths = self.max_width, self.min_width
-        return Smoothing(self._begun, self.smooth, self.supports, widths=widths).curve
-
     def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
         """Return the layers from which a laminate's rod is computed; gravity must act fully in the plane."""
         if abs(gravity.length / self.material.elasto_gravity_length - 1) > SAME_LENGTH:
@@ -795,9 +786,11 @@ class StripSpec(EqualByValue):
                 "plane, give {field} the length of the base sheet, or leave it out",
                 field=FieldName("gravity"),
             )
+        widths = self.max_width, self.min_width
+        bent = Smoothing(self._begun, self.smooth, self.supports, widths=widths).curve
         return LaminateLayers(
             LaminatedSection(self.material, style.backing),
-            width_profile(style.width, self._bent.length, "the width of the base"),
+            width_profile(style.width, bent.length, "the width of the base"),
             style.least_backing,
         )
 

@@ -105,7 +105,7 @@ class Travel:
     @property
     def is_turn(self) -> bool:
         """True if the ends turn without travel."""
-        return self._movement.is_turn
+        return Movement(np.append(0.0, self.travel), np.append(0.0, self.turn)).is_turn
 
     @property
     def unit(self) -> str:
@@ -116,10 +116,6 @@ class Travel:
     def path_length(self) -> FloatArray:
         """Travel (k,), mm, or turn, degrees, if the ends only turn."""
         return np.degrees(self.turn) if self.is_turn else self.travel
-
-    @property
-    def _movement(self) -> Movement:
-        return Movement(np.append(0.0, self.travel), np.append(0.0, self.turn))
 
     @property
     def turning_moment(self) -> FloatArray:

@@ -410,9 +410,10 @@ def find_strip_faults(
         leasts[1:] = [min(least, strip.style.least_backing) for least in leasts[1:]]
     ligament = shop.ligament_for(strip.sheet)
     faults: list[Fault] = []
+    length = strip.rod.length + sum(tab.length for tab in strip.ends)
+    width = max(float(strip.width.extremes[1]), *(tab.width or 0.0 for tab in strip.ends))
     for i, (layer, least, stock) in enumerate(zip(strip.layers, leasts, stocks, strict=True)):
         called = name if i == 0 else f"{name}, backing"
-        length, width = _size(strip)
         long = min(length, stock[0] if joined else np.inf)
         if max(long, width) < FAR_LARGER * stock[0]:
             web = min(least, shop.bridge_for(layer.sheet))
@@ -493,12 +494,6 @@ def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]
         for tab, depth, thickness in shoulders
         if depth > thickness
     )
-
-
-def _size(strip: Strip) -> tuple[float, float]:
-    """Return length and width of the flat part, mm, including tabs and slots."""
-    length = strip.rod.length + sum(tab.length for tab in strip.ends)
-    return length, max(float(strip.width.extremes[1]), *(tab.width or 0.0 for tab in strip.ends))
 
 
 def _thin_strip(

@@ -39,7 +39,7 @@ def test_pieces_and_plates_are_the_strip_cut_across(arch):
     assert [piece.name for piece in joined.pieces] == ["A-1", "A-2", "A-3", "A-lap-1", "A-lap-2"]
     assert sum(piece.area for piece in pieces) == pytest.approx(arch.outline.area)
     assert max(piece.size[0] for piece in pieces) <= 1300
-    for plate, at in zip((one, two), joined.joints, strict=True):
+    for plate, at in zip((one, two), joined.plates.joints, strict=True):
         assert plate.size[0] == pytest.approx(80.0)
         assert plate.bounds.mean(axis=0)[0] == pytest.approx(at)
         assert plate.area == pytest.approx(
@@ -58,7 +58,7 @@ def test_what_the_plates_do_is_bent_forward(arch):
     assert moved[0] < 0.1 + arch.deviation_as_built
     assert moved[0] < moved[1] < moved[2] < moved[3]
     joined = splice(arch, 2200.0, 80.0)
-    (at,) = joined.joints
+    (at,) = joined.plates.joints
     lost = 7 / 8 * np.ptp(np.interp([at - 40, at + 40], arch.rod.s, arch.rod.angle))
     assert 0.02 * lost * 1000 < joined.deviation < lost * 2000  # rad on arms of about a metre, both ends held
     assert "cut in 2 pieces at" in str(joined)
@@ -151,9 +151,9 @@ def test_plates_that_would_lie_on_a_slot_are_laid_elsewhere(arch):
     shop = ec.FabricationLimits(stock=(2200, 1500), lap=80.0)
     joined = joined_within(arch, shop)
     (at,) = joined.plates.joints
-    assert spliced(joined, shop).joints == (at,)
+    assert spliced(joined, shop).plates.joints == (at,)
     crossed = replace(joined, slots=(ec.Slot(at, 4.0),))
-    (other,) = spliced(crossed, shop).joints
+    (other,) = spliced(crossed, shop).plates.joints
     assert abs(other - at) > 40
     assert joined_within(crossed, shop).plates.joints == (other,)
     assert joined_within(joined, ec.FabricationLimits(stock=(4000, 1500))).plates is None
@@ -163,14 +163,14 @@ def test_joints_lie_where_the_strip_turns_least():
     """At the inflection of a wave, where a stiffer place changes nothing."""
     wave = ec.make_strip(WAVE, PLY, max_width=120, shop=ec.FabricationLimits(stock=(4000, 1500)))
     (middle,) = wave.rod.curve.inflections
-    (at,) = splice(wave, 2600.0, 80.0).joints
+    (at,) = splice(wave, 2600.0, 80.0).plates.joints
     assert at == pytest.approx(middle, abs=20)
 
 
 def test_joints_keep_off_slots(arch):
-    (at,) = splice(arch, 2200.0, 80.0).joints
+    (at,) = splice(arch, 2200.0, 80.0).plates.joints
     slotted = ec.Strip(arch.rod, PLY, max_width=120, slots=(ec.Slot(at, 4.2),), label="A")
-    (moved,) = splice(slotted, 2200.0, 80.0).joints
+    (moved,) = splice(slotted, 2200.0, 80.0).plates.joints
     assert abs(moved - at) > 44
 
 
@@ -180,7 +180,7 @@ def test_perforated_strips_are_solid_under_their_plates():
     strip = ec.make_strip(ARCH, PLY, style=style, label="A", shop=ec.FabricationLimits(stock=(4000, 1500)))
     joined = splice(strip, 2200.0, 80.0)
     one, two, plate = joined.pieces
-    (at,) = joined.joints
+    (at,) = joined.plates.joints
     assert not plate.drawing.on(CUT_INNER)
     assert plate.area == pytest.approx(80 * 120.0)
     spans = [hole.bounds[:, 0] for hole in strip.holes]
@@ -205,7 +205,7 @@ def test_layers_of_a_laminate_are_staggered():
     """Each is cut elsewhere, under plates of its own, and the pieces of a layer are what it was."""
     strip = laminated()
     joined = splice(strip, 2200.0, 16.0)
-    (base,), (backing,) = joined.joints, joined.backing_joints
+    (base,), (backing,) = joined.plates.joints, joined.plates.backing_joints
     assert abs(base - backing) >= 16
     names = [["A-1", "A-2", "A-lap-1"], ["A-backing-1", "A-backing-2", "A-backing-lap-1"]]
     assert [[piece.name for piece in layer] for layer in joined.layer_pieces.values()] == names
@@ -220,8 +220,8 @@ def test_layers_of_a_laminate_are_staggered():
 
 def test_a_layer_that_fits_its_stock_stays_whole():
     joined = splice(laminated(), 2200.0, 16.0, backing_stock=4000.0)
-    assert joined.backing_joints == ()
-    assert str(joined).startswith(f"cut in pieces: A at {joined.joints[0]:.0f} mm, joined by plates")
+    assert joined.plates.backing_joints == ()
+    assert str(joined).startswith(f"cut in pieces: A at {joined.plates.joints[0]:.0f} mm, joined by plates")
     assert [piece.name for piece in joined.layer_pieces["A-backing"]] == ["A-backing-1"]
 
 
@@ -232,9 +232,9 @@ def test_three_glued_sheets_are_as_stiff_as_one_of_thrice_the_thickness():
     plain = ec.make_strip(bow, "birch-plywood-0.8", max_width=60)
     glued = ec.make_strip(bow, "birch-plywood-0.8", style=style)
     at = plain.rod.length / 2
-    one = Splice(plain, (at,), 8.0).deviation
-    for joints in (((at,), 8.0), ((), 8.0, (at,))):
-        assert Splice(glued, *joints).deviation / one == pytest.approx((1 - 8 / 27) / (1 - 1 / 8), rel=1e-2)
+    one = Splice(plain, LapPlates((at,), 8.0)).deviation
+    for plates in (LapPlates((at,), 8.0), LapPlates((), 8.0, (at,))):
+        assert Splice(glued, plates).deviation / one == pytest.approx((1 - 8 / 27) / (1 - 1 / 8), rel=1e-2)
 
 
 def test_marks_of_the_backing_go_on_across_the_pieces():
@@ -246,7 +246,7 @@ def test_marks_of_the_backing_go_on_across_the_pieces():
     )  # fmt: skip
     joined = splice(strip, 2200.0, 30.0)
     whole = sum(path.length for path in strip.drawing().on(MARK))
-    plates = sum(0.8 * strip.width(at + side * 15.0) for at in joined.joints for side in (-1, 1))
+    plates = sum(0.8 * strip.width(at + side * 15.0) for at in joined.plates.joints for side in (-1, 1))
     cut = sum(path.length for piece in joined.layer_pieces["A"] for path in piece.drawing.on(MARK))
     assert cut == pytest.approx(whole + plates)
 
@@ -371,7 +371,7 @@ def test_pieces_of_slotted_strips_have_all_that_the_strip_has(seed):
     drawings = [piece.drawing for piece in joined.pieces]
     loops = [polygon(drawing.on(CUT_OUTER)[0]) for drawing in drawings]
     bare = polygon(replace(strip, slots=()).outline)
-    for at, plate in zip(joined.joints, loops[len(pieces) :], strict=True):
+    for at, plate in zip(joined.plates.joints, loops[len(pieces) :], strict=True):
         covered = bare.intersection(shapely.box(at - 15, -99, at + 15, 99))
         assert plate.symmetric_difference(covered).area < 0.2
     for drawing, loop in zip(drawings, loops, strict=True):
@@ -400,7 +400,7 @@ def test_plates_of_a_strip_without_tabs_move_it_as_much():
     rod = ec.optimal_rod(ARCH)
     held, bare = (ec.Strip(rod, PLY, max_width=120.0, ends=(tab, tab)) for tab in (ec.Tab(10.0), ec.Tab(0.0)))
     plates = LapPlates((1500.0,), 80.0)
-    moved = [Splice(strip, plates.joints, plates.lap).deviation for strip in (held, bare)]
+    moved = [Splice(strip, plates).deviation for strip in (held, bare)]
     assert moved[1] == pytest.approx(moved[0], rel=1e-6)
 
 
