@@ -50,7 +50,7 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
             curves += [(source, chain) for chain in _chains(source, edges)]
         elif source.TypeId == BODY and not any(obj in source.Group for obj in meant):
             curves.append((_sketch_in(source), ()))
-        elif hasattr(source, "Shape") and _has_curves(source.Shape):
+        elif hasattr(source, "Shape") and source.Shape.Edges and _is_open(source.Shape):
             chains = _chains(source, [f"Edge{i + 1}" for i in range(len(source.Shape.Edges))])
             curves += [(source, chain) for chain in chains] if len(chains) > 1 else [(source, ())]
     if not curves:
@@ -132,8 +132,8 @@ def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
     return [tuple(chain) for chain, _ in chains]
 
 
-def _has_curves(shape: Any) -> bool:
-    return bool(shape.Edges) and (not shape.Faces or is_outline(shape))
+def _is_open(shape: Any) -> bool:
+    return not shape.Faces or is_outline(shape)
 
 
 def is_curve_chosen() -> bool:

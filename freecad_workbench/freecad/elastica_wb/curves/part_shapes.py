@@ -74,7 +74,7 @@ def make_solid(record: BodyRecord | PrismSolid) -> Part.Shape:
         return (whole.cut(holes) if holes else whole).removeSplitter()
     if isinstance(record, FlatSolid) and record.is_prism:
         face = make_face(record.outline, record.holes, record.frame)
-        return face.extrude(_vector(record.frame.z_axis * record.thickness))
+        return face.extrude(App.Vector(*map(float, record.frame.z_axis * record.thickness)))
     return _read(boundary_brep(record.boundary))
 
 
@@ -179,7 +179,3 @@ def _spline_edge(spline: Any) -> Edge:
     points = np.array([(p.x, p.y, p.z) for p in spline.getPoles()])
     weights = np.array(spline.getWeights()) if spline.isRational() else None
     return Edge(np.repeat(spline.getKnots(), spline.getMultiplicities()), points, spline.Degree, weights)
-
-
-def _vector(point: Sequence[float]) -> App.Vector:
-    return App.Vector(*map(float, point))

@@ -80,7 +80,8 @@ def _slotted(obj: Any) -> Strip:
 
 def _beside(strip: Any) -> App.Placement:
     """Return a free place on the ground, in front of the drawn curve."""
-    source, width = strip.Curve[0] if strip.Curve else None, _width(strip)
+    source = strip.Curve[0] if strip.Curve else None
+    width = max(strip.MaxWidth.Value, strip.OuterWidth.Value)  # of the outline in any style
     if source is not None and not _box(source).isValid():
         source.recompute()  # the sketch may not have been recomputed, as after undo
     box = _box(source)
@@ -111,11 +112,6 @@ def _lying(strip: Any) -> Iterator[App.BoundBox]:
         shown = is_flat(obj) or (is_strip(obj) and obj is not strip)
         if shown and obj.getParentGeoFeatureGroup() is group and obj.Shape.BoundBox.isValid():
             yield obj.Shape.BoundBox
-
-
-def _width(strip: Any) -> float:
-    """Return the largest width of the outline in any style, mm."""
-    return float(max(strip.MaxWidth.Value, strip.OuterWidth.Value))
 
 
 def flats_of(strips: Iterable[Any]) -> list[Any]:

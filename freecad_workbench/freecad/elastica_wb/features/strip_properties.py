@@ -8,7 +8,7 @@ here.
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -68,14 +68,6 @@ OWN_TABLES = ("style", "limits", "keep")
 
 GROUPS = {"style": "Style", "limits": "Nearest", "keep": "Nearest", "curve": "Curve", "sheet": "Sheet",
           "widths": "Width", "ends": "Ends", "weight": "Mechanics"}  # fmt: skip
-
-
-def _property_of(path: str, field: Field) -> Property:
-    """Return the property of a key with a single value."""
-    name = name_of(path)
-    return declared_property(
-        field, _group(path), name, given=DEFAULTS.get(name), example=EXAMPLES.get(name, "")
-    )
 
 
 def _group(path: str) -> str:
@@ -196,7 +188,10 @@ PROPERTIES = (
         "String", "MadeFrom", "Tells the request that the shape was made from", hidden=True, transient=True
     ),
     CONTAINERS,
-    *(_property_of(*one) for one in FIELDS.items()),
+    *(
+        declared_property(field, _group(path), name, given=DEFAULTS.get(name), example=EXAMPLES.get(name, ""))
+        for path, field, name in ((path, field, name_of(path)) for path, field in FIELDS.items())
+    ),
 )
 
 NEAREST = tuple(
@@ -240,13 +235,20 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         A size is far out of range: a typing error, or another unit.
     """
     _refuse_slips(obj, drawn)
-    table = table_of(obj, drawn, nearest=obj.Follow == "Nearest")
-    return read_request(Table(table, "", {}), _reader(obj), drawn.curve, drawn.plane)
+    sheets = {SHEET: _sheet(obj)}
+    if obj.Style == "Laminated":
+        sheets[BACKING] = sheet_called(obj.Backing, obj.BackingData)
+    nearest = obj.Follow == "Nearest"
+    fields = {path: field for path, field in FIELDS.items() if _counts(obj, path, nearest=nearest)}
+    table = _table(obj, drawn, fields, READ_STRIP | READ_ROD | (READ_LIMITS if nearest else {}))
+    return read_request(table, Reader(sheets), drawn.curve, drawn.plane)
 
 
 def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
     """Return the request for the nearest rod within the limits, even if the strip follows its curve."""
-    fields = read_fields(Table(table_of(obj, drawn, nearest=True), "", {}), _reader(obj))
+    limits = {path: field for path, field in FIELDS.items() if path.startswith(("limits.", "keep."))}
+    table = _table(obj, drawn, limits, READ_ROD | READ_LIMITS)
+    fields = read_fields(table, Reader({SHEET: _sheet(obj)}))
     gravity, _ = pull_in_plane(fields.get("gravity"), _sheet(obj), drawn.plane)
     return RodSpec(
         drawn.curve, gravity, fields.get("supports", Supports()), fields.get("natural_curvature", 0.0),
@@ -254,8 +256,10 @@ def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
     )  # fmt: skip
 
 
-def table_of(obj: Any, drawn: DrawnCurve, *, nearest: bool) -> dict[str, Any]:
-    """Return the table of a design file that requests the same strip as the properties.
+def _table(
+    obj: Any, drawn: DrawnCurve, fields: Mapping[str, Field], readers: Mapping[str, Callable[[Any], Any]]
+) -> Table:
+    """Return the table of a design file that requests the same as the properties of some keys.
 
     Raises
     ------
@@ -263,27 +267,17 @@ def table_of(obj: Any, drawn: DrawnCurve, *, nearest: bool) -> dict[str, Any]:
         A line is not a table, or the limits of a range are in the wrong order.
     """
     table: dict[str, Any] = {}
-    for path, field in FIELDS.items():
-        if name_of(path) in obj.PropertiesList and _counts(obj, path, nearest=nearest):
-            value = _value(obj, name_of(path), field)
-            if value is not None:
-                put(table, path, value)
+    for path, field in fields.items():
+        value = _value(obj, name_of(path), field)
+        if value is not None:
+            put(table, path, value)
     if (gravity := _gravity(obj, drawn)) is not None:
         table["gravity"] = gravity
-    for key, read in READ.items():
-        if key in ("limits", "keep") and not nearest:
-            continue
+    for key, read in readers.items():
         value = read(obj)
         if value is not None:
             table[key] = merged(table.get(key, {}), value) if isinstance(value, dict) else value
-    return table
-
-
-def _reader(obj: Any) -> Reader:
-    sheets = {SHEET: _sheet(obj)}
-    if getattr(obj, "Style", "") == "Laminated":
-        sheets[BACKING] = sheet_called(obj.Backing, obj.BackingData)
-    return Reader(sheets)
+    return Table(table, "", {})
 
 
 def _counts(obj: Any, path: str, *, nearest: bool) -> bool:
@@ -342,31 +336,24 @@ def _sheet(obj: Any) -> Sheet:
     return replace(sheet, thickness=thickness, thickness_range=None)
 
 
-def _style(obj: Any) -> dict[str, Any] | None:
-    if "Style" not in obj.PropertiesList:
-        return None
+def _style(obj: Any) -> dict[str, Any]:
     kind = obj.Style.lower()
     return {"kind": kind, "backing": BACKING} if kind == "laminated" else {"kind": kind}
 
 
 def _max_width(obj: Any) -> float | None:
     """Return the limit on the material width of a styled outline. A plain strip has its own property."""
-    if getattr(obj, "Style", "Plain") == "Plain" or obj.Law.strip():
-        return None
-    return obj.MaterialWidth.Value or None
+    return None if obj.Style == "Plain" or obj.Law.strip() else obj.MaterialWidth.Value or None
 
 
 def _shop(obj: Any) -> dict[str, Any] | None:
     """Return the shop limits: the smallest ligament is that of the style."""
-    perforated = getattr(obj, "Style", "") == "Perforated"
-    return {"least_ligament": obj.LeastLigament.Value} if perforated else None
+    return {"least_ligament": obj.LeastLigament.Value} if obj.Style == "Perforated" else None
 
 
 def _compensate(obj: Any) -> bool | None:
     """Return True (compensate everything), False (nothing) or None (the default)."""
-    if "Compensate" not in obj.PropertiesList or (obj.Anticlastic and not obj.Compensate):
-        return None
-    return bool(obj.Compensate)
+    return None if obj.Anticlastic and not obj.Compensate else bool(obj.Compensate)
 
 
 def _gravity(obj: Any, drawn: DrawnCurve) -> Any:
@@ -387,14 +374,9 @@ def _natural_curvature(obj: Any) -> Any:
 
 
 def _loads(obj: Any) -> Any:
-    if "Loads" not in obj.PropertiesList:
-        return None
-    weight = obj.WeightLaw.strip()
-    return (
-        parsed_line(weight, "WeightLaw", WEIGHT_LINE)
-        if weight
-        else _lines(obj.Loads, "Loads", MASS_LINE) or None
-    )
+    if weight := obj.WeightLaw.strip():
+        return parsed_line(weight, "WeightLaw", WEIGHT_LINE)
+    return _lines(obj.Loads, "Loads", MASS_LINE) or None
 
 
 def _limits(obj: Any) -> dict[str, Any]:
@@ -434,9 +416,7 @@ def _keep(obj: Any) -> dict[str, Any]:
     return keep | ({"line": True} if obj.KeepLine else {})
 
 
-def _ends(obj: Any) -> list[dict[str, Any]] | None:
-    if "StartTab" not in obj.PropertiesList:
-        return None
+def _ends(obj: Any) -> list[dict[str, Any]]:
     tabs = []
     for side in ("Start", "End"):
         keys, length = getattr(obj, f"{side}TabKeys"), getattr(obj, f"{side}Tab").Value
@@ -452,17 +432,18 @@ def _tab(obj: Any, length: float) -> dict[str, Any]:
     return {"length": length, "corner_radius": obj.TabRadius.Value, **holes}
 
 
-READ: dict[str, Callable[[Any], Any]] = {
-    "sheet": lambda _: SHEET,
+READ_STRIP: dict[str, Callable[[Any], Any]] = {
     "style": _style,
     "max_width": _max_width,
     "shop": _shop,
     "compensate": _compensate,
-    "supports": lambda obj: [obj.StartSupport, obj.EndSupport],
-    "natural_curvature": _natural_curvature,
     "loads": _loads,
     "ends": _ends,
-    "limits": _limits,
-    "keep": _keep,
 }
+READ_ROD: dict[str, Callable[[Any], Any]] = {
+    "sheet": lambda _: SHEET,
+    "supports": lambda obj: [obj.StartSupport, obj.EndSupport],
+    "natural_curvature": _natural_curvature,
+}
+READ_LIMITS: dict[str, Callable[[Any], Any]] = {"limits": _limits, "keep": _keep}
 """Readers of keys that do not match one property: two properties for one value, or one for two."""

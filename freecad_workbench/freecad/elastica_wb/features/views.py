@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any, ClassVar
 
 import FreeCADGui as Gui
-from freecad.elastica_wb.host.objects import Unsaved
+from freecad.elastica_wb.host.objects import Unsaved, is_model
 from freecad.elastica_wb.host.resources import icon
 
 
@@ -78,9 +78,7 @@ class ModelView(View):
     def onDelete(self, _provider: Any, _elements: Any) -> bool:
         """Show the strips that the model hid, unless they failed."""
         for strip in self.Object.Strips:
-            if not any(
-                isinstance(_view_of(user), ModelView) for user in strip.InList if user is not self.Object
-            ):
+            if not any(is_model(user) for user in strip.InList if user is not self.Object):
                 strip.HiddenByError = "Invalid" in strip.State
                 strip.ShownByError = False
                 strip.Visibility = not strip.HiddenByError
@@ -121,10 +119,6 @@ class SectionView(View):
     """View provider of the sections of bodies."""
 
     icon_name = "Elastica_Section"
-
-
-def _view_of(obj: Any) -> Any:
-    return getattr(obj.ViewObject, "Proxy", None)
 
 
 KINDS = {

@@ -18,12 +18,7 @@ from elastica_cad.mechanics.sheets import Sheet, built_in_figures, load_sheets, 
 
 def own_sheets_file() -> Path:
     """Return the path of the file with the user's sheets."""
-    return _file_in(App.getUserAppDataDir())
-
-
-@lru_cache(maxsize=4)
-def _file_in(folder: str) -> Path:
-    return Path(folder) / "elastica-sheets.toml"
+    return Path(App.getUserAppDataDir()) / "elastica-sheets.toml"
 
 
 def own_sheets() -> dict[str, Sheet]:

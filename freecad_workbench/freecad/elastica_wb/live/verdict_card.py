@@ -14,7 +14,7 @@ from freecad.elastica_wb.host.qt import QtCore, QtWidgets, kind_of, later, surfa
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live.overlay import COLORS, PARTS
-from freecad.elastica_wb.solving.verdicts import Answer
+from freecad.elastica_wb.solving.verdicts import Answer, Verdict
 from pivy import coin
 
 GAP_PX = 12  # distance from the view's edges, and around the places to keep visible
@@ -70,10 +70,7 @@ class VerdictCard(QtCore.QObject):
     def _show(self, answer: Answer, sentence: str, legend: str) -> None:
         self.heading.setText(worded(answer.words))
         if self.answer is None or answer.verdict is not self.answer.verdict:
-            color = hex_of(COLORS[answer.verdict])
-            self.heading.setStyleSheet(
-                f"background: {color}; color: white; font-weight: bold; padding: 4px 8px;"
-            )
+            self.heading.setStyleSheet(heading_style(answer.verdict))
         if (sentence, legend) != (self.words.text(), self.legend.text()):
             self.words.setText(sentence)
             self.legend.setText(legend)
@@ -176,6 +173,11 @@ def _legend(shown: Mapping[str, int]) -> str:
         for name, part in PARTS.items()
         if shown[name]
     )
+
+
+def heading_style(verdict: Verdict) -> str:
+    """Return the style sheet of a heading in the colour of a verdict."""
+    return f"background: {hex_of(COLORS[verdict])}; color: white; font-weight: bold; padding: 4px 8px;"
 
 
 def hex_of(color: tuple[float, float, float]) -> str:

@@ -20,10 +20,9 @@ from freecad.elastica_wb.host.fields import calm, on_change, quantity_box, set_v
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later, surface_of
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import worded
-from freecad.elastica_wb.live.overlay import COLORS
 from freecad.elastica_wb.live.preview import Place, Preview
 from freecad.elastica_wb.live.sketches import edited_sketch
-from freecad.elastica_wb.live.verdict_card import GAP_PX, STYLE, hex_of
+from freecad.elastica_wb.live.verdict_card import GAP_PX, STYLE, heading_style
 from freecad.elastica_wb.recording import record_call, record_end_of_step, record_step, recorded
 from freecad.elastica_wb.solving.verdicts import Verdict
 
@@ -142,7 +141,8 @@ def _taken(sketch: Any, view: Any) -> tuple[int | None, list[FloatArray], list[f
     """Return the start values of the selected curve, the only spline, a selected line, or a new curve."""
     number = _chosen(sketch)
     if number is None:
-        half = VIEW_SHARE * float(view.getCameraNode().height.getValue()) if _is_flat(view) else 50.0
+        is_flat = str(view.getCameraType()) == "Orthographic"
+        half = VIEW_SHARE * float(view.getCameraNode().height.getValue()) if is_flat else 50.0
         return None, [np.array([-half, 0.0]), np.array([half, 0.0])], None, 2 * half * SLACK, 1
     curve = sketch.Geometry[number]
     first, last = curve.FirstParameter, curve.LastParameter
@@ -176,10 +176,6 @@ def _is_closed(curve: Any) -> bool:
         return True  # a point
     ends = (curve.value(curve.FirstParameter), curve.value(curve.LastParameter))
     return bool((ends[0] - ends[1]).Length < DIFFERENT_MM)
-
-
-def _is_flat(view: Any) -> bool:
-    return str(view.getCameraType()) == "Orthographic"
 
 
 _running: list[BetweenClamps] = []
@@ -262,8 +258,7 @@ class LengthCard(QtCore.QObject):
 
     def tell(self, sentence: str, *, good: bool) -> None:
         """Describe the curve, or explain why there is none. Lengths are in mm."""
-        color = hex_of(COLORS[Verdict.CAN if good else Verdict.CANNOT])
-        self.heading.setStyleSheet(f"background: {color}; color: white; font-weight: bold; padding: 4px 8px;")
+        self.heading.setStyleSheet(heading_style(Verdict.CAN if good else Verdict.CANNOT))
         words = worded(sentence)
         if words != self.words.text():
             self.words.setText(words)

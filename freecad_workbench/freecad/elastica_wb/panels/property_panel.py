@@ -226,7 +226,7 @@ class PropertyPanel(Panel):
         set_value(widget, _plain(getattr(self.object, name)))
 
     def _show(self) -> None:
-        if self.form is None or not self._lives():
+        if self.form is None or not all(map(lives, self.subjects)):
             return
         obj, layout = self.object, self.layout
         for name, widgets in self.rows.items():
@@ -261,14 +261,13 @@ class PropertyPanel(Panel):
     def _words(self) -> str:
         obj = self.object
         if len(self.objects) > 1:
-            verdicts = [(feature.Label, words) for feature in self.objects for words in _verdict_of(feature)]
+            verdicts = (
+                (strip.Label, words) for strip in self.objects for words in (strip.Verdict, *strip.Reasons)
+            )
             return "\n".join(together(verdicts))
         if hasattr(obj, "Verdict"):
-            return "\n".join(_verdict_of(obj))
+            return "\n".join([obj.Verdict, *obj.Reasons])
         return why_not_made(obj) or "\n".join(getattr(obj, "Reports", []))
-
-    def _lives(self) -> bool:
-        return all(map(lives, self.subjects))
 
     def _use_nearest(self, *_: Any) -> None:
         for obj in self.objects:
@@ -325,11 +324,6 @@ class PropertyPanel(Panel):
         Gui.Selection.removeObserver(self)
         if self.form is not None and self.layout.source:
             set_value(self.form.pick, False)
-
-
-def _verdict_of(strip: Any) -> list[str]:
-    """Return the headline of a strip and its remarks."""
-    return [strip.Verdict, *strip.Reasons]
 
 
 def _plain(value: Any) -> Any:
