@@ -69,14 +69,13 @@ class Command:
         """Run the command, and show its error if it fails."""
         from freecad.elastica_wb.host.dialogs import tell
         from freecad.elastica_wb.host.refusal import FAILURES, explained
-        from freecad.elastica_wb.recording import record_abort
 
         step = App.getActiveTransaction()
         try:
             self.run()
         except FAILURES as error:
             if App.getActiveTransaction() != step:
-                record_abort()
+                Gui.doCommand("App.closeActiveTransaction(True)")  # so that a macro also takes it back
             tell(str(explained(error)))
 
 

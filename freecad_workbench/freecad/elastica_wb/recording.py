@@ -53,11 +53,6 @@ def record_end_of_step(document: Any, *, abort: bool = False) -> None:
     Gui.doCommand(f"App.closeActiveTransaction({abort})")
 
 
-def record_abort() -> None:
-    """Take back what the open step holds, in a line that a macro keeps."""
-    Gui.doCommand("App.closeActiveTransaction(True)")
-
-
 def _written(value: Any) -> str:
     """Return a value as an expression for a macro."""
     if isinstance(value, App.Document):

@@ -4,17 +4,30 @@
 """The commands of the workbench, in the groups of its menu and its toolbars."""
 
 from collections.abc import Iterable
+from functools import partial
 
 from freecad.elastica_wb.command import LIVE, Command
 from freecad.elastica_wb.commands import actions
+from freecad.elastica_wb.commands.actions import answers, open_on, show_panel
+from freecad.elastica_wb.commands.selection import chosen_sketch, chosen_sources, chosen_strip, chosen_strips
 from freecad.elastica_wb.example import open_example
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.live.sketches import is_sketch_open
 from freecad.elastica_wb.panels import between_clamps
+from freecad.elastica_wb.panels.bend import BendPanel
+from freecad.elastica_wb.panels.coupon import CouponPanel
+from freecad.elastica_wb.panels.export import ExportPanel
+from freecad.elastica_wb.panels.fixtures import FixturesPanel
+from freecad.elastica_wb.panels.projective import ProjectivePanel
+from freecad.elastica_wb.panels.sheets import SheetsPanel
+from freecad.elastica_wb.panels.tolerance import TolerancePanel
 
 __all__ = ["COMMANDS", "MENU", "TOOLBARS", "context_menu", "register"]
 
 SKETCH = "Sketcher_NewSketch"
+HAS_STRIP, HAS_PARTS = partial(answers, chosen_strips), partial(answers, chosen_sources)
+"""Conditions: a strip, or objects to cut, are selected, or the document determines them."""
+
 DRAW = (
     Command(
         name="Elastica_Between",
@@ -57,7 +70,7 @@ DRAW = (
             "Elastica_Projective",
             "Pull the selected sketch's curve by four handles: lines stay lines, a curve that can be bent stays one",  # noqa: E501
         ),
-        run=actions.edit_projectively,
+        run=partial(open_on, ProjectivePanel, chosen_sketch),
         has_subject=actions.has_curve,
         shortcut="Y, P",
         in_sketch=True,
@@ -70,7 +83,7 @@ DRAW = (
             "Cut the selected body, surface or mesh by planes into smooth curves that strips can follow",
         ),
         run=actions.make_sections,
-        has_subject=actions.has_bodies,
+        has_subject=partial(answers, actions.bodies_and_path),
     ),
 )
 STRIPS = (
@@ -93,7 +106,7 @@ STRIPS = (
             "Elastica_Edit", "Change sheet, widths and ends of all selected strips at once"
         ),
         run=actions.edit_strips,
-        has_subject=actions.has_strip,
+        has_subject=HAS_STRIP,
         in_sketch=True,
     ),
     Command(
@@ -104,7 +117,7 @@ STRIPS = (
             "Give the selected strips an even width and let holes make them as soft as they must be",
         ),
         run=actions.perforate,
-        has_subject=actions.has_strip,
+        has_subject=HAS_STRIP,
         in_sketch=True,
     ),
     Command(
@@ -115,7 +128,7 @@ STRIPS = (
             "Give the selected strips an even width and glue narrower strips on that make them stiff enough",
         ),
         run=actions.laminate,
-        has_subject=actions.has_strip,
+        has_subject=HAS_STRIP,
         in_sketch=True,
     ),
     Command(
@@ -125,8 +138,8 @@ STRIPS = (
             "Elastica_Bend",
             "Move or turn the ends of the selected strip and watch it take its new rest shape",
         ),
-        run=actions.bend,
-        has_subject=actions.has_strip,
+        run=partial(open_on, BendPanel, chosen_strip),
+        has_subject=HAS_STRIP,
         shortcut="Y, B",
         in_sketch=True,
     ),
@@ -137,8 +150,8 @@ STRIPS = (
             "Elastica_Tolerance",
             "Find how far the bent strip strays when sheet, cut and clamps vary within their ranges",
         ),
-        run=actions.study_tolerances,
-        has_subject=actions.has_strip,
+        run=partial(open_on, TolerancePanel, chosen_strip),
+        has_subject=HAS_STRIP,
         in_sketch=True,
     ),
 )
@@ -150,7 +163,7 @@ MODELS = (
             "Elastica_Interlock", "Put the selected strips together to a model and cut slots where they cross"
         ),
         run=actions.make_model,
-        has_subject=actions.has_strips,
+        has_subject=partial(answers, chosen_strips, least=2),
         shortcut="Y, I",
     ),
     Command(
@@ -160,8 +173,8 @@ MODELS = (
             "Elastica_Fixtures",
             "Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate",
         ),
-        run=actions.make_fixtures,
-        has_subject=actions.has_parts,
+        run=partial(open_on, FixturesPanel, chosen_sources),
+        has_subject=HAS_PARTS,
     ),
     Command(
         name="Elastica_Nest",
@@ -171,7 +184,7 @@ MODELS = (
             "Lay everything that must be cut for the selected strips, models and base plates on sheets",
         ),
         run=actions.make_nest,
-        has_subject=actions.has_parts,
+        has_subject=HAS_PARTS,
     ),
     Command(
         name="Elastica_Export",
@@ -180,8 +193,8 @@ MODELS = (
             "Elastica_Export",
             "Write DXF, SVG and STEP files, nest and cut list of the selected strips, models and base plates",
         ),
-        run=actions.export,
-        has_subject=actions.has_parts,
+        run=partial(open_on, ExportPanel, chosen_sources),
+        has_subject=HAS_PARTS,
         shortcut="Y, X",
         in_sketch=True,
     ),
@@ -193,7 +206,7 @@ WORKSHOP = (
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Sheets", "Look at the sheets that are known, with their sources, and keep your own"
         ),
-        run=actions.show_sheets,
+        run=partial(show_panel, SheetsPanel),
         in_sketch=True,
     ),
     Command(
@@ -203,7 +216,7 @@ WORKSHOP = (
             "Elastica_Coupon",
             "Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own",
         ),
-        run=actions.make_coupon,
+        run=partial(show_panel, CouponPanel),
     ),
 )
 EXAMPLE = Command(

@@ -12,7 +12,6 @@ import FreeCADGui as Gui
 from freecad.elastica_wb import make_strip
 from freecad.elastica_wb.commands.selection import (
     chosen_curves,
-    chosen_sketch,
     chosen_sources,
     chosen_strips,
     is_curve_chosen,
@@ -24,15 +23,8 @@ from freecad.elastica_wb.host.dialogs import tell
 from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.live import observers
 from freecad.elastica_wb.live.sketches import edited_sketch
-from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.check import CheckPanel
-from freecad.elastica_wb.panels.coupon import CouponPanel
-from freecad.elastica_wb.panels.export import ExportPanel
 from freecad.elastica_wb.panels.feature_panels import panel_of
-from freecad.elastica_wb.panels.fixtures import FixturesPanel
-from freecad.elastica_wb.panels.projective import ProjectivePanel
-from freecad.elastica_wb.panels.sheets import SheetsPanel
-from freecad.elastica_wb.panels.tolerance import TolerancePanel
 from freecad.elastica_wb.recording import (
     record_end_of_step,
     record_recompute,
@@ -49,37 +41,22 @@ def has_curve() -> bool:
     return App.ActiveDocument is not None and is_curve_chosen()
 
 
-def has_strip() -> bool:
-    """Return True if a strip is selected, or is the only strip of the document."""
-    return _answers(chosen_strips)
-
-
-def has_strips() -> bool:
-    """Return True if two or more strips are selected."""
-    return _answers(chosen_strips, least=2)
-
-
-def has_parts() -> bool:
-    """Return True if strips, models or base plates are selected, or if the document determines them."""
-    return _answers(chosen_sources)
-
-
-def has_bodies() -> bool:
-    """Return True if something to cut is selected."""
-    return _answers(_bodies_and_path)
-
-
-def _answers(question: Callable[..., Any], **options: Any) -> bool:
+def answers(question: Callable[..., Any], **options: Any) -> bool:
     """Return True if a function of the selection succeeds with a true result."""
     with suppress(ElasticaError):
         return App.ActiveDocument is not None and bool(question(**options))
     return False
 
 
-def _show_panel(make: Callable[..., Any], *arguments: Any) -> None:
+def show_panel(make: Callable[..., Any], *arguments: Any) -> None:
     """Close the sketcher, then open a panel."""
     _close_sketch()
     Gui.Control.showDialog(make(*arguments))
+
+
+def open_on(panel: Callable[[Any], Any], choose: Callable[[], Any]) -> None:
+    """Open a panel on the selected objects."""
+    show_panel(panel, choose())
 
 
 def _close_sketch() -> None:
@@ -93,7 +70,7 @@ def _edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
     _close_sketch()
     feature = recorded(make, App.ActiveDocument, *arguments)
     record_recompute(App.ActiveDocument)
-    _show_panel(panel_of, feature)
+    show_panel(panel_of, feature)
 
 
 def check() -> None:
@@ -102,7 +79,7 @@ def check() -> None:
     if edited_sketch() is source:
         observers.switch(source, on=True)
         return
-    _show_panel(CheckPanel, source, edges)
+    show_panel(CheckPanel, source, edges)
 
 
 def make_nearest() -> None:
@@ -111,17 +88,12 @@ def make_nearest() -> None:
     _edit_new("Nearest curve to sketch", curves.nearest, source, edges)
 
 
-def edit_projectively() -> None:
-    """Edit a curve by four handles. A curve that can be bent stays bendable."""
-    _show_panel(ProjectivePanel, chosen_sketch())
-
-
 def make_sections() -> None:
     """Cut a body or a mesh by planes into curves for strips, and open their panel."""
-    _edit_new("Section into curves", curves.section, *_bodies_and_path())
+    _edit_new("Section into curves", curves.section, *bodies_and_path())
 
 
-def _bodies_and_path() -> tuple[list[Any], Any]:
+def bodies_and_path() -> tuple[list[Any], Any]:
     """Return the bodies to cut and the path of the planes: a selected sketch, wire or chain of edges."""
     paths, others = [], []
     for choice in Gui.Selection.getSelectionEx():
@@ -145,7 +117,7 @@ def make_strips() -> None:
         _add_flat(strip)
     for source, _ in drawn:
         source.Visibility = True
-    _show_panel(panel_of, strips[-1], strips)
+    show_panel(panel_of, strips[-1], strips)
 
 
 def _add_flat(strip: Any, layer: str = "Base") -> None:
@@ -156,14 +128,14 @@ def _add_flat(strip: Any, layer: str = "Base") -> None:
 def edit_strips() -> None:
     """Open one panel for all selected strips. Each change applies to all of them."""
     first, *others = chosen_strips()
-    _show_panel(panel_of, first, others)
+    show_panel(panel_of, first, others)
 
 
 def perforate() -> None:
     """Keep the width constant, reduce the stiffness by holes, and open the panel."""
     strips = chosen_strips()
     _even_out(strips, "Perforated", "Perforate")
-    _show_panel(panel_of, strips[-1], strips)
+    show_panel(panel_of, strips[-1], strips)
 
 
 def laminate() -> None:
@@ -173,7 +145,7 @@ def laminate() -> None:
     for strip in strips:
         if not any(part.Layer == "Backing" for part in flat.flats_of([strip])):
             _add_flat(strip, "Backing")
-    _show_panel(panel_of, strips[-1], strips)
+    show_panel(panel_of, strips[-1], strips)
 
 
 def _even_out(strips: list[Any], style: str, step: str) -> None:
@@ -185,16 +157,6 @@ def _even_out(strips: list[Any], style: str, step: str) -> None:
             record_value(strip, "OuterWidth", strip.MaxWidth.Value)
         record_value(strip, "Style", style)
     record_recompute(App.ActiveDocument)
-
-
-def bend() -> None:
-    """Move or turn an end of a strip and show the new shape."""
-    _show_panel(BendPanel, chosen_strips()[0])
-
-
-def study_tolerances() -> None:
-    """Show how far a strip deviates if sheet, cut and clamps are not as designed."""
-    _show_panel(TolerancePanel, chosen_strips()[0])
 
 
 def make_model() -> None:
@@ -211,12 +173,7 @@ def make_model() -> None:
             record_value(strip, "Visibility", False)
         elif strip.Visibility:  # nothing replaces the strip until the model can be made
             record_value(strip, "ShownByError", True)
-    _show_panel(panel_of, feature)
-
-
-def make_fixtures() -> None:
-    """Make printed blocks for the ends, or one slotted plate for all."""
-    _show_panel(FixturesPanel, chosen_sources())
+    show_panel(panel_of, feature)
 
 
 def make_nest() -> None:
@@ -237,18 +194,3 @@ def make_nest() -> None:
         tell(feature.getStatusString())
     elif feature.LeftOut or feature.Reports:
         tell("\n".join([*feature.LeftOut, *feature.Reports]))
-
-
-def export() -> None:
-    """Write DXF, SVG, STEP and a cut list."""
-    _show_panel(ExportPanel, chosen_sources())
-
-
-def show_sheets() -> None:
-    """Show the built-in sheets and edit the user's sheets."""
-    _show_panel(SheetsPanel)
-
-
-def make_coupon() -> None:
-    """Make a test strip to cut, hang over an edge and measure. The readings give the user's sheet."""
-    _show_panel(CouponPanel, App.ActiveDocument)

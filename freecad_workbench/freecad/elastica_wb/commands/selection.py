@@ -248,3 +248,8 @@ def chosen_strips(*, least: int = 1) -> list[Any]:
         )
         raise InputError(wanted)
     return chosen
+
+
+def chosen_strip() -> Any:
+    """Return the first of the selected strips, or the only strip of the document."""
+    return chosen_strips()[0]

@@ -77,10 +77,11 @@ class ModelFeature(Feature):
         obj.Shape = shape
         _shown[self] = shape, container(obj), model
         known = _overlaps.get(model)
+        named = ((model.name_of(i), strip) for i, strip in enumerate(model.strips))
         put(
             obj,
             Joints=len(model.joints),
-            Reports=[*told_blanks(named_strips(model)), *_worded(model.reports)],
+            Reports=[*told_blanks(named), *_worded(model.reports)],
             Overlaps=_worded(known.result()) if known is not None and known.done() else [],
         )
 
@@ -176,11 +177,6 @@ def _sought(model: Model) -> "Future[tuple[str, ...]]":
 
 def _worded(sentences: Iterable[str]) -> list[str]:
     return [worded(sentence) for sentence in sentences]
-
-
-def named_strips(model: Model) -> list[tuple[str, Strip]]:
-    """Return the strips of a model with the names that messages use."""
-    return [(model.name_of(i), strip) for i, strip in enumerate(model.strips)]
 
 
 def solids_of(model: Model, place: App.Placement) -> list[Any]:

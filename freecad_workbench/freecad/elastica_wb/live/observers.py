@@ -153,9 +153,8 @@ class Edits:
 
     def slotResetEdit(self, provider: Any) -> None:
         """End the overlay when its sketch is closed."""
-        session = _session()
-        if session is not None and getattr(provider, "Object", None) is session.sketch:
-            sketch = session.sketch
+        sketch = getattr(provider, "Object", None)
+        if is_on(sketch):
             _imported("live.session").stop()
             QtCore.QTimer.singleShot(0, lambda: _hide_failed(sketch))
 
@@ -210,8 +209,7 @@ class Changes:
             _shared("keep_containers", obj.Document, moved)
         elif name == "Placement" and obj.hasExtension("App::GeoFeatureGroupExtension"):
             _shared("keep_places", obj)
-        session = _session()
-        if session is not None and obj is session.sketch and name == "Geometry":
+        if name == "Geometry" and is_on(obj):
             self._soon()
 
     def slotBeforeRecomputeDocument(self, document: Any) -> None:
@@ -226,8 +224,7 @@ class Changes:
 
     def slotDeletedObject(self, obj: Any) -> None:
         """End the overlay when its sketch is deleted."""
-        session = _session()
-        if session is not None and obj is session.sketch:
+        if is_on(obj):
             _imported("live.session").stop()
 
     def slotUndoDocument(self, document: Any) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live.curve_picture import Picture
-from freecad.elastica_wb.live.preview import plane_node
+from freecad.elastica_wb.live.preview import add_group, marks_in_plane
 from freecad.elastica_wb.solving.verdicts import Verdict
 from pivy import coin
 
@@ -69,17 +69,8 @@ class Overlay:
 
     def __init__(self, view: Any, placement: Any) -> None:
         self._scene = view.getSceneGraph()
-        self.root = coin.SoSeparator()
-        self.root.setName("ElasticaOverlay")
+        self.root = marks_in_plane("ElasticaOverlay", placement)
         self.root.renderCaching = coin.SoSeparator.OFF
-        plain = coin.SoLightModel()
-        plain.model = coin.SoLightModel.BASE_COLOR
-        pick = coin.SoPickStyle()
-        pick.style = coin.SoPickStyle.UNPICKABLE
-        depth = coin.SoDepthBuffer()
-        depth.test = False
-        for node in (pick, plain, depth, plane_node(placement)):
-            self.root.addChild(node)
         self._parts = {name: _Points(self.root, part) for name, part in PARTS.items()}
         self._labels = coin.SoSeparator()
         self.root.addChild(self._labels)
@@ -124,12 +115,10 @@ class Overlay:
     def _write(self, labels: Iterable[tuple[tuple[float, float], Length]]) -> None:
         self._labels.removeAllChildren()
         for (x, y), far in labels:
-            part, place, label = coin.SoSeparator(), coin.SoTranslation(), _label()
+            place, label = coin.SoTranslation(), _label()
             place.translation = (x, y, LIFT_MM)
             label.string.setValue(worded(note("{far}", far=far)))
-            part.addChild(place)
-            part.addChild(label)
-            self._labels.addChild(part)
+            add_group(self._labels, place, label)
 
 
 def _label() -> Any:
@@ -143,7 +132,7 @@ class _Points:
     """Lines or marks of one colour. Node fields are cached, because looking them up is slow."""
 
     def __init__(self, root: Any, part: Part) -> None:
-        points, paint, group = coin.SoCoordinate3(), coin.SoBaseColor(), coin.SoSeparator()
+        points, paint = coin.SoCoordinate3(), coin.SoBaseColor()
         shape, style = coin.SoLineSet() if part.width else coin.SoMarkerSet(), coin.SoDrawStyle()
         paint.rgb, style.linePattern = part.color, part.pattern
         if part.width:
@@ -154,9 +143,7 @@ class _Points:
         self._lengths = shape.numVertices if part.width else None
         self._count = None if part.width else shape.numPoints
         self.count = -1
-        for node in (paint, style, points, shape):
-            group.addChild(node)
-        root.addChild(group)
+        add_group(root, paint, style, points, shape)
         self.set([])
 
     def set(self, pieces: Sequence[FloatArray]) -> None:

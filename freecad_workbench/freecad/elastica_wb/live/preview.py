@@ -71,12 +71,10 @@ class Preview:
             self.handles.remove()
 
     def _line(self, color: tuple[float, float, float], width: float) -> tuple[Any, Any]:
-        group, style, paint = coin.SoSeparator(), coin.SoDrawStyle(), coin.SoBaseColor()
+        style, paint = coin.SoDrawStyle(), coin.SoBaseColor()
         style.lineWidth, paint.rgb = width, color
         coordinates, shape = coin.SoCoordinate3(), coin.SoLineSet()
-        for node in (paint, style, coordinates, shape):
-            group.addChild(node)
-        self.root.addChild(group)
+        add_group(self.root, paint, style, coordinates, shape)
         return coordinates, shape
 
 
@@ -84,15 +82,13 @@ class _Ribbon:
     """A strip without thickness. Half of its width is on each side of the plane."""
 
     def __init__(self, root: Any) -> None:
-        group, material, hints = coin.SoSeparator(), coin.SoMaterial(), coin.SoShapeHints()
+        material, hints = coin.SoMaterial(), coin.SoShapeHints()
         material.diffuseColor, material.transparency = AFTER, GLASS
         hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # lit on both sides
         self._points, self._mesh = coin.SoCoordinate3(), coin.SoQuadMesh()
         pick = coin.SoPickStyle()
         pick.style = coin.SoPickStyle.UNPICKABLE
-        for node in (pick, material, hints, self._points, self._mesh):
-            group.addChild(node)
-        root.addChild(group)
+        add_group(root, pick, material, hints, self._points, self._mesh)
 
     def set(self, middle: FloatArray, width: FloatArray) -> None:
         rows = np.concatenate([np.column_stack([middle, side * width / 2]) for side in (-1.0, 1.0)])
@@ -126,15 +122,11 @@ class Handles:
         self._scene = view.getSceneGraph()
         self._held: int | None = None
         self._soon = later(self._tell)
-        self.root = coin.SoSeparator()
-        self.root.setName("ElasticaHandles")
-        light, pick, depth = coin.SoLightModel(), coin.SoPickStyle(), coin.SoDepthBuffer()
-        light.model, pick.style = coin.SoLightModel.BASE_COLOR, coin.SoPickStyle.UNPICKABLE
-        depth.test = False
+        self.root = marks_in_plane("ElasticaHandles", placement)
         self._color, self._points, marks = coin.SoBaseColor(), coin.SoCoordinate3(), coin.SoMarkerSet()
         self._color.rgb = REST
         marks.markerIndex.setValue(Gui.getMarkerIndex("CIRCLE_FILLED", SIZE_PX))
-        for node in (light, pick, depth, plane_node(placement), self._color, self._points, marks):
+        for node in (self._color, self._points, marks):
             self.root.addChild(node)
         self._scene.addChild(self.root)
         self._mouse = _Mouse(view, self._pressed, self._dragged, self._released)
@@ -223,6 +215,26 @@ def plane_node(placement: Any) -> Any:
     rows = np.array(placement.toMatrix().A, dtype=float).reshape(4, 4).T
     node.matrix.setValue(*rows.ravel().tolist())
     return node
+
+
+def marks_in_plane(name: str, placement: Any) -> Any:
+    """Return a group for unlit marks in a plane, which are drawn over everything and ignore the mouse."""
+    light, pick, depth = coin.SoLightModel(), coin.SoPickStyle(), coin.SoDepthBuffer()
+    light.model, pick.style = coin.SoLightModel.BASE_COLOR, coin.SoPickStyle.UNPICKABLE
+    depth.test = False
+    group = coin.SoSeparator()
+    group.setName(name)
+    for node in (light, pick, depth, plane_node(placement)):
+        group.addChild(node)
+    return group
+
+
+def add_group(root: Any, *nodes: Any) -> None:
+    """Add nodes to a root in a group of their own."""
+    group = coin.SoSeparator()
+    for node in nodes:
+        group.addChild(node)
+    root.addChild(group)
 
 
 class _Mouse(QtCore.QObject):

@@ -15,7 +15,6 @@ from freecad.elastica_wb.live.preview import Preview
 from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.recording import record_value, recorded
 
-from elastica_cad.errors import ElasticaError
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.refusals import Length, note, sentences
@@ -71,15 +70,12 @@ class BendPanel(Panel):
         from freecad.elastica_wb.host.qt import QtWidgets
 
         rod = self.rest
-        for share in np.linspace(0.0, 1.0, 21)[1:]:
-            try:
+        with self.telling():
+            for share in np.linspace(0.0, 1.0, 21)[1:]:
                 rod = self._bent(float(share), rod)
-            except ElasticaError as error:
-                self.tell(str(error))
-                return
-            self._show(rod)
-            QtWidgets.QApplication.processEvents()
-        self.rod = rod
+                self._show(rod)
+                QtWidgets.QApplication.processEvents()
+            self.rod = rod
 
     def finished(self) -> None:
         """Store the moves in a feature that follows the strip."""

@@ -9,11 +9,11 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+import FreeCAD as App
 from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.cutting_files import usual_cutting
 from freecad.elastica_wb.features.proxy import keep_sheets
 from freecad.elastica_wb.host.dialogs import ask_file
-from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import (
     default_sheet,
@@ -42,8 +42,8 @@ class CouponPanel(Panel):
     icon_name = "Elastica_Coupon"
     step = "Coupon and calibrate"
 
-    def __init__(self, document: Any) -> None:
-        super().__init__(document)
+    def __init__(self) -> None:
+        super().__init__(App.ActiveDocument)
         self.calibration: Calibration | None = None
         self.form.sheet.addItems(sheet_list())
         self.form.sheet.setCurrentText(default_sheet())
@@ -72,10 +72,8 @@ class CouponPanel(Panel):
 
     def _pressed(self, button: Callable[[], None], *_: Any) -> None:
         """Call a button's function and show its error in the panel."""
-        try:
+        with self.telling():
             button()
-        except FAILURES as error:
-            self.tell(str(explained(error)))
 
     def make(self) -> None:
         """Make the coupon as a flat body."""

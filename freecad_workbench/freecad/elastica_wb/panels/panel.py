@@ -4,7 +4,8 @@
 """Base of all task panels: a form, one undo step from opening to OK, and delayed updates."""
 
 import gc
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import FreeCAD as App
@@ -131,6 +132,14 @@ class Panel:
         """Show a message in the panel, with lengths in mm."""
         self.form.message.setText(printable(worded(sentence)))
 
+    @contextmanager
+    def telling(self) -> Iterator[None]:
+        """Show an error in the panel."""
+        try:
+            yield
+        except FAILURES as error:
+            self.tell(str(explained(error)))
+
     def watch(self, *names: str) -> None:
         """Call `changed` after the user touches one of these widgets."""
         for name in names:
@@ -152,11 +161,9 @@ class Panel:
             raise InputError(translate("Elastica", "what this panel works on was deleted: press Cancel"))
 
     def _safely_changed(self) -> None:
-        try:
+        with self.telling():
             self._all_there()
             self.changed()
-        except FAILURES as error:
-            self.tell(str(explained(error)))
 
     def _close(self) -> None:
         self._timer.stop()

@@ -64,12 +64,9 @@ class ProjectivePanel(Panel):
         places = self.handles.copy()
         places[number] = place
         self._fill(places)
-        try:
+        with self.telling():
             self.pull()
-        except ElasticaError as error:
-            self.tell(str(error))
-            return
-        self.soon()
+            self.soon()
 
     def changed(self) -> None:
         """Read the typed numbers, transform the curve, and describe its strip."""
