@@ -14,7 +14,6 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, icon
 from freecad.elastica_wb.live import observers, sketches
-from freecad.elastica_wb.live.sketches import edited_sketch
 
 
 def has_document() -> bool:
@@ -61,7 +60,7 @@ class Command:
 
     def IsActive(self) -> bool:
         """Return True if the command can be used now. FreeCAD calls this several times a second."""
-        if Gui.Control.activeDialog() and not (self.in_sketch and edited_sketch() is not None):
+        if Gui.Control.activeDialog() and not (self.in_sketch and sketches.is_sketch_open()):
             return False
         return self.has_subject()
 
@@ -77,9 +76,6 @@ class Command:
             if App.getActiveTransaction() != step:
                 Gui.doCommand("App.closeActiveTransaction(True)")  # so that a macro also takes it back
             tell(str(explained(error)))
-
-
-BETWEEN = "Elastica_Between"
 
 
 def _toggle() -> None:
@@ -117,7 +113,7 @@ class LiveManipulator:
 
 def _known() -> list[str]:
     """Return the live command, and the tool for sketches if the workbench has been opened."""
-    return [name for name in (LIVE.name, BETWEEN) if name in Gui.listCommands()]
+    return [name for name in (LIVE.name, "Elastica_Between") if name in Gui.listCommands()]
 
 
 def register() -> None:

@@ -6,6 +6,7 @@
 from collections.abc import Iterable
 from functools import partial
 
+import FreeCADGui as Gui
 from freecad.elastica_wb.command import LIVE, Command
 from freecad.elastica_wb.commands import actions
 from freecad.elastica_wb.commands.actions import answers, open_on, show_panel
@@ -227,7 +228,7 @@ EXAMPLE = Command(
         "Open a drawn arch with its strip and its flat part; drag its poles, change its sheet",
     ),
     run=open_example,
-    has_subject=lambda: True,
+    has_subject=lambda: True,  # it makes its document
 )
 
 COMMANDS: tuple[Command, ...] = (*DRAW, *STRIPS, *MODELS, *WORKSHOP, EXAMPLE)
@@ -246,8 +247,6 @@ MENU = [*TOOLBARS["Elastica"], "Separator", *TOOLBARS["Elastica models"], "Separ
 
 def register() -> None:
     """Register all commands with FreeCAD."""
-    import FreeCADGui as Gui
-
     known = set(Gui.listCommands())
     for command in COMMANDS:
         if command.name not in known:
@@ -256,8 +255,6 @@ def register() -> None:
 
 def context_menu() -> list[str]:
     """Return the commands of the context menu: those that work on the present selection."""
-    import FreeCADGui as Gui
-
     if not Gui.Selection.getSelection():
         return []
     groups = [[c.name for c in group if c.has_subject() and c.IsActive()] for group in (DRAW, STRIPS, MODELS)]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Windows for messages, which do not block, and for the choice of files."""
+"""Messages in windows that do not block."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -56,13 +56,3 @@ def _show(words: str) -> Any:
     box.show()
     _told[:] = [box]
     return box
-
-
-def ask_file(title: str, name: str, kinds: str) -> str:
-    """Let the user choose a file to write. Return "" if the user cancels."""
-    return str(QtWidgets.QFileDialog.getSaveFileName(Gui.getMainWindow(), title, name, kinds)[0])
-
-
-def ask_folder(title: str) -> str:
-    """Let the user choose a folder. Return "" if the user cancels."""
-    return str(QtWidgets.QFileDialog.getExistingDirectory(Gui.getMainWindow(), title))

@@ -10,10 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import FreeCAD as App
+import FreeCADGui as Gui
 from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.cutting_files import usual_cutting
 from freecad.elastica_wb.features.proxy import keep_sheets
-from freecad.elastica_wb.host.dialogs import ask_file
+from freecad.elastica_wb.host.qt import QtWidgets
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import (
     default_sheet,
@@ -84,17 +85,14 @@ class CouponPanel(Panel):
         sheet, cutting = sheet_called(self.form.sheet.currentText()), usual_cutting()
         drawing = coupon_drawing(sheet)
         usual = cutting.file_name(drawing.name, "dxf")
-        path = ask_file(translate("Elastica", "Save the coupon"), usual, "DXF (*.dxf);;SVG (*.svg)")
+        title, kinds = translate("Elastica", "Save the coupon"), "DXF (*.dxf);;SVG (*.svg)"
+        path, _ = QtWidgets.QFileDialog.getSaveFileName(Gui.getMainWindow(), title, usual, kinds)
         if path:
             written = save(replace(drawing, name=Path(path).stem), path, force=True, **cutting.options(sheet))
             self.tell(f"{translate('Elastica', 'wrote')} {written}")
 
     def keep(self) -> None:
         """Save the calibrated sheet as one of the user's sheets."""
-        self.tell(f"{translate('Elastica', 'kept as')} {self.kept()}")
-
-    def kept(self) -> str:
-        """Save the sheet and return its name."""
         if self.calibration is None:
             raise InputError(
                 translate(
@@ -114,7 +112,7 @@ class CouponPanel(Panel):
         )
         save_own_sheets((own_sheets() | {name: sheet}).values())
         keep_sheets()
-        return name
+        self.tell(f"{translate('Elastica', 'kept as')} {name}")
 
 
 def add_coupon(document: Any, sheet_name: str) -> Any:

@@ -8,6 +8,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+import FreeCADGui as Gui
 from freecad.elastica_wb.cutting_files import (
     KINDS,
     cutting_of,
@@ -17,10 +18,11 @@ from freecad.elastica_wb.cutting_files import (
 from freecad.elastica_wb.features.model import overlaps_of
 from freecad.elastica_wb.features.pieces import counted, cuts_of, told_blanks_of
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.dialogs import ask_folder, tell_files
+from freecad.elastica_wb.host.dialogs import tell_files
 from freecad.elastica_wb.host.fields import put_choices, set_value
 from freecad.elastica_wb.host.objects import is_model
 from freecad.elastica_wb.host.progress import progress
+from freecad.elastica_wb.host.qt import QtWidgets
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.panels.panel import Panel
 
@@ -74,7 +76,8 @@ class ExportPanel(Panel):
 
     def browse(self, *_: Any) -> None:
         """Let the user choose the folder."""
-        folder = ask_folder(translate("Elastica", "Folder for the files"))
+        title = translate("Elastica", "Folder for the files")
+        folder = QtWidgets.QFileDialog.getExistingDirectory(Gui.getMainWindow(), title)
         if folder:
             self.form.folder.setText(folder)
 

@@ -85,6 +85,7 @@ class PropertyPanel(Panel):
         if len(self.objects) > 1:  # each feature has its own curve and numbers
             layout = replace(layout, source="", told=lambda _: (), footnote=lambda _: "")
         self.object, self.layout = obj, layout
+        self.helps = {entry.name: entry.translated_help for entry in layout.table}
         self.icon_name, self.step = layout.icon_name, layout.step
         self.fields: dict[str, Any] = {}
         self.rows: dict[str, tuple[Any, Any]] = {}
@@ -123,7 +124,6 @@ class PropertyPanel(Panel):
             )
             button.clicked.connect(lambda *_, work=work: self._replace(work))
             outer.addWidget(button)
-        helps = {entry.name: entry.translated_help for entry in self.layout.table}
         for title, names in self.layout.groups.items():
             box = QtWidgets.QGroupBox(translate("Elastica", title))
             grid = QtWidgets.QFormLayout(box)
@@ -132,7 +132,7 @@ class PropertyPanel(Panel):
                 label = QtWidgets.QLabel(translate("Elastica", LABELS[name]))
                 widget = field_for(self.object, name)
                 for part in (widget, label):
-                    part.setToolTip(helps[name])
+                    part.setToolTip(self.helps[name])
                 grid.addRow(label, widget)
                 self.fields[name], self.rows[name] = widget, (label, widget)
                 setattr(form, name, widget)
@@ -156,8 +156,7 @@ class PropertyPanel(Panel):
         finally:
             self._touched.clear()
             self._writing = False
-        self.document.recompute()
-        self._show()
+        self._recompute()
 
     def finished(self) -> None:
         """Apply the pending changes and record them for macros."""
@@ -212,6 +211,9 @@ class PropertyPanel(Panel):
         setattr(self.object, self.layout.source, (source, edges))
         self._changed[self.layout.source] = None
         self._stop_picking()
+        self._recompute()
+
+    def _recompute(self) -> None:
         self.document.recompute()
         self._show()
 
@@ -230,9 +232,7 @@ class PropertyPanel(Panel):
             return
         obj, layout = self.object, self.layout
         for name, widgets in self.rows.items():
-            counts = layout.applies[name](obj) if name in layout.applies else True
-            for widget in widgets:
-                widget.setVisible(counts)
+            self._show_if_used(name, *widgets)
         failed = bool(why_not_made(obj))
         numbers = () if failed else layout.told(obj)
         rows = "".join(
@@ -240,8 +240,7 @@ class PropertyPanel(Panel):
             f"<b>{worded(note('{given}', given=value))}</b></td></tr>"
             for name, value, entry in numbers
         )
-        helps = {entry.name: entry.translated_help for entry in layout.table}
-        self.form.numbers.setToolTip("\n".join(f"{name}: {helps[entry]}" for name, _, entry in numbers))
+        self.form.numbers.setToolTip("\n".join(f"{name}: {self.helps[entry]}" for name, _, entry in numbers))
         self.form.numbers.setText(f"<table>{rows}</table>" if rows else "")
         self.form.numbers.setVisible(bool(rows))
         self.form.useNearest.setVisible(
@@ -254,9 +253,13 @@ class PropertyPanel(Panel):
             self.form.source.setText(
                 " ".join([source.Label, *edges]) if source is not None else translate("Elastica", "none")
             )
-            counts = layout.applies[layout.source](obj) if layout.source in layout.applies else True
-            for widget in (self.form.sourceLabel, self.form.source, self.form.pick):
-                widget.setVisible(counts)
+            self._show_if_used(layout.source, self.form.sourceLabel, self.form.source, self.form.pick)
+
+    def _show_if_used(self, name: str, *widgets: Any) -> None:
+        """Show the widgets of a property if the property applies to the feature, and hide them otherwise."""
+        used = name not in self.layout.applies or self.layout.applies[name](self.object)
+        for widget in widgets:
+            widget.setVisible(used)
 
     def _words(self) -> str:
         obj = self.object
@@ -273,8 +276,7 @@ class PropertyPanel(Panel):
         for obj in self.objects:
             obj.Follow = "Nearest"
         self._changed["Follow"] = None
-        self.document.recompute()
-        self._show()
+        self._recompute()
 
     def _replace(self, work: Callable[[Any], None]) -> None:
         self.now()
