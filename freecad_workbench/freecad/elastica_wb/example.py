@@ -7,8 +7,8 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
+from freecad.elastica_wb import make_strip
 from freecad.elastica_wb.curves.part_shapes import spline_geometry
-from freecad.elastica_wb.features import flat, strip
 from freecad.elastica_wb.host.resources import translate
 
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -26,11 +26,7 @@ def open_example() -> Any:
     curve = PlaneCurve.spline([*LEFT, *((SPAN - x, y) for x, y in reversed(LEFT[:-1]))])
     sketch.exposeInternalGeometry(sketch.addGeometry(spline_geometry(curve), False))
     document.recompute()
-    bent = strip.create(document, sketch)
-    bent.MaxWidth = 40.0
-    bent.EngravedText = "ARCH"
-    flat.create(document, bent)
-    document.recompute()
+    make_strip(sketch, MaxWidth=40.0, EngravedText="ARCH")
     view = Gui.ActiveDocument.ActiveView
     view.viewIsometric()
     view.fitAll()

@@ -137,7 +137,9 @@ def edge_called(source: Any, name: str) -> Any:
     try:
         path = "." in name
         element = (
-            Part.getShape(source, name, needSubElement=True) if path else _shape(source).getElement(name)
+            Part.getShape(source, name, needSubElement=True)
+            if path
+            else Part.getShape(source).getElement(name)
         )
         if element.isNull():
             raise IndexError(name)
@@ -172,7 +174,7 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
     lost = why_not_made(source)
     if lost:
         raise InputError(lost)
-    shape = _shape(source)
+    shape = Part.getShape(source)
     if shape.isNull():
         raise InputError("{source} has no shape: choose a sketch, an edge or a wire", source=source.Label)
     if names:
@@ -182,10 +184,6 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
             "{source} has many edges: choose the ones that the strip is to follow", source=source.Label
         )
     return list(shape.Edges)
-
-
-def _shape(source: Any) -> Any:
-    return Part.getShape(source)
 
 
 def is_outline(shape: Any) -> bool:
@@ -223,8 +221,8 @@ def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
     Constraints of a spline with hidden poles stay. Visible poles are deleted with the old spline.
     """
     spline = spline_geometry(curve)
-    if number is not None and _shows_poles(sketch, number):
-        shown = [c.First for c in sketch.Constraints if c.Type == "InternalAlignment" and c.Second == number]
+    shown = [c.First for c in sketch.Constraints if c.Type == "InternalAlignment" and c.Second == number]
+    if shown:
         sketch.delGeometries([number, *shown])
         number = None
     if number is None:
@@ -233,10 +231,6 @@ def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
     drawn[number] = spline
     sketch.Geometry = drawn
     return number
-
-
-def _shows_poles(sketch: Any, number: int) -> bool:
-    return any(c.Type == "InternalAlignment" and c.Second == number for c in sketch.Constraints)
 
 
 def _held(sketch: Any, number: int) -> bool:

@@ -47,9 +47,7 @@ class BasePlateFeature(Feature):
 
 def create(document: Any, sources: list[Any]) -> Any:
     """Make a base plate for a model or for strips; recompute the document to see it."""
-    obj = added(document, "BasePlate", BasePlateFeature, sources)
-    obj.Sources = sources
-    return obj
+    return added(document, "BasePlate", BasePlateFeature, sources, Sources=sources)
 
 
 def plate_of(obj: Any) -> BasePlate:

@@ -136,9 +136,9 @@ class SectionFeature(Feature):
         put(obj, Curves=len(curves), Reports=[worded(remark) for remark in remarks])
 
 
-def _curve(document: Any, name: str, proxy: type[Feature], sources: list[Any]) -> Any:
+def _curve(document: Any, name: str, proxy: type[Feature], sources: list[Any], **properties: Any) -> Any:
     """Add a feature whose curve has a conspicuous colour and width."""
-    obj = added(document, name, proxy, sources)
+    obj = added(document, name, proxy, sources, **properties)
     if App.GuiUp:
         obj.ViewObject.LineColor, obj.ViewObject.LineWidth = ORANGE, 3
     return obj
@@ -146,27 +146,20 @@ def _curve(document: Any, name: str, proxy: type[Feature], sources: list[Any]) -
 
 def nearest(document: Any, source: Any, edges: tuple[str, ...] = ()) -> Any:
     """Make the nearest curve of a sketch or of edges as a feature; recompute the document to see it."""
-    obj = _curve(document, "Nearest", NearestFeature, [source])
-    obj.Label = f"{source.Label} {translate('Elastica', 'nearest')}"
-    obj.Curve = (source, list(edges))
-    return obj
+    label = f"{source.Label} {translate('Elastica', 'nearest')}"
+    return _curve(document, "Nearest", NearestFeature, [source], Label=label, Curve=(source, list(edges)))
 
 
 def bent(document: Any, strip: Any, **moves: float) -> Any:
     """Make the curve of a strip whose ends are moved (mm) and turned (degrees), named as in `MOVES`."""
-    obj = _curve(document, "Bent", BentFeature, [strip])
-    obj.Label = f"{strip.Label} {translate('Elastica', 'bent further')}"
-    obj.Strip = strip
-    for name, value in moves.items():
-        setattr(obj, name, value)
-    return obj
+    label = f"{strip.Label} {translate('Elastica', 'bent further')}"
+    return _curve(document, "Bent", BentFeature, [strip], Label=label, Strip=strip, **moves)
 
 
 def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]] | None = None) -> Any:
     """Make sections of bodies across an axis, or along a path; recompute the document to see them."""
-    obj = _curve(document, "Section", SectionFeature, sources)
-    obj.Label = f"{sources[0].Label} {translate('Elastica', 'curves')}"
-    obj.Sources = sources
+    label = f"{sources[0].Label} {translate('Elastica', 'curves')}"
+    obj = _curve(document, "Section", SectionFeature, sources, Label=label, Sources=sources)
     for axis, value in zip(AXES, box_of(sources[0]).Center, strict=True):
         # boxes of curved bodies are some hundredths too large
         setattr(obj, f"Through{axis}", round(value, 1))

@@ -87,9 +87,7 @@ def _unpocketed(block: EndFixture) -> Part.Shape:
 
 def create(document: Any, sources: list[Any]) -> Any:
     """Make fixtures for a model or for strips; recompute the document to see them."""
-    obj = added(document, "Fixtures", FixturesFeature, sources)
-    obj.Sources = sources
-    return obj
+    return added(document, "Fixtures", FixturesFeature, sources, Sources=sources)
 
 
 def tell_plays(obj: Any, model: Model, holders: Iterable[object]) -> None:

@@ -48,13 +48,14 @@ class FlatFeature(Feature):
 
 def create(document: Any, strip: Any, layer: str = "Base") -> Any:
     """Make the flat part of a strip, placed in front of the strip; recompute the document to see it."""
-    placement = _beside(strip)
-    obj = added(document, "Flat", FlatFeature, [strip])
-    obj.Strip = strip
-    obj.Layer = layer
     kind = translate("Elastica", "flat") if layer == "Base" else translate("Elastica", "backing")
-    obj.Label = f"{strip.Label} {kind}"
-    obj.Placement = placement
+    properties = {
+        "Strip": strip,
+        "Layer": layer,
+        "Label": f"{strip.Label} {kind}",
+        "Placement": _beside(strip),
+    }
+    obj = added(document, "Flat", FlatFeature, [strip], **properties)
     if App.GuiUp:
         obj.ViewObject.ShapeColor = strip.ViewObject.ShapeColor
     return obj

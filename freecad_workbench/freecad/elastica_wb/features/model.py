@@ -96,10 +96,10 @@ class ModelFeature(Feature):
 
 def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
     """Make a model of strips; recompute the document to see it."""
-    obj = added(document, "Model", ModelFeature, strips)
-    obj.Strips = strips
-    obj.Interlock = interlock
-    obj.Clearance = preferences.get("Clearance")
+    clearance = preferences.get("Clearance")
+    obj = added(
+        document, "Model", ModelFeature, strips, Strips=strips, Interlock=interlock, Clearance=clearance
+    )
     if App.GuiUp and strips:
         obj.ViewObject.ShapeColor = strips[0].ViewObject.ShapeColor
     return obj

@@ -72,8 +72,7 @@ def tell_left_out(obj: Any) -> None:
 def create(document: Any, sources: list[Any]) -> Any:
     """Make a nest of strips, models and base plates in front of everything; recompute the document to see it."""
     lowest = min((box.YMin for box in _boxes(document)), default=0.0)
-    obj = added(document, "Nest", NestFeature)
-    obj.Sources = sources
+    obj = added(document, "Nest", NestFeature, Sources=sources)
     obj.Placement.Base.y = lowest - obj.SheetHeight.Value - SPACE_MM
     return obj
 

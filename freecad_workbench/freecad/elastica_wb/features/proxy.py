@@ -178,8 +178,10 @@ class Feature(Unsaved):
         return []
 
 
-def added(document: Any, name: str, proxy: type[Feature], sources: Iterable[Any] = ()) -> Any:
-    """Add a new feature to the document, in the App::Part that all its sources share."""
+def added(
+    document: Any, name: str, proxy: type[Feature], sources: Iterable[Any] = (), **properties: Any
+) -> Any:
+    """Add a new feature with these properties to the document, in the App::Part that all its sources share."""
     obj = document.addObject("Part::FeaturePython", name)
     proxy(obj)
     groups = {source.getParentGeoFeatureGroup() for source in sources}
@@ -187,6 +189,8 @@ def added(document: Any, name: str, proxy: type[Feature], sources: Iterable[Any]
     if group is not None and group.TypeId == "App::Part":
         group.addObject(obj)
     dress(obj)
+    for prop, value in properties.items():
+        setattr(obj, prop, value)
     return obj
 
 

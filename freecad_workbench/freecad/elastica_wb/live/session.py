@@ -92,7 +92,8 @@ class Session:
         self._soon.stop()
         self._scale = self._asks = None
         self._attach()
-        self._read()
+        # assign the drawn points to the present geometry
+        self._dragged = Dragged(self.sketch, self._points()) if self._node is not None else None
         self._show(None)
 
     def close(self) -> None:
@@ -140,10 +141,6 @@ class Session:
         self._sensor = sensor(coin.SoFieldSensor, self._moved)
         self._sensor.attach(self._node.point)
 
-    def _read(self) -> None:
-        """Assign the drawn points to the present geometry."""
-        self._dragged = Dragged(self.sketch, self._points()) if self._node is not None else None
-
     def _points(self) -> list[Any]:
         field = self._node.point
         return [field[i].getValue() for i in range(field.getNum())]
@@ -166,7 +163,9 @@ class Session:
         began = time.thread_time()  # CPU time of this thread, independent of other processes
         self._rest.stop()
         self._answer.stop()
-        self._forget_nearest()
+        self.near = None
+        self.card.offer("")
+        self.overlay.show_nearest(None)
         try:
             self._curve, self._geometry = sketch_curve(self.sketch, geometry), geometry
             spec = self._spec()
@@ -236,11 +235,6 @@ class Session:
             message = note("The nearest curve is {far} away.", far=Length(near.deviation))
             self.card.offer(translate("Elastica", "Use the nearest curve"))
         self._say(replace(self.card.answer, sentence=sentences([self.card.answer.sentence, message], "\n")))
-
-    def _forget_nearest(self) -> None:
-        self.near = None
-        self.card.offer("")
-        self.overlay.show_nearest(None)
 
     def _spec(self) -> StripSpec:
         """Return the request for the strip of this sketch. It cannot change during a drag."""

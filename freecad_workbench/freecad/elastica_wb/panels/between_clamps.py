@@ -114,7 +114,8 @@ class BetweenClamps:
             self.found = None
             self.card.tell(str(error), good=False)
         shown = np.zeros((0, 2)) if self.found is None else self.found.rod.position
-        self.preview.show(np.zeros((0, 2)), shown, None if self.angles is None else self._frame())
+        order = [2, 0, 1, 3]  # from handle to handle through both ends
+        self.preview.show(np.zeros((0, 2)), shown, None if self.angles is None else self._places()[order])
 
     def _draw(self) -> None:
         """Draw the present curve, in one undo step."""
@@ -131,10 +132,6 @@ class BetweenClamps:
         reach = REACH * float(np.hypot(*(self.ends[1] - self.ends[0])))
         off = [np.array([cos(angle), sin(angle)]) * reach for angle in self.angles]
         return np.array([*self.ends, self.ends[0] + off[0], self.ends[1] - off[1]])
-
-    def _frame(self) -> FloatArray:
-        """Return the line from handle to handle through both ends."""
-        return self._places()[[2, 0, 1, 3]]
 
 
 def _taken(sketch: Any, view: Any) -> tuple[int | None, list[FloatArray], list[float] | None, float, int]:
