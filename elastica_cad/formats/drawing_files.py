@@ -52,10 +52,12 @@ def path_data(path: Path, origin: FloatArray, decimals: int = _DECIMALS) -> str:
     closing = path.closed and isinstance(path.segments[-1], Line)
     drawn = path.segments[:-1] if closing else path.segments
 
-    def place(point: FloatArray) -> str:
-        return f"{_format_length(point[0] - origin[0], decimals)},{_format_length(origin[1] - point[1], decimals)}"
+    left, top = origin.tolist()
 
-    strokes = [f"M{place(path.start)}", *(_stroke(segment, place) for segment in drawn)]
+    def place(point: list[float]) -> str:
+        return f"{_format_length(point[0] - left, decimals)},{_format_length(top - point[1], decimals)}"
+
+    strokes = [f"M{place(path.start.tolist())}", *(_stroke(segment, place) for segment in drawn)]
     return "".join([*strokes, "Z" if path.closed else ""])
 
 
@@ -65,18 +67,19 @@ def _format_length(value: float, decimals: int = _DECIMALS) -> str:
     return "0" if short == "-0" else short
 
 
-def _stroke(segment: Segment, place: Callable[[FloatArray], str]) -> str:
+def _stroke(segment: Segment, place: Callable[[list[float]], str]) -> str:
     if isinstance(segment, Line):
-        return f"L{place(segment.end)}"
+        return f"L{place(segment.end.tolist())}"
     if isinstance(segment, Arc):
         radius, turns = _format_length(segment.radius), "0" if segment.sweep > 0 else "1"
         # split arcs of more than 180 degrees: a full circle has no ends, and an almost full arc is badly
         # conditioned
         long = abs(segment.sweep) > np.pi * (1 + 1e-9)
-        ends = segment.at(np.array([0.5, 1.0] if long else [1.0]))
+        ends = segment.at(np.array([0.5, 1.0] if long else [1.0])).tolist()
         return "".join(f"A{radius} {radius} 0 0 {turns} {place(end)}" for end in ends)
     letter = _LETTERS[segment.curve.degree]
-    pieces = [piece[1:, :2] / piece[1:, 2:] for _, _, piece in segment.curve.bezier_pieces()]
+    _, control = segment.curve.bezier_table
+    pieces = (control[:, 1:, :2] / control[:, 1:, 2:]).tolist()
     return "".join(letter + " ".join(map(place, piece)) for piece in pieces)
 
 

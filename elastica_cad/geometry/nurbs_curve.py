@@ -228,12 +228,19 @@ class RationalPieces:
             return norm(self.within(index, u, 1)[1])
         return norm(sums_in_pieces(self._series(1), index, u))
 
-    def stationary(self) -> FloatArray:
-        """Return parameters (k,) of the knots and of all places where x or y is stationary."""
-        velocity, edges = hodograph(self.bezier), self.edges
+    def extremes(self) -> FloatArray:
+        """Return parameters (k,) of the knots, and of places beyond their box where x or y is stationary."""
+        points, edges = self.bezier[..., :2] / self.bezier[..., 2:], self.edges
+        low, high = box_about(np.concatenate([points[:, 0], points[-1:, -1]]))
+        beyond = np.flatnonzero(((points < low) | (points > high)).any(axis=(1, 2)))  # convex hull property
+        if not beyond.size:
+            return edges
+        velocity = hodograph(self.bezier[beyond])
         inner = interior_roots(np.concatenate([velocity[..., 0], velocity[..., 1]]))
-        at, u = np.array([r.piece for r in inner], dtype=int) % len(velocity), np.array([r.u for r in inner])
-        return np.concatenate([edges, edges[at] + u * (edges[at + 1] - edges[at])])
+        at = beyond[np.array([r.piece for r in inner], dtype=int) % beyond.size]
+        return np.concatenate(
+            [edges, edges[at] + np.array([r.u for r in inner]) * (edges[at + 1] - edges[at])]
+        )
 
     @cached_property
     def arc_length(self) -> ArcLength:
@@ -754,7 +761,7 @@ class NurbsCurve:
         clamped = self.knots[0] == low and self.knots[-1] == high
         if clamped and (points >= box[0]).all() and (points <= box[1]).all():  # convex hull property
             return box
-        return box_about(self.evaluate(self._pieces.stationary()))
+        return box_about(self.evaluate(self._pieces.extremes()))
 
     @cached_property
     def _pieces(self) -> RationalPieces:

@@ -56,6 +56,8 @@ class Layer:
         Suffix of the strip's name; empty for the base.
     low : float
         Height of its lower face over the base's, mm.
+    slots : tuple of Cut
+        Its slots as lines that letters avoid; equal strips share them with the layer.
     """
 
     sheet: Sheet
@@ -63,6 +65,7 @@ class Layer:
     holes: tuple[Path, ...] = ()
     name: str = ""
     low: float = 0.0
+    slots: tuple[Cut, ...] = ()
 
     def __repr__(self) -> str:
         return f"<Layer {self.name or 'base'!r} of {self.sheet.name}, {len(self.holes)} holes>"
@@ -151,7 +154,8 @@ def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) 
     ends_held = add_register_holes(width, ends, layout.dots) if layout.dots else ends
     holes = (*end_holes(width, ends_held), *layout.hole_paths(ends, slots))
     outline = cut_slots(flat_rim(width, ends), holes, slots, width, name=name)
-    base = Layer(layout.sheet, outline, holes)
+    rims = tuple(Cut(slot_cut(slot, width, beyond=slot.width), "inside") for slot in slots)
+    base = Layer(layout.sheet, outline, holes, slots=rims)
     if layout.backing is None:
         return (base,)
     drawn = layout.backing.width
@@ -194,7 +198,7 @@ def draw_layers(
     drawn = []
     for i, layer in enumerate(layers):
         width = layout.width if i == 0 or layout.backing is None else layout.backing.width
-        marks = (*_ticks(layout, width, ends, lap), *(() if i else _off_slots(layout.guides, layout, slots)))
+        marks = (*_ticks(layout, width, ends, lap), *(() if i else _off_slots(layout.guides, layer)))
         if layout.stack is not None:
             marks = _leaf_marks(layer, layers)
         paths = (
@@ -206,20 +210,18 @@ def draw_layers(
         if layout.stack is not None:
             texts = (_leaf_text(name, layer),)
         elif i == 0:
-            texts += mating_marks(slots, layout.width, layer.holes, marks, texts)
+            pairs = [*zip(slots, layer.slots, strict=True)]
+            texts += mating_marks(pairs, layout.width, layer.holes, marks, texts)
         drawn.append(Drawing(name=layer.called(name), paths=paths, texts=texts))
     return tuple(drawn)
 
 
-def _off_slots(guides: Sequence[Path], layout: Layout, slots: Sequence[Slot]) -> tuple[Path, ...]:
+def _off_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, ...]:
     """Return the parts of lines beside slots, where there is material to mark."""
     if not guides:
         return ()
-    open_cuts = [slot_cut(slot, layout.width, beyond=slot.width) for slot in slots]
-    loops = [
-        Path((*cut.segments, Line(cut.segments[-1].end, cut.segments[0].start)), closed=True)
-        for cut in open_cuts
-    ]
+    open_cuts = [rim.line for rim in layer.slots]
+    loops = [Path((*cut.segments, Line(cut.end, cut.start)), closed=True) for cut in open_cuts]
     return tuple(part for guide in guides for part in trim_off(guide, loops))
 
 

@@ -305,13 +305,14 @@ class Splice:
         outline = clip_across(layer.outline, low, high)
         marks: list[Path] = []
         holes: list[Path] = []
-        slots: list[Slot] = []
+        slots: list[tuple[Slot, Cut]] = []
         if not plate:
             edges = [at + side * self.plates.lap / 2 for at in whole.joints for side in (-1, 1)]
             marks = [_tick(whole, x) for x in edges if low < x < high]
             marks += [part for mark in whole.marks for part in trim_across(mark, low, high)]
             holes = [hole for hole in layer.holes if low < float(hole.bounds.mean(axis=0)[0]) < high]
-            slots = [slot for slot in whole.slots if low < slot.at < high]
+            pairs = zip(whole.slots, layer.slots, strict=True)
+            slots = [(slot, rim) for slot, rim in pairs if low < slot.at < high]
         span = max(low, 0.0), min(high, self.strip.rod.length)
         if isinstance(self.strip.style, Perforated) and not plate:
             span = self._clear_of_holes(whole, low, high)

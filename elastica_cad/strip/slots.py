@@ -477,7 +477,7 @@ LABEL_DISTANCES_MM = (TEXT_DISTANCE_MM, 0.0)
 
 
 def mating_marks(
-    slots: Sequence[Slot],
+    slots: Sequence[tuple[Slot, Cut]],
     width: Profile,
     holes: Sequence[Path],
     marks: Sequence[Path] = (),
@@ -487,11 +487,10 @@ def mating_marks(
 
     A name is at the inner end of its slot or beside the slot, as large as possible. If nothing fits, it is omitted.
     """
-    rims = [Cut(slot_cut(slot, width, beyond=slot.width), "inside") for slot in slots]
-    cuts = Cuts(holes, marks, slots=rims)
+    cuts = Cuts(holes, marks, slots=[rim for _, rim in slots])
     boxes = [box_about(_text_box(text)) for text in taken]
     texts = []
-    for slot, rim in zip(slots, rims, strict=True):
+    for slot, rim in slots:
         for text in _choices(slot, rim.points, width) if slot.mate else ():
             box = _text_box(text)
             if _clear(box, width, boxes, cuts):
