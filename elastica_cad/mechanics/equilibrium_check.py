@@ -31,7 +31,6 @@ from elastica_cad.mechanics.loads import (
     NaturalCurvature,
     RestCurvature,
     Supports,
-    require_curve,
     require_natural_curvature,
     require_supports,
     require_tolerance,
@@ -169,7 +168,6 @@ def check_equilibrium(
     >>> check.realizable, len(check.inflections)
     (True, 1)
     """
-    require_curve(curve)
     require_natural_curvature(natural_curvature)
     require_tolerance(tolerance)
     supports = require_supports(supports)
