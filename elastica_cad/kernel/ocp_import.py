@@ -26,22 +26,23 @@ def bare(shape: Any) -> Any:
 
 
 MODULES = (
-    "APIHeaderSection", "BinTools", "BOPAlgo", "BRep", "BRepAdaptor", "BRepMesh", "BRepPrimAPI", "BRepTools",
-    "GeomAbs", "GeomConvert", "Geom", "IFSelect", "Interface", "Message", "Quantity", "RWGltf", "RWMesh",
-    "STEPCAFControl", "STEPControl", "ShapeBuild", "ShapeFix", "ShapeUpgrade", "TCollection", "TDataStd",
-    "TDocStd", "TopAbs", "TopExp", "TopLoc", "TopoDS", "XCAFDoc", "gp",
+    "APIHeaderSection", "BinTools", "Bnd", "BOPAlgo", "BRep", "BRepAdaptor", "BRepAlgoAPI", "BRepBndLib",
+    "BRepBuilderAPI", "BRepMesh", "BRepPrimAPI", "BRepTools", "GeomAbs", "GeomConvert", "Geom", "IFSelect",
+    "Interface", "Message", "Quantity", "RWGltf", "RWMesh", "STEPCAFControl", "STEPControl", "ShapeBuild",
+    "ShapeFix", "ShapeUpgrade", "TCollection", "TDataStd", "TDocStd", "TopAbs", "TopExp", "TopLoc", "TopoDS",
+    "XCAFDoc", "gp",
 )  # fmt: skip
-ARRAYS = {
-    "7": "TColgp.TColgp_Array1OfPnt TColStd.TColStd_IndexedDataMapOfStringString",
-    "8": "collections.Array1_gp_Pnt "
-    "collections.IndexedDataMap_TCollection_AsciiString_TCollection_AsciiString",
+REMARKS = {
+    "7": ("TColStd", "TColStd_IndexedDataMapOfStringString"),
+    "8": ("collections", "IndexedDataMap_TCollection_AsciiString_TCollection_AsciiString"),
 }
+"""Module and name of the class for remarks in files, by the release of OCP."""
 
 
 @lru_cache(maxsize=1)
 @interrupts_held()
 def kernel() -> SimpleNamespace:
-    """Import OCP and return its classes by name; array types have the same names for 7.x and 8.x.
+    """Import OCP and return its classes by name; the class for remarks in files is `Remarks`.
 
     Raises
     ------
@@ -57,20 +58,18 @@ def kernel() -> SimpleNamespace:
     except ImportError as error:
         raise _unsound(error) from error
     version = str(getattr(OCP, "__version__", "?"))
-    arrays = ARRAYS.get(version.split(".", maxsplit=1)[0])
-    if arrays is None:
+    release = version.split(".", maxsplit=1)[0]
+    if release not in REMARKS:
         raise MissingDependencyError(
             f"OCP {version} is installed, but only 7.x and 8.x are known here: install a build123d or "
             "cadquery release that brings one of these"
         )
     names: dict[str, Any] = {}
-    called = ("Points", "Remarks")
     try:
         for module in MODULES:
             names |= {k: v for k, v in vars(import_module(f"OCP.{module}")).items() if not k.startswith("_")}
-        for name, place in zip(called, arrays.split(), strict=True):
-            module, own = place.split(".")
-            names[name] = getattr(import_module(f"OCP.{module}"), own)
+        module, name = REMARKS[release]
+        names["Remarks"] = getattr(import_module(f"OCP.{module}"), name)
     except (ImportError, AttributeError) as error:
         raise _unsound(error) from error
     for kind in ("Vertex", "Edge", "Wire", "Face", "Shell", "Solid"):

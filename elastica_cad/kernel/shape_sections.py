@@ -7,19 +7,16 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
-from elastica_cad.formats.chains import join_runs
 from elastica_cad.formats.edges import Edge
+from elastica_cad.formats.placed_curve import JOIN, edge_chains
 from elastica_cad.forming.plane_sections import refuse_odd_planes
 from elastica_cad.forming.section_lines import PlaneSection, collect_section, tidy_points
 from elastica_cad.forming.section_spec import Surface
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_points import lengths_along
 from elastica_cad.kernel.drawn_edges import drawn_edges
-from elastica_cad.kernel.occt import plane_axes_of
+from elastica_cad.kernel.occt import plane_axes_of, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
-
-JOIN = 1e-4
-"""Ends of edges nearer than this meet, mm."""
 
 POINTS = 120
 """Places on each span of an edge of a section; on edges of more than four spans fewer on each."""
@@ -53,16 +50,13 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
     InputError
         The object is not a shape.
     """
-    from OCP.BRepAlgoAPI import BRepAlgoAPI_Section
-    from OCP.gp import gp_Pln
-
-    shape = bare(shape)
-    if not isinstance(shape, kernel().TopoDS_Shape) or shape.IsNull():
+    k, shape = kernel(), bare(shape)
+    if not isinstance(shape, k.TopoDS_Shape) or shape.IsNull():
         raise InputError("there is no shape to cut: give a solid, a shell or a face")
     refuse_odd_planes(planes)
 
     def cut(frame: Frame) -> Shape:
-        section = BRepAlgoAPI_Section(shape, gp_Pln(plane_axes_of(frame)), False)
+        section = k.BRepAlgoAPI_Section(shape, k.gp_Pln(plane_axes_of(frame)), False)
         section.Approximation(True)  # else a cut through a freeform face is a polyline of ten thousand points
         section.Build()
         return section.Shape()
@@ -74,23 +68,17 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
 
 def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
     """Return a body or surface of OpenCASCADE, all lengths times `scale`, ready to be cut by planes."""
-    from OCP.Bnd import Bnd_Box
-    from OCP.BRepBndLib import BRepBndLib
-    from OCP.BRepBuilderAPI import BRepBuilderAPI_Transform
-    from OCP.gp import gp_Trsf
-    from OCP.TopAbs import TopAbs_ShapeEnum
-    from OCP.TopExp import TopExp_Explorer
-
-    if not isinstance(shape, kernel().TopoDS_Shape):
+    k = kernel()
+    if not isinstance(shape, k.TopoDS_Shape):
         raise InputError(f"a body to cut is a face, shell or solid, not {type(shape).__name__}")
     if scale != 1.0:
-        larger = gp_Trsf()
+        larger = k.gp_Trsf()
         larger.SetScaleFactor(scale)
-        shape = BRepBuilderAPI_Transform(shape, larger, True).Shape()
-    if not TopExp_Explorer(shape, TopAbs_ShapeEnum.TopAbs_FACE).More():
+        shape = k.BRepBuilderAPI_Transform(shape, larger, True).Shape()
+    if not sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE):
         raise InputError("it holds no faces to cut: export a solid, a shell or a face")
-    box = Bnd_Box()
-    BRepBndLib.AddOptimal_s(shape, box, False, False)
+    box = k.Bnd_Box()
+    k.BRepBndLib.AddOptimal_s(shape, box, False, False)
     low, high = (
         np.array([corner.X(), corner.Y(), corner.Z()]) for corner in (box.CornerMin(), box.CornerMax())
     )
@@ -99,7 +87,7 @@ def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
 
 
 def _section(cut: Shape, frame: Frame, half: bool, name: str) -> PlaneSection:
-    runs = join_runs([(edge,) for edge in drawn_edges(cut)], JOIN).chains
+    runs = edge_chains(drawn_edges(cut))
     return collect_section(name, frame, [_points(run, frame) for run in runs], half=half, apart=JOIN)
 
 

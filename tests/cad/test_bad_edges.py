@@ -16,6 +16,11 @@ from elastica_cad import MissingDependencyError, PlaneCurve, Slot
 from elastica_cad.kernel import ocp_import
 from tests.cad.libraries import bd, bd_strips, cq, cq_strips
 
+try:
+    from OCP.TColgp import TColgp_Array1OfPnt as Array1OfPnt
+except ImportError:  # OCP 8
+    from OCP.collections import Array1_gp_Pnt as Array1OfPnt
+
 SHEET = "birch-plywood-0.8"
 
 
@@ -29,12 +34,18 @@ def circle(radius, first=0.0, last=2 * np.pi):
     ).Edge()
 
 
+def spline_through(places):
+    points = Array1OfPnt(1, len(places))
+    for i, place in enumerate(places, start=1):
+        points.SetValue(i, gp_Pnt(*place))
+    return GeomAPI_PointsToBSpline(points).Curve()
+
+
 def helix():
     turns = np.linspace(0, 3, 20)
-    points = ocp_import.kernel().Points(1, 20)
-    for i, v in enumerate(turns, start=1):
-        points.SetValue(i, gp_Pnt(30 * np.cos(v), 30 * np.sin(v), 5 * v))
-    return BRepBuilderAPI_MakeEdge(GeomAPI_PointsToBSpline(points).Curve()).Edge()
+    return BRepBuilderAPI_MakeEdge(
+        spline_through([(30 * np.cos(v), 30 * np.sin(v), 5 * v) for v in turns])
+    ).Edge()
 
 
 def degenerate():
@@ -55,10 +66,7 @@ def trimmed_beyond(curve, last):
 
 
 def spline_through_three_points():
-    points = ocp_import.kernel().Points(1, 3)
-    for i, at in enumerate([(0, 0, 0), (20, 5, 0), (40, 0, 0)], start=1):
-        points.SetValue(i, gp_Pnt(*at))
-    return GeomAPI_PointsToBSpline(points).Curve()
+    return spline_through([(0, 0, 0), (20, 5, 0), (40, 0, 0)])
 
 
 REFUSED = {
