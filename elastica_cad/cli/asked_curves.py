@@ -15,7 +15,7 @@ import click
 
 from elastica_cad._toml import parse_toml
 from elastica_cad.cli.options import join_options
-from elastica_cad.cli.voice import say, voice, warn
+from elastica_cad.cli.voice import say_row, voice, warn
 from elastica_cad.declared import kind_of
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.files import read_drawing
@@ -25,6 +25,7 @@ from elastica_cad.geometry.fairing import round_corners
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import EndName, NaturalCurvature
 from elastica_cad.mechanics.theorem1 import require_bendable
+from elastica_cad.report_rows import Row
 from elastica_cad.strip.lettering import engravable
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -260,7 +261,7 @@ def drawn_curves(
     report = drawing.report(chosen)
     if report is not None:
         voice().read = report.as_dict()
-        say(f"Read  {report}")
+        say_row(Row("Read", str(report)))
     return drawing
 
 

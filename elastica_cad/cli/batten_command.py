@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad.cli.options import LENGTH, POINT, asked_sheet, join_options, output_options, sheet_options
-from elastica_cad.cli.voice import answer, say, warn, wrote
+from elastica_cad.cli.voice import answer, say, say_row, say_table, wrote
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.write_files import File, write_files, write_json, write_text
@@ -18,6 +18,7 @@ from elastica_cad.kit.kit import can_draw, left_out
 from elastica_cad.mechanics.stiffness_law import MOST_LEAVES, RoundLaw, ThicknessLaw
 from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawing, camber_of
 from elastica_cad.refusals import Length
+from elastica_cad.report_rows import Row
 from elastica_cad.strip.strip import Strip
 
 LEAST_SHARE = 0.25  # default for the least size, as a fraction of the stock's size
@@ -91,14 +92,10 @@ def batten(**chosen: Any) -> None:
         }
     written = _write(made.strip, stations, report, chosen)
     answer({"batten": report})
-    _tell(made, table)
+    _report_batten(made, table)
     for way, told in report.get("camber_with_weight", {}).items():
-        say(
-            f"under its own weight, lying level and bulging {way}: camber {100 * told['camber']:.2f} % at "
-            f"{100 * told['camber_place']:.2f} % of the chord"
-        )
-    for warning in made.strip.warnings:
-        warn(f"Warning: {warning}")
+        camber = f"{100 * told['camber']:.2f} % at {100 * told['camber_place']:.2f} % of the chord"
+        say_row(Row("Weight", f"level and bulging {way}, its own weight makes the camber {camber}"))
     _tell_files(written)
 
 
@@ -120,19 +117,24 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
     }  # fmt: skip
     written = _write(strip, None, report, chosen)
     answer({"batten": report})
-    say(
-        f"{strip.label}: {rod.length:.1f} mm, {chosen['leaves']} leaves of {strip.sheet.thickness:.4g} mm: camber "
-        f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord, {leafed.deviation:.2g} mm off the planed one"
-    )
-    _tell_load(strip, force)
-    say(f"{'leaf':>5} {'from mm':>9} {'to mm':>9} {'length mm':>10} {'inch':>8}")
-    for name, leaf in zip(section.names, leafed.leaves, strict=True):
-        inch = leaf.length / MM_PER_INCH
-        say(f"{name:>5} {leaf.start:9.1f} {leaf.end:9.1f} {leaf.length:10.1f} {inch:8.3f}")
-    for warning in strip.warnings:
-        warn(f"Warning: {warning}")
+    plies = f"{chosen['leaves']} plies of {strip.sheet.thickness:.4g} mm"
+    say_row(Row("Size", f"{rod.length:.1f} mm long, {plies}, {strip.mass:.4g} g"))
+    camber = f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord"
+    say_row(Row("Camber", f"{camber}, at most {leafed.deviation:.2g} mm from the planed batten"))
     if not leafed.settled:
-        warn("Warning: the search stopped before the ends of the leaves settled; others may come nearer")
+        text = "the search stopped before the ends of the plies settled; other ends may come nearer"
+        say_row(Row("Warning", text, severity="warning"))
+    _say_load(strip, force)
+    leaves = leafed.leaves
+    say_table(
+        {
+            "ply": section.names,
+            "from mm": [f"{leaf.start:.1f}" for leaf in leaves],
+            "to mm": [f"{leaf.end:.1f}" for leaf in leaves],
+            "length mm": [f"{leaf.length:.1f}" for leaf in leaves],
+            "inch": [f"{leaf.length / MM_PER_INCH:.3f}" for leaf in leaves],
+        }
+    )
     _tell_files(written)
 
 
@@ -209,25 +211,34 @@ def _write(
     return write_files(files, chosen["output"], force=chosen["force"])
 
 
-def _tell(made: Batten, table: dict[str, FloatArray]) -> None:
+def _report_batten(made: Batten, table: dict[str, FloatArray]) -> None:
+    """Print the report in rows, and the table of stations."""
     depth, place = made.camber
-    quantity = made.spec.stock.quantity
-    lying = (
-        "" if made.spec.lying is None else f", lying level under its own weight and bulging {made.spec.lying}"
+    quantity, lying = made.spec.stock.quantity, made.spec.lying
+    level = "" if lying is None else f", level under its own weight and bulging {lying}"
+    apart = f"ends {made.chord:.1f} mm apart"
+    say_row(Row("Size", f"{made.spec.length:.1f} mm long, {apart}, {made.strip.mass:.4g} g"))
+    say_row(Row("Camber", f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord{level}"))
+    _say_load(made.strip, made.end_force)
+    s, s_inch, _, _, size, inch, strain, safety = table.values()
+    say_table(
+        {
+            "mm": [f"{x:.1f}" for x in s],
+            "inch": [f"{x:.3f}" for x in s_inch],
+            f"{quantity} mm": [f"{x:.2f}" for x in size],
+            f"{quantity} inch": [f"{x:.4f}" for x in inch],
+            "strain %": [f"{100 * x:.3f}" for x in strain],
+            "safety": [f"{x:.2f}" if np.isfinite(x) else "-" for x in safety],
+        }
     )
-    say(
-        f"{made.spec.label}: {made.spec.length:.1f} mm{lying}, between ends {made.chord:.1f} mm apart: camber "
-        f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord"
-    )
-    _tell_load(made.strip, made.end_force)
-    say(f"{'mm':>9} {'inch':>8} {quantity + ' mm':>13} {'inch':>7} {'strain %':>9} {'safety':>7}")
-    for s, s_inch, _, _, size, inch, strain, safety in zip(*table.values(), strict=True):
-        told = f"{safety:7.2f}" if np.isfinite(safety) else f"{'-':>7}"
-        say(f"{s:9.1f} {s_inch:8.3f} {size:13.2f} {inch:7.4f} {100 * strain:9.3f} {told}")
 
 
-def _tell_load(strip: Strip, end_force: float) -> None:
-    say(
-        f"end force {end_force:.3g} N, {strip.mass:.4g} g, largest strain {100 * strip.max_strain:.2f} % at "
-        f"{strip.max_strain_at:.0f} mm ({strip.sheet.name} bears {100 * strip.strain_limit:.2f} %)"
+def _say_load(strip: Strip, end_force: float) -> None:
+    """Print the rows on force and strain, and warnings."""
+    strain = (
+        f"{100 * strip.max_strain:.2f} % at {strip.max_strain_at:.0f} mm; "
+        f"{strip.sheet.name} allows {100 * strip.strain_limit:.2f} %"
     )
+    warnings = [Row("Warning", text, severity="warning") for text in strip.warnings]
+    for row in (*warnings, Row("Force", f"{end_force:.3g} N at each end"), Row("Strain", strain)):
+        say_row(row)

@@ -28,7 +28,7 @@ from elastica_cad.cli.options import (
 )
 from elastica_cad.cli.settings import BentKeys, parsed_settings, set_option
 from elastica_cad.cli.strip_options import spec_from_options, with_settings
-from elastica_cad.cli.voice import answer, say, warn, wrote
+from elastica_cad.cli.voice import answer, say, say_row, say_table, wrote
 from elastica_cad.design.records import Reader, fields_of
 from elastica_cad.design.strip_request import SOLVED, FinishedStrip, read_request
 from elastica_cad.design.tables import Table
@@ -45,7 +45,9 @@ from elastica_cad.mechanics.loads import Gravity, Supports
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stability import Stability, stability
+from elastica_cad.mechanics.stability import SAFE_MARGIN, Stability, stability
+from elastica_cad.refusals import ENGLISH
+from elastica_cad.report_rows import Row
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.travel import Travel, bend_strip
 
@@ -156,9 +158,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         listed = curve is not None and chosen["steps"] > 1
         moved = bend_strip(strip, _steps(rod, chosen, held, listed=listed), side=side)
         shapes, verdicts = moved.rods, moved.verdicts
-    _tell(rod, shapes, verdicts)
-    if moved is not None:
-        _tell_forces(moved)
+    _say_shapes(rod, shapes, verdicts, moved)
     told = [_shape_report(*pair) for pair in zip(shapes, verdicts, strict=True)]
     answered = {"length": rod.length, "ratio": rod.ratio, "shapes": told, "travel": None}
     if moved is not None:
@@ -295,44 +295,88 @@ def _shape_report(shape: Rod, verdict: Stability) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _tell(rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability]) -> None:
-    """Print a line for every shape."""
-    say(f"{rod.length:.2f} mm long, stiffness ratio {rod.ratio:.4g}")
-    for shape, verdict in zip(shapes, verdicts, strict=True):
-        (x0, y0), (x1, y1) = np.round(shape.position[[0, -1]], 2) + 0.0
-        low, high = shape.position.min(axis=0), shape.position.max(axis=0)
-        kappa = float(np.abs(shape.curvature).max())
-        bent = f"least radius {1 / kappa:.4g} mm" if kappa * shape.length > 1e-6 else "straight"
-        stays = (
-            f"stable, margin {verdict.margin:.3g} ({verdict.word})"
-            if verdict.stable
-            else "unstable: it snaps away"
+def _say_shapes(rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability], moved: Travel | None) -> None:
+    """Print a table with a line for every shape, and a summary in rows."""
+    states = ["stable" if one.margin >= SAFE_MARGIN else "close to snapping" if one.stable else "unstable"
+              for one in verdicts]  # fmt: skip
+    say_table(
+        {
+            **(_places(shapes) if moved is None else _forces(moved)),
+            "start deg": [f"{np.degrees(shape.angle[0]):.1f}" for shape in shapes],
+            "end deg": [f"{np.degrees(shape.angle[-1]):.1f}" for shape in shapes],
+            "stability": states,
+        }
+    )
+    say_row(Row("Size", f"{rod.length:.1f} mm long", [f"The stiffness ratio is {rod.ratio:.4g}."]))
+    width, height = np.ptp(shapes[-1].position, axis=0)
+    say_row(
+        Row("Shape", f"at the end {width:.1f} x {height:.1f} mm, least radius {_least_radius(shapes[-1])} mm")
+    )
+    say_row(_worst(states, moved))
+    for warning in dict.fromkeys(text for shape in shapes for text in shape.warnings):
+        say_row(Row("Warning", warning, severity="warning"))
+    if moved is None:
+        return
+    size, turns = np.hypot(*moved.end_force.T).max(), np.abs([moved.start_moment, moved.end_moment]).max()
+    energy = _plain(moved.energy.max())
+    say_row(
+        Row(
+            "Force",
+            f"at most {_plain(size)} N and {_plain(turns)} N mm at an end; energy {energy} N mm",
         )
-        say(
-            f"({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}): {high[0] - low[0]:.2f} by {high[1] - low[1]:.2f} mm, "
-            f"{bent}, {stays}"
-        )
-        for warning in shape.warnings:
-            warn(f"Warning: {warning}")
-
-
-def _tell_forces(moved: Travel) -> None:
-    """Forces, energy and strain of every shape in a line."""
-    way = "turn" if moved.is_turn else "travel"
-    for k in range(len(moved.rods)):
-        size = float(np.hypot(*moved.end_force[k]))
-        x, y = np.where(np.abs(moved.end_force[k]) <= 1e-9 * size, 0.0, moved.end_force[k])
-        say(
-            f"{way} {moved.path_length[k]:.4g} {moved.unit}: end pushed by ({x:.4g}, {y:.4g}) N "
-            f"and {moved.end_moment[k]:.4g} N mm, energy {moved.energy[k]:.4g} N mm, "
-            f"strain {100 * moved.strain[k]:.3g} %, stress {moved.stress[k]:.4g} MPa, safety {moved.safety[k]:.3g}"
-        )
-    tips = [k for k, found in enumerate(moved.sideways) if found.needs_guiding]
+    )
+    tips = [k for k, one in enumerate(moved.sideways) if one.needs_guiding]
     if tips:
         k = min(tips, key=lambda k: moved.sideways[k].margin)
-        warn(f"Warning: at {moved.tell_place(moved.path_length[k])}, {moved.sideways[k]}")
+        where = moved.tell_place(moved.path_length[k])
+        say_row(Row("Stability", f"at {where}, {moved.sideways[k].meaning}", severity="warning"))
     for warning in moved.warnings:
-        warn(f"Warning: {warning}")
+        say_row(Row("Warning", warning, severity="warning"))
+
+
+def _places(shapes: Sequence[Rod]) -> dict[str, list[str]]:
+    """Return the columns of the ends' distance and the least radius."""
+    apart = [np.hypot(*(shape.position[-1] - shape.position[0])) for shape in shapes]
+    return {
+        "ends apart mm": [f"{one:.2f}" for one in apart],
+        "least radius mm": [_least_radius(shape) for shape in shapes],
+    }
+
+
+def _forces(moved: Travel) -> dict[str, list[str]]:
+    """Return the columns of forces and strains; components of a force that are rounding errors are 0."""
+    size = np.hypot(*moved.end_force.T)[:, None]
+    force = np.where(np.abs(moved.end_force) <= 1e-9 * size, 0.0, moved.end_force)
+    return {
+        f"{'turn' if moved.is_turn else 'travel'} {moved.unit}": [f"{x:.4g}" for x in moved.path_length],
+        "force x N": [_plain(x) for x in force[:, 0]],
+        "force y N": [_plain(x) for x in force[:, 1]],
+        "start N mm": [_plain(x) for x in moved.start_moment],
+        "end N mm": [_plain(x) for x in moved.end_moment],
+        "strain %": [_plain(100 * x) for x in moved.strain],
+        "safety": [_plain(x) for x in moved.safety],
+    }
+
+
+def _plain(value: float) -> str:
+    """Return a number with three digits and no exponent."""
+    return ENGLISH.format_field(float(value), ".3g")
+
+
+def _least_radius(shape: Rod) -> str:
+    kappa = float(np.abs(shape.curvature).max())
+    return f"{1 / kappa:.4g}" if kappa * shape.length > 1e-6 else "straight"
+
+
+def _worst(states: Sequence[str], moved: Travel | None) -> Row:
+    """Return the row on the stability of all shapes."""
+    step = next((k for k, state in enumerate(states) if state != "stable"), None)
+    if step is None:
+        return Row("Stability", "stable in its plane" + (" at every step" if states[1:] else ""))
+    where = f"step {step + 1}" if moved is None else moved.tell_place(moved.path_length[step])
+    return Row(
+        "Stability", f"{states[step]} from {where} on" if states[1:] else states[step], severity="warning"
+    )
 
 
 def _write_files(

@@ -1,6 +1,6 @@
 """`elastica check`: can this curve be bent from a flat strip?"""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
@@ -32,7 +32,7 @@ from elastica_cad.cli.suggestions import (
     typed_length,
     typed_line,
 )
-from elastica_cad.cli.voice import answer, say, voice, warn, wrote
+from elastica_cad.cli.voice import answer, say, say_row, voice, warn, wrote
 from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
 from elastica_cad.design.check_report import report_check
 from elastica_cad.errors import Change, ElasticaError, InputError
@@ -42,9 +42,10 @@ from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.loads import EndName, NaturalCurvature, Supports
-from elastica_cad.mechanics.sheets import sheets_for_curve
+from elastica_cad.mechanics.sheets import Sheet, sheets_for_curve
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, changes_of, measured_points
 from elastica_cad.refusals import Length, Refusal, note
+from elastica_cad.report_rows import Row
 
 TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm")
 """Common sheets for a curve without a given sheet: wood, plastic, card."""
@@ -53,8 +54,9 @@ WIDTHS_MM = (8.0, 120.0)
 """Limits for the widths of a strip if no width is given."""
 
 
-MOST_SHEETS = 6
-"""Largest number of sheets in a sentence: the best suitable sheets, and those with the least enlarged curve."""
+MOST_SHEETS = 3
+"""Largest number of sheets in a row without -v: the thickest suitable of their kinds,
+or those with the least enlarged curve."""
 
 EVEN = 1.005  # ratio of widths that is not visible
 WIDE_MM = 40.0
@@ -106,25 +108,26 @@ def check(
                 "a picture is of one curve, there are {count}: choose one with --curve", count=len(asked)
             )
         _draw(request.examined(asked[0])[2], picture, force=force)
-    for said, alike in groupby(
-        ((one, request.judged(one)) for one in asked), key=lambda pair: _printed(pair[1])
+    for rows, alike in groupby(
+        ((one, request.judged(one)) for one in asked), key=lambda pair: _rows(pair[1])
     ):
         curves, found = zip(*alike, strict=True)
         one, last, answered = curves[0], curves[-1], found[-1]
         good = answered["realizable"] and not answered.get("undecided")
         if "problem" in answered:
             bad += len(curves)
-            warn(said, told=bad <= MOST_REFUSALS)
+            warn(answered["advice"], told=bad <= MOST_REFUSALS)
         else:
-            which = one.drawn.called if one is last else f"{one.drawn.called} to {last.drawn.called}"
-            say(f"{curve.name}, {which} of {one.count}:\n{said}" if max(one.count, len(asked)) > 1 else said)
-            for sentence in answered.get("advice_on_sheets", ()):
-                say(sentence)
+            if max(one.count, len(asked)) > 1:
+                which = one.drawn.called if one is last else f"{one.drawn.called} to {last.drawn.called}"
+                say(f"{curve.name}, {which} of {one.count}:")
+            for row in rows:
+                say_row(row, is_answer=True)
         if not (answered["realizable"] or several or voice().quiet):
             suggestion = request.suggestion(one)
             if suggestion:
                 answered |= {"suggestion": suggestion}
-                say(suggestion)
+                say_row(Row("Change", suggestion))
         worst = max(worst, 0 if good else BAD_INPUT if "problem" in answered else NOT_REALIZABLE)
         answers.extend(found)
     if bad > MOST_REFUSALS:
@@ -222,9 +225,46 @@ class _Request:
         return first_that_holds((told(*one), partial(requests, *one)) for one in candidates)
 
 
-def _printed(told: dict[str, Any]) -> str:
-    """Return the printed report on a curve."""
-    return " ".join([told["advice"], *(one for one in told.get("notes", ()) if one not in told["advice"])])
+def _rows(report: dict[str, Any]) -> list[Row]:
+    """Return the printed rows of the report on a curve."""
+    notes = [text for text in report.get("notes", ()) if text not in report["advice"]]
+    possible = report["realizable"] and not report.get("undecided")
+    verdict = Row("Verdict", " ".join([report["advice"], *notes]), severity="note" if possible else "error")
+    return [
+        verdict,
+        *([_widths_row(report["ratio"]), _sheets_row(report["sheets"])] if "ratio" in report else []),
+    ]
+
+
+def _widths_row(ratio: float) -> Row:
+    if ratio < EVEN:
+        return Row("Widths", "the same along the whole strip")
+    example = f"{WIDE_MM:g} and {WIDE_MM / ratio:.3g} mm"
+    return Row("Widths", f"the widest place is {ratio:.3g} times as wide as the narrowest, e.g. {example}")
+
+
+def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
+    """Return the thickest sheets that bend to the curve, or else those for the least enlarged curve."""
+    known = [(Sheet.named(sheet["name"]), sheet["scale"]) for sheet in sheets]
+    fitting = _kinds_first([sheet for sheet, scale in known if scale <= 1][::-1])
+    larger = [f"{sheet.full_name} at {ceil(100 * scale)} %" for sheet, scale in known if scale > 1]
+    details = [f"All: {', '.join(fitting)}."] if fitting else []
+    details += [f"If the curve is enlarged: {', '.join(larger)}."] if larger else []
+    return Row(
+        "Sheets", _some(fitting) if fitting else f"none at this size; enlarged: {_some(larger)}", details
+    )
+
+
+def _kinds_first(sheets: Sequence[Sheet]) -> list[str]:
+    """Return the names of sheets, beginning with the first sheet of each kind."""
+    first = list({sheet.kind: sheet for sheet in reversed(sheets)}.values())[::-1]
+    return [sheet.full_name for sheet in (*first, *(sheet for sheet in sheets if sheet not in first))]
+
+
+def _some(names: Sequence[str]) -> str:
+    """Return the first names in a text, with the number of the others, which -v lists."""
+    more = len(names) - MOST_SHEETS
+    return f"{', '.join(names[:MOST_SHEETS])}{f' and {more} others (-v)' if more > 0 else ''}"
 
 
 def _draw(found: EquilibriumCheck, path: Path, *, force: bool) -> None:
@@ -242,25 +282,7 @@ def _told_sheets(
     """Return the least stiffness ratio, and the sheets that bend to the curve at this or a larger size."""
     ratio = optimal_rod(curve, supports=supports, natural_curvature=natural_curvature).ratio
     known = sheets_for_curve(curve, natural_curvature)
-    can = [one for one in known if one.fits]
-    larger = [one for one in known if not one.fits]
-    sheets = [
-        "A plain strip is as wide in all its length."
-        if ratio < EVEN
-        else f"The widest place of a plain strip is {ratio:.3g} times as wide as the narrowest: "
-        f"{WIDE_MM:g} mm and {WIDE_MM / ratio:.3g} mm, for example."
-    ]
-    if can:
-        told = ", ".join(one.sheet.full_name for one in can[-MOST_SHEETS:][::-1])
-        more = f", and {len(can) - MOST_SHEETS} others" if len(can) > MOST_SHEETS else ""
-        sheets.append(f"Sheets that bend so far at this size: {told}{more}.")
-    if larger:
-        told = ", ".join(
-            f"{one.sheet.full_name} from {ceil(100 * one.scale)} %" for one in larger[:MOST_SHEETS]
-        )
-        sheets.append(f"Sheets that bear it from a larger size on, in percent of this one: {told}.")
     return {
         "ratio": round_numbers(ratio),
         "sheets": [{"name": one.sheet.name, "scale": round_numbers(one.scale)} for one in known],
-        "advice_on_sheets": sheets,
     }

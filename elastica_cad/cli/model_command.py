@@ -1,16 +1,19 @@
 """`elastica model`: from a design file to a folder with everything that is needed to build it."""
 
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from functools import partial
 from itertools import count
 from pathlib import Path
 
 import click
 
-from elastica_cad._values import and_more, counted
+from elastica_cad._values import counted
 from elastica_cad.cli.options import output_options
 from elastica_cad.cli.settings import parsed_settings, set_option
 from elastica_cad.cli.suggestions import changed_requests, first_that_holds, suggest_later
-from elastica_cad.cli.voice import answer, say, say_step, voice, warn
+from elastica_cad.cli.voice import answer, say, say_row, say_step, voice, warn
 from elastica_cad.design.design_file import Design, read_design
 from elastica_cad.design.model_tables import DesignKeys
 from elastica_cad.errors import Change, ElasticaError, InputError
@@ -19,10 +22,13 @@ from elastica_cad.formats.drawn_file import CurveList
 from elastica_cad.geometry.path import largest_deviation
 from elastica_cad.kit.kit import Kit, left_out
 from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_contents
-from elastica_cad.kit.model_kit import check_kit_folder, left_behind, model_kit
+from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind, model_kit
 from elastica_cad.model.model import Model
 from elastica_cad.plot.drawing_process import DrawingProcess
-from elastica_cad.refusals import Refusal, is_told, note
+from elastica_cad.refusals import Length, Refusal, is_told, note
+from elastica_cad.report_rows import Row
+from elastica_cad.strip.held_shape import about
+from elastica_cad.strip.summary import accuracy_row, size_row
 
 MOST_SAID = 6
 """Notes that are printed; the report holds all."""
@@ -98,7 +104,7 @@ def model(
         done=lambda name, total: say_step(f"wrote {name}", next(files), total),
         process=click.get_current_context().find_object(DrawingProcess),
     )
-    _tell(contents, kit, output)
+    _report(contents, kit, output)
     for text in left_out(step=step, pictures=pictures, paper=bool(read.kit.pages)):
         say(text)
 
@@ -132,58 +138,107 @@ def _read_told(path: Path, *, unit: str | None = None) -> CurveList:
     return curves
 
 
-def _tell(contents: KitContents, kit: Kit, output: Path) -> None:
-    """Report the result in a few lines."""
+def _report(contents: KitContents, kit: Kit, output: Path) -> None:
+    """Print the report in rows: a row for each different strip, warnings, sheets and files."""
     answer(kit.report | {"folder": output})
     voice().files += [str(output / file.name) for file in kit.files]
     model, listed = contents.model, contents.cut_list
-    pieces = f"{counted(listed.count, 'piece')} of {counted(listed.shapes, 'shape')}"
-    say(
-        f"{model.name}: {count_strips(model)}, {counted(len(model.joints), 'joint')}; {pieces}, "
-        f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g"
+    sizes: dict[str, list[str]] = {}
+    for part in model.parts:
+        text = f"{size_row(part.strip).text}{_accuracy(contents, part.name)}"
+        sizes.setdefault(text, []).append(part.name)
+    for text, names in sizes.items():
+        several = f"{names[0]}, {names[-1]}" if len(names) == 2 else f"{names[0]} x {len(names)}"
+        say_row(
+            Row(
+                several if names[1:] else names[0],
+                text,
+                [f"These are {', '.join(names)}."] if names[1:] else [],
+            )
+        )
+    say_row(
+        Row(
+            "Model",
+            f"{count_strips(model)}, {counted(len(model.joints), 'joint')}; "
+            f"{counted(listed.count, 'piece')} of {counted(listed.shapes, 'shape')}, "
+            f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g",
+        )
     )
-    used = sum(nest.share * nest.sheet_size[0] * nest.sheet_size[1] for nest in contents.nests)
-    say(f"{counted(len(contents.nests), 'sheet')} needed, {used / 1e6:.3g} m2 of them in parts")
+    if moved := _largest_move(contents):
+        say_row(moved)
+    if contents.held:
+        worst = max(contents.held, key=lambda name: contents.held[name].expected)
+        row = accuracy_row(contents.held[worst])
+        say_row(replace(row, text=f"{worst} deviates most: {row.text}"))
+    _before_you_cut(contents, kit, output)
+    kinds = Counter(nest.sheet.full_name for nest in contents.nests if nest.sheet is not None)
+    say_row(
+        Row(
+            "Sheets",
+            f"{', '.join(f'{count} of {name}' for name, count in kinds.items())} are needed",
+            [
+                f"{nest.name}: {counted(len(nest.pieces), 'piece')}, {100 * nest.share:.0f} % of the sheet"
+                f"{nest.grain and f', {nest.grain}'}"
+                for nest in contents.nests
+            ],
+        )
+    )
+    start = [f"; open {output / START_PAGE} first" for file in kit.files if file.name == START_PAGE]
+    say_row(Row("Files", f"{len(kit.files)} in {output}{''.join(start)}"))
+
+
+def _accuracy(contents: KitContents, name: str) -> str:
+    held = contents.held.get(name)
+    return "" if held is None else f"; accurate to about {about(held.expected)}"
+
+
+def _largest_move(contents: KitContents) -> Row | None:
+    """Return the row on the strip that is farthest from its drawn curve, or None if no curve was changed."""
     drawn = {entry.label: entry.curve for entry in contents.entries if entry.spec.may_change}
     moved = [
         (largest_deviation(drawn[part.strip.label], part.strip.rod.curve), part.name)
-        for part in model.parts
+        for part in contents.model.parts
         if part.strip.label in drawn
     ]
-    if moved:
-        far, name = max(moved)
-        say(f"farthest from its drawn curve, {name}: {far:.2g} mm")
-    for nest in contents.nests:
-        say(
-            f"{nest.name}: {counted(len(nest.pieces), 'piece')}, {100 * nest.share:.0f} % of the sheet, "
-            f"{100 * nest.filled / nest.used:.0f} % of the rows used"
-            f"{nest.grain and f', {nest.grain}'}"
-        )
-    if contents.held:
-        worst = max(contents.held, key=lambda name: contents.held[name].expected)
-        say(f"{worst}, the one that strays most: {contents.held[worst]}")
-    said = list(dict.fromkeys((*contents.notes, *model.reports, *_warnings(model))))
-    most = len(said) if voice().verbose else MOST_SAID
-    for text in said[:most]:
-        warn(f"Note: {text}")
-    if len(said) > most:
-        warn(f"Note: {len(said) - most} more in {model.name}.json, or with -v")
+    if not moved:
+        return None
+    far, name = max(moved)
+    return Row("Curves", f"{name} is farthest from its drawn curve: {Length(far)}")
+
+
+def _before_you_cut(contents: KitContents, kit: Kit, output: Path) -> None:
+    """Print messages about the model; without -v only the first of them."""
+    model = contents.model
+    messages = [*contents.notes, *model.reports, *_warnings(model)]
     if old := left_behind(kit, output):
-        several = f"{len(old)} files that are" if old[1:] else "a file that is"
-        warn(
-            f"Warning: {output} holds {several} no part of this model, {old[0]}{' and others' if old[1:] else ''}, "
-            "left by an earlier run: delete them before you cut, or choose an empty folder"
+        messages.append(
+            f"{output} holds files of an earlier run that do not belong to this model "
+            f"({old[0]}{' and others' if old[1:] else ''}). Delete them, or choose an empty folder."
         )
-    say(f"wrote {len(kit.files)} files to {output}")
+    shown = messages if voice().verbose else list(_one_of_each(messages))[:MOST_SAID]
+    if messages:
+        warn("Before you cut:", in_notes=False)
+    for text in shown:
+        say_row(Row("Note", text, severity="warning" if is_told(text) else "note"))
+    if len(messages) > len(shown):
+        warn(f"All {len(messages)} notes are in {model.name}.json, or printed with -v.", in_notes=False)
 
 
-def _warnings(model: Model) -> list[Refusal]:
-    """Return warnings of strips; warnings that differ only in numbers are listed once, with their count."""
-    warned: dict[str, list[Refusal]] = {}
+def _warnings(model: Model) -> Iterator[Refusal]:
+    """Yield the warnings of all strips, with the names of the strips."""
     for part in model.parts:
-        for said in part.strip.warnings:
-            if not (voice().verbose or is_told(said)):
-                continue
-            told = said if isinstance(said, Refusal) else note(said, severity="warning")
-            warned.setdefault(told.text, []).append(told.at(strip=part.name))
-    return [same[0].at(strip=f"{same[0].where['strip']}{and_more(same)}") for same in warned.values()]
+        for text in part.strip.warnings:
+            if voice().verbose or is_told(text):
+                warning = text if isinstance(text, Refusal) else note(text, severity="warning")
+                yield warning.at(strip=part.name)
+
+
+def _one_of_each(messages: Iterable[str]) -> Iterator[str]:
+    """Yield messages; of those that differ only in numbers and names the first, with the number of the others."""
+    kinds: dict[str, list[str]] = {}
+    for message in dict.fromkeys(messages):
+        kinds.setdefault(getattr(message, "text", message), []).append(message)
+    for alike in kinds.values():
+        first = alike[0]
+        yield note("{first} (and {count} more like this)", first=first, count=len(alike) - 1,
+                   severity=getattr(first, "severity", "warning")) if alike[1:] else first  # fmt: skip

@@ -17,7 +17,7 @@ from elastica_cad.cli.options import (
 )
 from elastica_cad.cli.settings import parsed_settings, set_option
 from elastica_cad.cli.strip_options import with_settings
-from elastica_cad.cli.voice import answer, say, say_step, warn, wrote
+from elastica_cad.cli.voice import answer, say, say_row, say_step, wrote
 from elastica_cad.declared import Asked, Record, declared
 from elastica_cad.defaults import KERF
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
@@ -30,9 +30,11 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kit.pair_kit import MadePair
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.plot.drawing_process import DrawingProcess
 from elastica_cad.refusals import Length, note
+from elastica_cad.report_rows import Row, in_order
 
 FILE = click.Path(path_type=Path)
 
@@ -95,7 +97,7 @@ def pair(**chosen: Any) -> None:
     made = MadePair(spec, spec.make(), name, cutting)
     process = click.get_current_context().find_object(DrawingProcess)
     written = made.kit.write(chosen["output"], force=chosen["force"], process=process)
-    _tell(made)
+    _report(made)
     answer({"pair": made.kit.report})
     wrote(written)
 
@@ -131,41 +133,59 @@ def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
     return one(path, "first"), one(chosen["second"] or path, "second")
 
 
-def _tell(made: MadePair) -> None:
-    """Report the result in a few lines."""
+def _report(made: MadePair) -> None:
+    """Print the report in rows, with warnings before notes."""
     part, pair_ = made.part, made.part.pair
     low, high = part.thickness_range
-    say(
-        f"{made.name}: {pair_.length:.2f} mm between its pads, {low:.2f} to {high:.2f} mm thick in the plane, "
+    size = (
+        f"{pair_.length:.1f} mm between its pads, {low:.2f} to {high:.2f} mm thick in the plane, "
         f"{part.sheet.thickness:g} mm deep"
     )
-    first, second = (100 * one for one in part.strain)
-    way = part.travel
-    worst = max(*part.strain, part.travel_strain)
-    inside = "within" if judge_strain(part.sheet, worst).allowed else "beyond"
-    say(
-        f"largest strain {first:.2f} % in the first state, {second:.2f} % in the second, "
-        f"{100 * part.travel_strain:.2f} % on the way, "
-        f"{inside} the {100 * part.sheet.max_strain:.2f} % that {part.sheet.name} bears for long"
+    first, second = (f"{100 * strain:.2f} %" for strain in part.strain)
+    allowed = judge_strain(part.sheet, max(*part.strain, part.travel_strain)).allowed
+    strain = (
+        f"{first} and {second} in the two states, {100 * part.travel_strain:.2f} % between them; "
+        f"{part.sheet.name} allows {100 * part.sheet.max_strain:.2f} % for long"
     )
-    stays = [f"margin {one.margin:.3g} ({one.word})" for one in pair_.stability]
-    side = [one.word for one in part.sideways]
-    say(f"first state {stays[0]}, second state {stays[1]}; sideways {side[0]} and {side[1]}")
-    if pair_.bistable:
-        at, _ = part.pushed
-        if (back := part.travel_back) is None:
-            say(
-                f"not bistable: pushed at {at:.4g} mm to the second curve it is held there with {part.force_text}"
-            )
-        else:
-            returns = note(", back at about {force:.2g} N", force=back.largest_force)
-            say(f"bistable: pushed at {at:.4g} mm it snaps at {part.force_text}{returns}")
-            if way.snap is not None:
-                work = note("about {work:.2g} N mm", work=way.work)
-                say(f"from {way.snap:.3g} mm of travel on it goes by itself; {work} were done by then")
-    else:
-        say(f"two settings: its end is held with at most {part.force_text} on the way between them")
-    say(note("at rest up to {far} from the first curve, {far_2} from the second, because its forces stretch it",
-             far=Length(part.rest_deviations[0]), far_2=Length(part.rest_deviations[1])))  # fmt: skip
-    for warning in made.warnings:
-        warn(f"Warning: {warning}.")
+    rest = note("at rest {far} and {other} from the curves, because forces stretch the part",
+                far=Length(part.rest_deviations[0]), other=Length(part.rest_deviations[1]))  # fmt: skip
+    rows = [
+        Row("Size", size),
+        Row("Strain", strain, severity="note" if allowed else "warning"),
+        _stability(part),
+        Row("Force", _force(part)),
+        Row("Accuracy", rest),
+        *(Row("Warning", text, severity="warning") for text in made.warnings),
+    ]
+    for row in in_order(rows):
+        say_row(row)
+
+
+def _stability(part: Flexure) -> Row:
+    """Return the row on the stability of both states, in the plane and sideways."""
+    words = [*(state.word for state in part.pair.stability), *(state.word for state in part.sideways)]
+    details = [
+        f"The stability margins are {part.pair.stability[0].margin:.3g} and {part.pair.stability[1].margin:.3g}; "
+        f"sideways {part.sideways[0].margin:.3g} and {part.sideways[1].margin:.3g}."
+    ]
+    if set(words) == {"ample"}:
+        return Row("Stability", "both states are stable, in the plane and sideways", details)
+    names = ("first state", "second state", "first state sideways", "second state sideways")
+    shown = {"ample": "stable", "low": "close to snapping", "unstable": "unstable", "undecided": "undecided"}
+    states = [f"{name} {shown[word]}" for name, word in zip(names, words, strict=True)]
+    return Row("Stability", ", ".join(states), details, "warning")
+
+
+def _force(part: Flexure) -> str:
+    """Return a sentence on the forces between the states."""
+    if not part.pair.bistable:
+        return f"two settings: hold the end with at most {part.force_text} between them"
+    at, _ = part.pushed
+    if (back := part.travel_back) is None:
+        return f"not bistable: the second curve holds only with {part.force_text}, pushed at {at:.4g} mm"
+    returns = note("back at about {force:.2g} N", force=back.largest_force)
+    sentence = f"bistable: pushed at {at:.4g} mm it snaps at {part.force_text}, {returns}"
+    if part.travel.snap is None:
+        return sentence
+    work = note("about {work:.2g} N mm", work=part.travel.work)
+    return f"{sentence}; it moves by itself from {part.travel.snap:.3g} mm of travel on, after {work} of work"

@@ -1,8 +1,9 @@
 """`elastica strip`: from a drawn curve to the files that a laser cutter needs."""
 
 import os
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -22,7 +23,7 @@ from elastica_cad.cli.suggestions import (
     suggest_later,
     typed_line,
 )
-from elastica_cad.cli.voice import answer, say, say_step, voice, warn, wrote
+from elastica_cad.cli.voice import answer, say, say_row, say_step, voice, warn, wrote
 from elastica_cad.declared import kind_of
 from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.records import Reader
@@ -47,13 +48,17 @@ from elastica_cad.mechanics.sheets import Sheet, sheet_names
 from elastica_cad.mechanics.theorem1 import outlier_message
 from elastica_cad.plot.drawing_process import DrawingProcess
 from elastica_cad.refusals import is_told
+from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
-from elastica_cad.strip.holding_template import tell_ends
 from elastica_cad.strip.makeable_strip import compensate_within
 from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.summary import size_row, strip_rows
 
 STRAYED_SHARE = 3e-4
 """Deviation of a strip as made, as a fraction of its length, above which corrected widths are suggested."""
+
+WORTH_CORRECTING = 0.8
+"""Largest expected deviation with corrected widths, as a fraction of the deviation without, that is suggested."""
 
 MOST_PIECES = 8
 """Largest number of pieces of a curve that is split at its corners for a suggestion."""
@@ -136,7 +141,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
                 )
             process = ctx.find_object(DrawingProcess)
             written = kit.write(chosen["output"], force=chosen["force"], process=process)
-            _tell(result, written, several=len(curves) > 1)
+            _report(result, written, several=len(curves) > 1)
             reports.append(kit.report)
             made.append(asked)
             wrong += strict and not result.strip.strain_verdict.allowed
@@ -150,6 +155,8 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             called, said = asked.drawn.called, str(problem)
             warn(said if called in said else f"{called}: {said}", told=refused <= MOST_REFUSALS)
     answer({"strips": reports})
+    if len(curves) > 1 and not voice().verbose:
+        say_row(Row("Files", f"{len(voice().files)} in {chosen['output']}"))
     if chosen["save_design"] is not None and made:
         wrote([_save_design(chosen["save_design"], made, table, force=chosen["force"])])
     for missing in left_out(step=files.step, pictures=files.pictures) if reports else ():
@@ -243,79 +250,44 @@ def _is_taken(asked: AskedCurve, chosen: Mapping[str, Any]) -> bool:
     return any(name.samefile(asked.path) for name in names) or bool(names and not chosen["force"])
 
 
-def _tell_compensation(result: StripResult) -> None:
-    """Report the remaining deviation with corrected widths, if it is much smaller."""
-    made = result.strip
-    if (
-        result.spec.compensate
-        or result.spec.law is not None
-        or made.held_deviation <= STRAYED_SHARE * made.rod.length
-    ):
+def _compensated(result: StripResult) -> Iterator[Row]:
+    """Yield the accuracy with corrected widths, if it is much better."""
+    strip = result.strip
+    if result.spec.compensate or result.spec.law is not None:
         return
-    better = compensate_within(made, result.spec.shop)
-    if better.correction is not None and better.held_deviation < made.held_deviation / 2:
-        left = about(better.held().expected)
-        say(f"--compensate makes up for that in the widths: about {left} are left, model and sheet included")
+    with suppress(NotConvergedError):
+        if strip.held_deviation > STRAYED_SHARE * strip.rod.length:
+            better = compensate_within(strip, result.spec.shop)
+            if better.correction is not None and better.held_deviation < strip.held_deviation / 2:
+                yield Row(
+                    "Change",
+                    f"--compensate corrects the widths: about {about(better.held().expected)} remain",
+                )
 
 
-def _tell(result: StripResult, written: Iterable[Path], *, several: bool) -> None:
-    """Report the result in a few lines; for one strip of several only cut size, supports and warnings."""
-    made, near, verdict = result.strip, result.near, result.stability
-    rod, whole = made.rod, voice().verbose or not several
-    whose = f"{made.label}: " if several else ""
-    tabs_length = sum(tab.length for tab in made.ends)
-    with_tabs = f" ({rod.length + tabs_length:.2f} mm with its tabs)" if tabs_length else ""
-    say(f"{made.label or 'strip'}: {rod.length:.2f} mm long{with_tabs}, {made.breadth()}, "
-               f"stiffness ratio {rod.ratio:.4g}, {made.mass_told}")  # fmt: skip
-    for outlier in (told_first := outlier_message(result.spec.curve)):
-        warn(f"Warning: {whose}{outlier}")
-    if whole:
-        say(f"largest strain {100 * made.max_strain:.2f} % at {made.max_strain_at:.1f} mm "
-                   f"({made.most_strained.name} bears {100 * made.strain_limit:.2f} %)")  # fmt: skip
-    if made.backing_side:
-        say(made.backing_side)
-    if near is not None:
-        from elastica_cad.forming.limits import FAR_SHARE
-
-        moved = f"largest distance from the drawn curve {near.deviation:.2f} mm. {near.status.value}"
-        if near.deviation > FAR_SHARE * rod.length:
-            warn(f"Warning: {whose}{moved}")
-        else:
-            say(moved)
-        for advice in near.advice[:MOST_ADVICE]:
-            say(advice)
-    if not verdict.stable:
-        warn(f"Warning: {whose}{verdict}. --stable finds the nearest that stays.")
-    elif whole:
-        say(str(verdict))
-    if made.sideways.needs_guiding:
-        warn(f"Warning: {whose}{made.sideways}.")
-    elif whole:
-        say(str(made.sideways))
-    if whole:
-        _tell_holding(result)
+def _report(result: StripResult, written: Sequence[Path], *, several: bool) -> None:
+    """Print the report in rows; for one of several strips only its size and warnings."""
+    strip = result.strip
+    rows = strip_rows(strip, result.near)
+    voice().notes.extend(text for text in strip.warnings if not is_told(text))
+    if several and not voice().verbose:
+        for row in rows:
+            if row.stops:
+                say_row(replace(row, text=f"{strip.label}: {row.text}"))
+        say_row(Row(strip.label, size_row(strip).text))
+        voice().files += map(str, written)
+        return
     tabs = result.spec.tabs_told
-    if tabs is not None:
-        say(tabs)
-    say(made.joint or tell_ends(made))
-    if blank := tell_blank(made):
-        say(blank)
-    for warning in made.warnings:
-        if warning in (tabs, *told_first) or (near is not None and warning == near.status.value):
-            continue  # reported above
-        warn(f"Warning: {whose}{warning}", told=is_told(warning))
-    wrote(written)
-    for joint, end in zip(result.joints, ("starts", "ends"), strict=True):
-        if joint:
-            say(f"it {end} at the corner {joint}, where the strip with the same number goes on")
-
-
-def _tell_holding(result: StripResult) -> None:
-    """Report the deviation of the strip by creep, and as made and held."""
-    made = result.strip
-    with suppress(NotConvergedError):
-        if made.crept is not None:
-            say(str(made.crept))
-    with suppress(NotConvergedError):
-        say(str(made.held()))
-        _tell_compensation(result)
+    more = [tell_blank(strip), tabs]
+    joined = [
+        f"It {end} at the corner {joint}, where the strip of the same number continues."
+        for joint, end in zip(result.joints, ("starts", "ends"), strict=True)
+        if joint
+    ]
+    if not result.stability.stable:
+        rows = (*rows, Row("Change", "--stable finds the nearest stable curve"))
+    ends = [Row("Ends", text) for text in (*more, *joined) if text]
+    other = [row for row in rows if row.text != tabs]
+    for row in in_order([*other, *ends, *([] if several else _compensated(result))]):
+        say_row(row)
+    wrote(written, {f"{result.name}.dxf": "cut", f"{result.name}-holding.dxf": "template"})

@@ -3,12 +3,13 @@
 import json
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, fields, is_dataclass
 from enum import Enum
 from pathlib import Path, PurePath
 from threading import Event, Thread
+from types import MappingProxyType
 from typing import Any
 
 import click
@@ -18,6 +19,7 @@ from elastica_cad._text import printable
 from elastica_cad._values import round_numbers
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.formats.source_file import FileMark, mark_file, note_reads
+from elastica_cad.report_rows import LABEL_WIDTH, Row, printed_row
 
 _KEY = "elastica.voice"
 
@@ -111,22 +113,55 @@ def say(text: str = "") -> None:
         echo(text)
 
 
-def warn(text: str, *, told: bool = True) -> None:
-    """Print a warning to stderr, and add it to the notes of the JSON record.
+def warn(text: str, *, told: bool = True, in_notes: bool = True) -> None:
+    """Print a warning to stderr, and add it to the notes of the JSON record if it is `in_notes`.
 
     Without `told` it is only printed with -v.
     """
-    voice().notes.append(text)
+    if in_notes:
+        voice().notes.append(text)
     if not voice().quiet and (told or voice().verbose):
         _clear_step()
         echo(text, err=True)
 
 
-def wrote(paths: Iterable[PurePath]) -> None:
-    """Report files as written."""
-    for path in paths:
-        voice().files.append(str(path))
-        say(f"wrote {path}")
+def say_row(row: Row, *, is_answer: bool = False) -> None:
+    """Print a row, with its details under -v.
+
+    A row that stops the user is a warning on stderr and in the JSON notes, unless it `is_answer` to the request.
+    """
+    speaker = voice()
+    warns = row.stops and not is_answer
+    if warns:
+        speaker.notes.append(row.text)
+    if speaker.quiet or (speaker.as_json and not warns):
+        return
+    _clear_step()
+    label, text = printed_row(row)[:LABEL_WIDTH], printed_row(row)[LABEL_WIDTH:]
+    colour = "red" if row.stops else None  # click drops it where the output is no terminal
+    click.echo(click.style(printable(label), fg=colour) + printable(text), err=warns)
+    for detail in row.details if speaker.verbose else ():
+        echo(f"{'':<{LABEL_WIDTH}} {detail}", err=warns)
+
+
+def say_table(columns: Mapping[str, Sequence[str]]) -> None:
+    """Print columns of numbers under their titles, aligned to the right."""
+    widths = [max(map(len, (title, *cells))) for title, cells in columns.items()]
+    for row in (tuple(columns), *zip(*columns.values(), strict=True)):
+        say("  ".join(f"{cell:>{width}}" for cell, width in zip(row, widths, strict=True)))
+
+
+def wrote(paths: Iterable[PurePath], contents: Mapping[str, str] = MappingProxyType({})) -> None:
+    """Report the written files in a row, with the `contents` of files that have a name there."""
+    listed = list(paths)
+    voice().files += map(str, listed)
+    names = [
+        str(path) if k == 0 or path.parent != listed[0].parent else path.name for k, path in enumerate(listed)
+    ]
+    said = [f"{name} ({contents[path.name]})" if path.name in contents else name
+            for name, path in zip(names, listed, strict=True)]  # fmt: skip
+    if said:
+        say_row(Row("Files", ", ".join(said)))
 
 
 def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:

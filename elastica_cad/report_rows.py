@@ -1,0 +1,55 @@
+"""Labelled rows of reports: the same in text, notebook, FreeCAD's panel and the page."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from elastica_cad.refusals import Severity
+
+LABEL_WIDTH = 11
+"""Width of the column of labels in text."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """A labelled line of a report.
+
+    Attributes
+    ----------
+    label : str
+        One word that names the subject.
+    text : str
+        The line. A warning states the problem and one instruction.
+    details : sequence of str
+        Sentences for verbose output.
+    severity : "error", "warning" or "note"
+        A warning is marked, and printed before the notes.
+    """
+
+    label: str
+    text: str
+    details: Sequence[str] = ()
+    severity: Severity = "note"
+
+    @property
+    def stops(self) -> bool:
+        """True if the user has to act before cutting."""
+        return self.severity != "note"
+
+
+def in_order(rows: Sequence[Row]) -> tuple[Row, ...]:
+    """Return the rows with those that stop the user first."""
+    return tuple(sorted(rows, key=lambda row: not row.stops))
+
+
+def printed_row(row: Row) -> str:
+    """Return a row as a line of text: the label in a column, marked with "!" if it stops the user.
+
+    Examples
+    --------
+    >>> rows = [Row("Size", "20 mm long"), Row("Stability", "unstable", (), "warning")]
+    >>> print(*map(printed_row, in_order(rows)), sep="\\n")
+    ! Stability unstable
+    Size        20 mm long
+    """
+    label = f"! {row.label}" if row.stops else row.label
+    return f"{label:<{LABEL_WIDTH}} {row.text}"

@@ -1,0 +1,160 @@
+"""Labelled rows that report a strip: the same in text, notebook, FreeCAD's panel and the page."""
+
+from collections.abc import Iterator
+from contextlib import suppress
+
+import numpy as np
+
+from elastica_cad.errors import NotConvergedError
+from elastica_cad.forming.limits import FAR_SHARE
+from elastica_cad.forming.nearest_record import NearestRod
+from elastica_cad.mechanics.stability import SAFE_MARGIN, Stability, stability
+from elastica_cad.refusals import Length, note
+from elastica_cad.report_rows import Row, in_order
+from elastica_cad.strip.held_shape import MOST, HeldShape, about
+from elastica_cad.strip.holding_template import distance_between, distance_of_tips, held_ends
+from elastica_cad.strip.strip import Strip
+
+
+def strip_rows(strip: Strip, near: NearestRod | None = None) -> tuple[Row, ...]:
+    """Return the report on a strip in rows, with warnings before notes.
+
+    Parameters
+    ----------
+    strip : Strip
+    near : NearestRod, optional
+        The nearest rod from which the strip was made, if the curve was allowed to change.
+
+    Examples
+    --------
+    >>> from elastica_cad.strip.strip_spec import make_strip
+    >>> from elastica_cad.geometry.plane_curve import PlaneCurve
+    >>> arch = make_strip(PlaneCurve.arc((0, 0), 100, np.pi, 0), "card-200gsm", max_width=20)
+    >>> for row in strip_rows(arch)[:3]:
+    ...     print(row.label, "|", row.text)
+    Size | 314.2 mm long, 20 mm wide, 1.32 g
+    Strain | 0.14 % at 0 mm; card-200gsm allows 0.5 %
+    Stability | stable, in its plane and sideways
+    """
+    rows = [size_row(strip), *_nearest(strip, near), *_strain(strip), *_steadiness(strip), *_hold(strip)]
+    with suppress(NotConvergedError):
+        rows.append(accuracy_row(strip.held()))
+    with suppress(NotConvergedError):
+        rows += [Row(note("Creep"), str(strip.crept))] if strip.crept is not None else []
+    reported = {*strip.strain_warnings, *([near.status.value] if near is not None else [])}
+    others = [text for text in strip.warnings if text not in reported]
+    rows += [Row(note("Warning"), text, (), getattr(text, "severity", "warning")) for text in others]
+    return in_order(rows)
+
+
+def size_row(strip: Strip) -> Row:
+    """Return the row on length, width and mass of a strip."""
+    tabs = sum(tab.length for tab in strip.ends)
+    length = strip.rod.length
+    text = (
+        "{length:.1f} long ({whole:.1f} with tabs), {breadth}, {mass}"
+        if tabs
+        else "{length:.1f} long, {breadth}, {mass}"
+    )
+    ratio = note("The stiffness ratio is {ratio:.4g}.", ratio=strip.rod.ratio)
+    backing = [strip.backing_side] if strip.backing_side else []
+    return Row(
+        note("Size"),
+        note(
+            text, length=Length(length), whole=Length(length + tabs), breadth=strip.breadth(".1f"),
+            mass=strip.mass_told,
+        ),
+        (ratio, *backing),
+    )  # fmt: skip
+
+
+def _nearest(strip: Strip, near: NearestRod | None) -> Iterator[Row]:
+    if near is None:
+        return
+    far = near.deviation > FAR_SHARE * strip.rod.length
+    text = note("at most {far} from the drawn curve", far=Length(near.deviation))
+    details = (note(near.status.value), *near.advice)
+    yield Row(note("Curve"), text, details, "warning" if far else "note")
+
+
+def _strain(strip: Strip) -> Iterator[Row]:
+    for warning in strip.strain_warnings:
+        yield Row(note("Strain"), warning, severity="warning")
+    if not strip.strain_warnings:
+        yield Row(
+            note("Strain"),
+            note(
+                "{strain:.2g} % at {at:.0f}; {sheet} allows {limit:.2g} %",
+                strain=100 * strip.max_strain,
+                at=Length(strip.max_strain_at),
+                sheet=strip.most_strained.name,
+                limit=100 * strip.strain_limit,
+            ),
+        )
+
+
+def stability_row(strip: Strip, verdict: Stability) -> Row:
+    """Return the row on both stabilities of a strip: in its plane and sideways."""
+    sideways = strip.sideways
+    details = (
+        note("The stability margin is {margin:.3g}; 5 is safe.", margin=verdict.margin),
+        note("The sideways margin is {margin:.3g}; 5 is safe.", margin=sideways.margin),
+    )
+    if not verdict.stable:
+        text = note("unstable: the strip snaps into another shape")
+    elif verdict.margin < SAFE_MARGIN:
+        text = note("close to snapping: a push can move the strip into another shape")
+    elif sideways.needs_guiding:
+        text = note("stable in its plane, but {meaning}", meaning=note(sideways.meaning))
+    elif sideways.word == "undecided":
+        return Row(
+            note("Stability"), note("stable in its plane; {meaning}", meaning=note(sideways.meaning)), details
+        )
+    else:
+        return Row(note("Stability"), note("stable, in its plane and sideways"), details)
+    return Row(note("Stability"), text, details, "warning")
+
+
+def _steadiness(strip: Strip) -> Iterator[Row]:
+    yield stability_row(strip, stability(strip.rod))
+
+
+def _hold(strip: Strip) -> Iterator[Row]:
+    if strip.joint:
+        yield Row(note("Hold"), strip.joint)
+        return
+    ends = held_ends(strip)
+    apart = note(
+        "ends {apart:.1f} apart at {start:.1f} and {end:.1f} degrees"
+        if all(end.support.angle for end in ends)
+        else "ends {apart:.1f} apart; they turn freely and rest at {start:.1f} and {end:.1f} degrees",
+        apart=Length(distance_between(ends)), start=ends[0].tilt, end=ends[1].tilt,
+    )  # fmt: skip
+    forces = strip.reactions()
+    start, end = (
+        note("{force:.2g} N and {moment:.2g} N mm", force=np.hypot(*force), moment=abs(moment))
+        for force, moment in (
+            (forces.start_force, forces.start_moment), (forces.end_force, forces.end_moment),
+        )
+    )  # fmt: skip
+    loads = (
+        "{apart}; {start} at each end" if start == end else "{apart}; {start} at the start, {end} at the end"
+    )
+    load = note(loads, apart=apart, start=start, end=end)
+    details = note(
+        "The bend begins there; from tip to tip it is {tips:.1f}. Angles are from the line between the ends.",
+        tips=Length(distance_of_tips(ends)),
+    )
+    yield Row(note("Hold"), load, (details,))
+
+
+def accuracy_row(held: HeldShape) -> Row:
+    """Return the row on the expected deviation of a real strip, with each cause in the details."""
+    figures = {
+        "about {far}, mostly from tabs, slots, curling and holders": held.deviation,
+        "about {far}, mostly from the model": held.open,
+        "about {far}, mostly from the sheet": held.sheet_adds,
+    }
+    largest = max(figures, key=lambda text: figures[text])
+    text = largest if figures[largest] > MOST * held.expected else "about {far}"
+    return Row(note("Accuracy"), note(text, far=about(held.expected)), (str(held),))
