@@ -282,7 +282,6 @@ def _told_sheets(
     """Return the least stiffness ratio, and the sheets that bend to the curve at this or a larger size."""
     ratio = optimal_rod(curve, supports=supports, natural_curvature=natural_curvature).ratio
     known = sheets_for_curve(curve, natural_curvature)
-    return {
-        "ratio": round_numbers(ratio),
-        "sheets": [{"name": one.sheet.name, "scale": round_numbers(one.scale)} for one in known],
-    }
+    sheets = [{"name": one.sheet.name, "scale": round_numbers(one.scale)} for one in known]
+    advice = [_widths_row(ratio).text, _sheets_row(sheets).text]
+    return {"ratio": round_numbers(ratio), "sheets": sheets, "advice_on_sheets": advice}

@@ -159,7 +159,7 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     say_row(
         Row(
             "Model",
-            f"{count_strips(model)}, {counted(len(model.joints), 'joint')}; "
+            f"{model.name}: {count_strips(model)}, {counted(len(model.joints), 'joint')}; "
             f"{counted(listed.count, 'piece')} of {counted(listed.shapes, 'shape')}, "
             f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g",
         )
@@ -219,7 +219,7 @@ def _before_you_cut(contents: KitContents, kit: Kit, output: Path) -> None:
     if messages:
         warn("Before you cut:", in_notes=False)
     for text in shown:
-        say_row(Row("Note", text, severity="warning" if is_told(text) else "note"))
+        say_row(Row("Note", text, severity="warning"))
     if len(messages) > len(shown):
         warn(f"All {len(messages)} notes are in {model.name}.json, or printed with -v.", in_notes=False)
 

@@ -93,7 +93,7 @@ def _strain(strip: Strip) -> Iterator[Row]:
         )
 
 
-def stability_row(strip: Strip, verdict: Stability) -> Row:
+def _stability(strip: Strip, verdict: Stability) -> Row:
     """Return the row on both stabilities of a strip: in its plane and sideways."""
     sideways = strip.sideways
     details = (
@@ -116,7 +116,7 @@ def stability_row(strip: Strip, verdict: Stability) -> Row:
 
 
 def _steadiness(strip: Strip) -> Iterator[Row]:
-    yield stability_row(strip, stability(strip.rod))
+    yield _stability(strip, stability(strip.rod))
 
 
 def _hold(strip: Strip) -> Iterator[Row]:

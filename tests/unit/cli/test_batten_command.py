@@ -21,8 +21,8 @@ ASKED = ("--sheet", "pom-1", "--length", "2400", "--camber", "10", "--at", "40")
 
 def test_the_files_say_what_is_told(tmp_path, check_drawing_file):
     told = run("batten", *ASKED, "--stock", 25, 8, "--least", 3, "--every", 300, "--weight", "-o", tmp_path)
-    assert "camber 10.00 % at 40.00 % of the chord" in told.output
-    assert "under its own weight, lying level and bulging down: camber" in told.output
+    assert "Camber      10.00 % at 40.00 % of the chord" in told.output
+    assert "Weight      level and bulging down, its own weight makes the camber" in told.output
     rows = list(csv.DictReader((tmp_path / "batten.csv").read_text().splitlines()))
     assert [float(row["s_mm"]) for row in rows] == list(np.arange(0.0, 2401.0, 300.0))
     sizes = np.array([float(row["thickness_mm"]) for row in rows])
@@ -184,7 +184,7 @@ def test_what_is_too_heavy_to_bulge_is_told():
 
 def test_leaves_instead_of_a_plane(tmp_path, check_drawing_file):
     told = run("batten", *ASKED, "--stock", 25, 8, "--least", 3, "--leaves", 4, "-o", tmp_path)
-    assert "4 leaves of 2 mm" in told.output
+    assert "4 plies of 2 mm" in told.output
     report = json.loads((tmp_path / "batten.json").read_text())
     assert report["camber"] == pytest.approx(0.1, abs=2e-3)
     assert report["camber_place"] == pytest.approx(0.4, abs=1e-2)
@@ -205,7 +205,7 @@ def test_the_place_that_is_told_instead_can_be_made(place, towards, tmp_path):
     refused = run("batten", *asked, "--at", place, code=2)
     told = re.search(rf"move the camber to {towards} (\d\d\.\d) %", refused.output)[1]
     made = run("batten", *asked, "--at", told)
-    assert f"camber 10.00 % at {float(told):.2f} % of the chord" in made.output
+    assert f"Camber      10.00 % at {float(told):.2f} % of the chord" in made.output
 
 
 def test_stock_as_it_is_sold_in_inches(tmp_path):

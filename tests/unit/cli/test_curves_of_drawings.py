@@ -63,9 +63,9 @@ def test_one_curve_of_several_gets_the_whole_verdict(drawing, tmp_path, choice):
         drawing.read_text().replace("<path", "<desc").replace('<desc id="bow"', '<path id="bow"')
     )
     said, expected = (run("check", *words).stdout for words in ((drawing, *choice), (alone,)))
-    assert "The widest place of a plain strip" in expected
+    assert "Widths      the widest place" in expected
     read, verdict = expected.split("\n", maxsplit=1)
-    assert read == "Read  100.0 x 30.0 mm (mm, from width and height), 1 spline, exact"
+    assert read == "Read        100.0 x 30.0 mm (mm, from width and height), 1 spline, exact"
     assert said == f"{read}\ndrawn.svg, curve 3 (bow, layer Notes) of 3:\n{verdict}"
     told = run("check", drawing, "--curve", "corner", code=2)
     assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in told.stderr
@@ -142,7 +142,7 @@ def test_a_model_warns_of_a_strip_that_will_not_stay(tmp_path):
     )
     quick = ("--no-effects", "--no-pictures", "--no-step", "--no-parts")
     done = run("model", design, *quick, "-o", tmp_path / "kit")
-    assert "Note: W: margin -0.613 (unstable): in balance but it will not stay" in done.stderr
+    assert "! Note      W: margin -0.613 (unstable): in balance but it will not stay" in done.stderr
     assert "it will not stay" in (tmp_path / "kit" / "index.html").read_text()
 
 

@@ -393,7 +393,7 @@ def test_a_mistyped_offset_is_named_once(smooth, code, length, tmp_path, monkeyp
     for one in (told, made):
         said = one.stderr if one is made else one.stdout
         assert re.match(
-            r"(Read  .*\n|bad\.csv: its .*\n)?(Not realizable: |Warning: )?The point at \(2134", said
+            r"(Read  .*\n|bad\.csv: its .*\n)?(! )?(Not realizable:|Verdict|Warning) +The point at \(2134", said
         ), said
         assert "This works" not in one.output
     assert made.output.count("number 8 of 12") == 1
