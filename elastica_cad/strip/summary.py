@@ -32,8 +32,8 @@ def strip_rows(strip: Strip, near: NearestRod | None = None) -> tuple[Row, ...]:
     >>> arch = make_strip(PlaneCurve.arc((0, 0), 100, np.pi, 0), "card-200gsm", max_width=20)
     >>> for row in strip_rows(arch)[:3]:
     ...     print(row.label, "|", row.text)
-    Size | 314.2 mm long, 20 mm wide, 1.32 g
-    Strain | 0.14 % at 0 mm; card-200gsm allows 0.5 %
+    Size | 314.2 mm long (334.2 mm with tabs), 20 mm wide, 1.34 g
+    Strain | 0.10 % at 314 mm; card-200gsm allows 0.50 %
     Stability | stable, in its plane and sideways
     """
     rows = [size_row(strip), *_nearest(strip, near), *_strain(strip), *_steadiness(strip), *_hold(strip)]
@@ -84,7 +84,7 @@ def _strain(strip: Strip) -> Iterator[Row]:
         yield Row(
             note("Strain"),
             note(
-                "{strain:.2g} % at {at:.0f}; {sheet} allows {limit:.2g} %",
+                "{strain:.2f} % at {at:.0f}; {sheet} allows {limit:.2f} %",
                 strain=100 * strip.max_strain,
                 at=Length(strip.max_strain_at),
                 sheet=strip.most_strained.name,
