@@ -103,7 +103,10 @@ def test_parts_of_an_earlier_run_are_told(design, tmp_path):
     fewer = run("model", design, "-o", out, *quick, "--force")
     left = sorted(path.name for path in (out / "parts").iterdir() if path.name.startswith("K2_"))
     assert len(left) == 2
-    assert f"files of an earlier run that do not belong to this model (parts/{left[0]} and others)" in fewer.stderr
+    assert (
+        f"files of an earlier run that do not belong to this model (parts/{left[0]} and others)"
+        in fewer.stderr
+    )
     for name in left:
         (out / "parts" / name).unlink()
     assert "earlier run" not in run("model", design, "-o", out, *quick, "--force").output
