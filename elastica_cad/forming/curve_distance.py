@@ -301,11 +301,12 @@ def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
     from scipy.spatial import cKDTree
 
     chords = np.diff(chain, axis=0)
-    squares = np.maximum((chords**2).sum(axis=1), 1e-300)
+    squares = np.maximum(np.einsum("ij,ij->i", chords, chords), 1e-300)
     _, nearest = cKDTree(chain).query(points)
     least = np.full(len(points), np.inf)
     for k in (np.maximum(nearest - 1, 0), np.minimum(nearest, len(chords) - 1)):
         off = points - chain[k]
-        off = off - np.clip((off * chords[k]).sum(axis=1) / squares[k], 0, 1)[:, None] * chords[k]
+        chord = chords[k]
+        off -= np.clip(np.einsum("ij,ij->i", off, chord) / squares[k], 0, 1)[:, None] * chord
         least = np.minimum(least, np.hypot(off[:, 0], off[:, 1]))
     return float(least.max())

@@ -122,37 +122,41 @@ def _compiled(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatAr
     return x, y, converged, iterations
 
 
+_SIDES = np.array([[1.0], [-1.0]])
+"""Change of the distances from the lower and the upper bounds with the unknowns."""
+
+
 def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
     """Solve the program in Python, scaled by the largest number in its gradient or on the diagonal of its
     Hessian."""
     n, m = p.gradient.size, p.right.size
     scale = 1 / max(1e-30, float(np.abs(p.gradient).max()), float(np.abs(np.diag(p.hessian)).max()))
-    H, g, y_high, A, r = p.hessian * scale, p.gradient * scale, p.price * scale, p.rows, p.right
+    g, y_high = p.gradient * scale, p.price * scale
     y_low = np.where(p.one_sided, 0.0, -y_high)
+    lower, upper = np.concatenate([p.lower, y_low]), np.concatenate([p.upper, y_high])
+    matrix = np.block([[p.hessian * scale, -p.rows.T], [p.rows, np.zeros((m, m))]])
+    offset = np.concatenate([g, -p.right])
     tolerance = accuracy * float(np.clip(np.abs(g).max(), 1e-6, 1.0))
     inner = 0.1 * (p.upper - p.lower)
-    x, y = np.clip(0.0, p.lower + inner, p.upper - inner), (y_low + y_high) / 2
-    # pairs u v = mu: u is linear in (x, y), v are the bounds' multipliers and the rows' slacks p and q
-    low, high, up, down = slice(n), slice(n, 2 * n), slice(2 * n, 2 * n + m), slice(2 * n + m, None)
-    u = np.concatenate([x - p.lower, p.upper - x, y - y_low, y_high - y])
+    z = np.concatenate([np.clip(0.0, p.lower + inner, p.upper - inner), (y_low + y_high) / 2])
+    # pairs u v = mu (2, n + m): u are distances of z = (x, y) from its bounds, v the bounds' multipliers of x and
+    # the slacks p and q of the rows
+    u = np.stack([z - lower, upper - z])
     mu = max(0.03, 0.1 * float(np.abs(g) @ inner) / n)
     v = mu / u
-    gap = A @ x - r
-    v[up] += gap / 2 + np.hypot(v[up], gap / 2)
-    v[down] = np.maximum(v[up] - gap, mu)
-    system, du = np.empty((n + m, n + m)), np.empty_like(u)
+    gap = (matrix @ z + offset)[n:]
+    v[0, n:] += gap / 2 + np.hypot(v[0, n:], gap / 2)
+    v[1, n:] = np.maximum(v[0, n:] - gap, mu)
     for iteration in range(METHOD.most):
-        dual = H @ x + g - y @ A - v[low] + v[high]
-        primal = A @ x - r - v[up] + v[down]
+        residual = matrix @ z + offset - v[0] + v[1]
         product = u * v
-        mu = float(product.mean())
-        met = np.abs(primal).max(initial=0.0) < 10 * METHOD.accuracy
-        if met and mu < tolerance and np.abs(dual).max() < 10 * tolerance:
-            return x, y / scale, True, iteration
+        mu = float(np.vdot(u, v)) / u.size
+        met = np.abs(residual[n:]).max(initial=0.0) < 10 * METHOD.accuracy
+        if met and mu < tolerance and np.abs(residual[:n]).max() < 10 * tolerance:
+            return z[:n], z[n:] / scale, True, iteration
         ratio = v / u
-        system[:n, :n], system[:n, n:], system[n:, :n] = H, -A.T, A
-        system[n:, n:] = np.diag(ratio[up] + ratio[down])
-        system.flat[: n * (n + m) : n + m + 1] += ratio[low] + ratio[high]
+        system = matrix.copy()
+        system.flat[:: n + m + 1] += ratio[0] + ratio[1]
         factors, pivots, info = lapack().dgetrf(system)
         if info != 0 or not min(u.min(), v.min()) > 0:  # a pair has run out to zero: no step leaves it
             break
@@ -160,17 +164,15 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
         aim = -product
         for corrector in (False, True):
             change = aim / u
-            right = np.concatenate([change[low] - change[high] - dual, change[up] - change[down] - primal])
-            solved, _ = lapack().dgetrs(factors, pivots, right)
-            dx, dy = solved[:n], solved[n:]
-            du[low], du[high], du[up], du[down] = dx, -dx, dy, -dy
+            dz, _ = lapack().dgetrs(factors, pivots, change[0] - change[1] - residual)
+            du = _SIDES * dz
             dv = change - ratio * du
             nearest = max(float((-du / u).max()), float((-dv / v).max()), METHOD.backoff)
             step = 1 / nearest
             if not corrector:
-                after = float(((u + step * du) * (v + step * dv)).mean())
+                after = float(np.vdot(u + step * du, v + step * dv)) / u.size
                 centred = iteration >= METHOD.cycling
                 aim = (METHOD.centered * mu if centred else mu * (after / mu) ** 3 - du * dv) - product
         step *= METHOD.backoff
-        x, y, u, v = x + step * dx, y + step * dy, u + step * du, v + step * dv
-    return x, y / scale, False, METHOD.most
+        z, u, v = z + step * dz, u + step * du, v + step * dv
+    return z[:n], z[n:] / scale, False, METHOD.most

@@ -66,10 +66,10 @@ class ArcLength:
         series, slopes = self.series[panel], self._slopes[panel]
         for _ in range(_NEWTON_STEPS):
             polynomials = chebyshev.chebvander(x, _DEGREE + 1)
-            gap = (polynomials * series).sum(axis=1) - (s - self.s[panel])
+            gap = np.einsum("ij,ij->i", polynomials, series) - (s - self.s[panel])
             low, high = np.where(gap < 0, x, low), np.where(gap < 0, high, x)
             with np.errstate(divide="ignore", invalid="ignore"):
-                newton = x - gap / (polynomials[:, :-1] * slopes).sum(axis=1)
+                newton = x - gap / np.einsum("ij,ij->i", polynomials[:, :-1], slopes)
             following = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
             step = np.abs(following - x).max(initial=0.0)
             x = following

@@ -20,6 +20,7 @@ from elastica_cad.geometry.polynomials import (
     interior_roots,
     product,
     raise_degree,
+    scaled_bernstein,
     subdivide_pieces,
     sums_in_pieces,
 )
@@ -206,7 +207,8 @@ class RationalPieces:
 
     def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
         """Evaluate at local coordinates u (n,) of spans (n,)."""
-        rows = [sums_in_pieces(self._series(k), index, u) for k in range(order + 1)]
+        basis = scaled_bernstein(self.spans.degree, u)
+        rows = [sums_in_pieces(basis, self._series(k), index) for k in range(order + 1)]
         if self.rational:
             parts = _quotient([row[:, :2].T for row in rows], [row[:, 2] for row in rows])
             rows = [part.T for part in parts]
@@ -226,7 +228,7 @@ class RationalPieces:
         u = np.minimum(np.maximum(u, 0.0), 1.0)
         if self.rational:
             return norm(self.within(index, u, 1)[1])
-        return norm(sums_in_pieces(self._series(1), index, u))
+        return norm(sums_in_pieces(scaled_bernstein(self.spans.degree, u), self._series(1), index))
 
     def extremes(self) -> FloatArray:
         """Return parameters (k,) of the knots, and of places beyond their box where x or y is stationary."""

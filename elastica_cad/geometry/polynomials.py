@@ -11,7 +11,7 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 
 @lru_cache(maxsize=64)
 def binomials(degree: int) -> FloatArray:
-    """Return binomial coefficients (degree + 1,), the factors from `_scaled_bernstein` to Bernstein polynomials."""
+    """Return binomial coefficients (degree + 1,), the factors from `scaled_bernstein` to Bernstein polynomials."""
     return np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
 
 
@@ -20,7 +20,7 @@ _SPLIT = 0.46875
 zeros there."""
 
 
-def _scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
+def scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
     """Return values (n, degree + 1) of u^i (1 - u)^(degree - i), Bernstein polynomials without binomials."""
     powers = np.empty((degree + 1, 2, u.size))
     powers[0] = 1.0
@@ -47,9 +47,8 @@ def bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray:
     return np.ascontiguousarray(values.T)
 
 
-def sums_in_pieces(series: FloatArray, piece: IntArray, u: FloatArray) -> FloatArray:
-    """Return values (n, c) of polynomials by `_scaled_bernstein` (p, degree + 1, c) at u (n,) of pieces (n,)."""
-    basis = _scaled_bernstein(series.shape[1] - 1, u)
+def sums_in_pieces(basis: FloatArray, series: FloatArray, piece: IntArray) -> FloatArray:
+    """Return values (n, c) of polynomials (p, degree + 1, c) of pieces (n,), from their `scaled_bernstein`."""
     return np.asarray(np.einsum("nj,njc->nc", basis, series.take(piece, axis=0)))
 
 

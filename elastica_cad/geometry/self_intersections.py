@@ -18,6 +18,7 @@ from elastica_cad.geometry.polynomials import (
     divide_out_end_root,
     interior_roots,
     product,
+    scaled_bernstein,
     subdivide_pieces,
     sums_in_pieces,
 )
@@ -187,7 +188,8 @@ def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
     piece = np.array([*range(len(views)), len(views) - 1, *(root.piece for root in roots)])
     u = np.array([0.0] * len(views) + [1.0] + [root.u for root in roots])
     places = edges[piece] + u * (edges[piece + 1] - edges[piece])
-    direction = sums_in_pieces(views * binomials(views.shape[1] - 1)[:, None], piece, u)
+    degree = views.shape[1] - 1
+    direction = sums_in_pieces(scaled_bernstein(degree, u), views * binomials(degree)[:, None], piece)
     angle = tabulate_tangent_angle(cones).at(places, direction)
     low, high = int(angle.argmin()), int(angle.argmax())
     return ViewAngles(point, float(angle[low]), float(angle[high]), float(places[low]), float(places[high]))
