@@ -160,10 +160,10 @@ class Through(Constraint):
 
     def _foot(self, rod: MappedRod) -> tuple[FloatArray, slice, FloatArray]:
         """Return the nearest cubic through four nodes: its weights at the foot, the nodes, and the normal."""
-        found: tuple[FloatArray, slice, FloatArray] = rod.remembered(
+        foot: tuple[FloatArray, slice, FloatArray] = rod.remembered(
             self, lambda: self._find_foot(rod.position)
         )
-        return found
+        return foot
 
     def _find_foot(self, position: FloatArray) -> tuple[FloatArray, slice, FloatArray]:
         n = position.shape[0] - 1
@@ -363,8 +363,8 @@ class FollowedMarginLimit(MarginLimit):
             K = self.section.tangent(rod.stiffness, _bend(rod, self.size), self.rest / self.size)
             return DiscreteRod(K, rod.angles, rod.force, rod.edge_length, rod.supports, rod.start)
 
-        found: DiscreteRod = rod.remembered((FollowedMarginLimit, id(self.section)), felt)
-        return found
+        rod_felt: DiscreteRod = rod.remembered((FollowedMarginLimit, id(self.section)), felt)
+        return rod_felt
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
         """Use finite differences, because K and bend determine the width, and width and bend the slope."""

@@ -165,8 +165,8 @@ class MeanDistance:
 
     def value(self, rod: MappedRod) -> float:
         """Half the mean square distance."""
-        found: float = rod.remembered(self, lambda: self._value(rod.position))
-        return found
+        value: float = rod.remembered(self, lambda: self._value(rod.position))
+        return value
 
     def _value(self, position: FloatArray) -> float:
         off = position - self.targets
@@ -249,8 +249,8 @@ def offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray
 
     Past an end the normal points along the offset.
     """
-    found: tuple[FloatArray, FloatArray] = rod.remembered(target, lambda: _offsets(target, rod))
-    return found
+    both: tuple[FloatArray, FloatArray] = rod.remembered(target, lambda: _offsets(target, rod))
+    return both
 
 
 def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:

@@ -244,10 +244,12 @@ def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
     off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE_MM
     near = np.abs(kappa) < UNBENT_SHARE * np.abs(kappa).max()
     with np.errstate(divide="ignore", invalid="ignore"):
-        asked = np.where(near, K, K * kappa / (curve.curvature_at(s) - shape.rest))
-    beyond = np.maximum(asked / shape.stiffness.max() - 1, 1 - asked / shape.stiffness.min()) / FAITHFUL
-    beyond = np.where(asked > 0, beyond, np.inf)
-    return np.asarray(np.nan_to_num(np.maximum.reduce([off, beyond, np.abs(asked / K - 1) / LOOSE]), nan=0.0))
+        needed = np.where(near, K, K * kappa / (curve.curvature_at(s) - shape.rest))
+    beyond = np.maximum(needed / shape.stiffness.max() - 1, 1 - needed / shape.stiffness.min()) / FAITHFUL
+    beyond = np.where(needed > 0, beyond, np.inf)
+    return np.asarray(
+        np.nan_to_num(np.maximum.reduce([off, beyond, np.abs(needed / K - 1) / LOOSE]), nan=0.0)
+    )
 
 
 def _in_millimetres(curve: PlaneCurve, rod: Rod) -> PlaneCurve:

@@ -143,20 +143,20 @@ class EquilibriumCurve:
 
 def kept(curve: PlaneCurve, *, ends: BothEnds, tangents: BothEnds, length: bool) -> tuple[Constraint, ...]:
     """Return constraints that keep properties of a curve; `ends` and `tangents` for both ends or (start, end)."""
-    found: list[Constraint] = []
+    constraints: list[Constraint] = []
     at_start, at_end = _both(ends)
     if at_start or at_end:
         there = EndPositions.of(curve)
-        found.append(EndPositions(there.start if at_start else None, there.end if at_end else None))
+        constraints.append(EndPositions(there.start if at_start else None, there.end if at_end else None))
     at_start, at_end = _both(tangents)
     if at_start or at_end:
         along = EndTangents.of(curve)
-        found.append(
+        constraints.append(
             EndTangents(along.start_normal if at_start else None, along.end_normal if at_end else None)
         )
     if require_flag(length, "length"):
-        found.append(FixedLength(curve.length))
-    return tuple(found)
+        constraints.append(FixedLength(curve.length))
+    return tuple(constraints)
 
 
 def _both(ends: BothEnds) -> tuple[bool, bool]:

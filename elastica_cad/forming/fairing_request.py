@@ -149,7 +149,8 @@ class Smoothing:
         if points is None or not examine(self.drawn, self.supports or Supports()).realizable:
             return 0.0
         drawn, smooth = (
-            one.sample(PLACES).curvature for one in (self.drawn, round_corners(self.drawn, points.reach)[0])
+            curve.sample(PLACES).curvature
+            for curve in (self.drawn, round_corners(self.drawn, points.reach)[0])
         )
         largest = float(np.abs(smooth).max())
         return float(np.abs(drawn - smooth).max()) / largest if largest else 0.0
@@ -171,19 +172,19 @@ class Smoothing:
     @property
     def notes(self) -> tuple[str, ...]:
         """Sentences about what was moved, and about noise that was not."""
-        found: list[str] = [*outlier_message(self.drawn)]
+        notes: list[str] = [*outlier_message(self.drawn)]
         if self.healed > SEEN:
-            found.append(note(
+            notes.append(note(
                 "The digits of the file turn its tangents where pieces meet: put right, {far:.2g} at most.",
                 far=Length(self.healed),
             ))  # fmt: skip
         points = measured_points(self.drawn)
         if points is not None and self.fairing is not None:
-            return (*found, note(
+            return (*notes, note(
                 "The points have noise of about {noise}: smoothed, {far} from them at most.",
                 noise=points.rounded_noise, far=Length(self.moved), severity="warning",
             ))  # fmt: skip
-        found += self.noise
+        notes += self.noise
         if self.fairing is not None:
             before = self.ratio_as_drawn
             ratio = (
@@ -191,18 +192,18 @@ class Smoothing:
                 if before is None
                 else note("the stiffness ratio as drawn was {ratio:.3g}", ratio=before)
             )
-            found.append(note(
+            notes.append(note(
                 "The curvature jumped where pieces meet: made fair, {far:.2g} from the drawn curve "
                 "at most; {before}. {field} sets how far the curve may move.",
                 far=Length(self.moved), before=ratio, field=FieldName("smooth"), severity="warning",
             ))  # fmt: skip
         if self.fairing is not None and self.drawn.tangent_breaks:
             sharpest = max(np.degrees(abs(corner.angle)) for corner in self.drawn.tangent_breaks)
-            found.append(note(
+            notes.append(note(
                 "Its corners, of {angle:.2g} degrees at most, were rounded within that.",
                 angle=sharpest, severity="warning",
             ))  # fmt: skip
-        return tuple(found)
+        return tuple(notes)
 
 
 def outline_steps(rod: Rod, widest: float) -> bool:
@@ -293,7 +294,7 @@ def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bo
         return False, False
     bent = np.abs(curve.curvature_at(np.array(curve.domain)))
     little = bent <= LITTLE_BEND_SHARE * np.abs(curve.survey.curvature).max()
-    start, end = (bool(few and not one.angle) for few, one in zip(little, supports.ends, strict=True))
+    start, end = (bool(few and not support.angle) for few, support in zip(little, supports.ends, strict=True))
     return start, end
 
 

@@ -100,12 +100,12 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
     for rounding in ROUNDINGS:
         search = _Search.of(relaxed, law, drawn, rounding, tangents)
         searches.setdefault(tuple(map(tuple, search.steps.tolist())), search)
-    found = [answer for search in searches.values() if (answer := search.answer()) is not None]
-    if not found:
+    stacks = [answer for search in searches.values() if (answer := search.answer()) is not None]
+    if not stacks:
         raise NotConvergedError(
             f"no stack of {law.leaves} leaves comes to rest near this curve: take more and thinner leaves"
         )
-    best = min(found, key=lambda one: one.mean_deviation)
+    best = min(stacks, key=lambda stack: stack.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:
         # plies of full length bend like the fewest plies: more of them would not change the shape
         bare = _Search(
@@ -153,18 +153,18 @@ class _Search:
         s = np.linspace(0.0, 1.0, 20 * NODES)
         EI = relaxed.profile(s * relaxed.length) * float(relaxed.bending_stiffness or 1.0)
         leaves = law.relaxed.parameter(EI) / law.sheet.thickness
-        found: list[tuple[float, int, int]] = []
+        steps: list[tuple[float, int, int]] = []
         first = list(range(1, law.fewest + 1))
         for number in range(law.fewest + 1, law.leaves + 1):
             inside = leaves > number - 1 + rounding
             edges = np.flatnonzero(np.diff(inside.astype(int)))
             signs = np.diff(inside.astype(int))[edges]
             first += [number] if inside[0] else []
-            found += [(float(s[i + 1]), number, int(sign)) for i, sign in zip(edges, signs, strict=True)]
-        found.sort()
+            steps += [(float(s[i + 1]), number, int(sign)) for i, sign in zip(edges, signs, strict=True)]
+        steps.sort()
         return cls(
-            relaxed, law, drawn, np.array([(number, sign) for _, number, sign in found]).reshape(-1, 2),
-            np.array([at for at, _, _ in found]), tuple(first), tangents,
+            relaxed, law, drawn, np.array([(number, sign) for _, number, sign in steps]).reshape(-1, 2),
+            np.array([at for at, _, _ in steps]), tuple(first), tangents,
         )  # fmt: skip
 
     @property
@@ -188,11 +188,11 @@ class _Search:
         low = np.full(start.size, -np.inf)
         high = np.full(start.size, np.inf)
         low[: self.places.size], high[: self.places.size] = 0.0, 1.0
-        found = least_squares(
+        optimum = least_squares(
             missed, start, bounds=(low, high), diff_step=DIFFERENCE, ftol=SETTLED, xtol=SETTLED, gtol=1e-12,
             max_nfev=MOST_TRIALS, x_scale="jac",
         )  # fmt: skip
-        return self._record(found.x, self._bent(found.x, shape[0]), settled=found.status > 0)
+        return self._record(optimum.x, self._bent(optimum.x, shape[0]), settled=optimum.status > 0)
 
     def _missed(self, x: FloatArray, shape: list[Rod]) -> FloatArray:
         """Distances from the drawn points in lengths; far where the stack does not rest."""
@@ -268,7 +268,7 @@ class _Search:
         stepped = Profile(
             np.concatenate([[0.0], np.repeat(cuts, 2)[1:-1], [1.0]]) * length, np.repeat(K, 2), 1
         )
-        laid = self.law.laid(sorted(leaves, key=lambda one: (one.number, one.start)))
+        laid = self.law.laid(sorted(leaves, key=lambda leaf: (leaf.number, leaf.start)))
         fine = bend(replace(rod, profile=stepped, section=laid), samples=FINE_NODES)
         s = np.linspace(0.0, fine.length, NODES)
         at_shares = np.column_stack([np.interp(s, fine.s, column) for column in fine.position.T])

@@ -224,11 +224,11 @@ class Limits:
     @property
     def largest_curvature(self) -> float | None:
         """Largest curvature that `curvature`, `sheet` and `strain` allow, 1/mm."""
-        found = [] if self.curvature is None else [self.curvature]
+        limits = [] if self.curvature is None else [self.curvature]
         if self.sheet is not None:
             strain = self.sheet.max_strain if self.strain is None else self.strain
-            found.append(2 * strain / self.sheet.thickness)
-        return min(found) if found else None
+            limits.append(2 * strain / self.sheet.thickness)
+        return min(limits) if limits else None
 
     def tightened(self, *, curvature: float = 1.0, strain: float = 1.0) -> "Limits":
         """Limits that allow so many times less curvature and strain of the sheet, where they limit these.

@@ -141,9 +141,9 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
         exact, places = unknown is not None, points
         if unknown is None:
             places, unknown = _nearest(points, equations, points, guess)
-        found, off, before = equations.curve(unknown, places), equations.missed(unknown, places), np.inf
+        curve, off, before = equations.curve(unknown, places), equations.missed(unknown, places), np.inf
         for _ in range(FINER):
-            if found.missed < GOOD or not found.missed < ROUGH or GOOD < off > STUCK * before:
+            if curve.missed < GOOD or not curve.missed < ROUGH or GOOD < off > STUCK * before:
                 break
             finer = _Equations(len(points), closes, 2 * equations.nodes)
             unknown, equations = equations.at(finer.stations, unknown), finer
@@ -151,10 +151,10 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
             if mended is None:
                 places, mended = _nearest(points, equations, places, unknown)
             unknown = mended
-            found, off, before = equations.curve(unknown, places), equations.missed(unknown, places), off
-    if not (found.missed < GOOD and off < GOOD):
+            curve, off, before = equations.curve(unknown, places), equations.missed(unknown, places), off
+    if not (curve.missed < GOOD and off < GOOD):
         raise NotConvergedError("no meridian was found near these points")
-    return found
+    return curve
 
 
 class _Equations:
@@ -225,15 +225,15 @@ class _Equations:
             x, y = points[i, 0] + half * along, points[i, 1] + half * up
             x_angle = -half * self.integral * np.sin(angles[i])
             y_angle = half * self.integral * np.cos(angles[i])
-            own, ends = slice(i * n, (i + 1) * n), total * n + 2 * i
+            nodal, ends = slice(i * n, (i + 1) * n), total * n + 2 * i
             first, last, point = i * wide, i * wide + n + 1, self.count + 2 * i
             by_angle = x[:, None] * self.slope + turning[:, None] * x_angle
-            rows[own, first:last] = (by_angle - half * (b1 * x_angle + b2 * y_angle))[1:]
+            rows[nodal, first:last] = (by_angle - half * (b1 * x_angle + b2 * y_angle))[1:]
             by_length = turning * along - (a + b1 * x + b2 * y) - half * (b1 * along + b2 * up)
-            rows[own, last] = by_length[1:] / 2
-            rows[own, self.count - 3 : self.count] = -half * np.column_stack([np.ones(n), x[1:], y[1:]])
-            rows[own, point] = (turning - half * b1)[1:]
-            rows[own, point + 1] = -half * b2
+            rows[nodal, last] = by_length[1:] / 2
+            rows[nodal, self.count - 3 : self.count] = -half * np.column_stack([np.ones(n), x[1:], y[1:]])
+            rows[nodal, point] = (turning - half * b1)[1:]
+            rows[nodal, point + 1] = -half * b2
             rows[ends, first:last], rows[ends + 1, first:last] = x_angle[-1], y_angle[-1]
             rows[ends : ends + 2, last] = along[-1] / 2, up[-1] / 2
             rows[ends : ends + 2, point : point + 4] = np.hstack([np.eye(2), -np.eye(2)])
@@ -276,12 +276,12 @@ def _through(
         start = guess.copy()
         if trial:
             start[-3:] = size * chance.normal(size=3)
-        found = _newton(points, equations, start)
-        if found is None:
+        solution = _newton(points, equations, start)
+        if solution is None:
             continue
-        curve = equations.curve(found, points)
+        curve = equations.curve(solution, points)
         if curve.length < shortest and curve.missed < ROUGH:
-            best, shortest = found, curve.length
+            best, shortest = solution, curve.length
             if shortest < 1.1 * length:
                 break
     return best
@@ -545,20 +545,20 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
     size = float(np.linalg.norm(np.ptp(data, axis=0)))
     chosen = np.unique(np.linspace(0, len(data) - 1, min(len(data), SOUGHT)).round().astype(int))
     try:
-        found = _search_meridian(data[chosen] / size)
-        if not found.points[0, 0] > 0:
+        shape = _search_meridian(data[chosen] / size)
+        if not shape.points[0, 0] > 0:
             raise NotConvergedError("the nearest meridian begins beyond the axis")
-        length, start = found.length * size, float(found.points[0, 0]) * size
-        end = _end(lambda s: size * found.position(s / size)[:, 0], length, _floor(start, length, ring))
-        curve = _curve(found, size, end)
+        length, start = shape.length * size, float(shape.points[0, 0]) * size
+        end = _end(lambda s: size * shape.position(s / size)[:, 0], length, _floor(start, length, ring))
+        curve = _curve(shape, size, end)
     except NotConvergedError as problem:
         way_out = TO_THE_POLE if data[-1, 0] < NEAR_AXIS_SHARE * data[:, 0].max() else ""
         raise NotConvergedError(f"{problem}: {HOPELESS}{way_out}") from problem
     closes = end < length
     if len(chosen) == len(data):
-        gaps = np.hypot(*(size * found.points - data).T)
+        gaps = np.hypot(*(size * shape.points - data).T)
     else:
-        gaps = distances(Spline(_curve(found, size, length)), data)
+        gaps = distances(Spline(_curve(shape, size, length)), data)
     if not gaps.max() <= 0.25 * size:
         raise NotConvergedError(
             "no meridian comes nearer than {most} to point {given}: {hopeless}",
@@ -566,14 +566,14 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
             given=int(gaps.argmax()) + 1,
             hopeless=HOPELESS,
         )
-    return Meridian(found.a, found.b / size, curve, closes, float(gaps.max()))
+    return Meridian(shape.a, shape.b / size, curve, closes, float(gaps.max()))
 
 
-def _curve(found: FoundMeridian, size: float, end: float) -> PlaneCurve:
+def _curve(shape: FoundMeridian, size: float, end: float) -> PlaneCurve:
     """Return the meridian in mm up to an arc length."""
-    tolerance = CURVE_TOLERANCE * found.length * size
+    tolerance = CURVE_TOLERANCE * shape.length * size
     return PlaneCurve.fit_function(
-        lambda s: size * found.position(s / size), 0.0, end, tolerance=tolerance, degree=5
+        lambda s: size * shape.position(s / size), 0.0, end, tolerance=tolerance, degree=5
     )
 
 
@@ -646,24 +646,24 @@ def _integrated(
     at_axis.__dict__.update(terminal=True, direction=-1.0)
     winding.__dict__.update(terminal=True)
     scale = max(length, 1e-300)
-    found = solve_ivp(
+    solution = solve_ivp(
         slope, (0.0, length), p[3:6], method="DOP853", rtol=ACCURACY, atol=ACCURACY * scale, dense_output=True,
         events=(at_axis, winding), max_step=length / 40,
     )  # fmt: skip
-    if not found.success:
+    if not solution.success:
         raise NotConvergedError(
             "the meridian bends without bounds after {t:.4g}, beside the axis: end it there",
-            t=Length(found.t[-1]),
+            t=Length(solution.t[-1]),
         )
-    if found.t_events[1].size:
+    if solution.t_events[1].size:
         raise InputError(
             "the meridian turns {most_turns} times about within {t:.4g} of its {length:g}: make "
             "a and b smaller, or end it before",
             most_turns=MOST_TURNS,
-            t=Length(found.t[-1]),
+            t=Length(solution.t[-1]),
             length=Length(length),
         )
-    return float(found.t[-1]), found.sol
+    return float(solution.t[-1]), solution.sol
 
 
 def _refuse_winding(p: FloatArray) -> None:

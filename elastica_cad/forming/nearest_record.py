@@ -205,8 +205,8 @@ class NearestRod:
     def _repr_svg_(self) -> str:
         """Return a drawing of the drawn curve with the rod over it."""
         drawn = [(self.target.sample(DRAWN_POINTS).position, GREY, False)]
-        found = [] if self.found is None else [(self.found.position, BLUE, False)]
-        return svg_of_lines(drawn + found, repr(self))
+        bent = [] if self.found is None else [(self.found.position, BLUE, False)]
+        return svg_of_lines(drawn + bent, repr(self))
 
     @property
     def verdict(self) -> str:
@@ -300,10 +300,10 @@ def _name(near: NearestRod, binding: Binding) -> str:
 def _missed(near: NearestRod, binding: Binding) -> str:
     """Sentence about a limit that is not met, with the value that the rod has."""
     if binding.name == "margin" and binding.limit is not None:
-        found = stability(near.rod)
+        rating = stability(near.rod)
         return note(
             "The stability margin of {limit:.3g} is missed: this rod has {margin:.3g} ({word}).",
-            limit=binding.limit, margin=found.margin, word=note(found.word),
+            limit=binding.limit, margin=rating.margin, word=note(rating.word),
         )  # fmt: skip
     if binding.name == "curvature" and binding.limit is not None:
         radius = Length(1 / float(np.abs(near.rod.curvature).max()))

@@ -15,6 +15,7 @@ from elastica_cad._values import is_number
 from elastica_cad.errors import InputError
 from elastica_cad.forming.section_lines import IN_PLANE, PlaneSection, collect_section, place_in_words
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.plane_points import lengths_along
 from elastica_cad.refusals import Length, Listed, Point, note
 
 SHOWN_PLACES = 3
@@ -151,9 +152,9 @@ def _sewn(points: FloatArray, rows: IntArray) -> IntArray:
     links = coo_array((np.ones(len(pairs)), pairs.T), shape=(border.size, border.size))
     _, piece = connected_components(links, directed=False)
     _, first = np.unique(piece, return_index=True)
-    own = np.arange(len(points))
-    own[border] = border[first[piece]]
-    return np.asarray(own[rows])
+    merged = np.arange(len(points))
+    merged[border] = border[first[piece]]
+    return np.asarray(merged[rows])
 
 
 def _areas(points: FloatArray, rows: IntArray) -> FloatArray:
@@ -180,27 +181,27 @@ def _edge_complaints(points: FloatArray, rows: IntArray) -> list[str]:
         np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True
     )
     sense = np.bincount(index.reshape(-1), weights=np.where(directed[:, 0] < directed[:, 1], 1.0, -1.0))
-    found: list[str] = []
+    notes: list[str] = []
     border = edges[count == 1]
     if len(border):
-        found.append(note(
+        notes.append(note(
             "the mesh is open along {edges} (near {places}): sections end there",
             edges=_edges(border), places=_places(points, border),
         ))  # fmt: skip
     crowded = edges[count > 2]
     if len(crowded):
-        found.append(note(
+        notes.append(note(
             "more than two faces meet at {edges} (near {places}): sections fall apart there",
             edges=_edges(crowded), places=_places(points, crowded),
         ))  # fmt: skip
     turned = edges[(count == 2) & (sense != 0)]
     if len(turned):
-        found.append(note(
+        notes.append(note(
             "faces are turned over against their neighbours along {edges} (near {places}): sections are the "
             "same",
             edges=_edges(turned), places=_places(points, turned),
         ))  # fmt: skip
-    return found
+    return notes
 
 
 def _edges(edges: IntArray) -> str:
@@ -250,12 +251,12 @@ def mesh_sections(
     """
     mesh = Mesh(vertices, faces)
     refuse_odd_planes(planes)
-    found = [
+    sections = [
         _section(mesh, frame, half, note("section {number}", number=i + 1)) for i, frame in enumerate(planes)
     ]
-    if mesh.reports and found:
-        found[0] = replace(found[0], reports=(*mesh.reports, *found[0].reports))
-    return tuple(found)
+    if mesh.reports and sections:
+        sections[0] = replace(sections[0], reports=(*mesh.reports, *sections[0].reports))
+    return tuple(sections)
 
 
 def refuse_odd_planes(planes: object) -> None:
@@ -273,20 +274,20 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> PlaneSection:
     reports: list[str] = []
     if np.any(height == 0):
         other = _chained(mesh, local, height, height > 0)
-        one, two = _total(chains), _total(other)
-        if abs(one - two) > 1e-9 * mesh.size:
-            chains = chains if one > two else other
+        total, other_total = _total(chains), _total(other)
+        if abs(total - other_total) > 1e-9 * mesh.size:
+            chains = chains if total > other_total else other
             at = frame.point(local[height == 0][0, :2])
             reports.append(note(
                 "{name}: an edge or a face of the mesh lies in the plane, near {place}; the section follows "
                 "the longer of its two sides ({longer:.6g} against {shorter:.6g})",
-                name=name, place=place_in_words(at), longer=Length(max(one, two)),
-                shorter=Length(min(one, two)),
+                name=name, place=place_in_words(at), longer=Length(max(total, other_total)),
+                shorter=Length(min(total, other_total)),
             ))  # fmt: skip
-    found = collect_section(
+    section = collect_section(
         name, frame, chains, half=half, apart=APART * mesh.size, missed=lambda: _missing(mesh, local, height)
     )
-    return replace(found, reports=(*reports, *found.reports))
+    return replace(section, reports=(*reports, *section.reports))
 
 
 def _missing(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
@@ -350,4 +351,4 @@ def _walks(links: IntArray, count: int) -> list[list[int]]:
 
 
 def _total(chains: Sequence[FloatArray]) -> float:
-    return sum(float(np.linalg.norm(np.diff(chain, axis=0), axis=1).sum()) for chain in chains)
+    return sum(float(lengths_along(chain)[-1]) for chain in chains)

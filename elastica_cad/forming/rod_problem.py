@@ -189,17 +189,14 @@ def pose_problem(task: NearestTask) -> RodProblem:
 
 def _grid(task: NearestTask) -> StripGrid:
     """Return the nodes, with the weight that they carry."""
+    gravity, section, size = task.request.gravity, task.section, task.target.size
+    e, weight = np.zeros(2), None
+    if gravity is not None and section is None:
+        e = gravity.e * size**3
+    elif gravity is not None and section is not None:
+        e, weight = -np.asarray(gravity.direction), partial(section.weight, size=size)
     basis = task.basis.at(even_steps(task.nodes))
-    rest = task.rest
-    if task.request.gravity is None:
-        return StripGrid(basis, np.zeros(2), rest, supports=task.request.supports)
-    if task.section is None:
-        return StripGrid(
-            basis, task.request.gravity.e * task.target.size**3, rest, supports=task.request.supports
-        )
-    up = -np.asarray(task.request.gravity.direction)
-    carried = partial(task.section.weight, size=task.target.size)
-    return StripGrid(basis, up, rest, supports=task.request.supports, weight=carried)
+    return StripGrid(basis, e, task.rest, supports=task.request.supports, weight=weight)
 
 
 def _moment_scale(task: NearestTask) -> float:
@@ -240,7 +237,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
     rest = task.request.natural_curvature
     blank = rest.length if isinstance(rest, RestCurvature) else None
     if blank is not None:
-        asked = "keep length asks" if task.keep.length else "the limit length asks"
+        wish = "keep length asks" if task.keep.length else "the limit length asks"
         least, most = (1.0, 1.0) if task.keep.length else (low, high)
         room = LENGTHS_APART * (1 - _SAME_LENGTH)
         low, high = (
@@ -251,7 +248,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
             raise InputError(
                 "{asked} for {size:.6g} to {size_2:.6g}, but the blank is {blank:.6g} long before it "
                 "is bent: give its curvature along the length that is asked for",
-                asked=asked,
+                asked=wish,
                 size=least * target.size,
                 size_2=Length(most * target.size),
                 blank=Length(blank),
@@ -281,17 +278,17 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
 def _constraints(task: NearestTask) -> list[Constraint]:
     target, limits, keep = task.target, task.limits, task.keep
     end = task.request.supports.ends[1]
-    found: list[Constraint] = []
+    constraints: list[Constraint] = []
     if keep.symmetry:
-        found.append(_symmetry(task, keep.symmetry))
+        constraints.append(_symmetry(task, keep.symmetry))
     else:
         if keep.both_ends[1]:
-            found.append(EndPosition(target=_pair(target.position[-1])))
+            constraints.append(EndPosition(target=_pair(target.position[-1])))
         if keep.both_tangents[1]:
-            found.append(EndAngle(target=float(target.angle[-1])))
+            constraints.append(EndAngle(target=float(target.angle[-1])))
         if not end.angle:
-            found.append(EndMoment(scale=_moment_scale(task)))
-        found += [
+            constraints.append(EndMoment(scale=_moment_scale(task)))
+        constraints += [
             EndForce(axis=axis, scale=5 * _moment_scale(task))
             for axis, held in enumerate((end.x, end.y))
             if not held
@@ -305,35 +302,39 @@ def _constraints(task: NearestTask) -> list[Constraint]:
             )
         place = min(s / target.size, 1.0)
         point, _ = target.at(np.array([place]))
-        found.append(Through(target=_pair(point[0]), place=place))
+        constraints.append(Through(target=_pair(point[0]), place=place))
     if task.line is not None:
         a, b = ((np.asarray(p) - target.origin) / target.size for p in task.line)
         direction = (b - a) / np.hypot(*(b - a))
-        found.append(InflectionLine(point=_pair(a), direction=_pair(direction), scale=_moment_scale(task)))
+        constraints.append(
+            InflectionLine(point=_pair(a), direction=_pair(direction), scale=_moment_scale(task))
+        )
     curvature = limits.largest_curvature if task.section is None else limits.curvature
     if task.section is not None and limits.sheet is not None:
-        found.append(StrainLimit(section=task.section, strain=limits.strain, size=target.size))
+        constraints.append(StrainLimit(section=task.section, strain=limits.strain, size=target.size))
     if curvature is not None:
-        found.append(CurvatureLimit(limit=curvature * target.size))
-    found += [
+        constraints.append(CurvatureLimit(limit=curvature * target.size))
+    constraints += [
         KeepOut(region=region, size=target.size, origin=_pair(target.origin), kept=keep.both_ends)
         for region in limits.keep_out
     ]
     if limits.stiffness_bounds is not None and limits.stiffness_bounds[0] is not None:
-        found.append(LeastStiffness())
+        constraints.append(LeastStiffness())
     if limits.margin is not None:
-        found += _margin_limits(task, limits.margin)
-    return found
+        constraints += _margin_limits(task, limits.margin)
+    return constraints
 
 
 def _margin_limits(task: NearestTask, margin: float) -> list[Constraint]:
     section, size = task.section, task.target.size
     if section is None or not task.is_scaled_freely:
         return [MarginLimit(limit=margin)]
-    found: list[Constraint] = [FollowedMarginLimit(limit=margin, section=section, rest=task.rest, size=size)]
+    constraints: list[Constraint] = [
+        FollowedMarginLimit(limit=margin, section=section, rest=task.rest, size=size)
+    ]
     if task.keeps_scale and np.isfinite(section.law.limits[1]):
-        found.append(LargestSection(section=section, rest=task.rest, size=size))
-    return found
+        constraints.append(LargestSection(section=section, rest=task.rest, size=size))
+    return constraints
 
 
 def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
@@ -406,15 +407,15 @@ def list_bindings(task: NearestTask, problem: RodProblem, outcome: Outcome[Mappe
         per = size
     else:
         per = float(size / np.sqrt(2 * outcome.objective)) if outcome.objective > 1e-14 else 0.0
-    found: list[Binding] = []
+    bindings: list[Binding] = []
     at_ratio = float(outcome.at_upper[u.stiffness].sum())
-    found.append(Binding("ratio", limits.largest_ratio, per * at_ratio))
+    bindings.append(Binding("ratio", limits.largest_ratio, per * at_ratio))
     if limits.length is not None or task.keep.length:
         pull = float(outcome.at_upper[u.length] - outcome.at_lower[u.length])
-        found.append(Binding("length", float(outcome.point.length * size), per * abs(pull) / size))
+        bindings.append(Binding("length", float(outcome.point.length * size), per * abs(pull) / size))
     for name, part, unit in (("start position", u.position, size), ("start tangent", u.angle, 1.0)):
         pull = float(np.linalg.norm(outcome.at_upper[part] - outcome.at_lower[part]))
-        found.append(Binding(name, None, per * pull / unit))
+        bindings.append(Binding(name, None, per * pull / unit))
     values = problem.values(outcome.point)
     for constraint, y, value in zip(problem.constraints, outcome.multipliers, values, strict=True):
         broken = float((np.maximum(-value, 0) if constraint.one_sided else np.abs(value)).max(initial=0.0))
@@ -426,7 +427,9 @@ def list_bindings(task: NearestTask, problem: RodProblem, outcome: Outcome[Mappe
             limit, total = constraint.limit / size, total / constraint.limit * size
         elif constraint.name in ("end position", "points", "keep-out"):
             total /= size
-        found.append(Binding(constraint.name, limit, per * total, broken))
-    largest = max(b.cost * abs(b.limit or 1.0) for b in found)
-    kept = [b for b in found if b.broken > MET or b.cost * abs(b.limit or 1.0) > _IDLE * max(largest, 1e-12)]
+        bindings.append(Binding(constraint.name, limit, per * total, broken))
+    largest = max(b.cost * abs(b.limit or 1.0) for b in bindings)
+    kept = [
+        b for b in bindings if b.broken > MET or b.cost * abs(b.limit or 1.0) > _IDLE * max(largest, 1e-12)
+    ]
     return tuple(sorted(kept, key=lambda b: (-(b.broken > MET), -b.cost * abs(b.limit or 1.0))))

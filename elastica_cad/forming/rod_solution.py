@@ -49,11 +49,11 @@ def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
     widest = rod.profile.extremes[1] * (rod.bending_stiffness or 0.0) / PlainSection(widths.sheet).rigidity
     if widths.largest is None or widest > widths.largest - WIDTH_TOLERANCE_MM:
         return rod
-    told = note(
+    warning = note(
         "This load determines the width: the widest place is {widest:.4g} wide, below {field} {largest:g}.",
         field=FieldName("max_width"), widest=Length(widest), largest=Length(widths.largest), severity="warning",
     )  # fmt: skip
-    return replace(rod, warnings=(*rod.warnings, told))
+    return replace(rod, warnings=(*rod.warnings, warning))
 
 
 def _too_narrow(widths: WidthRange, error: OverloadError) -> InputError:

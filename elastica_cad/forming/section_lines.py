@@ -19,7 +19,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import distances, polyline_distances
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.geometry.plane_points import lengths_along, turn_between
+from elastica_cad.geometry.plane_points import lengths_along, numbers_in_groups, turn_between
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import fit_spline
 from elastica_cad.mechanics.loads import Gravity
@@ -234,8 +234,8 @@ def collect_section(
     names = [name]
     if len(lines) != 1:
         names = [note("{name}, line {number}", name=name, number=k + 1) for k in range(len(lines))]
-    made = tuple(SectionLine(line, frame, called) for line, called in zip(lines, names, strict=True))
-    return PlaneSection(name, frame, made, reports)
+    named = tuple(SectionLine(line, frame, called) for line, called in zip(lines, names, strict=True))
+    return PlaneSection(name, frame, named, reports)
 
 
 def tidy_points(points: FloatArray, small: float) -> FloatArray:
@@ -410,19 +410,19 @@ def section_curves(
         raise InputError(f"tolerance={tolerance!r}: it must be positive, in mm")
     if not (is_number(false_turn) and 0 <= false_turn <= np.pi):
         raise InputError(f"false_turn={false_turn!r}: it must be an angle from 0 to pi rad")
-    found: list[SectionCurve] = []
+    curves: list[SectionCurve] = []
     reports: list[str] = []
     for item in several("sections", sections, PlaneSection | SectionLine, "PlaneSection or SectionLine"):
         reports += item.reports if isinstance(item, PlaneSection) else ()
         for line in item.lines if isinstance(item, PlaneSection) else (item,):
             try:
-                curve, told = _curve(line, tolerance, wavelength, false_turn)
+                curve, notes = _curve(line, tolerance, wavelength, false_turn)
             except (InputError, NotConvergedError) as error:
                 reports.append(error.at(strip=line.name).refusal)
                 continue
-            found.append(curve)
-            reports += told
-    return tuple(found), tuple(reports)
+            curves.append(curve)
+            reports += notes
+    return tuple(curves), tuple(reports)
 
 
 def _curve(
@@ -443,13 +443,13 @@ def _curve(
     except NotConvergedError as error:
         raise NotConvergedError(_unfitted(line, tolerance) or str(error)) from error
     fitted, before = curve, curve.inflections.size
-    told = _corner(curve, line)
+    notes = _corner(curve, line)
     if false_turn > 0:
         try:
             curve = remove_false_inflections(curve, turn=false_turn)
         except NotConvergedError as error:
-            told.append(note("{name}: {why}: it is kept", name=line.name, why=error.refusal))
-    if told and not wavelength:
+            notes.append(note("{name}: {why}: it is kept", name=line.name, why=error.refusal))
+    if notes and not wavelength:
         _refuse_corners(line, tolerance)
     removed = before - curve.inflections.size
     places = np.concatenate([drawn, curve.sample(SAMPLES).position])
@@ -461,8 +461,8 @@ def _curve(
         place = note(
             "{far} off the section at {place}", far=Length(off[worst]), place=_place(line, places[worst])
         )
-        told.append(_departure(line, place, tolerance, wavelength, changed=curve is not fitted))
-    return SectionCurve(curve, line.frame, line.name, float(off[worst]), removed), told
+        notes.append(_departure(line, place, tolerance, wavelength, changed=curve is not fitted))
+    return SectionCurve(curve, line.frame, line.name, float(off[worst]), removed), notes
 
 
 def _filled(points: FloatArray) -> FloatArray:
@@ -473,8 +473,8 @@ def _filled(points: FloatArray) -> FloatArray:
     s = lengths_along(points)
     counts = np.maximum(np.ceil(np.diff(s) / s[-1] * FILLED_POINTS), 1).astype(int)
     index = np.repeat(np.arange(len(counts)), counts)
-    share = np.arange(len(index)) - np.repeat(np.cumsum(counts) - counts, counts)
-    between = points[index] + (share / counts[index])[:, None] * (points[index + 1] - points[index])
+    fraction = numbers_in_groups(counts) / counts[index]
+    between = points[index] + fraction[:, None] * (points[index + 1] - points[index])
     return np.concatenate([between, points[-1:]])
 
 

@@ -417,7 +417,12 @@ class SectionSpec:
         if not curves:
             raise InputError(
                 f"no plane gives a strip: {_reasons(reports)}",
-                changes=[change for one in reports if isinstance(one, Refusal) for change in one.all_changes],
+                changes=[
+                    change
+                    for report in reports
+                    if isinstance(report, Refusal)
+                    for change in report.all_changes
+                ],
             )
         idle = [split.name for split in self.splits if not any(split.name in used for _, used in divided)]
         return tuple(curves), (*reports, *(note("{name} splits no section", name=name) for name in idle))
@@ -440,13 +445,13 @@ class SectionSpec:
             pieces: list[SectionLine] = []
             for line in lines:
                 try:
-                    found = split.pieces(line)
+                    parts = split.pieces(line)
                 except InputError as problem:
                     reports = (*reports, problem.at(strip=line.name).refusal)
                     used.add(split.name)
                     continue
-                pieces += found
-                if found != (line,):
+                pieces += parts
+                if parts != (line,):
                     used.add(split.name)
             lines = tuple(pieces)
         if not lines:
@@ -456,7 +461,8 @@ class SectionSpec:
 
 def _reasons(reports: Sequence[str]) -> str:
     """Return the reasons why sections gave no strip, as one text."""
-    named = [one for one in reports if isinstance(one, Refusal) and ("name" in one.values or one.where)]
+    refusals = (report for report in reports if isinstance(report, Refusal))
+    named = [report for report in refusals if "name" in report.values or report.where]
     reasons: Sequence[str] = named or reports
     left = len(reasons) - NAMED_REASONS
     more = [note("and {count} more like these", count=left)] if left > 0 else []

@@ -53,18 +53,18 @@ class Splitting:
     def __str__(self) -> str:
         count, ratios = len(self.supports), Listed(map(float, self.ratios))
         if not count:
-            said = "The curve needs no support: a flat strip can take it, with a stiffness ratio of {ratios:.3g}."
+            text = "The curve needs no support: a flat strip can take it, with a stiffness ratio of {ratios:.3g}."
         elif count == 1:
-            said = (
+            text = (
                 "1 support, at {places}, splits the curve into 2 strips that can be made, with stiffness ratios of "
                 "{ratios:.3g}."
             )
         else:
-            said = (
+            text = (
                 "{count} supports, at {places}, split the curve into {strips} strips that can be made, with "
                 "stiffness ratios of {ratios:.3g}."
             )
-        return note(said, count=count, places=lengths(self.supports), strips=count + 1, ratios=ratios)
+        return note(text, count=count, places=lengths(self.supports), strips=count + 1, ratios=ratios)
 
 
 def split(
@@ -160,8 +160,8 @@ class _Cut:
         """Return a few places between two limits, and a known solution."""
         if self.places is None:
             return np.unique(np.append(np.linspace(first, last, _CHOICES), known))
-        found = self.places[(self.places >= first) & (self.places <= last)]
-        few = found[np.linspace(0, found.size - 1, _CHOICES).round().astype(int)] if found.size else found
+        inside = self.places[(self.places >= first) & (self.places <= last)]
+        few = inside[np.linspace(0, inside.size - 1, _CHOICES).round().astype(int)] if inside.size else inside
         return np.unique(np.append(few, known))
 
     @property
@@ -192,12 +192,12 @@ class _Cut:
     @cached_property
     def marks(self) -> FloatArray:
         """Places where pieces may have to end exactly: corners, ends of straight parts, jumps, and the end."""
-        found = [corner.t for corner in self.curve.tangent_breaks]
+        marks = [corner.t for corner in self.curve.tangent_breaks]
         for zero in self.curve.curvature_zeros:
             if zero.kind in ("flat", "jump"):
-                found += [zero.t, zero.t_end]
+                marks += [zero.t, zero.t_end]
         low, high = self.curve.domain
-        return np.unique(np.array([t for t in (*found, high) if low < t <= high]))
+        return np.unique(np.array([t for t in (*marks, high) if low < t <= high]))
 
     def reach(self, start: float) -> float:
         """Return the end of the longest piece from `start`, or `start` if there is none."""
@@ -249,15 +249,15 @@ def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | Non
 def _forwards(cut: _Cut) -> list[float]:
     """Return the last possible places of the fewest supports."""
     start, high = cut.curve.domain
-    found: list[float] = []
+    supports: list[float] = []
     while not cut.takes(start, high):
         # leave a last piece to check, because a closed curve needs a support only to have ends
         end = min(cut.reach(start), high - 10 * cut.short)
         if end <= start:
             raise NotRealizable(_stuck(cut, start))
-        found.append(end)
+        supports.append(end)
         start = end
-    return found
+    return supports
 
 
 def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
@@ -266,11 +266,11 @@ def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
     places = None if cut.places is None else cut.turned(cut.places)
     mirrored = _Cut(curve.reversed(), cut.ratio, cut.supports.reversed(), places, cut.tolerance)
     try:
-        found = cut.turned(np.array(_forwards(mirrored))).tolist()
+        earliest = cut.turned(np.array(_forwards(mirrored))).tolist()
     except NotRealizable:
         return latest
     # both directions need equally many, except for pieces at the limit
-    return found if len(found) == len(latest) else latest
+    return earliest if len(earliest) == len(latest) else latest
 
 
 def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:

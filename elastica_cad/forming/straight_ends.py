@@ -50,7 +50,7 @@ class StraightEnds:
         if curve.is_closed or curve.is_straight or counted or measured_points(curve) is not None:
             return cls(curve, curve)
         flats = [z for z in curve.curvature_zeros if z.kind == "flat"]
-        start, end = (one.angle for one in supports.ends)
+        start, end = (support.angle for support in supports.ends)
         (low, high), near, lengths = curve.domain, 1e-9 * curve.length, [0.0, 0.0]
         for flat in flats:
             long = flat.s_end - flat.s >= SHORTEST_RUN_IN_MM

@@ -401,11 +401,11 @@ class PlaneCurve(NurbsCurve):
             places[i] = zeros.ZeroPlace(at, at, zero.kind, zero.before, zero.after)
         return tuple(places)
 
-    def _measured(self, found: tuple[zeros.ZeroPlace, ...]) -> tuple[CurvatureZero, ...]:
-        s = self.arc_length(np.array([[place.t, place.t_end] for place in found]).reshape(-1, 2))
+    def _measured(self, places: tuple[zeros.ZeroPlace, ...]) -> tuple[CurvatureZero, ...]:
+        s = self.arc_length(np.array([[place.t, place.t_end] for place in places]).reshape(-1, 2))
         return tuple(
             CurvatureZero(float(at), p.t, p.kind, float(to), p.t_end, p.before, p.after)
-            for p, (at, to) in zip(found, s, strict=True)
+            for p, (at, to) in zip(places, s, strict=True)
         )
 
 

@@ -145,11 +145,11 @@ def bend(
             "move the ends in smaller steps, or give a guess nearer to the answer",
             fraction=reached.fraction,
         )
-    warnings = (_tell_snap(100 * reached.fraction), *_too_coarse(snapped))
+    warnings = (_snap_warning(100 * reached.fraction), *_too_coarse(snapped))
     return replace(snapped.rod(wanted), warnings=warnings)
 
 
-def _tell_snap(percent: float) -> Refusal:
+def _snap_warning(percent: float) -> Refusal:
     return note(
         "the rod snaps {percent:.3g} % of the way from its present shape; here it comes to rest",
         percent=percent,
@@ -229,7 +229,7 @@ def _snapped_at(rod: Rod, start: float, end: float) -> Rod:
     )
     percent = 100 * start + (end - start) * warning.values["percent"]
     others = [message for message in rod.warnings if message is not warning]
-    return replace(rod, warnings=(_tell_snap(percent), *others))
+    return replace(rod, warnings=(_snap_warning(percent), *others))
 
 
 @dataclass(frozen=True, eq=False)
@@ -377,9 +377,9 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
 def _end_angles(
     angles: "tuple[float | None, float | None] | ArrayLike | None", supports: Supports, present: Rod
 ) -> FloatArray:
-    found = np.array([present.angle[0], present.angle[-1]])
+    end_angles = np.array([present.angle[0], present.angle[-1]])
     if angles is None:
-        return found
+        return end_angles
     given = np.atleast_1d(np.asarray(angles, dtype=object))
     if given.shape != (2,) or not all(isinstance(v, float | int | np.number | None) for v in given):
         raise InputError(f"angles must be two numbers, rad, for start and end, got {angles!r}")
@@ -390,10 +390,10 @@ def _end_angles(
             raise InputError(
                 f"an angle is given at the {name}, but its support leaves the angle free: give None"
             )
-        found[i] = float(value)
-    if not np.all(np.isfinite(found)):
+        end_angles[i] = float(value)
+    if not np.all(np.isfinite(end_angles)):
         raise InputError(f"angles must be finite, rad, got {angles!r}")
-    return found
+    return end_angles
 
 
 def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> FloatArray:
@@ -409,41 +409,41 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
                 axis=axis,
             )
         return given
-    own = np.zeros(2)
+    forces = np.zeros(2)
     before, now = present.supports.ends, supports.ends
     for i, axis in enumerate("xy"):
         # lambda at an end is minus what is applied at the last node, and what is applied at the first
         for node, sign, k in ((0, 1.0, 0), (-1, -1.0, 1)):
             if not getattr(now[k], axis) and not getattr(before[k], axis):
-                own[i] = sign * present.force[node, i]
-    return own
+                forces[i] = sign * present.force[node, i]
+    return forces
 
 
 def _end_moments(moment: float | tuple[float, float] | None, supports: Supports, present: Rod) -> FloatArray:
     """Return counterclockwise moments at ends with a free angle."""
     before, now = present.supports.ends, supports.ends
     free = [not end.angle for end in now]
-    own = np.zeros(2)
+    moments = np.zeros(2)
     if moment is None:
         for k, (node, sign) in enumerate(((0, -1.0), (-1, 1.0))):
             if free[k] and not before[k].angle:
-                own[k] = sign * present.moment[node]
-        return own
+                moments[k] = sign * present.moment[node]
+        return moments
     given = as_floats(moment)
     if given is not None and given.shape == ():
         if free == [True, True]:
             raise InputError("both ends turn freely: give the moments of both, (start, end)")
-        own[free.index(True) if True in free else 0] = float(given)
+        moments[free.index(True) if True in free else 0] = float(given)
     elif given is not None and given.shape == (2,):
-        own[:] = given
+        moments[:] = given
     else:
         raise InputError(f"moment must be one number or two (start, end), 1/mm, got {moment!r}")
     for k, name in enumerate(("start", "end")):
-        if own[k] != 0 and not free[k]:
+        if moments[k] != 0 and not free[k]:
             raise InputError(
                 "a moment at the {name} does nothing: its support holds the angle; free the angle there",
                 name=name,
             )
-    if not np.all(np.isfinite(own)):
+    if not np.all(np.isfinite(moments)):
         raise InputError(f"moment must be finite, 1/mm, got {moment!r}")
-    return own
+    return moments

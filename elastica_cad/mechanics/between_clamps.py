@@ -63,18 +63,18 @@ class ElasticaBetween:
         if self.side == 0:
             return note("the strip is straight")
         if _is_free(self.rod):
-            said = (
+            template = (
                 "the strip's free end goes to the left, with {count} inflections (mode {mode})"
                 if self.side > 0
                 else "the strip's free end goes to the right, with {count} inflections (mode {mode})"
             )
         else:
-            said = (
+            template = (
                 "the strip bulges to the left of its chord, with {count} inflections (mode {mode})"
                 if self.side > 0
                 else "the strip bulges to the right of its chord, with {count} inflections (mode {mode})"
             )
-        return note(said, count=self.inflections, mode=self.mode)
+        return note(template, count=self.inflections, mode=self.mode)
 
 
 def elastica_between(

@@ -80,7 +80,7 @@ class Creep:
 
     def __str__(self) -> str:
         """Return a summary of one or two sentences."""
-        said = note(
+        summary = note(
             "In the long run (exactly, for a linear homogeneous sheet), with a creep factor of {factor:g}: "
             "it sags by {sag}, keeps {force:.0f} % of its stiffness, and let go it keeps {bend:.0f} % of "
             "its bend at first."
@@ -95,12 +95,12 @@ class Creep:
             snaps = note(
                 "Then it no longer stays: it snaps over under its load. Take a stiffer sheet or support it."
             )
-            return sentences([said, snaps], " ")
+            return sentences([summary, snaps], " ")
         if after.margin < SAFE_MARGIN <= stability(self.rod).margin:
             return sentences(
-                [said, note("Its margin falls to {margin:.3g} (low).", margin=after.margin)], " "
+                [summary, note("Its margin falls to {margin:.3g} (low).", margin=after.margin)], " "
             )
-        return said
+        return summary
 
 
 def creep(rod: Rod, factor: float) -> Creep:

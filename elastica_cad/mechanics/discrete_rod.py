@@ -112,10 +112,7 @@ def constrained_inertia(diagonal: FloatArray, off: FloatArray, rows: FloatArray,
 
     Sylvester's law on the bordered matrix: neg = neg(A - shift) + pos(S) - rank, S = C (A - shift)^-1 C^t.
     """
-    return _inertia(diagonal, off, orthonormal_rows(rows), shift)
-
-
-def _inertia(diagonal: FloatArray, off: FloatArray, basis: FloatArray, shift: float) -> int:
+    basis = orthonormal_rows(rows)
     if basis.shape[0] == 0:
         return count_negative(diagonal, off, shift)
     solved = solve_tridiagonal(diagonal - shift, off, basis.T).T

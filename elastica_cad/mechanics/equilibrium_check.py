@@ -359,11 +359,11 @@ def _check_line(
 def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> EquilibriumCheck:
     """Check that a line through the only zero meets the curve nowhere else."""
     zero = check.zeros[0]
-    found = find_separating_line(check.curve, zero, zero.after or -zero.before)
-    checked = replace(check, line=found.line, off_line=((zero.s, 0.0),))
-    if found.line is not None:
-        return _off_the_border(checked, natural_curvature, (np.pi - found.spread) / 2)
-    near = tuple(s for s in found.places if abs(s - zero.s) > AT_END_SHARE * check.length)
+    lines = find_separating_line(check.curve, zero, zero.after or -zero.before)
+    checked = replace(check, line=lines.line, off_line=((zero.s, 0.0),))
+    if lines.line is not None:
+        return _off_the_border(checked, natural_curvature, (np.pi - lines.spread) / 2)
+    near = tuple(s for s in lines.places if abs(s - zero.s) > AT_END_SHARE * check.length)
     reason = note(
         "Every line through the inflection at {s} meets the curve again or touches it there (the curve is "
         "in the way near {places}): wind the curve less, or support the strip between.",

@@ -425,14 +425,14 @@ def laminate_factor(
     base, backing = (section.base, -h1 / 2, h1 / 2), (section.backing, h1 / 2, h1 / 2 + h2)
     # divided by kappa - kappa_0, so that they are finite where it vanishes: w and its slopes, and eps_0
     unknowns = 4 * PIECES + 3
-    own = np.column_stack(
+    columns = np.column_stack(
         [2 * np.arange(2 * PIECES)[:, None] + np.arange(4), np.full(2 * PIECES, unknowns - 1)]
     )
     H, f = np.zeros((b1.size, unknowns, unknowns)), np.zeros((b1.size, unknowns))
     parts = []
     for layers, half, places in (
-        ([base, backing], b2 / 2, own[:PIECES]),
-        ([base], (b1 - b2) / 2, own[PIECES:]),
+        ([base, backing], b2 / 2, columns[:PIECES]),
+        ([base], (b1 - b2) / 2, columns[PIECES:]),
     ):
         form, (w, curl, weight) = _energy(layers), _hermite(half / PIECES)  # all pieces of a part are equal
         w, lever = (
@@ -540,7 +540,9 @@ class LaminateCurl:
 
     def resampled(self, s: FloatArray, at: FloatArray) -> "LaminateCurl":
         """Return the curl at stations (m,), mm, from that at `s` (n,)."""
-        fine, coefficients = (np.asarray(at_stations(one, s, at)) for one in (self.fine, self.coefficients))
+        fine, coefficients = (
+            np.asarray(at_stations(values, s, at)) for values in (self.fine, self.coefficients)
+        )
         return LaminateCurl(self.reach, fine, coefficients)
 
     def __call__(self, curvature: FloatArray) -> FloatArray:

@@ -334,7 +334,7 @@ def _check_section(request: RodRequest, section: BoundedLaw) -> None:
         )
     alone = weight is None or (weight.own and not isinstance(weight.alpha, Profile) and weight.alpha == 0)
     settled = any(
-        one is not None for one in (request.bending_stiffness, request.largest_stiffness, request.law)
+        value is not None for value in (request.bending_stiffness, request.largest_stiffness, request.law)
     )
     if settled or not alone:
         raise InputError(
@@ -387,38 +387,38 @@ def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weigh
 
 
 def _rod_of(
-    asked: RodRequest, check: EquilibriumCheck, moment: FloatArray, force: FloatArray, **fields: Any
+    request: RodRequest, check: EquilibriumCheck, moment: FloatArray, force: FloatArray, **fields: Any
 ) -> Rod:
     """Return the rod in the shape of the curve, with moments (n,) and forces (n, 2) at its nodes."""
-    nodes = asked.nodes
+    nodes = request.nodes
     return Rod(
         s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, moment=moment,
-        force=force, gravity=asked.gravity, supports=asked.supports,
-        natural_curvature=nodal_curvature(asked.natural_curvature, nodes.s), law=asked.law,
-        section=asked.section, shape=check.curve, check=check, **fields,
+        force=force, gravity=request.gravity, supports=request.supports,
+        natural_curvature=nodal_curvature(request.natural_curvature, nodes.s), law=request.law,
+        section=request.section, shape=check.curve, check=check, **fields,
     )  # fmt: skip
 
 
-def _unbent_rod(asked: RodRequest) -> Rod:
+def _unbent_rod(request: RodRequest) -> Rod:
     """Return the rod of a curve with the natural curvature: no moment, and straight up or down under weight."""
-    check, nodes = asked.check, asked.nodes
+    check, nodes = request.check, request.nodes
     n = nodes.s.size
-    B, weight = asked.bending_stiffness or asked.largest_stiffness, asked.weight
-    if B is not None and weight is not None and asked.gravity is not None:
-        weight = carried_weight(weight, asked.gravity, B)
+    B, weight = request.bending_stiffness or request.largest_stiffness, request.weight
+    if B is not None and weight is not None and request.gravity is not None:
+        weight = carried_weight(weight, request.gravity, B)
     rod = _rod_of(
-        asked, check, np.zeros(n), np.zeros((n, 2)), stiffness=np.ones(n), weight=weight,
+        request, check, np.zeros(n), np.zeros((n, 2)), stiffness=np.ones(n), weight=weight,
         profile=Profile.interpolate(nodes.s[[0, -1]], np.ones(2)),
         bending_stiffness=B, warnings=check.cautions,
     )  # fmt: skip
-    if asked.section is not None:
-        rod = _even_rod(rod, asked.section)
-    if asked.gravity is None:
+    if request.section is not None:
+        rod = _even_rod(rod, request.section)
+    if request.gravity is None:
         return rod
-    down = np.asarray(asked.gravity.direction)
+    down = np.asarray(request.gravity.direction)
     chord = nodes.position[-1] - nodes.position[0]
     sideways = abs(chord[0] * down[1] - chord[1] * down[0]) / np.hypot(*chord)
-    if asked.natural_curvature or sideways > 1e-9:
+    if request.natural_curvature or sideways > 1e-9:
         reason = "Under its weight an unbent strip sags, unless it is upright: draw the shape it may hang in."
         refused = replace(check, realizable=False, any_stiffness=False, reasons=(reason,))
         raise NotRealizable(refused)
@@ -430,49 +430,49 @@ def _unbent_rod(asked: RodRequest) -> Rod:
     load = rod.nodal_load
     force = np.cumsum(load, axis=0) - load / 2
     force[0], force[-1] = 0.0, load.sum(axis=0)
-    lower = asked.supports.ends[1]
+    lower = request.supports.ends[1]
     return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))
 
 
 def _even_rod(rod: Rod, section: BoundedLaw) -> Rod:
     """Return a straight rod with the largest allowed section everywhere."""
     law = section.bent(0.0)
-    size = next(one for one in reversed(section.limits) if np.isfinite(one))
+    size = next(limit for limit in reversed(section.limits) if np.isfinite(limit))
     scale, newtons = float(law.bending_stiffness(size)), float(law.weight_per_length(size))
     masses = () if rod.weight is None else rod.weight.masses
     weight = None if rod.gravity is None else Weight(alpha=newtons, masses=masses)
     return replace(rod, bending_stiffness=scale, weight=weight)
 
 
-def _bent_rod(asked: RodRequest, balance: BalancedStiffness) -> Rod:
-    check, nodes = asked.check, asked.nodes
+def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
+    check, nodes = request.check, request.nodes
     panel, x = balance.panels.locate(nodes.t)
-    K, moment, b = (one.at(panel, x) for one in (balance.stiffness, balance.moment, balance.force))
+    K, moment, b = (function.at(panel, x) for function in (balance.stiffness, balance.moment, balance.force))
     least = float(K.min())
     if least <= 0:
         raise NotRealizable(check)
     K, moment, b = K / least, moment / least, b / least
     size = np.abs(moment).max()
-    change = nodes.curvature - nodal_curvature(asked.natural_curvature, nodes.s)
-    effective = change if asked.law is None else asked.law.effective_curvature(change)
+    change = nodes.curvature - nodal_curvature(request.natural_curvature, nodes.s)
+    effective = change if request.law is None else request.law.effective_curvature(change)
     residual = float(np.abs(K * effective - moment).max() / size)
     warnings = check.cautions
     if check.moved > TOLD_MOVE_MM:
-        told = note(
+        warning = note(
             "The curve was moved by at most {moved} to bring its inflections onto one line."
-            if asked.gravity is None
+            if request.gravity is None
             else "The curve was moved by at most {moved} to take the last bend out of its ends.",
             moved=Length(check.moved),
             severity="warning",
         )
-        warnings = (*warnings, told)
-    if asked.gravity is None and check.zeros and np.hypot(*b[0]) > 0:
+        warnings = (*warnings, warning)
+    if request.gravity is None and check.zeros and np.hypot(*b[0]) > 0:
         check = replace(check, line=_moment_line(moment[0], b[0], nodes.position[0]))
     weight = balance.weight
     if weight is not None:  # beta K stays what it is when K is divided by its least value
         weight = weight.scaled(beta=least)
     return _rod_of(
-        asked, check, moment, left_of(b), stiffness=K,
+        request, check, moment, left_of(b), stiffness=K,
         profile=stiffness_profile(check, balance, 1 / least), residual=residual, weight=weight,
         bending_stiffness=None if balance.bending_stiffness is None else balance.bending_stiffness * least,
         warnings=warnings, moved=check.moved,
@@ -705,10 +705,10 @@ def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Lamina
         weight = replace(weight, masses=request.masses)
         next_rod = rod_of_request(replace(request, weight=weight, bending_stiffness=target))
         change = float(np.abs(next_rod.stiffness / rod.stiffness - 1).max())
-        rod, got = next_rod, next_rod.bending_stiffness or target
-        least = got / target
+        rod, stiffness = next_rod, next_rod.bending_stiffness or target
+        least = stiffness / target
         scale = base.scale(rod)
-        if change < _SETTLED_SHARE and abs(scale / got - 1) < _SETTLED_SHARE:
+        if change < _SETTLED_SHARE and abs(scale / stiffness - 1) < _SETTLED_SHARE:
             return base.laminate(rod, scale, rounds), change
         history.append(np.log(scale))
         if len(history) == 3:

@@ -479,8 +479,8 @@ class CurveOfRest(RestCurvature):
     def at(self, s: FloatArray, derivative: int = 0, *, left: bool = False) -> FloatArray:
         """Return the natural curvature at arc lengths s, or its first derivative; see `RestCurvature.at`."""
         t = self.blank.parameter(np.clip(s, 0.0, self.blank.length))
-        for one in self.blank.breaks:
-            t = np.where(np.abs(s - one.s) < _AT_BREAK_SHARE * self.length, one.t, t)
+        for knot in self.blank.breaks:
+            t = np.where(np.abs(s - knot.s) < _AT_BREAK_SHARE * self.length, knot.t, t)
         along = self.blank.curvature_slope_at if derivative else self.blank.curvature_at
         return along(t, left=left)
 

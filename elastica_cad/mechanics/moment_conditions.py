@@ -551,26 +551,26 @@ class RodRequest(EqualByValue):
 class ConditionedRows:
     """Moment rows under the conditions of inflections and supports."""
 
-    asked: "RodRequest"
+    request: RodRequest
     panels: Panels
     rows: MomentRows
 
     @property
     def check(self) -> EquilibriumCheck:
         """Verdict of Theorem 1 on the curve."""
-        return self.asked.check
+        return self.request.check
 
     @cached_property
     def conditions(self) -> FloatArray:
         """Rows (k, m) @ state = 0: no moment where no curvature, no force that no support gives."""
         t = np.array([z.t for z in self.check.zeros])
-        found = [self.rows.edge_moment[np.abs(self.panels.edges - t[:, None]).argmin(axis=1)]]
+        rows = [self.rows.edge_moment[np.abs(self.panels.edges - t[:, None]).argmin(axis=1)]]
         forces = self.rows.start_force, self.rows.end_force
-        for end, force in zip(self.asked.supports.ends, forces, strict=True):
+        for end, force in zip(self.request.supports.ends, forces, strict=True):
             # lambda = R b: the force along x is -b_y, that along y is b_x
-            found += [] if end.x else [force[1:2]]
-            found += [] if end.y else [force[0:1]]
-        return np.concatenate(found)
+            rows += [] if end.x else [force[1:2]]
+            rows += [] if end.y else [force[0:1]]
+        return np.concatenate(rows)
 
     @cached_property
     def scale(self) -> FloatArray:
@@ -625,8 +625,8 @@ class ConditionedRows:
     @property
     def places(self) -> tuple[IntArray, FloatArray] | None:
         """Panels and places x of the nodes if the ratio is evaluated only at nodes, otherwise None."""
-        everywhere = self.asked.samples is None or self.asked.largest_stiffness is not None
-        return None if everywhere else self.panels.locate(self.asked.nodes.t)
+        everywhere = self.request.samples is None or self.request.largest_stiffness is not None
+        return None if everywhere else self.panels.locate(self.request.nodes.t)
 
     def steadied(self, state: FloatArray) -> FloatArray:
         """Return the optimum that does not change when the drawing is rotated.
@@ -652,10 +652,10 @@ class ConditionedRows:
 
     def least(self, numbers: StateFamily, *, smooth: bool = True) -> FloatArray:
         """Return the end state (m,) of least ratio, smoothed if inflections leave a choice."""
-        found = self.ratio(numbers)
-        if found is None:
+        optimum = self.ratio(numbers)
+        if optimum is None:
             self.refuse(numbers.family)
-        y, ratio = found
+        y, ratio = optimum
         choices = numbers.family.freedom - (numbers.family.offset is None)
         if smooth and self.check.zeros and choices > 0:
             y = _smoothest(numbers.family, ratio * (1 + SMOOTHING_SHARE), self.places)

@@ -138,17 +138,19 @@ def trace(
     while t < 1.0:
         t_next = min(t + step, 1.0)
         system, kept = problem(t_next)
-        found = correct(state.under(system), kept)
+        corrected = correct(state.under(system), kept)
         count += 1
-        long = found is not None and float(np.abs(found[0].angles - state.angles).max()) > SMALL_TURN_RAD
+        long = (
+            corrected is not None and float(np.abs(corrected[0].angles - state.angles).max()) > SMALL_TURN_RAD
+        )
         if long and modes is None:
             modes = state.under(problem(t)[0]).discrete.unstable_modes
-        if found is None or (long and found[0].discrete.unstable_modes != modes):
+        if corrected is None or (long and corrected[0].discrete.unstable_modes != modes):
             step = (t_next - t) / (4 if t == start and count == 1 else 2)
             if step < LEAST_STEP:
                 return Reached(state, t, count)
             continue
-        state, iterations = found
+        state, iterations = corrected
         modes = modes if long else None
         t = t_next
         step *= 2 if iterations <= 4 else 1
@@ -198,9 +200,13 @@ def _come_to_rest(state: RodState, astray: float) -> RodState | None:
         if not np.isfinite(turned):
             return None
         if not inertia and turned < NEAR_REST_RAD:
-            found = correct(state)
-            if found is not None and is_balanced(found[0]) and not found[0].discrete.unstable_modes:
-                return _polish(found[0])
+            corrected = correct(state)
+            if (
+                corrected is not None
+                and is_balanced(corrected[0])
+                and not corrected[0].discrete.unstable_modes
+            ):
+                return _polish(corrected[0])
         if inertia:  # along the unstable mode too, downhill: a descent does not end at a saddle
             side = -1.0 if push @ residual.imbalance > 0 else 1.0
             step = Step(step.angles + side * SADDLE_PUSH_RAD * push, step.reactions)
@@ -309,17 +315,17 @@ def _direction(state: RodState) -> float:
     held = [angle for angle in system.held_angles if angle is not None]
     if held:
         return float(np.mean(held))
-    chord, own = system.end - system.start, float(state.angles.mean())
+    chord, present = system.end - system.start, float(state.angles.mean())
     if len(system.held) < 2 or float(np.hypot(*chord)) < 1e-9 * system.length:
-        return own
-    angle = _on_turn_of(own, chord)
-    return angle if abs(angle - own) < np.pi / 2 else own  # an end beyond the start is pushed past it
+        return present
+    angle = _on_turn_of(present, chord)
+    return angle if abs(angle - present) < np.pi / 2 else present  # an end beyond the start is pushed past it
 
 
-def _on_turn_of(own: float, chord: FloatArray) -> float:
+def _on_turn_of(near: float, chord: FloatArray) -> float:
     """Return the angle of `chord` that is within half a turn of `own`."""
     angle = float(np.arctan2(chord[1], chord[0]))
-    return angle + 2 * np.pi * float(np.round((own - angle) / (2 * np.pi)))
+    return angle + 2 * np.pi * float(np.round((near - angle) / (2 * np.pi)))
 
 
 def _must_shorten(state: RodState) -> bool:
@@ -355,10 +361,10 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
         slope = edge * float(shape @ np.sin(amplitude * shape))
         amplitude -= (short - (length - chord)) / slope
     guess = first.state(state.angles + amplitude * shape, pressure * tangent[list(system.held)])
-    found = correct(guess, turn=2.0, damping=1 / 64, most=40)
-    if found is None:
+    corrected = correct(guess, turn=2.0, damping=1 / 64, most=40)
+    if corrected is None:
         raise _not_buckled(length, mode)
-    return found[0]
+    return corrected[0]
 
 
 def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
@@ -390,10 +396,10 @@ def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
     shape = _mode(scaled(high), side, mode)[1]
     shape = shape / np.abs(shape).max()
     for amplitude in AMPLITUDES_RAD:
-        found = _reach_amplitude(system, scaled(high), shape, amplitude, high)
-        if found is None or found[1] >= 1.0:
+        buckled = _reach_amplitude(system, scaled(high), shape, amplitude, high)
+        if buckled is None or buckled[1] >= 1.0:
             continue
-        reached = trace(lambda f: (system.loaded(f), None), found[0], start=found[1])
+        reached = trace(lambda f: (system.loaded(f), None), buckled[0], start=buckled[1])
         if reached.arrived and is_balanced(reached.state.under(system)):
             return reached.state.under(system)
     raise _not_buckled(system.length, mode)

@@ -56,31 +56,33 @@ class OverloadError(InputError):
         self.needed, self.thickening = needed, thickening
 
 
-def balance_of(asked: RodRequest) -> BalancedStiffness:
+def balance_of(request: RodRequest) -> BalancedStiffness:
     """Return the stiffness of least ratio, with or without weight, or for a section."""
-    if asked.section is not None:
-        return _with_section(asked, asked.section)
-    return balance_without_weight(asked) if asked.gravity is None else _with_weight(asked, asked.gravity)
+    if request.section is not None:
+        return _with_section(request, request.section)
+    return (
+        balance_without_weight(request) if request.gravity is None else _with_weight(request, request.gravity)
+    )
 
 
-def balance_without_weight(asked: RodRequest) -> BalancedStiffness:
+def balance_without_weight(request: RodRequest) -> BalancedStiffness:
     """Solve Eq. 4 on the continuous curve, or at the nodes only."""
-    cut = asked.cut
-    problem = ConditionedRows(asked, cut.panels, moment_rows(cut.panels))
+    cut = request.cut
+    problem = ConditionedRows(request, cut.panels, moment_rows(cut.panels))
     state = problem.least(problem.homogeneous(3), smooth=False)
     return replace(problem.balance(problem.steadied(state)), kinks=cut.kinks)
 
 
-def _with_weight(asked: RodRequest, gravity: Gravity) -> BalancedStiffness:
+def _with_weight(request: RodRequest, gravity: Gravity) -> BalancedStiffness:
     """Solve Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
-    cut, weight = asked.cut, asked.weight
+    cut, weight = request.cut, request.weight
     if weight is None or weight.own:
         cut = cut.for_weight(gravity)
-    tau = None if asked.bending_stiffness is None else 1 / asked.bending_stiffness
+    tau = None if request.bending_stiffness is None else 1 / request.bending_stiffness
     for _ in range(REFINEMENTS):
-        load = WeightedPanels(asked, cut.panels, gravity)
-        if asked.largest_stiffness is not None and weight is not None:
-            balance, tau = _within_stiffness(load, weight, asked.largest_stiffness)
+        load = WeightedPanels(request, cut.panels, gravity)
+        if request.largest_stiffness is not None and weight is not None:
+            balance, tau = _within_stiffness(load, weight, request.largest_stiffness)
         else:
             if tau is None and weight is not None:
                 tau = _least_compliance(load, weight)
@@ -107,29 +109,29 @@ def carried_weight(weight: Weight, gravity: Gravity, bending_stiffness: float) -
 class WeightedPanels:
     """Curve cut into panels, with its weight."""
 
-    asked: RodRequest
+    request: RodRequest
     panels: Panels
     gravity: Gravity
 
     def against(self, tau: float) -> "ConditionedRows":
         """Return the problem with weights in newtons relative to B = 1 / tau."""
-        panels, weight = self.panels, self.asked.weight
+        panels, weight = self.panels, self.request.weight
         proportional = self.gravity.length**-3
-        own = np.full(panels.t.shape, proportional if weight is None or weight.own else 0.0)
+        proportional_weight = np.full(panels.t.shape, proportional if weight is None or weight.own else 0.0)
         dead = np.zeros(panels.t.shape)
         if weight is not None:
             dead, per_stiffness = weight.along(panels.s)
-            own += per_stiffness * tau
-        return self.carrying(own, dead, self.points)
+            proportional_weight += per_stiffness * tau
+        return self.carrying(proportional_weight, dead, self.points)
 
     @property
     def points(self) -> FloatArray:
         """Newtons (N + 1,) hung on the ends of the panels; those at an end that is held in place bend nothing."""
         points = np.zeros(self.panels.count + 1)
-        for mass in self.asked.masses:
+        for mass in self.request.masses:
             at = int(np.abs(self.panels.edge_s - mass.at).argmin())
             points[at] += mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
-        points[[0, -1]] *= [not (end.x and end.y) for end in self.asked.supports.ends]
+        points[[0, -1]] *= [not (end.x and end.y) for end in self.request.supports.ends]
         return points
 
     def carrying(self, own: FloatArray, dead: FloatArray, points: FloatArray) -> "ConditionedRows":
@@ -138,11 +140,11 @@ class WeightedPanels:
         rows = moment_rows(panels, LineLoad(-np.asarray(self.gravity.direction), own, dead, points))
         if not np.all(np.isfinite(rows.stiffness)):
             self.refuse()
-        return ConditionedRows(self.asked, panels, rows)
+        return ConditionedRows(self.request, panels, rows)
 
     def refuse(self) -> NoReturn:
         """Raise `NotRealizable`, because the moment grows too much along the curve for floating-point numbers."""
-        check = self.asked.check
+        check = self.request.check
         reason = far_too_heavy(self.gravity, check.length)
         raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
 
@@ -197,20 +199,20 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
     def ratio(logarithm: float) -> float:
         return _ratio_at(load, float(np.exp(logarithm)))
 
-    s = np.linspace(0.0, load.asked.check.length, 101)
+    s = np.linspace(0.0, load.request.check.length, 101)
     newtons = float(replace(weight, own=False).lumped(s, np.ones(101), np.full(101, s[1])).sum())
     weightless = load.against(0.0)
     light = weightless.ratio(weightless.homogeneous(3))
     bent = float(np.abs(weightless.panels.curvature).max())
-    trial = np.log(bent / (newtons * load.asked.check.length)) + np.linspace(-8.0, 4.0, 25)
+    trial = np.log(bent / (newtons * load.request.check.length)) + np.linspace(-8.0, 4.0, 25)
     ratios = np.array([ratio(x) for x in trial])
     best = int(ratios.argmin())
     if not np.isfinite(ratios[best]):
         weightless.refuse(None)
     if light is None or ratios[best] < light[1] * (1 - NO_GAIN_SHARE):
         bounds = (trial[max(best - 1, 0)], trial[min(best + 1, 24)])
-        found = minimize_scalar(ratio, bounds=bounds, method="bounded", options={"xatol": 1e-6})
-        return float(np.exp(found.x if found.fun <= ratios[best] else trial[best]))
+        minimum = minimize_scalar(ratio, bounds=bounds, method="bounded", options={"xatol": 1e-6})
+        return float(np.exp(minimum.x if minimum.fun <= ratios[best] else trial[best]))
     limit = light[1] * (1 + SMOOTHING_SHARE)
     within = int(np.flatnonzero(ratios <= limit)[-1])
     if within == 24:
@@ -223,10 +225,10 @@ def _ratio_at(load: WeightedPanels, tau: float) -> float:
     """Return the least ratio of a rod of B = 1 / tau, or infinity if no rod carries the weight."""
     try:
         problem = load.against(tau)
-        found = problem.ratio(problem.at_compliance(tau))
+        optimum = problem.ratio(problem.at_compliance(tau))
     except NotRealizable:
         return np.inf
-    return np.inf if found is None else found[1]
+    return np.inf if optimum is None else optimum[1]
 
 
 def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
@@ -235,16 +237,16 @@ def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tupl
     It has the largest least stiffness of these balances. A weight proportional to K needs iterations, because its
     fraction follows from tau.
     """
-    least = max(load.asked.least_stiffness or 0.0, LEAST_SHARE * most) * (1 + BOUNDED)
+    least = max(load.request.least_stiffness or 0.0, LEAST_SHARE * most) * (1 + BOUNDED)
     most /= 1 + BOUNDED
     tau = 1 / most
     for _ in range(MOST_ROUNDS):
         problem = load.against(tau)
         _require_fixed_weight(problem, weight)
-        found = problem.stiffest(most, least)
-        if found is None:
+        stiffest = problem.stiffest(most, least)
+        if stiffest is None:
             raise _overload(load, problem, least, most)
-        before, (state, tau) = tau, found
+        before, (state, tau) = tau, stiffest
         if not weight.beta or abs(tau / before - 1) < SETTLED_SHARE:
             return problem.balance(state), tau
     raise NotConvergedError("weight and stiffness do not settle: give bending_stiffness")
@@ -320,7 +322,7 @@ SLOWEST_RATE = 0.99
 """Largest ratio of successive steps of a sequence for which the limit is extrapolated."""
 
 
-def _with_section(asked: RodRequest, section: BoundedLaw) -> BalancedStiffness:
+def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness:
     """Return the balance of least ratio at the largest scale within the limits, with own weight and masses.
 
     The scale B and the weight depend on the unknown stiffness. Each iteration linearises the weight at the last E
@@ -335,18 +337,18 @@ def _with_section(asked: RodRequest, section: BoundedLaw) -> BalancedStiffness:
     NotConvergedError
         Weight and stiffness do not converge.
     """
-    excess, gravity = ExcessCurvature(asked.check.curve, asked.natural_curvature), asked.gravity
+    excess, gravity = ExcessCurvature(request.check.curve, request.natural_curvature), request.gravity
     if gravity is None:
-        balance = balance_without_weight(asked)
+        balance = balance_without_weight(request)
         law = _bent(section, balance.panels, excess)
         return _within_limits(replace(balance, bending_stiffness=_scale(law, balance.stiffness)), law)
-    asked = replace(asked, weight=Weight(masses=asked.masses))
+    request = replace(request, weight=Weight(masses=request.masses))
     law = section.bent(0.0)
     full = float(law.bending_stiffness(_deciding(law)) / law.weight_per_length(_deciding(law)))
     heavy = replace(gravity, length=full ** (1 / 3))
-    cut = asked.cut.for_weight(heavy)
+    cut = request.cut.for_weight(heavy)
     for _ in range(REFINEMENTS):
-        load = WeightedPanels(asked, cut.panels, heavy)
+        load = WeightedPanels(request, cut.panels, heavy)
         law = _bent(section, cut.panels, excess)
         balance = _settled(load, law)
         finer = cut.for_stiffness(balance.stiffness)
@@ -382,8 +384,8 @@ class TangentWeight:
 def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
     """Return the fixed point on given panels."""
     points = load.points
-    own = np.full(load.panels.t.shape, load.gravity.length**-3)
-    light = load.carrying(own, np.zeros(own.shape), 0.0 * points)
+    proportional_weight = np.full(load.panels.t.shape, load.gravity.length**-3)
+    light = load.carrying(proportional_weight, np.zeros(proportional_weight.shape), 0.0 * points)
     balance = light.balance(light.least(light.homogeneous(3)))
     scale = _scale(law, balance.stiffness)
     EI = scale * balance.stiffness.nodal
@@ -397,19 +399,19 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
         except NotConvergedError as error:  # without weight there was an answer
             raise _unsettled(law, change) from error
         balance = problem.balance(state)
-        found = scale * balance.stiffness.nodal
-        asked, scale = scale, _scale(law, balance.stiffness)
-        change, EI = max(float(np.abs(found / EI - 1).max()), abs(scale / asked - 1)), found
+        next_EI = scale * balance.stiffness.nodal
+        tried, scale = scale, _scale(law, balance.stiffness)
+        change, EI = max(float(np.abs(next_EI / EI - 1).max()), abs(scale / tried - 1)), next_EI
         if change < SETTLED_SHARE:
-            weight = _weight(load, tangent, asked)
-            return replace(balance, bending_stiffness=asked, weight=weight)
+            weight = _weight(load, tangent, tried)
+            return replace(balance, bending_stiffness=tried, weight=weight)
         if _spare(law, EI) < HOPELESS_SHARE:
             raise _unsettled(law, change)
         history.append(np.log(scale))
         if len(history) == 3:
             scale = float(np.exp(extrapolated(*history)))
             history.clear()
-    return _descended(load, law, asked * state[:3], EI)
+    return _descended(load, law, tried * state[:3], EI)
 
 
 def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: FloatArray) -> BalancedStiffness:
@@ -436,17 +438,17 @@ def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: Flo
             PanelFunction.through(rows * share[..., None]),
             PanelFunction.through(offset * share + (1.0 - sense)),
         )
-        found = _beside(family, here, reach, problem.places)
-        if found is None:
+        optimum = _beside(family, here, reach, problem.places)
+        if optimum is None:
             break
-        moved = scale * problem.rows.stiffness @ (numbers.fixed + numbers.basis @ found)
+        moved = scale * problem.rows.stiffness @ (numbers.fixed + numbers.basis @ optimum)
         step, EI = (
             moved / EI - 1,
             np.maximum(moved, HOPELESS_SHARE * limit),
         )  # intermediate steps may need less
-        state = (scale * (numbers.fixed + numbers.basis @ found))[:3]
+        state = (scale * (numbers.fixed + numbers.basis @ optimum))[:3]
         if float(np.abs(step).max()) < SETTLED_SHARE:
-            balance = problem.balance(numbers.fixed + numbers.basis @ found)
+            balance = problem.balance(numbers.fixed + numbers.basis @ optimum)
             weight = _weight(load, tangent, scale)
             return replace(balance, bending_stiffness=scale, weight=weight)
         reach = SHORTER * reach if np.sum(step * before) < 0 else min(LONGER * reach, WIDEST_REACH)
@@ -519,10 +521,10 @@ def _scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
 
 def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weight:
     """Return the linearised weight along the rod, exact at its default nodes; `beta` refers to `scale`."""
-    s = np.linspace(0.0, load.asked.check.length, DEFAULT_SAMPLES)
-    place = load.panels.locate(load.asked.check.curve.parameter(s))
+    s = np.linspace(0.0, load.request.check.length, DEFAULT_SAMPLES)
+    place = load.panels.locate(load.request.check.curve.parameter(s))
     fixed, slope = (PanelFunction.through(values).at(*place) for values in (tangent.fixed, tangent.slope))
-    return Weight(Profile.interpolate(s, fixed), Profile.interpolate(s, scale * slope), load.asked.masses)
+    return Weight(Profile.interpolate(s, fixed), Profile.interpolate(s, scale * slope), load.request.masses)
 
 
 def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiffness:

@@ -158,7 +158,7 @@ def cut_into_panels(
     done: list[_Nodes] = []
     count = 0
     while True:
-        found, tail = _evaluated(excess, cut, poles, order, law)
+        nodes, tail = _evaluated(excess, cut, poles, order, law)
         # where cutting no longer helps, the rest is rounding noise
         settled = (tail <= RESOLVED) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
         settled |= cut.right - cut.left < narrow
@@ -166,9 +166,9 @@ def cut_into_panels(
         if rough.size:
             parts = _parts(tail[rough])
         if not rough.size or count + cut.left.size + parts.sum() > MAX_PANELS:
-            done.append(found)
+            done.append(nodes)
             return _panels(curve, done)
-        done.append(found.chosen(settled))
+        done.append(nodes.chosen(settled))
         count += cut.left.size - rough.size
         cut = cut.chosen(rough, tail[rough]).into(parts)
 
@@ -272,10 +272,10 @@ def _evaluated(
         at = (beside[:, None] * ORDER + np.arange(ORDER)).ravel()
         slope = curvature_slope(d1[at], d2[at], d3[0][at]).reshape(-1, ORDER) - excess.rest_at(t[beside], 1)
         ends = np.where(cut.zero_left[beside], cut.left[beside], cut.right[beside])
-        own = np.abs(zeros[:, None] - ends).argmin(axis=0)
-        double = orders[own] == 2
+        nearest = np.abs(zeros[:, None] - ends).argmin(axis=0)
+        double = orders[nearest] == 2
         if double.any():  # rounding of this slope would be large relative to the slopes at the nodes
-            slope[double] -= excess.slope_at(zeros[own[double]])[:, None]
+            slope[double] -= excess.slope_at(zeros[nearest[double]])[:, None]
         growth = slope * stretch[beside]
         kappa[beside] = np.where(cut.zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
     if law is not None:
@@ -288,7 +288,7 @@ def _evaluated(
         functions[1] = (from_left + (cut.left - zeros[pole])[:, None]) ** orders[pole, None]
     if beside.size:
         functions[1, beside] = (
-            np.where(cut.zero_left[beside, None], FROM_LEFT, NODES - 1) ** orders[own, None]
+            np.where(cut.zero_left[beside, None], FROM_LEFT, NODES - 1) ** orders[nearest, None]
         )
     with np.errstate(divide="ignore", invalid="ignore"):
         functions[1] /= kappa

@@ -206,7 +206,9 @@ class CurlingLaw(MaterialLaw):
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
         """Return the effective curvature of all nodes (..., n), as in `MaterialLaw`."""
-        return np.asarray(self._material(curvature) * self.share(curvature))
+        change = np.asarray(curvature, dtype=float)
+        m = change if self.below is None else self.below.effective_curvature(change)
+        return np.asarray(m * self.share(change))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
         """See `MaterialLaw`; of all nodes (n,)."""
@@ -232,8 +234,8 @@ class CurlingLaw(MaterialLaw):
         m = np.asarray(effective, dtype=float)
         change = m if self.below is None else self.below.curvature(m)
         for _ in range(CURL_STEPS):
-            found, slope = self.with_slope(change)
-            change = change - (found - m) / slope
+            reached, slope = self.with_slope(change)
+            change = change - (reached - m) / slope
         return change
 
     def resampled(self, s: FloatArray, at: FloatArray) -> "CurlingLaw":
@@ -248,10 +250,6 @@ class CurlingLaw(MaterialLaw):
     def injective_limit(self) -> float:
         """See `MaterialLaw`."""
         return float("inf") if self.below is None else self.below.injective_limit
-
-    def _material(self, curvature: ArrayLike) -> FloatArray:
-        change = np.asarray(curvature, dtype=float)
-        return change if self.below is None else self.below.effective_curvature(change)
 
 
 EVEN_EDGES = 1e-7  # of an edge: nodes that are samples of a curve are closer than that by (kappa h)^2 / 24

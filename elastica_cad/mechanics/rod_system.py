@@ -262,9 +262,9 @@ class RodState:
         if system.law is not None:
             for node, held in zip((0, -1), system.held_angles, strict=True):
                 if held is None:  # curvature from the applied moment at an end that is free to turn
-                    asked = np.zeros_like(change)
-                    asked[node] = change[node]
-                    change[node] = system.law.curvature(asked)[node]
+                    effective = np.zeros_like(change)
+                    effective[node] = change[node]
+                    change[node] = system.law.curvature(effective)[node]
         curvature = change + system.natural_curvature
         bend = system.node_lengths * curvature
         angle = np.empty(n + 1)

@@ -136,20 +136,20 @@ def plate_width(
         *alike(effective=effective, curvature=curvature, natural_curvature=natural_curvature)
     )
     wanted = np.log(aim)
-    found, last, error, slope = wanted, wanted, np.zeros(aim.shape), np.ones(aim.shape)
+    log_width, last, error, slope = wanted, wanted, np.zeros(aim.shape), np.ones(aim.shape)
     for _ in range(SECANTS):
         before = error
         factor = anticlastic_factor(
-            np.exp(found), kappa, thickness=h, poisson_ratio=nu, natural_curvature=rest
+            np.exp(log_width), kappa, thickness=h, poisson_ratio=nu, natural_curvature=rest
         )
-        error = found + np.log(factor) - wanted
-        moved = found - last
+        error = log_width + np.log(factor) - wanted
+        moved = log_width - last
         steep = (error - before) / np.where(moved == 0, 1.0, moved)
         slope = np.where(moved == 0, slope, np.clip(steep, *SLOPES))
-        last, found = found, found - error / slope
+        last, log_width = log_width, log_width - error / slope
         if np.abs(error).max(initial=0.0) < SETTLED:
             break
-    return np.asarray(np.exp(found))
+    return np.asarray(np.exp(log_width))
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,7 +2,7 @@
 
 import os
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from functools import cache, lru_cache
@@ -76,8 +76,9 @@ def plausible_number(value: object, key: str, where: str) -> float:
     return number
 
 
-def _advise_key(key: str, keys: Mapping[str, Field]) -> str:
+def _advise_key(key: str) -> str:
     """Suggest the known key that is nearest to an unknown key."""
+    keys = sheet_keys()
     for known, entry in keys.items():
         stem = entry.name
         if key.lower() == known.lower() or (
@@ -297,13 +298,13 @@ def library_files() -> tuple[Path, ...]:
     )
 
 
-def _read_figures(path: str | Path, keys: Mapping[str, Field]) -> dict[str, dict[str, Any]]:
-    """Return the fields of each `Sheet` except its name, by name, from a user's file; see `load_sheets`.
+def _read_table(path: str | Path) -> object:
+    """Return the table ``sheets`` of a user's file; see `load_sheets`.
 
     Raises
     ------
     InputError
-        No such file, not TOML, an unknown key, a missing value or another unit.
+        No such file, not TOML, or another schema.
     """
     import tomllib
 
@@ -336,27 +337,19 @@ def _read_figures(path: str | Path, keys: Mapping[str, Field]) -> dict[str, dict
         raise InputError(
             f"{path}: schema {quoted(data['schema'])} is not known; this version reads schema {SCHEMA}"
         )
-    return _figures_from_table(data.get("sheets", {}), str(path), keys)
+    return data.get("sheets", {})
 
 
-def _figures_from_table(table: object, where: str, keys: Mapping[str, Field]) -> dict[str, dict[str, Any]]:
-    """Return the figures of sheets from the parsed table ``sheets`` of a TOML file; `where` names the file in
-    messages.
-    """
-    if not isinstance(table, Mapping) or not table:
-        raise InputError(f"{where} holds no sheet: write at least one table [sheets.NAME]")
-    return {name: _fields(name, entry, where, keys) for name, entry in table.items()}
-
-
-def _fields(name: str, entry: object, file: str, keys: Mapping[str, Field]) -> dict[str, Any]:
+def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
     """Return the fields of a sheet."""
     where = f"{file}: sheet {name!r}"
     if not isinstance(entry, Mapping):
         raise InputError(f"{where} must be a table [sheets.{name}], got {quoted(entry)}")
     values: dict[str, Any] = {}
+    keys = sheet_keys()
     for key, value in entry.items():
         if key not in keys:
-            raise InputError(f"{where}: unknown key {key!r}{_advise_key(key, keys)}")
+            raise InputError(f"{where}: unknown key {key!r}{_advise_key(key)}")
         field_name, kind = keys[key].name, keys[key].kind.name
         if kind == "either" and not isinstance(value, str):
             values[field_name] = _finite_number(value, f"{where}: {key}")
@@ -580,9 +573,9 @@ class Sheet:
         for name, given, unit in [*figures, *(("stock", side, "mm") for side in sides)]:
             if given is not None:
                 self._checked(name, given, unit)
-        asked: object = self.grain
-        if is_number(asked):
-            object.__setattr__(self, "grain", self._grain_at(asked))
+        grain: object = self.grain
+        if is_number(grain):
+            object.__setattr__(self, "grain", self._grain_at(grain))
         if not is_one_of(self.grain, get_args(Grain)):
             raise InputError(
                 f"sheet {self.name!r}: grain is {self.grain!r}; use one of {', '.join(get_args(Grain))}"
@@ -676,10 +669,10 @@ class Sheet:
             return cls(name, **figures[name])
         if str(name).endswith(".toml") or ".toml:" in str(name):
             return _sheet_of_file(str(name), folder)
-        own, problems = library_sheets()
-        if name in own:
-            return own[name]
-        known = [*own, *figures]
+        library, problems = library_sheets()
+        if name in library:
+            return library[name]
+        known = [*library, *figures]
         near = get_close_matches(str(name).lower(), known, n=3, cutoff=0.4)
         advice = (
             note("did you mean {names}?", names=" or ".join(near))
@@ -707,13 +700,13 @@ class Sheet:
         if before is not None and after is not None:
             limit *= (changed.thickness / after) / (self.thickness / before)
             spread = None
-        told = "; ".join(filter(None, (self.source, f"figures of {self.name} at another thickness")))
+        source = "; ".join(filter(None, (self.source, f"figures of {self.name} at another thickness")))
         return replace(
             changed,
             name=f"{stem}-{changed.thickness:g}",
             max_strain=limit,
             max_strain_range=spread,
-            source=told,
+            source=source,
         )
 
     @property
@@ -781,7 +774,7 @@ class Sheet:
     def toml(self) -> str:
         """Return the sheet as an entry of a sheets file for `load_sheets`."""
         lines = [f"[sheets.{toml_text(self.name)}]"]
-        for key, field_name in ((key, one.name) for key, one in sheet_keys().items()):
+        for key, field_name in ((key, entry.name) for key, entry in sheet_keys().items()):
             value = getattr(self, field_name)
             if value is None or (field_name in ("kind", "source") and not value):
                 continue
@@ -903,7 +896,7 @@ def load_sheets(path: str | Path) -> dict[str, Sheet]:
     ...     round(load_sheets(file)["my-pom"].elasto_gravity_length, 1)
     159.6
     """
-    return _sheets(_read_figures(path, sheet_keys()), str(path))
+    return sheets_from_table(_read_table(path), where=str(path))
 
 
 def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
@@ -914,15 +907,13 @@ def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
     InputError
         As `load_sheets`.
     """
-    return _sheets(_figures_from_table(table, where, sheet_keys()), where)
-
-
-def _sheets(figures: Mapping[str, Mapping[str, Any]], file: str) -> dict[str, Sheet]:
-    """Return the sheets of the fields; messages name the file."""
+    if not isinstance(table, Mapping) or not table:
+        raise InputError(f"{where} holds no sheet: write at least one table [sheets.NAME]")
+    figures = {name: _fields(name, entry, where) for name, entry in table.items()}
     try:
         return {name: Sheet(name=name, **fields) for name, fields in figures.items()}
     except InputError as error:
-        raise InputError(f"{file}: {error}") from error
+        raise InputError(f"{where}: {error}") from error
 
 
 @dataclass(frozen=True)
@@ -947,7 +938,7 @@ class SheetForCurve:
 
 
 def sheets_for_curve(
-    curve: PlaneCurve, natural_curvature: NaturalCurvature = 0.0, sheets: Iterable[Sheet] | None = None
+    curve: PlaneCurve, natural_curvature: NaturalCurvature = 0.0
 ) -> tuple[SheetForCurve, ...]:
     """Return all known sheets, sorted by the least scale at which they withstand a curve.
 
@@ -958,8 +949,6 @@ def sheets_for_curve(
     curve : PlaneCurve
     natural_curvature : float or RestCurvature
         Curvature of the strip before it is bent, 1/mm.
-    sheets : iterable of Sheet, optional
-        Sheets to sort; by default all named sheets.
 
     Examples
     --------
@@ -969,9 +958,9 @@ def sheets_for_curve(
     (True, 5.6)
     """
     sharpest = float(np.abs(ExcessCurvature(curve, natural_curvature).survey).max())
-    known = [Sheet.named(name) for name in sheet_names()] if sheets is None else sheets
-    found = [SheetForCurve(one, sharpest * one.thickness / (2 * one.max_strain)) for one in known]
-    return tuple(sorted(found, key=lambda one: one.scale))
+    known = map(Sheet.named, sheet_names())
+    scaled = [SheetForCurve(sheet, sharpest * sheet.thickness / (2 * sheet.max_strain)) for sheet in known]
+    return tuple(sorted(scaled, key=lambda sheet: sheet.scale))
 
 
 Color: TypeAlias = tuple[float, float, float]

@@ -86,14 +86,14 @@ class SidewaysSection:
         """
         h = np.full(width.size, thickness)
         cos2 = 1 / (1 + slope**2)
-        one = material / ligaments
+        ligament = material / ligaments
         twist = 4 * shear_ratio * stiffness
         leaning = cos2 / (cos2 + 4 * shear_ratio * (1 - cos2))
         least = cls(
             width,
             h,
-            stiffness * cos2**1.5 * (one / h) ** 2,
-            twist * leaning * _held_back(h, one * np.sqrt(cos2)),
+            stiffness * cos2**1.5 * (ligament / h) ** 2,
+            twist * leaning * _held_back(h, ligament * np.sqrt(cos2)),
         )
         most = cls(width, h, stiffness * (width**3 - (width - material) ** 3) / (material * h**2), twist)
         return least, most
@@ -393,19 +393,19 @@ def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> floa
 
 def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:
     if isinstance(width, Profile):
-        found = np.asarray(width(s), dtype=float)
+        sizes = np.asarray(width(s), dtype=float)
     else:
         given = np.atleast_1d(numbers(width, name))
         if given.ndim != 1 or not given.size:
             raise InputError(f"{name} is one finite number, a row of them, or a Profile, in mm")
-        found = (
+        sizes = (
             np.interp(s, np.linspace(0, s[-1], given.size), given)
             if given.size > 1
             else np.full(s.size, given[0])
         )
-    if not (np.all(np.isfinite(found)) and np.all(found > 0)):
+    if not (np.all(np.isfinite(sizes)) and np.all(sizes > 0)):
         raise InputError(f"{name} must be positive everywhere, in mm")
-    return found
+    return sizes
 
 
 def _band(

@@ -80,7 +80,7 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
     right[0] = rod.node_lengths[0] if rod.held_angles[0] else 1.0
     right[1:, 1:] = -rows.T
     fields = np.zeros((n + 2, right.shape[1]))
-    fields[1:] = _solve_recursion(_recursion(rod), right)
+    fields[1:] = _solve_recursion(rod, right)
     integrals = np.cumsum(rows.T[:, :, None] * fields[1:-1, None, :], axis=0)
     Z = _matrices(fields, integrals)
     ends = np.cumsum(lengths)
@@ -113,7 +113,7 @@ def determinant_gradient(
     -------
     (n+1,) array
     """
-    require_record(rod, DiscreteRod, "what is asked", "a DiscreteRod")
+    require_record(rod, DiscreteRod, "the rod", "a DiscreteRod")
     for name, values in (("weights", weights), ("moments", moments)):
         if numbers(values, name).shape != (rod.angles.size + 1,):
             raise InputError(
@@ -132,7 +132,7 @@ def determinant_gradient(
 
     # back through the recursion
     adjoint = np.zeros((n + 2, 1 + p))
-    adjoint[1:-1] = _solve_recursion(_recursion(rod), per_field, transposed=True)[1:]
+    adjoint[1:-1] = _solve_recursion(rod, per_field, transposed=True)[1:]
     per_spring = np.einsum("km,km->k", np.diff(adjoint, axis=0), np.diff(X, axis=0))
     per_pull = -np.einsum("km,km->k", adjoint[1:-1], X[1:-1])
     per_row -= adjoint[1:-1, 1:]
@@ -169,21 +169,21 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     if not rod.held_angles[1]:
         raise InputError("conjugate points need an end that holds the angle: run the rod the other way round")
     (diagonal, off), rows, lengths = rod.hessian, rod.constraint_rows, rod.edge_lengths
-    found = _first_unstable_piece(rod)
-    if found is None:
+    count = _first_unstable_piece(rod)
+    if count is None:
         return None
     ends = np.cumsum(lengths)
     place = np.append(ends[:-1] + lengths[1:] / 2, ends[-1])  # where the piece of k edges is clamped
-    if found == 1:
+    if count == 1:
         return float(place[0])
     lower, upper = (
         float(lowest_constrained(diagonal[:k], off[: k - 1], rows[:, :k])[0][0]) if k > len(rows) else np.inf
-        for k in (found - 1, found)
+        for k in (count - 1, count)
     )
     fraction = (
         1.0 if not np.isfinite(lower) or lower <= upper else float(np.clip(lower / (lower - upper), 0, 1))
     )
-    return float(place[found - 2] + fraction * (place[found - 1] - place[found - 2]))
+    return float(place[count - 2] + fraction * (place[count - 1] - place[count - 2]))
 
 
 def _first_unstable_piece(rod: DiscreteRod) -> int | None:
@@ -202,8 +202,8 @@ def _first_unstable_piece(rod: DiscreteRod) -> int | None:
     return high
 
 
-def _recursion(rod: DiscreteRod) -> FloatArray:
-    """Return the lower triangular band (3, n+1) of the recursion for zeta_1 .. zeta_{n+1}."""
+def _solve_recursion(rod: DiscreteRod, right: FloatArray, *, transposed: bool = False) -> FloatArray:
+    """Solve the recursion for zeta_1 .. zeta_{n+1}, a lower triangular band (3, n+1)."""
     spring = rod.stiffness / rod.node_lengths
     if not rod.held_angles[0]:
         spring[0] = 0.0
@@ -212,10 +212,6 @@ def _recursion(rod: DiscreteRod) -> FloatArray:
     band[0, 1:] = spring[1:]
     band[1, :-1] = rod.edge_length * rod.pull - spring[:-1] - spring[1:]
     band[2, :-2] = spring[1:-1]
-    return band
-
-
-def _solve_recursion(band: FloatArray, right: FloatArray, *, transposed: bool = False) -> FloatArray:
     solution, info = lapack().dtbtrs(band, right, uplo="L", trans="T" if transposed else "N")
     if info != 0 or not np.all(np.isfinite(solution)):
         raise InputError(

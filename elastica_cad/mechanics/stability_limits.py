@@ -59,12 +59,12 @@ class StabilityLimit:
     def __str__(self) -> str:
         if self.parameter is None:
             return f"stable all along the path, with a margin of {self.margins.min():.3g} at least"
-        asked = ", ".join(
-            f"{key} is {one:.4g}" if np.ndim(one) == 0 else f"{key} is {Point(one):.4g}"
-            for key, one in self.at.items()
+        place = ", ".join(
+            f"{key} is {value:.4g}" if np.ndim(value) == 0 else f"{key} is {Point(value):.4g}"
+            for key, value in self.at.items()
         )
         how = "snaps" if self.kind == "snap" else "buckles"
-        return f"stable up to {self.parameter:.4g} on the path, where {asked}: it {how} there"
+        return f"stable up to {self.parameter:.4g} on the path, where {place}: it {how} there"
 
     def __repr__(self) -> str:
         return f"<StabilityLimit: {self}>"
@@ -129,8 +129,8 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     step = course.end / max(FIRST_STEPS * course.legs, 1)
     while t < course.end:
         t_next = course.clipped(t, step)
-        found = _advance(course.system(t_next), state)
-        if found is not None and (after := found.discrete.margin).value <= 0:
+        following = _advance(course.system(t_next), state)
+        if following is not None and (after := following.discrete.margin).value <= 0:
             crossing = _bisected(course, (t, state, margin), t_next)
             t, state, margin = crossing[0]
             visited.append((t, margin.value))
@@ -138,17 +138,17 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
                 return _lost(course, t, state, visited)
             step = (t_next - t) / 8
             continue
-        if found is None:
+        if following is None:
             step = (t_next - t) / 2
             if step < RESOLUTION_SHARE * course.end:
                 return _lost(course, t, state, visited)
             continue
-        t, state, margin = t_next, found, after
+        t, state, margin = t_next, following, after
         visited.append((t, margin.value))
         step = min(2 * step, course.end / (FIRST_STEPS * course.legs))
     history = np.array(visited)
     return StabilityLimit(
-        None, course.asked(t), None, state.rod(course.loaded(t)), None, history[:, 0], history[:, 1]
+        None, course.entry(t), None, state.rod(course.loaded(t)), None, history[:, 0], history[:, 1]
     )
 
 
@@ -157,7 +157,7 @@ class Course:
     """Path as a function from its parameter to the equations of the rod."""
 
     base: Rod
-    asked: Callable[[float], dict[str, Any]]
+    entry: Callable[[float], dict[str, Any]]
     legs: int
     end: float
 
@@ -169,17 +169,17 @@ class Course:
             return cls(rod, lambda t: _entry(function(t)), 1, 1.0)
         entries = _entries(path)
         names = {name for entry in entries for name in entry}
-        own = _present(rod, names)
-        stops = [own]
+        present = _present(rod, names)
+        stops = [present]
         for entry in entries:
             stops.append({**stops[-1], **entry})
         legs = len(entries)
 
-        def asked(t: float) -> dict[str, Any]:
+        def entry_at(t: float) -> dict[str, Any]:
             k = min(int(t), legs - 1)
-            return {name: _between(stops[k][name], stops[k + 1][name], t - k, name) for name in own}
+            return {name: _between(stops[k][name], stops[k + 1][name], t - k, name) for name in present}
 
-        return cls(rod, asked, legs, float(legs))
+        return cls(rod, entry_at, legs, float(legs))
 
     def clipped(self, t: float, step: float) -> float:
         """Return the next parameter; steps stop at corners of the path."""
@@ -194,7 +194,7 @@ class Course:
 
     def loaded(self, t: float) -> Rod:
         """Return the rod with its weight at t."""
-        entry = self.asked(t)
+        entry = self.entry(t)
         rod = self.base
         if "gravity" in entry:
             rod = replace(rod, gravity=entry["gravity"])
@@ -202,7 +202,7 @@ class Course:
 
     def system(self, t: float) -> RodSystem:
         """Return the equations of the rod at t."""
-        entry = self.asked(t)
+        entry = self.entry(t)
         ends = {name: entry[name] for name in ("start", "end", "angles", "force", "moment") if name in entry}
         system = system_of(self.loaded(t), self.base, **ends)
         factor = entry.get("load", 1.0)
@@ -241,9 +241,9 @@ def _bisected(course: Course, low: Visit, high: float) -> tuple[Visit, bool]:
     start = low[2].value
     while high - low[0] > RESOLUTION_SHARE * course.end:
         t = (low[0] + high) / 2
-        found = _advance(course.system(t), low[1])
-        if found is not None and (margin := found.discrete.margin).value > 0:
-            low = (t, found, margin)
+        middle = _advance(course.system(t), low[1])
+        if middle is not None and (margin := middle.discrete.margin).value > 0:
+            low = (t, middle, margin)
         else:
             high = t
     return low, low[2].value < 1e-6 * max(start, 1.0)
@@ -258,7 +258,7 @@ def _lost(course: Course, t: float, state: RodState, visited: list[tuple[float, 
     rest = relax(state.moved(push).under(course.system(beyond)))
     history = np.array(visited)
     before, after = state.rod(course.loaded(t)), None if rest is None else rest.rod(course.loaded(beyond))
-    return StabilityLimit(t, course.asked(t), kind, before, after, history[:, 0], history[:, 1])
+    return StabilityLimit(t, course.entry(t), kind, before, after, history[:, 0], history[:, 1])
 
 
 def _kind(course: Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:

@@ -216,28 +216,30 @@ class EquilibriumCheck:
         """Verdict in a sentence, without reasons."""
         if self.undecided is not None:
             return str(self.undecided)
-        return self._tell_blank() if self.bent_beforehand else self._tell_flat()
+        return self._prebent_verdict() if self.bent_beforehand else self._flat_verdict()
 
-    def _tell_flat(self) -> str:
+    def _flat_verdict(self) -> str:
         if not self.realizable:
-            said = "A flat strip cannot take this curve of {length}."
+            template = "A flat strip cannot take this curve of {length}."
         elif self.any_stiffness:
-            said = "A strip of any width takes this curve of {length}: it is not bent."
+            template = "A strip of any width takes this curve of {length}: it is not bent."
         elif not self.inflections:
-            said = "A flat strip can take this curve of {length}; it has no inflections."
+            template = "A flat strip can take this curve of {length}; it has no inflections."
         elif len(self.inflections) == 1:
-            said = "A flat strip can take this curve of {length}; it has 1 inflection, at {places}."
+            template = "A flat strip can take this curve of {length}; it has 1 inflection, at {places}."
         else:
-            said = "A flat strip can take this curve of {length}; it has {count} inflections, at {places}."
-        return self._said(said)
+            template = (
+                "A flat strip can take this curve of {length}; it has {count} inflections, at {places}."
+            )
+        return self._with_numbers(template)
 
-    def _tell_blank(self) -> str:
+    def _prebent_verdict(self) -> str:
         """Return the verdict on a pre-bent strip; it inflects where curve and strip have equal curvature."""
         if not self.realizable:
-            return self._said("A strip bent beforehand as asked cannot take this curve of {length}.")
+            return self._with_numbers("A strip bent beforehand as asked cannot take this curve of {length}.")
         if self.any_stiffness:
-            return self._said("A strip bent beforehand as asked has this curve of {length} already.")
-        return self._said(
+            return self._with_numbers("A strip bent beforehand as asked has this curve of {length} already.")
+        return self._with_numbers(
             "A strip bent beforehand as asked can take this curve of {length}; its bending changes sign at "
             "{places}."
             if self.inflections
@@ -245,7 +247,7 @@ class EquilibriumCheck:
             "change sign."
         )
 
-    def _said(self, text: str) -> str:
+    def _with_numbers(self, text: str) -> str:
         places = lengths(self.inflections)
         return note(text, length=Length(self.length), count=len(places), places=places)
 
@@ -343,9 +345,9 @@ class PairCheck:
         return f"<PairCheck {verdict}, {self.length:.4g} mm>"
 
     def __str__(self) -> str:
-        return " ".join([self._tell(), *self.reasons])
+        return " ".join([self._verdict(), *self.reasons])
 
-    def _tell(self) -> str:
+    def _verdict(self) -> str:
         if not self.realizable:
             return note("No strip rests in both curves of {length}.", length=Length(self.length))
         if self.any_stiffness:
@@ -415,8 +417,7 @@ def lengths(s: Iterable[float]) -> Listed:
 
 def _shown_on(curve: PlaneCurve, point: FloatArray) -> str:
     """Return a point (2,) in the notation of the program in which the curve was drawn."""
-    drawn = curve.provenance
-    return (drawn or Provenance()).shown(point)
+    return (curve.provenance or Provenance()).shown(point)
 
 
 def require_bendable(curve: PlaneCurve) -> None:
@@ -435,12 +436,12 @@ def require_bendable(curve: PlaneCurve) -> None:
         message = next(iter(points.outlier), points.noise_message)
         raise InputError(message, kind="corner", changes=changes_of(curve))
     if corners:
-        slight = _taken_out(curve)
+        slight = _smoothing(curve)
         apart = Change("split_corners", True), Change("nearest", True)
-        raise InputError(_tell_corners(curve, corners), kind="corner", changes=slight or apart)
+        raise InputError(_corner_message(curve, corners), kind="corner", changes=slight or apart)
     if curve.has_corners:
-        changes = _taken_out(curve) or (Change("nearest", True),)
-        raise InputError(_tell_seam(curve), kind="corner", changes=changes)
+        changes = _smoothing(curve) or (Change("nearest", True),)
+        raise InputError(_seam_message(curve), kind="corner", changes=changes)
 
 
 SAMPLED_SHARE, CORNER_DEG = 0.15, 50.0
@@ -448,13 +449,13 @@ SAMPLED_SHARE, CORNER_DEG = 0.15, 50.0
 (degrees) of a corner, as in `curve_from_points`."""
 
 
-def _tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
+def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
     """Describe the corners, and whether the digits of a file may explain them."""
     drawn = curve.provenance
     maybe = {} if drawn is None else {turn.t: turn for turn in drawn.undecided}
     if drawn is not None and all(corner.t in maybe for corner in corners):
-        turn = max((maybe[corner.t] for corner in corners), key=lambda one: one.angle)
-        return _tell_undecided(drawn, turn, [c.s for c in corners])
+        turn = max((maybe[corner.t] for corner in corners), key=lambda turn: turn.angle)
+        return _undecided_message(drawn, turn, [c.s for c in corners])
     if drawn is not None and drawn.measured is not None:
         for corner in corners:
             place = np.asarray(curve.evaluate(np.array(corner.t)))
@@ -465,7 +466,7 @@ def _tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
                     "and {after:.3g} at the points beside it, so it may be a corner or a sharp bend; give more "
                     "points there, or draw two curves{smooth}",
                     angle=abs(here), shown=drawn.shown(place), before=abs(beside[0]), after=abs(beside[1]),
-                    smooth=_tell_smooth(curve),
+                    smooth=_smoothing_advice(curve),
                 )  # fmt: skip
     sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
     shown = None if drawn is None else drawn.shown(curve.evaluate(np.array(corners[0].t)))
@@ -474,42 +475,43 @@ def _tell_corners(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
         "or draw two curves{smooth}" if shown is None else
         "the curve has a corner at {places}, {shown}, of {angle:.3g} degrees: a strip bends without kinks; "
         "round it, or draw two curves{smooth}",
-        places=lengths(c.s for c in corners), shown=shown, angle=sharpest, smooth=_tell_smooth(curve),
+        places=lengths(c.s for c in corners), shown=shown, angle=sharpest, smooth=_smoothing_advice(curve),
     )  # fmt: skip
 
 
-def _tell_seam(curve: PlaneCurve) -> str:
+def _seam_message(curve: PlaneCurve) -> str:
     """Describe the corner of a closed curve whose only corner is where it closes."""
     drawn = curve.provenance
     start = curve.evaluate(np.array(curve.domain[0]))
-    for turn in () if drawn is None else drawn.undecided:
-        if turn.t == curve.domain[0]:
-            return _tell_undecided(drawn, turn, [0.0])
+    if drawn is not None:
+        for turn in drawn.undecided:
+            if turn.t == curve.domain[0]:
+                return _undecided_message(drawn, turn, [0.0])
     return note(
         "the curve is closed with a corner of {angle:.3g} degrees at {shown}: a strip bends without kinks; "
         "round it, or leave a gap between its ends{smooth}",
-        angle=np.degrees(abs(curve.seam_turn)), shown=_shown_on(curve, start), smooth=_tell_smooth(curve),
+        angle=np.degrees(abs(curve.seam_turn)), shown=_shown_on(curve, start), smooth=_smoothing_advice(curve),
     )  # fmt: skip
 
 
-def _tell_undecided(drawn: Provenance | None, turn: Turn, s: Iterable[float]) -> str:
+def _undecided_message(drawn: Provenance, turn: Turn, s: Iterable[float]) -> str:
     return note(
         "undecided at this precision: the curve turns by {angle:.2g} degrees at {shown}, {places} from its "
         "start, and the digits of the file alone can turn its handle of {handle} by {bound:.2g}: save it "
         "with more decimals, or make the node smooth with longer handles",
-        angle=np.degrees(turn.angle), shown=(drawn or Provenance()).shown(turn.point), places=lengths(s),
+        angle=np.degrees(turn.angle), shown=drawn.shown(turn.point), places=lengths(s),
         handle=Length(turn.handle), bound=np.degrees(turn.bound),
     )  # fmt: skip
 
 
-def _taken_out(curve: PlaneCurve) -> tuple[Change, ...]:
+def _smoothing(curve: PlaneCurve) -> tuple[Change, ...]:
     """Return the change that smooths slight corners, with its distance, if there is one."""
     slight = smooth_for_corners(curve)
     return () if slight is None else (Change("smooth", slight),)
 
 
-def _tell_smooth(curve: PlaneCurve) -> str:
-    slight = _taken_out(curve)
+def _smoothing_advice(curve: PlaneCurve) -> str:
+    slight = _smoothing(curve)
     if not slight:
         return ""
     size = Length(slight[0].value)
@@ -673,10 +675,10 @@ def examine_curvature(
               if slope <= GENTLE_SHARE * largest / curve.length]  # fmt: skip
     gentle += faint_places(excess, largest, zeros)
     reasons = [
-        *_tell_pinned_ends(excess, supports, points),
-        *_tell_straight_parts(excess, flats, largest),
-        *_tell_jumps(jumps),
-        *_tell_touches(sorted([*touches, *gentle])),
+        *_pinned_end_reasons(excess, supports, points),
+        *_straight_part_reasons(excess, flats, largest),
+        *_jump_reasons(jumps),
+        *_touch_reasons(sorted([*touches, *gentle])),
     ]
     return replace(
         check,
@@ -708,29 +710,29 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
     curve = excess.curve
     low, high = curve.domain
     length, near = curve.length, AT_END_SHARE * curve.length
-    found: list[CurvatureZero] = []
+    zeros: list[CurvatureZero] = []
     ends: dict[bool, CurvatureZero] = {}
     for zero in excess.zeros:
         at_start, at_end = zero.s_end <= near, zero.s >= length - near
         if zero.kind == "flat" or not (at_start or at_end):
-            found.append(zero)
+            zeros.append(zero)
         else:
             ends[at_end] = zero
     hardly_bent = np.abs(excess.survey[[0, -1]]) <= 2 * max(PINNED_SHARE, ALL_BUT_UNBENT_SHARE) * largest
     if not (ends or hardly_bent.any()):  # nor does a slope make a zero of them
-        return tuple(found)
+        return tuple(zeros)
     t_ends = np.array([low, high])
     at_ends = zip((low, high), excess.at(t_ends).tolist(), excess.slope_at(t_ends).tolist(), strict=True)
     for is_end, (support, (t, kappa, slope)) in enumerate(zip(supports.ends, at_ends, strict=True)):
         pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
         # a zero at the same small distance beyond the end
         beyond = 0 < abs(kappa) <= min(near * abs(slope), ALL_BUT_UNBENT_SHARE * largest)
-        if bool(is_end) in ends or ((pinned or beyond) and not any(z.t <= t <= z.t_end for z in found)):
+        if bool(is_end) in ends or ((pinned or beyond) and not any(z.t <= t <= z.t_end for z in zeros)):
             way = int(np.sign(slope))
             sign = (0, way) if not is_end else (-way, 0)
             s = length if is_end else 0.0
-            found.append(CurvatureZero(s, t, "end", s, t, *sign))
-    return tuple(sorted(found, key=lambda z: z.s))
+            zeros.append(CurvatureZero(s, t, "end", s, t, *sign))
+    return tuple(sorted(zeros, key=lambda z: z.s))
 
 
 def faint_places(
@@ -776,7 +778,7 @@ def _slopes(excess: ExcessCurvature, zeros: Sequence[CurvatureZero]) -> list[flo
     return list(map(float, least))
 
 
-def _tell_pinned_ends(
+def _pinned_end_reasons(
     excess: ExcessCurvature, supports: Supports, zeros: Sequence[CurvatureZero]
 ) -> Iterable[str]:
     """Describe ends that are free to turn although the curve is bent there."""
@@ -798,7 +800,7 @@ def _tell_pinned_ends(
         )  # fmt: skip
 
 
-def _tell_straight_parts(
+def _straight_part_reasons(
     excess: ExcessCurvature, flats: Sequence[CurvatureZero], largest: float
 ) -> Iterable[str]:
     """Describe straight parts whose ends have no admissible stiffness."""
@@ -830,7 +832,7 @@ def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool)
     return kappa <= PINNED_SHARE * largest and slope <= PINNED_SHARE * largest / excess.curve.length
 
 
-def _tell_jumps(jumps: Sequence[float]) -> Iterable[str]:
+def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
     """Describe jumps of the curvature through zero."""
     if jumps:
         yield note(
@@ -843,7 +845,7 @@ def _tell_jumps(jumps: Sequence[float]) -> Iterable[str]:
         )
 
 
-def _tell_touches(touches: Sequence[float]) -> Iterable[str]:
+def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
     """Describe places where the curvature touches zero."""
     if touches:
         yield note(

@@ -410,15 +410,15 @@ def tolerance_study(
         raise InputError(f"executor is {quoted(executor)}: give one of concurrent.futures, or None")
     if not (is_whole(seed) and seed >= 0):
         raise InputError(f"seed is {seed!r}: give a whole number from 0")
-    found = ranges or (ToleranceRanges.of(sheet) if sheet is not None else ToleranceRanges())
+    varied = ranges or (ToleranceRanges.of(sheet) if sheet is not None else ToleranceRanges())
     if max_width is None:
-        found = replace(found, width_loss=(0.0, 0.0))
-    elif found.width_loss[1] > 0:
-        least_width(rod, max_width, found.width_loss[1])
+        varied = replace(varied, width_loss=(0.0, 0.0))
+    elif varied.width_loss[1] > 0:
+        least_width(rod, max_width, varied.width_loss[1])
     rng = np.random.default_rng(seed)
-    drawn = {name: _drawn(found, name, rng, samples) for name in _CAUSES}
+    drawn = {name: _drawn(varied, name, rng, samples) for name in _CAUSES}
     combined = [_merged([drawn[name][i] for name in _CAUSES]) for i in range(samples)]
-    groups = [(name, drawn[name], _extremes(found, name)) for name in _CAUSES] + [("combined", combined, [])]
+    groups = [(name, drawn[name], _extremes(varied, name)) for name in _CAUSES] + [("combined", combined, [])]
     todo = [v for _, inner, outer in groups for v in (*inner, *outer)]
     outcomes = _run(rod, todo, max_width, executor)
     effects, first = [], 0
@@ -514,13 +514,13 @@ def _outcome(rod: Rod, max_width: float | None, imperfection: Imperfection) -> _
 
 
 def _effect(name: str, inner: Sequence[_Outcome], outer: Sequence[_Outcome]) -> ToleranceEffect:
-    good = np.array([one.deviation for one in inner if one.deviation is not None])
-    every = np.array([one.deviation for one in (*inner, *outer) if one.deviation is not None])
+    good = np.array([outcome.deviation for outcome in inner if outcome.deviation is not None])
+    every = np.array([outcome.deviation for outcome in (*inner, *outer) if outcome.deviation is not None])
     return ToleranceEffect(
         name=name,
         worst=float(every.max()) if every.size else float("nan"),
         percentile_95=float(np.percentile(good, 95)) if good.size else float("nan"),
         samples=len(inner) + len(outer),
         failed=len(inner) + len(outer) - every.size,
-        snapped=sum(one.snapped for one in (*inner, *outer)),
+        snapped=sum(outcome.snapped for outcome in (*inner, *outer)),
     )

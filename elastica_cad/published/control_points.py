@@ -312,12 +312,12 @@ def move_within(
         if moved is not None:
             further = CurveChanges(moved, constraints)
             there = _half_square(further, curve)
-            got = distance + _PRICE * (aim.broken(state) - aim.broken(moved)) - there
+            achieved = distance + _PRICE * (aim.broken(state) - aim.broken(moved)) - there
             coarse = moved.ratio > _COARSE * max(state.ratio, bounds.ratio)
-            if got > 0.05 * gain and not coarse:
+            if achieved > 0.05 * gain and not coarse:
                 state, changes, distance = moved, further, there
                 history.append(_route_step(state, distance, bounds))
-                radius = min(2 * radius, _LARGEST_RADIUS) if got > 0.7 * gain else radius
+                radius = min(2 * radius, _LARGEST_RADIUS) if achieved > 0.7 * gain else radius
                 continue
         radius = min(radius, step.size) / 3
         if radius < _SMALLEST_RADIUS:

@@ -102,9 +102,9 @@ def optimize_ratio(
         status = RatioStatus.REACHED
     else:
         status = RatioStatus.UNREACHABLE if route.settled else RatioStatus.OUT_OF_STEPS
-    found = route.state.curve
+    best = route.state.curve
     return OptimizedRatio(
-        found, route.state.ratio, largest_deviation(curve, found), status, route.iterations, route.history
+        best, route.state.ratio, largest_deviation(curve, best), status, route.iterations, route.history
     )
 
 

@@ -215,7 +215,7 @@ class Travel:
         low, high = 0.0, 1.0
         while high - low > RESOLUTION_SHARE:
             middle = (low + high) / 2
-            rod = bend(good, **course.asked(middle), **held, side=self.side if k == 1 else None)
+            rod = bend(good, **course.entry(middle), **held, side=self.side if k == 1 else None)
             if fails(rod):
                 high = middle
             else:
