@@ -73,10 +73,6 @@ class Frame:
         rows.setflags(write=False)
         return rows
 
-    @cached_property
-    def _plane_axes(self) -> FloatArray:
-        return self.axes[:2]
-
     def point(self, local: ArrayLike) -> FloatArray:
         """Return points in space (..., 3) of local coordinates (..., 2) or (..., 3), mm."""
         return self.origin + self.direction(local)
@@ -88,7 +84,7 @@ class Frame:
             raise InputError(
                 f"local coordinates are rows of two or three numbers, not of shape {local.shape}"
             )
-        vectors: FloatArray = local @ (self.axes if local.shape[-1] == 3 else self._plane_axes)
+        vectors: FloatArray = local @ self.axes[: local.shape[-1]]
         return vectors
 
     def local(self, points: ArrayLike) -> FloatArray:

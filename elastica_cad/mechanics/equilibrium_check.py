@@ -241,7 +241,7 @@ def _with_unbent_ends(
     except NotConvergedError:
         return check
     again = examine_curvature(unbent, supports, natural_curvature)
-    moved = _largest_move(check.curve, unbent)
+    moved = largest_move(check.curve, unbent)
     drawn = _ends_near_zeros(check) - set(ends.tolist())
     new_zeros = _ends_near_zeros(again) - drawn
     return check if moved > tolerance * check.length or new_zeros else replace(again, moved=moved)
@@ -252,7 +252,7 @@ def _ends_keep_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature
     return bool(list(_traces(ExcessCurvature(check.curve, natural_curvature), check)))
 
 
-def _largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
+def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
     """Return the largest distance of points of the same parameter, mm."""
     t = np.linspace(*before.domain, 1001)
     return float(np.hypot(*np.moveaxis(np.asarray(after.evaluate(t)) - before.evaluate(t), -1, 0)).max())
@@ -429,7 +429,7 @@ def _moved_onto(
         moved_check = examine_curvature(moved, supports, natural_curvature)
         if not _ends_keep_bend(moved_check, natural_curvature):
             break
-    move = check.moved + _largest_move(check.curve, moved_check.curve)
+    move = check.moved + largest_move(check.curve, moved_check.curve)
     return replace(moved_check, line=line, off_line=check.off_line, moved=move)
 
 

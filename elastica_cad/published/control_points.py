@@ -20,7 +20,8 @@ from elastica_cad.geometry.control_point_constraints import (
 )
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of
-from elastica_cad.geometry.polynomials import LEFT, NODES, WEIGHTS, PanelFunction
+from elastica_cad.geometry.polynomials import LEFT, WEIGHTS, PanelFunction
+from elastica_cad.mechanics.equilibrium_check import largest_move
 from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
 
@@ -59,17 +60,14 @@ class CurveChanges:
 
         The first rows are moves across the curve at all Gauss nodes, then `_ALONG` times moves along the curve.
         """
-        return self._weighted(self._frame)
+        basis = self.state.curve.basis(self._t)
+        return np.concatenate([directed_rows(basis, d * self._root_share) for d in self._frame])
 
     @cached_property
     def _frame(self) -> tuple[FloatArray, FloatArray]:
         d1 = self.state.curve.evaluate(self._t, 1)
         tangent = d1 / np.linalg.norm(d1, axis=1, keepdims=True)
         return left_of(tangent), _ALONG * tangent
-
-    def _weighted(self, directions: tuple[FloatArray, FloatArray]) -> FloatArray:
-        basis = self.state.curve.basis(self._t)
-        return np.concatenate([directed_rows(basis, d * self._root_share) for d in directions])
 
     @cached_property
     def _root_share(self) -> FloatArray:
@@ -143,12 +141,7 @@ class CurveChanges:
         across = directed_rows(curve.basis(self._t), np.broadcast_to(b, position.shape))
         moment = np.column_stack([across, np.ones(len(position)), position]) @ self.basis
         kappa = curvature_rows(curve, self._t) @ self._moves
-        K = state.balance.stiffness.at(
-            np.repeat(np.arange(panels.count), NODES.size), np.tile(NODES, panels.count)
-        )
-        M = state.balance.moment.at(
-            np.repeat(np.arange(panels.count), NODES.size), np.tile(NODES, panels.count)
-        )
+        K, M = (function.nodal.ravel() for function in (state.balance.stiffness, state.balance.moment))
         C, M = state.scale / K, M / state.scale
         change = (kappa - C[:, None] * moment) / M[:, None]
         return PanelFunction.through(change.reshape(*panels.t.shape, -1))
@@ -512,9 +505,7 @@ def enforce_constraints(
             f"on the way the curve got {after.size} inflections (at {listed} mm) in place of "
             f"{before.size}: keep less (ends, tangents, length), or use nearest_rod"
         )
-    t = np.linspace(*curve.domain, 1001)
-    off = moved.evaluate(t) - curve.evaluate(t)
-    return EnforcedCurve(moved, residuals, float(np.hypot(off[:, 0], off[:, 1]).max()))
+    return EnforcedCurve(moved, residuals, largest_move(curve, moved))
 
 
 def _crossings(curve: PlaneCurve) -> FloatArray:
