@@ -39,7 +39,7 @@ NAMES = {
     ),
     "A strip that is moved": ("bend_strip", "strip.Travel", "plot.travel"),
     "Sheets": ("Sheet", "sheet_names", "load_sheets"),
-    "Models": ("Model", "Placed", "save_model", "revolve", "meridian", "meridian_through",
+    "Models": ("Model", "Placed", "save_model", "revolution", "revolve", "meridian", "meridian_through",
                "touching_widths"),
     "Two drawn curves, one strip": (
         "matched_pair", "check_pair", "two_state_rod", "TwoStateRod", "PairLimits", "Flexure",

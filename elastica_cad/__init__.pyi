@@ -19,7 +19,7 @@ from elastica_cad.errors import (
 from elastica_cad.strip.drawing import Drawing as Drawing
 from elastica_cad.pairs.flexure import Flexure as Flexure
 from elastica_cad.strip.uncuttable_parts import FabricationLimits as FabricationLimits
-from elastica_cad.model.revolution_model import revolve as revolve
+from elastica_cad.model.revolution_model import revolution as revolution, revolve as revolve
 from elastica_cad.model.model import Model as Model
 from elastica_cad.model.revolution_model import touching_widths as touching_widths
 from elastica_cad.strip.strip import Placed as Placed

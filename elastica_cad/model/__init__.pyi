@@ -36,6 +36,7 @@ from elastica_cad.model.plates import (
     RingOptions as RingOptions,
 )
 from elastica_cad.model.revolution_model import (
+    revolution as revolution,
     revolve as revolve,
     touching_widths as touching_widths,
 )

@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_whole, require_flag, require_number, require_record
 from elastica_cad.defaults import PLAY, RING_TAB_LENGTH
 from elastica_cad.errors import InputError
 from elastica_cad.forming.meridians import Meridian
+from elastica_cad.forming.meridians import meridian as make_meridian
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve, line_crossings
 from elastica_cad.geometry.profile import Profile
@@ -172,6 +173,29 @@ TRIED_RINGS = 60
 
 BRIDGE_FACTOR = 1.02
 """Factor on the least material between slots, which covers rounding errors."""
+
+
+def revolution(
+    a: float,
+    b: ArrayLike,
+    start: ArrayLike,
+    angle: float,
+    strips: int,
+    *,
+    length: float,
+    ring: float | None = None,
+    **options: Any,
+) -> Model:
+    """Return `revolve` of the meridian with x kappa = a + <b, gamma>; see `meridian` for its parameters.
+
+    Examples
+    --------
+    >>> card = Sheet.named("card-200gsm")
+    >>> vase = revolution(-1.5, (0, 0.03), (150, -11.5), 2.2, 15, length=300, sheet=card)
+    >>> len(vase.placed), len(vase.parts)
+    (15, 1)
+    """
+    return revolve(make_meridian(a, b, start, angle, length, ring=ring), strips, **options)
 
 
 def revolve(
