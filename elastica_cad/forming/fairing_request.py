@@ -21,7 +21,12 @@ from elastica_cad.mechanics.loads import (
 )
 from elastica_cad.mechanics.moment_conditions import RodRequest
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.theorem1 import curvature_jump, measured_points, outlier_message, require_bendable
+from elastica_cad.mechanics.theorem1 import (
+    curvature_jumps,
+    measured_points,
+    outlier_message,
+    require_bendable,
+)
 from elastica_cad.refusals import FieldName, Length, note
 
 LARGEST_SMOOTH = 1000.0
@@ -123,7 +128,7 @@ class Smoothing:
         curve, rod = self.drawn, self._rod_as_drawn
         if rod is None:  # no strip yet, but there may be a strip for the smoothed curve
             breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
-            return any(curvature_jump(curve, b)[0] > STEP_SHARE for b in breaks)
+            return bool(breaks) and bool((curvature_jumps(curve, breaks)[0] > STEP_SHARE).any())
         widest, narrowest = self.widths
         return outline_steps(
             rod, narrowest * rod.ratio if narrowest and not widest else widest or UNKNOWN_WIDTH

@@ -861,20 +861,21 @@ def _warn_of_widths(
 ) -> Iterable[str]:
     """Warn of jumps and kinks of the width, except at ends of straight pieces, where smoothing does not help."""
     breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
+    if not breaks:
+        return
+    sizes = zip(breaks, *curvature_jumps(curve, breaks), strict=True)
+    seen = [(b, jump, kink) for b, jump, kink in sizes if jump > STEP_SHARE or kink > KINK_SHARE]
+    kinks = [b.s for b, _, _ in seen if b.continuity == 2]
+    sharp = any(jump > STEP_SHARE or kink > SHARP_SHARE for b, jump, kink in seen if b.continuity == 2)
     straight = [end for flat in flats for end in (flat.s, flat.s_end)]
     if curve.seam is not None:  # start and end are the same place
         straight += [end - curve.length for end in straight]
     near = AT_END_SHARE * curve.length
     steps = [
         b.s
-        for b in breaks
-        if b.continuity == 1
-        and b.s not in jumps
-        and not any(abs(b.s - end) <= near for end in straight)
-        and _is_seen(curve, b)
+        for b, _, _ in seen
+        if b.continuity == 1 and b.s not in jumps and not any(abs(b.s - end) <= near for end in straight)
     ]
-    kinks = [b for b in breaks if b.continuity == 2 and _is_seen(curve, b)]
-    sharp = any(_is_seen(curve, b, SHARP_SHARE) for b in kinks)
     if steps:
         yield Refusal(
             "kinks",
@@ -890,27 +891,20 @@ def _warn_of_widths(
             if curve.degree < 4 else
             "The width of the strip has a kink at {places}, where the slope of the curvature jumps: do not "
             "repeat the knot there.",
-            {"places": lengths(b.s for b in kinks), "field": SMOOTH, "within": SMOOTH_WITHIN},
+            {"places": lengths(kinks), "field": SMOOTH, "within": SMOOTH_WITHIN},
             severity="warning" if sharp else "note",
         )  # fmt: skip
 
 
-def _is_seen(curve: PlaneCurve, place: Break, share: float = KINK_SHARE) -> bool:
-    """Return True if a jump of the curvature, or of its slope (by `share`), is visible in the width."""
-    jump, kink = curvature_jump(curve, place)
-    return jump > STEP_SHARE or kink > share
-
-
-def curvature_jump(curve: PlaneCurve, place: Break) -> tuple[float, float]:
-    """Return the jumps of the curvature and of its slope times the length, as fractions of the curvature."""
-    before = np.array(
-        curve.domain[1] if place.t == curve.domain[0] else place.t
-    )  # at the start of a closed curve
-    after = np.array(place.t)
-    kappa = float(curve.curvature_at(before, left=True)), float(curve.curvature_at(after))
-    slope = float(curve.curvature_slope_at(before, left=True)), float(curve.curvature_slope_at(after))
-    size = max(*map(abs, kappa), TINY)
-    return abs(kappa[1] - kappa[0]) / size, abs(slope[1] - slope[0]) * curve.length / size
+def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatArray, FloatArray]:
+    """Return jumps (n,) of the curvature and of its slope times the length, as fractions of the curvature."""
+    after = np.array([place.t for place in breaks])
+    low, high = curve.domain
+    before = np.where(after == low, high, after)  # at the start of a closed curve
+    kappa = curve.curvature_at(before, left=True), curve.curvature_at(after)
+    slope = curve.curvature_slope_at(before, left=True), curve.curvature_slope_at(after)
+    size = np.maximum(np.abs(kappa).max(axis=0), TINY)
+    return np.abs(kappa[1] - kappa[0]) / size, np.abs(slope[1] - slope[0]) * curve.length / size
 
 
 def _warn_of_crossing(curve: PlaneCurve) -> tuple[str, ...]:
