@@ -92,7 +92,7 @@ def text() -> str:
             kind = source.of(hints[one.name])
             if one.name == "gravity":
                 kind = kind.replace("None", "Point | None")
-            help = json.dumps(told(one.help, one.asked.unit), ensure_ascii=False)
+            help = json.dumps(told(one.help, one.option.unit), ensure_ascii=False)
             rows[record] += f'    {one.name}: Annotated["{kind}", {help}]\n'
     standard = {
         "typing": {"TYPE_CHECKING", "Annotated", "Any", "TypedDict", *source.modules.pop("typing", ())}

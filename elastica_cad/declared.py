@@ -1,7 +1,7 @@
 """Declared options: a field is declared once, on its record, and read by every front end.
 
 A field, or a parameter of a function, is declared by its annotation:
-`ratio: Annotated[float | None, Asked("Largest stiffness ratio.", least=1, common=True)] = None`.
+`ratio: Annotated[float | None, Option("Largest stiffness ratio.", least=1, common=True)] = None`.
 """
 
 import inspect
@@ -34,7 +34,7 @@ LONGEST_TEXT = 1_000
 
 
 @dataclass(frozen=True)
-class Asked:
+class Option:
     """Declaration of an option: help, unit and bounds of a field.
 
     Attributes
@@ -125,13 +125,13 @@ class Field:
 
     name: str
     kind: Kind
-    asked: Asked
+    option: Option
     default: Any = REQUIRED
 
     @property
     def help(self) -> str:
         """One English sentence."""
-        return self.asked.help
+        return self.option.help
 
 
 _PLAIN = {
@@ -145,18 +145,18 @@ def declared(record: Record) -> tuple[Field, ...]:
 
     Examples
     --------
-    >>> def hang(at: Annotated[float, Asked("Place along the strip.", "mm")], mass: float = 1.0): ...
-    >>> [(one.name, one.kind.name, one.asked.unit) for one in declared(hang)]
+    >>> def hang(at: Annotated[float, Option("Place along the strip.", "mm")], mass: float = 1.0): ...
+    >>> [(one.name, one.kind.name, one.option.unit) for one in declared(hang)]
     [('at', 'number', 'mm')]
     """
     hints = get_type_hints(record, include_extras=True)
     found = []
     for name, default in _defaults(record):
         hint = hints.get(name)
-        asked = next((one for one in getattr(hint, "__metadata__", ()) if isinstance(one, Asked)), None)
-        if asked is not None:
-            written = get_args(hint)[0] if asked.written is None else asked.written
-            found.append(Field(name, kind_of(written), asked, default))
+        option = next((one for one in getattr(hint, "__metadata__", ()) if isinstance(one, Option)), None)
+        if option is not None:
+            written = get_args(hint)[0] if option.written is None else option.written
+            found.append(Field(name, kind_of(written), option, default))
     return tuple(found)
 
 
@@ -172,14 +172,14 @@ def require_declared(record: Record, values: Mapping[str, Any], whose: str = "")
 
     Examples
     --------
-    >>> def hang(at: Annotated[float, Asked("Place along the strip.", "mm", least=0)]): ...
+    >>> def hang(at: Annotated[float, Option("Place along the strip.", "mm", least=0)]): ...
     >>> require_declared(hang, {"at": -3}, "mass")
     Traceback (most recent call last):
     elastica_cad.errors.InputError: mass at is -3: it must be a number from 0, in mm
     """
     for one in declared(record):
         value = values.get(one.name, one.default)
-        if one.asked.written is None and value is not one.default and not _fits(value, one.kind, one.asked):
+        if one.option.written is None and value is not one.default and not _fits(value, one.kind, one.option):
             raise _refusal(
                 one, value, f"{whose} {one.name}".strip(), where=None if whose else {"field": one.name}
             )
@@ -197,11 +197,11 @@ def require_bounds(one: Field, value: Any, place: str) -> None:
         numbers = [value] if kind.name in ("number", "count") else []
         if kind.name == "list" and kind.of[0].name == "number" and isinstance(value, tuple):
             numbers = list(value)
-        outside = any(is_number(number) and not one.asked.holds(number) for number in numbers)
+        outside = any(is_number(number) and not one.option.holds(number) for number in numbers)
         misfit = (kind.name == "text" and isinstance(value, str)) or (
             kind.name == "list" and kind.size is None
         )
-        if outside or (misfit and not _fits(value, kind, one.asked)):
+        if outside or (misfit and not _fits(value, kind, one.option)):
             raise _refusal(replace(one, kind=kind), value, place)
 
 
@@ -209,45 +209,45 @@ def _refusal(one: Field, value: Any, place: str, **where: Any) -> InputError:
     """Return why a value is not valid for a declared field."""
     return InputError(
         "{field} is {given}: it must be {wanted}",
-        field=place, given=quoted(value), wanted=_wanted(one.kind, one.asked), **where,
+        field=place, given=quoted(value), wanted=_wanted(one.kind, one.option), **where,
     )  # fmt: skip
 
 
-def _fits(value: Any, kind: Kind, asked: Asked) -> bool:
+def _fits(value: Any, kind: Kind, option: Option) -> bool:
     """Return True if a value has the kind and is within bounds; kinds that differ only in files are not checked."""
     match kind.name:
         case "number" | "count":
-            return (is_number if kind.name == "number" else is_whole)(value) and asked.holds(value)
+            return (is_number if kind.name == "number" else is_whole)(value) and option.holds(value)
         case "flag":
             return isinstance(value, bool | np.bool_)
         case "text":
-            return isinstance(value, str) and len(value) <= (asked.most or LONGEST_TEXT)
+            return isinstance(value, str) and len(value) <= (option.most or LONGEST_TEXT)
         case "choice":
             return is_one_of(value, kind.choices)
         case "list" if kind.size is not None:
             several = tuple(value) if is_series(value) else ()
-            return len(several) == kind.size and all(_fits(one, kind.of[0], asked) for one in several)
+            return len(several) == kind.size and all(_fits(one, kind.of[0], option) for one in several)
         case "list":
-            return not (is_series(value) and isinstance(value, Sized)) or len(value) <= asked.many
+            return not (is_series(value) and isinstance(value, Sized)) or len(value) <= option.many
         case "table":
             return not is_dataclass(kind.record) or isinstance(value, cast(type, kind.record))
         case _:
             return True
 
 
-def _wanted(kind: Kind, asked: Asked) -> str:
+def _wanted(kind: Kind, option: Option) -> str:
     """Return a description of the valid values."""
     if kind.name == "choice":
         return note("one of {choices}", choices=", ".join(kind.choices))
     if kind.name == "table":
         return note("a {record}", record=getattr(kind.record, "__name__", ""))
     if kind.name == "text":
-        return note("a text of at most {most} letters", most=asked.most or LONGEST_TEXT)
+        return note("a text of at most {most} letters", most=option.most or LONGEST_TEXT)
     if kind.name == "list" and kind.size is None:
-        return note("a list of at most {most} elements", most=asked.many)
+        return note("a list of at most {most} elements", most=option.many)
     words = {"number": "a number", "count": "a whole number", "flag": "True or False"}
-    said = sentences((note(words.get(kind.name, "{size} numbers"), size=kind.size), asked.bounds), " ")
-    return sentences((said, asked.unit and note("in {unit}", unit=asked.unit)), ", ")
+    said = sentences((note(words.get(kind.name, "{size} numbers"), size=kind.size), option.bounds), " ")
+    return sentences((said, option.unit and note("in {unit}", unit=option.unit)), ", ")
 
 
 def _defaults(record: Record) -> list[tuple[str, Any]]:
@@ -285,7 +285,7 @@ def kind_of(hint: Any) -> Kind:
         return Kind("names", (kind_of(inner[1]),))
     plain = _PLAIN.get(hint)
     if plain is None and not (callable(hint) or isinstance(hint, str)):
-        raise TypeError(f"{hint!r} cannot be declared: say what stands in files with Asked(written=...)")
+        raise TypeError(f"{hint!r} cannot be declared: say what stands in files with Option(written=...)")
     return plain or Kind("table", source=hint)
 
 

@@ -9,7 +9,14 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._units import MM_PER_INCH
-from elastica_cad.cli.options import LENGTH, POINT, asked_sheet, join_options, output_options, sheet_options
+from elastica_cad.cli.options import (
+    LENGTH,
+    POINT,
+    join_options,
+    output_options,
+    requested_sheet,
+    sheet_options,
+)
 from elastica_cad.cli.voice import answer, say, say_row, say_table, wrote
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.files import save, step_trouble
@@ -146,7 +153,7 @@ def _tell_files(written: tuple[Path, ...]) -> None:
 
 
 def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
-    sheet, strip, rod = asked_sheet(chosen), chosen["stock"], chosen["rod"]
+    sheet, strip, rod = requested_sheet(chosen), chosen["stock"], chosen["rod"]
     if (strip is None) == (rod is None):
         raise InputError(
             "say what the batten is made of: --stock WIDTH THICKNESS for a strip, or --rod DIAMETER"

@@ -8,23 +8,23 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.asked_curves import (
-    END_NAMES,
-    asked_curves,
-    curve_argument,
-    read_curves_told,
-    unit_option,
-    which_options,
-)
 from elastica_cad.cli.options import (
     IDLE_DOWN,
     LENGTH,
     POINT,
-    asked_sheet,
     given_of,
     output_options,
+    requested_sheet,
     sheet_options,
     smooth_option,
+)
+from elastica_cad.cli.requested_curves import (
+    END_NAMES,
+    curve_argument,
+    read_curves_told,
+    requested_curves,
+    unit_option,
+    which_options,
 )
 from elastica_cad.cli.settings import BentKeys, parsed_settings, set_option
 from elastica_cad.cli.strip_options import spec_from_options, with_settings
@@ -174,7 +174,7 @@ def _finished(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None:
     if record is None:
         return None
     _refuse_settled({one for one in ("nearest", "smooth") if chosen[one] not in (None, False)})
-    (asked,) = asked_curves(path, chosen["unit"], chosen["number"], chosen["layer"])
+    (asked,) = requested_curves(path, chosen["unit"], chosen["number"], chosen["layer"])
     return FinishedStrip.read(record, asked.curve)
 
 
@@ -193,7 +193,7 @@ def _changed(finished: FinishedStrip, chosen: dict[str, Any], settings: dict[str
         given["gravity"] = list(chosen["down"] or (0.0, -1.0))
     table = with_settings(given, settings)
     _refuse_settled(set(table) & set(SOLVED) - {"ignore_limits"})
-    sheet = asked_sheet({"thickness": None, **table}) if "sheet" in table else spec.material
+    sheet = requested_sheet({"thickness": None, **table}) if "sheet" in table else spec.material
     if "sheet" not in table and "thickness" in table:
         sheet = sheet.with_thickness(table["thickness"])
     reader, keys = Reader(read_curves=read_curves_told, sheet=sheet), Table(table, "", {})
@@ -212,7 +212,7 @@ def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any])
     if not sized:
         return None
     if curve is None:
-        sheet, widest = asked_sheet(chosen), chosen["max_width"]
+        sheet, widest = requested_sheet(chosen), chosen["max_width"]
         rod = Rod.straight(
             chosen["straight"], gravity=_gravity(chosen), section=_widths_as_plate(sheet, widest)
         )
@@ -221,7 +221,7 @@ def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any])
     table |= {"limits": {}} if chosen["nearest"] else {}
     table |= {"gravity": list(chosen["down"] or (0.0, -1.0))} if chosen["gravity"] else {}
     table = with_settings(table, settings)
-    (asked,) = asked_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
+    (asked,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
     drawn = asked.curve if "limits" in table else asked.bendable(table.get("smooth"))
     spec = spec_from_options(drawn, asked.label, table)
     return spec.make(_solved(spec.rod_spec))
@@ -231,7 +231,7 @@ def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
     """Return the rod before its ends are moved, for a strip without a width."""
     if curve is None:
         return Rod.straight(chosen["straight"], gravity=_gravity(chosen))
-    (asked,) = asked_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
+    (asked,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
     smooth, gravity = chosen["smooth"], _gravity(chosen)
     if chosen["nearest"]:
         return accepted_rod(_solved(RodSpec(asked.curve, gravity, smooth=smooth, limits=Limits())))
@@ -239,7 +239,7 @@ def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
 
 
 def _gravity(chosen: dict[str, Any]) -> Gravity | None:
-    return asked_sheet(chosen).gravity(chosen["down"] or (0.0, -1.0)) if chosen["gravity"] else None
+    return requested_sheet(chosen).gravity(chosen["down"] or (0.0, -1.0)) if chosen["gravity"] else None
 
 
 def _solved(spec: RodSpec) -> Rod | NearestRod:

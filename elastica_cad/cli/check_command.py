@@ -13,16 +13,16 @@ import click
 import numpy as np
 
 from elastica_cad._values import round_numbers
-from elastica_cad.cli.asked_curves import (
-    AskedCurve,
-    asked_curves,
+from elastica_cad.cli.options import smooth_option
+from elastica_cad.cli.requested_curves import (
+    RequestedCurve,
     curve_options,
     natural_curvature_of,
+    requested_curves,
     split_option,
     support_options,
     which_options,
 )
-from elastica_cad.cli.options import smooth_option
 from elastica_cad.cli.suggestions import (
     MOST_REFUSALS,
     changed_requests,
@@ -97,7 +97,7 @@ def check(
     of them. Every curve is judged for itself. Exit code 1 when any cannot be bent, or when the points of a curve
     do not decide it; 2 when any is no open, smooth curve.
     """
-    asked = asked_curves(curve, unit, number, layer, every=True, split=split_corners)
+    asked = requested_curves(curve, unit, number, layer, every=True, split=split_corners)
     bent, several = natural_curvature_of(natural_curvature), len(asked) > 1
     request = _Request(Supports(start, end), bent, smooth, alone=not several)
     of_file, worst, bad = list(voice().notes), 0, 0
@@ -154,14 +154,14 @@ class _Request:
     smooth: float | None
     alone: bool
 
-    def examined(self, asked: AskedCurve) -> tuple[StraightEnds, Smoothing, EquilibriumCheck]:
+    def examined(self, asked: RequestedCurve) -> tuple[StraightEnds, Smoothing, EquilibriumCheck]:
         """Return the check of the bent part of a curve, with the straight ends and the smoothing before it."""
         supports, rest, smooth = self.supports, self.natural_curvature, self.smooth
         ends = StraightEnds.of(asked.bendable(smooth), supports, rest)
         spec = RodSpec(ends.bent, supports=supports, natural_curvature=rest, smooth=smooth)
         return ends, spec.smoothing, spec.check
 
-    def judged(self, asked: AskedCurve) -> dict[str, Any]:
+    def judged(self, asked: RequestedCurve) -> dict[str, Any]:
         """Return the report on a curve; one of several curves may also be a curve that is not open and smooth."""
         try:
             return self._report(asked)
@@ -176,7 +176,7 @@ class _Request:
                 suggest_later(partial(self.suggestion, asked))
             raise
 
-    def _report(self, asked: AskedCurve) -> dict[str, Any]:
+    def _report(self, asked: RequestedCurve) -> dict[str, Any]:
         ends, smoothing, found = self.examined(asked)
         outcome = self._smoothed(asked, found)
         told = report_check(found)
@@ -187,7 +187,7 @@ class _Request:
             told |= _told_sheets(smoothing.curve, self.supports, self.natural_curvature)
         return told
 
-    def _smoothed(self, asked: AskedCurve, found: EquilibriumCheck) -> tuple[Refusal, ...]:
+    def _smoothed(self, asked: RequestedCurve, found: EquilibriumCheck) -> tuple[Refusal, ...]:
         """Return a note whether noisy points of an impossible curve give a possible curve after smoothing."""
         points = measured_points(found.curve)
         if found.realizable or points is None or points.outlier:
@@ -201,7 +201,7 @@ class _Request:
             reach=Length(points.reach),
         ),)  # fmt: skip
 
-    def suggestion(self, asked: AskedCurve, problem: ElasticaError | None = None) -> str:
+    def suggestion(self, asked: RequestedCurve, problem: ElasticaError | None = None) -> str:
         """Return the command `elastica strip` for the strip of a common sheet that is nearest to the curve."""
         if self.natural_curvature or self.smooth is not None or Path("out").exists():
             return ""

@@ -64,7 +64,7 @@ def _explained(path: str, option: str) -> str:
     """
     record: Record = CommandKeys if path in paths_of(CommandKeys) else DesignKeys
     field = require_path_of(path.removeprefix("strips."), record)
-    asked = field.asked
+    asked = field.option
     lines = [told(field.help, asked.unit), f"Value: {_in_words(field.kind)}."]
     if asked.bounds:
         lines.append(f"Bounds: {asked.bounds}.")
@@ -91,13 +91,13 @@ def _listed() -> str:
     for group in GROUPS:
         lines += ["", f"{group}:"]
         lines += [
-            f"  {path:<24} {told(field.help, field.asked.unit)}"
+            f"  {path:<24} {told(field.help, field.option.unit)}"
             for path, field in known.items()
-            if known[path.partition(".")[0]].asked.group == group and path.count(".") <= DEEPEST
+            if known[path.partition(".")[0]].option.group == group and path.count(".") <= DEEPEST
         ]
     lines += ["", "whole models, in design files:"]
     lines += [
-        f"  {path:<24} {told(field.help, field.asked.unit)}"
+        f"  {path:<24} {told(field.help, field.option.unit)}"
         for path, field in paths_of(DesignKeys).items()
         if path.partition(".")[0] not in {*known, "strips"} and path.count(".") <= DEEPEST
     ]

@@ -102,7 +102,7 @@ def _typed_as(field: Field) -> tuple[Any, str | None]:
     kinds = written(field.kind).alternatives
     words = tuple(word for one in kinds for word in one.choices)
     if any(one.name == "number" for one in kinds):
-        if field.asked.unit != "mm":
+        if field.option.unit != "mm":
             return float, "NUMBER"
         return (Length(words=words), "|".join(("MM", *words))) if words else (LENGTH, "MM")
     return (click.Choice(words), None) if words else (str, "NAME" if field.name == "sheet" else "TEXT")
@@ -163,7 +163,7 @@ def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
     )  # fmt: skip
 
 
-def asked_sheet(chosen: Mapping[str, Any]) -> "Sheet":
+def requested_sheet(chosen: Mapping[str, Any]) -> "Sheet":
     """Return the sheet that the options of `sheet_options` select.
 
     Raises

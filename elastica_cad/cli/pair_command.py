@@ -6,19 +6,19 @@ from typing import Annotated, Any, ClassVar
 
 import click
 
-from elastica_cad.cli.asked_curves import asked_curves, unit_option
 from elastica_cad.cli.options import (
-    asked_sheet,
     given_of,
     join_options,
     option_of,
     output_options,
+    requested_sheet,
     sheet_options,
 )
+from elastica_cad.cli.requested_curves import requested_curves, unit_option
 from elastica_cad.cli.settings import parsed_settings, set_option
 from elastica_cad.cli.strip_options import with_settings
 from elastica_cad.cli.voice import answer, say, say_row, say_step, wrote
-from elastica_cad.declared import Asked, Record, declared
+from elastica_cad.declared import Option, Record, declared
 from elastica_cad.defaults import KERF
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
 from elastica_cad.design.pair_table import cutting_of, read_cutting, read_pair
@@ -45,10 +45,10 @@ class PairKeys:
 
     BESIDE: ClassVar[Record] = FlexureSpec
     WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet")
-    cut: Annotated[Cutting, Asked("How cutting files are written.", group="files")] = DEFAULT_CUTTING
+    cut: Annotated[Cutting, Option("How cutting files are written.", group="files")] = DEFAULT_CUTTING
 
 
-_WISHED = [one for one in declared(FlexureSpec) if one.asked.common and one.name != "sheet"]
+_WISHED = [one for one in declared(FlexureSpec) if one.option.common and one.name != "sheet"]
 (_KERF,) = (one for one in declared(Cutting) if one.name == "kerf")
 
 _WISHES = (
@@ -108,14 +108,14 @@ def _asked(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:
     table = given_of(chosen, (one.name for one in _WISHED))
     table |= {} if chosen["ratio"] is None else {"limits": {"ratio": chosen["ratio"]}}
     given = Reader().given(PairKeys, Table(with_settings(table, settings), "", {}))
-    return FlexureSpec(*_curves(chosen), asked_sheet(chosen), **given)
+    return FlexureSpec(*_curves(chosen), requested_sheet(chosen), **given)
 
 
 def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
     """Return both curves, in the order of the file if a single drawing has both."""
     path, unit = chosen["first"], chosen["unit"]
     if chosen["second"] is None and chosen["first_curve"] is None and chosen["second_curve"] is None:
-        drawn = asked_curves(path, unit, None, None, every=True, split=True, corners=False)
+        drawn = requested_curves(path, unit, None, None, every=True, split=True, corners=False)
         if len(drawn) != 2:
             raise InputError(
                 "a part rests in two curves, and {path} holds {count}: choose them by --first and --second, or "
@@ -127,7 +127,7 @@ def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
 
     def one(file: Path, which: str) -> PlaneCurve:
         how = f"--{which} 1 .. --{which} {{count}}, or --{which} ID"
-        (asked,) = asked_curves(file, unit, chosen[f"{which}_curve"], None, corners=False, how=how)
+        (asked,) = requested_curves(file, unit, chosen[f"{which}_curve"], None, corners=False, how=how)
         return asked.bendable(None)
 
     return one(path, "first"), one(chosen["second"] or path, "second")

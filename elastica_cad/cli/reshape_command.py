@@ -9,8 +9,8 @@ from typing import Any
 import click
 
 from elastica_cad._types import FloatArray
-from elastica_cad.cli.asked_curves import UNIT, curve_argument, drawn_curves, which_options
 from elastica_cad.cli.options import LENGTH, POINT, option_name, output_options
+from elastica_cad.cli.requested_curves import UNIT, curve_argument, drawn_curves, which_options
 from elastica_cad.cli.voice import answer, say, warn, wrote
 from elastica_cad.design.drawn_curves import CORNERS, map_corners
 from elastica_cad.errors import InputError

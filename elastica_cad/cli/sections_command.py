@@ -11,9 +11,9 @@ from elastica_cad.cli.options import (
     LENGTH,
     SPACE_POINT,
     Length,
-    asked_sheet,
     given_of,
     output_options,
+    requested_sheet,
     sheet_options,
 )
 from elastica_cad.cli.voice import answer, say, say_step, warn, wrote
@@ -125,9 +125,9 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
     NAME-sections.toml, a design file to go on with. A section that gives no curve is named; the others go on.
     """
     if chosen["sheet"] is not None:
-        asked_sheet(chosen)
+        requested_sheet(chosen)
     if chosen["stand"] != "none":
-        asked_sheet({"sheet": chosen["stand"], "thickness": None})
+        requested_sheet({"sheet": chosen["stand"], "thickness": None})
     require_file(mesh)
     named = given_of(chosen, ("unit", "scale"))
     family = _family_named(chosen)

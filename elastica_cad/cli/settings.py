@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal, TypeVar
 import click
 
 from elastica_cad._toml import parse_toml
-from elastica_cad.declared import Asked, Kind, Record
+from elastica_cad.declared import Kind, Option, Record
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
 from elastica_cad.design.records import paths_of, put, require_path_of, written
 from elastica_cad.design.strip_table import StripKeys
@@ -24,9 +24,9 @@ GROUPS = ("curve", "sheet", "widths", "ends", "limits", "weight", "files")
 class CurveKeys:
     """Selection of the curve in the file, and splitting at corners."""
 
-    layer: Annotated[str | None, Asked("Only curves on this layer of the drawing.", group="curve")] = None
+    layer: Annotated[str | None, Option("Only curves on this layer of the drawing.", group="curve")] = None
     split_corners: Annotated[
-        bool, Asked("Cut curves at their corners; every piece is a strip of its own.", group="curve")
+        bool, Option("Cut curves at their corners; every piece is a strip of its own.", group="curve")
     ] = False
 
 
@@ -36,16 +36,18 @@ class FileKeys:
 
     paper: Annotated[
         Literal["A4", "A3", "A2", "A1", "A0", "letter", "tabloid"] | None,
-        Asked(
+        Option(
             "Write NAME.pdf too: full size on this paper, tiles with marks to join them by.", group="files"
         ),
     ] = None
     glb: Annotated[
         bool,
-        Asked("Write NAME.glb too: the bent strip for browsers and phones (needs build123d).", group="files"),
+        Option(
+            "Write NAME.glb too: the bent strip for browsers and phones (needs build123d).", group="files"
+        ),
     ] = False
     strict: Annotated[
-        bool, Asked("Exit with 1 when the strain is beyond what the sheet bears.", group="files")
+        bool, Option("Exit with 1 when the strain is beyond what the sheet bears.", group="files")
     ] = False
 
 
@@ -54,11 +56,11 @@ class CommandKeys(StripKeys):
     """All keys of `elastica strip`: the keys of a strip in a design file, and the selection of files."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = ("count", "let", "sections")
-    curve: Annotated[CurveKeys, Asked("Which curve of the file.", group="curve")] = CurveKeys()
-    cut: Annotated[Cutting, Asked("How cutting files are written.", group="files", common=True)] = (
+    curve: Annotated[CurveKeys, Option("Which curve of the file.", group="curve")] = CurveKeys()
+    cut: Annotated[Cutting, Option("How cutting files are written.", group="files", common=True)] = (
         DEFAULT_CUTTING
     )
-    files: Annotated[FileKeys, Asked("Which files are written.", group="files")] = FileKeys()
+    files: Annotated[FileKeys, Option("Which files are written.", group="files")] = FileKeys()
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad.cli.asked_curves import AskedCurve, asked_curves, curve_argument
+from elastica_cad.cli.requested_curves import RequestedCurve, curve_argument, requested_curves
 from elastica_cad.cli.settings import FileKeys
 from elastica_cad.cli.strip_options import grouped, option_words, spec_from_options, strip_options, table_of
 from elastica_cad.cli.suggestions import (
@@ -112,7 +112,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     """
     table = table_of(chosen)
     files, which = _files(chosen, table), table.get("curve", {})
-    curves = asked_curves(
+    curves = requested_curves(
         chosen["curve"],
         chosen["unit"],
         chosen["number"],
@@ -123,7 +123,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     )
     if chosen["save_design"] is not None:
         check_folder(chosen["save_design"].parent, [chosen["save_design"].name], force=chosen["force"])
-    reports, made, wrong, refused = [], list[AskedCurve](), 0, 0
+    reports, made, wrong, refused = [], list[RequestedCurve](), 0, 0
     strict = table.get("files", {}).get("strict", False)
     for asked in curves:
         try:
@@ -168,7 +168,9 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         ctx.exit(1)
 
 
-def _save_design(path: Path, curves: Sequence[AskedCurve], table: Mapping[str, Any], *, force: bool) -> Path:
+def _save_design(
+    path: Path, curves: Sequence[RequestedCurve], table: Mapping[str, Any], *, force: bool
+) -> Path:
     """Write the request as a design file, with a table for every curve."""
     shared = {
         key: one for key, one in table.items() if key not in ("curve", "files", "label", "slots", *PLANE)
@@ -183,14 +185,14 @@ def _save_design(path: Path, curves: Sequence[AskedCurve], table: Mapping[str, A
     return path
 
 
-def _curve_keys(asked: AskedCurve, folder: Path) -> dict[str, Any]:
+def _curve_keys(asked: RequestedCurve, folder: Path) -> dict[str, Any]:
     """Return the keys of the curve for a design file in this folder."""
     unit = {"unit": asked.unit} if asked.unit else {}
     which: dict[str, Any] = {"id": asked.own} if asked.alone else {"number": asked.drawn.number}
     return {"file": seen_from(asked.path, folder), **(which if asked.count > 1 else {}), **unit}
 
 
-def _made(asked: AskedCurve, spec: StripSpec) -> StripResult:
+def _made(asked: RequestedCurve, spec: StripSpec) -> StripResult:
     """Return the strip of a curve."""
     say_step("looking for the nearest curve that can be made" if spec.may_change else "finding the widths")
     if not spec.may_change:
@@ -199,7 +201,9 @@ def _made(asked: AskedCurve, spec: StripSpec) -> StripResult:
     return StripResult(spec, found, spec.make(found), asked.name, asked.drawn.joints)
 
 
-def _suggestion(spec: StripSpec, asked: AskedCurve, chosen: Mapping[str, Any], problem: ElasticaError) -> str:
+def _suggestion(
+    spec: StripSpec, asked: RequestedCurve, chosen: Mapping[str, Any], problem: ElasticaError
+) -> str:
     """Return the command that makes a possible strip with the least change of the request."""
 
     def requests(change: Change) -> Sequence[StripSpec]:
@@ -239,7 +243,7 @@ def _nearest_to_working(spec: StripSpec, problem: ElasticaError) -> "Iterator[Ca
     yield f"{own.name} on the same curve drawn {scale:g} times as large", lambda: [spec.changed(curve=larger)]
 
 
-def _is_taken(asked: AskedCurve, chosen: Mapping[str, Any]) -> bool:
+def _is_taken(asked: RequestedCurve, chosen: Mapping[str, Any]) -> bool:
     """Return True if output files exist already, because the command then fails with any change."""
     folder: Path = chosen["output"]
     there = next(one for one in (folder.absolute(), *folder.absolute().parents) if one.exists())

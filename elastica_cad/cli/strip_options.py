@@ -6,8 +6,8 @@ from typing import Any
 
 import click
 
-from elastica_cad.cli.asked_curves import END_NAMES, Blank, number_option, read_curves_told, unit_option
 from elastica_cad.cli.options import IDLE_DOWN, POINT, join_options, option_name, option_of, output_options
+from elastica_cad.cli.requested_curves import END_NAMES, Blank, number_option, read_curves_told, unit_option
 from elastica_cad.cli.settings import GROUPS, CommandKeys, parsed_settings, set_option, twice
 from elastica_cad.cli.suggestions import typed_length
 from elastica_cad.defaults import KERF
@@ -66,8 +66,8 @@ def _common() -> dict[str, str]:
     """Return the options of common keys, by the path of the key."""
     found = {}
     for path, one in paths_of(CommandKeys).items():
-        below_common = all(paths_of(CommandKeys)[way].asked.common for way in _ways(path))
-        if one.asked.common and below_common and path not in BY_HAND:
+        below_common = all(paths_of(CommandKeys)[way].option.common for way in _ways(path))
+        if one.option.common and below_common and path not in BY_HAND:
             found[path] = CALLED.get(path, path.rpartition(".")[2])
     return found
 
@@ -148,7 +148,7 @@ def strip_options(function: Any) -> Any:
 
 
 def _group(path: str) -> str:
-    return paths_of(CommandKeys)[path.partition(".")[0]].asked.group
+    return paths_of(CommandKeys)[path.partition(".")[0]].option.group
 
 
 def grouped(parameters: list[click.Parameter]) -> dict[str, list[click.Parameter]]:

@@ -52,7 +52,7 @@ def _keys(record: Record) -> Keys:
 
 @cache
 def _entry(field: Field) -> tuple[Fragment, str]:
-    return fragment(written(field.kind)), told(field.help, field.asked.unit)
+    return fragment(written(field.kind)), told(field.help, field.option.unit)
 
 
 def fragment(kind: Kind) -> Fragment:

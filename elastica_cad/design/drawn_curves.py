@@ -7,7 +7,7 @@ from typing import Annotated, TypeAlias
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.declared import Asked, Kind, kind_of
+from elastica_cad.declared import Kind, Option, kind_of
 from elastica_cad.design.records import Reader, reads
 from elastica_cad.design.tables import Formula, Table
 from elastica_cad.errors import InputError
@@ -70,12 +70,12 @@ class Reshape:
         Both kinds of handles, or only one of `handles` and `to`.
     """
 
-    bottom_left: Annotated[Point | None, Asked(f"{_TO} of the lower left corner of its box.", "mm")] = None
-    bottom_right: Annotated[Point | None, Asked(f"{_TO} of the lower right corner.", "mm")] = None
-    top_right: Annotated[Point | None, Asked(f"{_TO} of the upper right corner.", "mm")] = None
-    top_left: Annotated[Point | None, Asked(f"{_TO} of the upper left corner.", "mm")] = None
-    handles: Annotated[Handles | None, Asked("In place of corners: four points.", "mm")] = None
-    to: Annotated[Handles | None, Asked("Where the handles go.", "mm")] = None
+    bottom_left: Annotated[Point | None, Option(f"{_TO} of the lower left corner of its box.", "mm")] = None
+    bottom_right: Annotated[Point | None, Option(f"{_TO} of the lower right corner.", "mm")] = None
+    top_right: Annotated[Point | None, Option(f"{_TO} of the upper right corner.", "mm")] = None
+    top_left: Annotated[Point | None, Option(f"{_TO} of the upper left corner.", "mm")] = None
+    handles: Annotated[Handles | None, Option("In place of corners: four points.", "mm")] = None
+    to: Annotated[Handles | None, Option("Where the handles go.", "mm")] = None
 
     def __post_init__(self) -> None:
         own = [one for one in (self.handles, self.to) if one is not None]
@@ -106,18 +106,18 @@ class Reshape:
 
 @dataclass(frozen=True)
 class _Curve:
-    reshape: Annotated[Reshape | None, Asked("Pull the curve by four handles.")] = None
+    reshape: Annotated[Reshape | None, Option("Pull the curve by four handles.")] = None
 
 
 @dataclass(frozen=True, kw_only=True)
 class CurveOfFile(_Curve):
     """Table of a curve in a file; `number`, `id` or `layer` selects one of several curves."""
 
-    file: Annotated[str, Asked("File beside the design: DXF, SVG, CSV, JSON, STEP.")]
-    number: Annotated[int | None, Asked("Which curve of the file.", least=1)] = None
-    id: Annotated[str | None, Asked("Which curve, by its name in the file.")] = None
-    layer: Annotated[str | None, Asked("Which curve, by its layer.")] = None
-    unit: Annotated[str | None, Asked("Unit of the file, where it does not say.")] = None
+    file: Annotated[str, Option("File beside the design: DXF, SVG, CSV, JSON, STEP.")]
+    number: Annotated[int | None, Option("Which curve of the file.", least=1)] = None
+    id: Annotated[str | None, Option("Which curve, by its name in the file.")] = None
+    layer: Annotated[str | None, Option("Which curve, by its layer.")] = None
+    unit: Annotated[str | None, Option("Unit of the file, where it does not say.")] = None
 
     def drawn(self, reader: Reader, where: str, _: Table) -> PlaneCurve:
         """Read the file, and return the curve that the table chooses."""
@@ -149,11 +149,11 @@ class CurveOfFile(_Curve):
 class CurveOfFormulae(_Curve):
     """The table of a curve that is given by two formulae, x and y in mm as functions of t."""
 
-    x: Annotated[Formula, Asked("Formula in t.", "mm")]
-    y: Annotated[Formula, Asked("Formula in t.", "mm")]
-    t: Annotated[tuple[float, float], Asked("Range of t.")]
+    x: Annotated[Formula, Option("Formula in t.", "mm")]
+    y: Annotated[Formula, Option("Formula in t.", "mm")]
+    t: Annotated[tuple[float, float], Option("Range of t.")]
     breaks: Annotated[
-        tuple[Point, ...], Asked("[t, continuity] where the formulae are joined from pieces.")
+        tuple[Point, ...], Option("[t, continuity] where the formulae are joined from pieces.")
     ] = ()
 
     def drawn(self, _: Reader, where: str, table: Table) -> PlaneCurve:
@@ -179,14 +179,14 @@ class CurveOfFormulae(_Curve):
 class EllipseArc:
     """An arc of an ellipse between two parameters, or above a height."""
 
-    semi_axes: Annotated[Point, Asked("Both semi-axes.", "mm", least=0)]
-    center: Annotated[Point, Asked("Its centre.", "mm")] = (0.0, 0.0)
-    rotation: Annotated[float, Asked("Angle of the first axis.", "rad")] = 0.0
-    start: Annotated[float | None, Asked("Parameter where it begins.", "rad")] = None
-    end: Annotated[float | None, Asked("Parameter where it ends.", "rad")] = None
-    above: Annotated[float | None, Asked("In place of start and end: what lies above this height.", "mm")] = (
-        None
-    )
+    semi_axes: Annotated[Point, Option("Both semi-axes.", "mm", least=0)]
+    center: Annotated[Point, Option("Its centre.", "mm")] = (0.0, 0.0)
+    rotation: Annotated[float, Option("Angle of the first axis.", "rad")] = 0.0
+    start: Annotated[float | None, Option("Parameter where it begins.", "rad")] = None
+    end: Annotated[float | None, Option("Parameter where it ends.", "rad")] = None
+    above: Annotated[
+        float | None, Option("In place of start and end: what lies above this height.", "mm")
+    ] = None
 
     def drawn(self, where: str) -> PlaneCurve:
         """Return the arc as an exact rational curve."""
@@ -220,7 +220,7 @@ class EllipseArc:
 class CurveOfEllipse(_Curve):
     """The table of a curve with the key `ellipse`: an exact arc of an ellipse."""
 
-    ellipse: Annotated[EllipseArc, Asked("An exact arc of an ellipse.")]
+    ellipse: Annotated[EllipseArc, Option("An exact arc of an ellipse.")]
 
     def drawn(self, _: Reader, where: str, __: Table) -> PlaneCurve:
         """Return the arc as an exact rational curve."""
@@ -235,13 +235,13 @@ class CurveOfSpline(_Curve):
     which make it rational (NURBS).
     """
 
-    spline: Annotated[tuple[Point, ...], Asked("Control points.", "mm")]
-    degree: Annotated[int, Asked("Degree of its pieces.", least=1)] = 4
+    spline: Annotated[tuple[Point, ...], Option("Control points.", "mm")]
+    degree: Annotated[int, Option("Degree of its pieces.", least=1)] = 4
     knots: Annotated[
-        tuple[float, ...] | None, Asked("Full knot vector; evenly spaced with clamped ends unless given.")
+        tuple[float, ...] | None, Option("Full knot vector; evenly spaced with clamped ends unless given.")
     ] = None
     weights: Annotated[
-        tuple[float, ...] | None, Asked("Weights of the control points; all alike unless given.")
+        tuple[float, ...] | None, Option("Weights of the control points; all alike unless given.")
     ] = None
 
     def drawn(self, _: Reader, where: str, __: Table) -> PlaneCurve:

@@ -6,7 +6,7 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from elastica_cad._values import require_record
-from elastica_cad.declared import Asked, Field, declared, require_declared
+from elastica_cad.declared import Field, Option, declared, require_declared
 from elastica_cad.defaults import KERF
 from elastica_cad.errors import InputError
 from elastica_cad.formats.drawing_style import Scheme
@@ -42,17 +42,17 @@ class Cutting:
     FIELDS: ClassVar[Callable[[], Mapping[str, Field]]] = staticmethod(cutting_keys)
     recipient: Annotated[
         Literal["workshop", "service"],
-        Asked(
+        Option(
             "Who cuts: a service cuts every line, so each file holds one part and nothing but its cuts.",
             group="files",
         ),
     ] = "workshop"
     marks: Annotated[
-        bool, Asked("Draw guide lines and the names of mating strips on the parts.", group="files")
+        bool, Option("Draw guide lines and the names of mating strips on the parts.", group="files")
     ] = True
     kerf: Annotated[
         float | None,
-        Asked(
+        Option(
             "Width that the laser burns away; the word sheet takes that of the sheet.",
             "mm",
             least=0,
@@ -63,24 +63,24 @@ class Cutting:
     ] = KERF
     curves: Annotated[
         str | None,
-        Asked(
+        Option(
             "What curved edges are written as; spline by default, arc for a service.",
             group="files",
             written=Literal["spline", "bezier", "arc", "polyline"],
         ),
     ] = None
     tolerance: Annotated[
-        float, Asked("Largest error of arcs and polylines.", "mm", least=1e-4, most=10, group="files")
+        float, Option("Largest error of arcs and polylines.", "mm", least=1e-4, most=10, group="files")
     ] = 0.02
-    version: Annotated[str, Asked("Version of the DXF files.", group="files", written=DxfVersion)] = "R2010"
+    version: Annotated[str, Option("Version of the DXF files.", group="files", written=DxfVersion)] = "R2010"
     colors: Annotated[
         str,
-        Asked(
+        Option(
             "Colours of cuts and engraving, as another program expects them.", group="files", written=Scheme
         ),
     ] = "elastica"
     holding: Annotated[
-        HoldingTabs | None, Asked("Bridges that hold the parts in the sheet.", group="files")
+        HoldingTabs | None, Option("Bridges that hold the parts in the sheet.", group="files")
     ] = None
 
     def __post_init__(self) -> None:

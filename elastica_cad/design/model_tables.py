@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
-from elastica_cad.declared import Asked, Field, Record
+from elastica_cad.declared import Field, Option, Record
 from elastica_cad.design.kit_spec import Cutting, HolderKind, HolderSpec, KitSpec
 from elastica_cad.design.records import Reader, fields_of
 from elastica_cad.design.strip_table import SharedKeys, StripKeys
@@ -32,34 +32,34 @@ class OwnSheet:
 
 @dataclass(frozen=True)
 class _Holder:
-    strips: Annotated[Names, Asked('Labels of the strips that it holds; "A*" for all that begin so.')] = "*"
+    strips: Annotated[Names, Option('Labels of the strips that it holds; "A*" for all that begin so.')] = "*"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Stand(_Holder):
     """The simplest of the other holders that holds all tabs."""
 
-    sheet: Annotated[Sheet, Asked("Sheet of the plates.")]
+    sheet: Annotated[Sheet, Option("Sheet of the plates.")]
     thickness: Annotated[
-        float | None, Asked("Thickness of that sheet, where it is another than its own.", "mm", least=0)
+        float | None, Option("Thickness of that sheet, where it is another than its own.", "mm", least=0)
     ] = None
-    sheet_size: Annotated[Pair | None, Asked("Sheets that plates are cut from.", "mm", least=0)] = None
-    margin: Annotated[float | None, Asked("Least distance between parts on these sheets.", "mm", least=0)] = (
-        None
-    )
+    sheet_size: Annotated[Pair | None, Option("Sheets that plates are cut from.", "mm", least=0)] = None
+    margin: Annotated[
+        float | None, Option("Least distance between parts on these sheets.", "mm", least=0)
+    ] = None
 
 
 @dataclass(frozen=True, kw_only=True)
 class NamedStand(Stand):
     """The simplest of the other holders that holds all tabs."""
 
-    name: Annotated[str | None, Asked("What its plates are called.")] = None
+    name: Annotated[str | None, Option("What its plates are called.")] = None
 
 
 @dataclass(frozen=True, kw_only=True)
 class _Plates(Stand):
     feet: Annotated[
-        float | None, Asked("Small plates of this size glued beside inclined tabs.", "mm", least=0)
+        float | None, Option("Small plates of this size glued beside inclined tabs.", "mm", least=0)
     ] = None
 
 
@@ -68,8 +68,8 @@ class Base(_Plates):
     """A plate with a slot for every tab."""
 
     BESIDE: ClassVar[Record] = PlateOptions
-    height: Annotated[float, Asked("Height of its upper face.", "mm")] = 0.0
-    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None
+    height: Annotated[float, Option("Height of its upper face.", "mm")] = 0.0
+    gap: Annotated[float | None, Option("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,7 +78,7 @@ class Rings(_Plates):
 
     BESIDE: ClassVar[Record] = RingOptions
     WITHOUT: ClassVar[tuple[str, ...]] = ("slot_width",)
-    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None
+    gap: Annotated[float | None, Option("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -94,9 +94,9 @@ class Fixtures(_Holder):
 
     BESIDE: ClassVar[Record] = EndFixture
     floor: Annotated[
-        float | None, Asked("Height that the blocks stand on.", "mm", least=-10_000, most=10_000)
+        float | None, Option("Height that the blocks stand on.", "mm", least=-10_000, most=10_000)
     ] = None
-    ends: Annotated[StripEnd | None, Asked("Which tabs; all unless given.")] = None
+    ends: Annotated[StripEnd | None, Option("Which tabs; all unless given.")] = None
 
 
 HOLDERS: dict[HolderKind, Record] = {
@@ -109,21 +109,21 @@ HOLDERS: dict[HolderKind, Record] = {
 class MirrorPattern:
     """A pattern."""
 
-    mirror: Annotated[Any, Asked("A mirror image.", written=mirror)]
+    mirror: Annotated[Any, Option("A mirror image.", written=mirror)]
 
 
 @dataclass(frozen=True)
 class RotatePattern:
     """A pattern."""
 
-    rotate: Annotated[Any, Asked("Copies about an axis.", written=rotate)]
+    rotate: Annotated[Any, Option("Copies about an axis.", written=rotate)]
 
 
 @dataclass(frozen=True)
 class RepeatPattern:
     """A pattern."""
 
-    repeat: Annotated[Any, Asked("Copies in a row.", written=repeat)]
+    repeat: Annotated[Any, Option("Copies in a row.", written=repeat)]
 
 
 PATTERNS: dict[str, Record] = {"mirror": mirror, "rotate": rotate, "repeat": repeat}
@@ -134,13 +134,13 @@ PATTERNS: dict[str, Record] = {"mirror": mirror, "rotate": rotate, "repeat": rep
 class Extras:
     """What is cut besides."""
 
-    coupon: Annotated[bool, Asked("A coupon of every sheet.")] = False
+    coupon: Annotated[bool, Option("A coupon of every sheet.")] = False
     reference_bar: Annotated[
-        float | None, Asked("Length of a bar to check the scale of the machine with.", "mm", least=0)
+        float | None, Option("Length of a bar to check the scale of the machine with.", "mm", least=0)
     ] = None
     pages: Annotated[
         Literal["A4", "A3", "letter"] | None,
-        Asked(
+        Option(
             "Every part once at full size, small ones together on this paper, in one PDF with a bar to check the "
             "printer by."
         ),
@@ -151,42 +151,44 @@ class Extras:
 class DesignKeys(SharedKeys):
     """All keys at the top of a design file."""
 
-    schema: Annotated[Literal[1], Asked("1: which version of these keys the file is written for.")]
-    name: Annotated[str | None, Asked("Name of the model, and of its files.", most=60)] = None
-    let: Annotated[dict[str, float] | None, Asked("Names for formulae: each may use those before it.")] = None
-    sheets: Annotated[dict[str, OwnSheet] | None, Asked("Sheets of your own, [sheets.NAME].")] = None
-    sheets_file: Annotated[str | None, Asked("A file with sheets of your own.")] = None
-    strips: Annotated[tuple[StripKeys, ...], Asked("One or several strips each.")] = ()
+    schema: Annotated[Literal[1], Option("1: which version of these keys the file is written for.")]
+    name: Annotated[str | None, Option("Name of the model, and of its files.", most=60)] = None
+    let: Annotated[dict[str, float] | None, Option("Names for formulae: each may use those before it.")] = (
+        None
+    )
+    sheets: Annotated[dict[str, OwnSheet] | None, Option("Sheets of your own, [sheets.NAME].")] = None
+    sheets_file: Annotated[str | None, Option("A file with sheets of your own.")] = None
+    strips: Annotated[tuple[StripKeys, ...], Option("One or several strips each.")] = ()
     revolution: Annotated[
         Any,
-        Asked(
+        Option(
             "A surface about z, tiled by equal strips.",
             written="elastica_cad.design.revolution_table:RevolutionTable",
         ),
     ] = None
     patterns: Annotated[
-        tuple[MirrorPattern | RotatePattern | RepeatPattern, ...], Asked("Copies of all strips, in order.")
+        tuple[MirrorPattern | RotatePattern | RepeatPattern, ...], Option("Copies of all strips, in order.")
     ] = ()
     pair: Annotated[
         Any,
-        Asked(
+        Option(
             "A part that rests in two curves: `elastica pair` makes it, alone in its file.",
             written="elastica_cad.pairs.flexure_spec:FlexureSpec",
         ),
     ] = None
-    interlock: Annotated[Any, Asked("Slots wherever two strips cross.", written=slots_at_crossings)] = None
-    base: Annotated[Any, Asked("A plate with a slot for every tab.", written=Base | tuple[Base, ...])] = None
-    rings: Annotated[Any, Asked("A plate for each end.", written=Rings | tuple[Rings, ...])] = None
+    interlock: Annotated[Any, Option("Slots wherever two strips cross.", written=slots_at_crossings)] = None
+    base: Annotated[Any, Option("A plate with a slot for every tab.", written=Base | tuple[Base, ...])] = None
+    rings: Annotated[Any, Option("A plate for each end.", written=Rings | tuple[Rings, ...])] = None
     frame: Annotated[
-        Any, Asked("Two rails with ribs between.", written=FrameOfPlates | tuple[FrameOfPlates, ...])
+        Any, Option("Two rails with ribs between.", written=FrameOfPlates | tuple[FrameOfPlates, ...])
     ] = None
-    fixtures: Annotated[Any, Asked("Printed blocks.", written=Fixtures | tuple[Fixtures, ...])] = None
+    fixtures: Annotated[Any, Option("Printed blocks.", written=Fixtures | tuple[Fixtures, ...])] = None
     stand: Annotated[
-        Any, Asked("The simplest of these that holds all tabs.", written=NamedStand | tuple[NamedStand, ...])
+        Any, Option("The simplest of these that holds all tabs.", written=NamedStand | tuple[NamedStand, ...])
     ] = None
-    nest: Annotated[Nesting | None, Asked("The sheets that parts are laid on.")] = None
-    cut: Annotated[Cutting | None, Asked("How cutting files are written.")] = None
-    extras: Annotated[Extras | None, Asked("What is cut besides.")] = None
+    nest: Annotated[Nesting | None, Option("The sheets that parts are laid on.")] = None
+    cut: Annotated[Cutting | None, Option("How cutting files are written.")] = None
+    extras: Annotated[Extras | None, Option("What is cut besides.")] = None
 
 
 def read_kit(top: Table, reader: Reader) -> KitSpec:

@@ -11,9 +11,9 @@ from typing import Annotated, Any
 from elastica_cad._toml import parse_toml
 from elastica_cad.declared import (
     REQUIRED,
-    Asked,
     Field,
     Kind,
+    Option,
     Record,
     declared,
     kind_of,
@@ -41,15 +41,15 @@ Range = tuple[float, float]
 
 def _thickness(
     sheet: Sheet,
-    limits: Annotated[Range, Asked("Least and largest thickness.", "mm", least=0)],
-    width: Annotated[float, Asked("Width of the batten.", "mm", least=0)],
+    limits: Annotated[Range, Option("Least and largest thickness.", "mm", least=0)],
+    width: Annotated[float, Option("Width of the batten.", "mm", least=0)],
 ) -> ThicknessLaw:
     """A batten of one width, planed thinner."""
     return ThicknessLaw(sheet, *limits, width=width)
 
 
 def _rod(
-    sheet: Sheet, limits: Annotated[Range, Asked("Least and largest diameter.", "mm", least=0)]
+    sheet: Sheet, limits: Annotated[Range, Option("Least and largest diameter.", "mm", least=0)]
 ) -> RoundLaw:
     """A round rod, turned thinner."""
     return RoundLaw(sheet, *limits)
@@ -57,8 +57,8 @@ def _rod(
 
 def _tube(
     sheet: Sheet,
-    limits: Annotated[Range, Asked("Least and largest outer diameter.", "mm", least=0)],
-    bore: Annotated[float, Asked("Inner over outer diameter.", least=0, most=1)],
+    limits: Annotated[Range, Option("Least and largest outer diameter.", "mm", least=0)],
+    bore: Annotated[float, Option("Inner over outer diameter.", least=0, most=1)],
 ) -> RoundLaw:
     """A tube, turned thinner."""
     return RoundLaw(sheet, *limits, bore=bore)
@@ -66,9 +66,9 @@ def _tube(
 
 def _leaves(
     sheet: Sheet,
-    leaves: Annotated[int, Asked("Leaves of the sheet, at most.", least=2)],
-    width: Annotated[float, Asked("Width of the leaves.", "mm", least=0)],
-    fewest: Annotated[int, Asked("Leaves that go all the way.", least=1)] = 1,
+    leaves: Annotated[int, Option("Leaves of the sheet, at most.", least=2)],
+    width: Annotated[float, Option("Width of the leaves.", "mm", least=0)],
+    fewest: Annotated[int, Option("Leaves that go all the way.", least=1)] = 1,
 ) -> LeavesLaw:
     """Leaves of the sheet, glued; some end before others. Needs limits or keep."""
     return LeavesLaw(sheet, leaves, width, fewest)
@@ -76,16 +76,16 @@ def _leaves(
 
 def _blank(
     stations: Annotated[
-        tuple[float, ...], Asked("From 0 to the length of the strip; one twice is a step.", "mm")
+        tuple[float, ...], Option("From 0 to the length of the strip; one twice is a step.", "mm")
     ],
-    curvatures: Annotated[tuple[float, ...], Asked("At each station, straight between them.", "1/mm")],
+    curvatures: Annotated[tuple[float, ...], Option("At each station, straight between them.", "1/mm")],
 ) -> RestCurvature:
     """A pre-bent strip whose curvature is linear between stations."""
     return RestCurvature.linear(stations, curvatures)
 
 
 def _drawn_blank(
-    curve: Annotated[PlaneCurve, Asked("In which the blank lies before it is bent.")],
+    curve: Annotated[PlaneCurve, Option("In which the blank lies before it is bent.")],
 ) -> RestCurvature:
     """A pre-bent strip that is drawn in its unloaded shape."""
     return RestCurvature.of(curve)
@@ -382,11 +382,11 @@ def described(record: Record) -> list[dict[str, Any]]:
             "name": one.name,
             **_plain_kind(one.kind),
             "help": one.help,
-            "unit": one.asked.unit,
-            "least": one.asked.least if one.asked.above is None else one.asked.above,
-            "most": one.asked.most,
-            "group": one.asked.group,
-            "common": one.asked.common,
+            "unit": one.option.unit,
+            "least": one.option.least if one.option.above is None else one.option.above,
+            "most": one.option.most,
+            "group": one.option.group,
+            "common": one.option.common,
             "required": one.default is REQUIRED,
             "default": _plain_default(one.default),
         }
@@ -423,7 +423,7 @@ def paths_of(record: Record) -> Mapping[str, Field]:
     Examples
     --------
     >>> from elastica_cad.strip.strip_spec import StripSpec
-    >>> paths_of(StripSpec)["limits.ratio"].asked.least, "slots.at" in paths_of(StripSpec)
+    >>> paths_of(StripSpec)["limits.ratio"].option.least, "slots.at" in paths_of(StripSpec)
     (1, True)
     """
     found: dict[str, Field] = {}
@@ -442,7 +442,7 @@ def _walked(record: Record) -> Iterator[tuple[str, Field]]:
             if word := word_of(inner):
                 yield (
                     f"{one.name}.kind",
-                    Field("kind", Kind("choice", choices=_words(one.kind)), one.asked, word),
+                    Field("kind", Kind("choice", choices=_words(one.kind)), one.option, word),
                 )
             for path, entry in _walked(inner):
                 yield f"{one.name}.{path}", entry

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, TypeAlias
 
-from elastica_cad.declared import Asked
+from elastica_cad.declared import Option
 from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError, NotConvergedError
@@ -27,33 +27,33 @@ NEAR_MM = 1e-3
 class RevolutionTable:
     """The table `revolution`: a surface of revolution, made of strips and rings."""
 
-    sheet: Annotated[Sheet, Asked("Sheet of the strips.")]
+    sheet: Annotated[Sheet, Option("Sheet of the strips.")]
     points: Annotated[
-        tuple[Pair, ...], Asked("[distance from the axis, height] of places on the meridian.", "mm")
+        tuple[Pair, ...], Option("[distance from the axis, height] of places on the meridian.", "mm")
     ] = ()
     curve: Annotated[
-        PlaneCurve | None, Asked("In place of points: a profile that the meridian comes near to.")
+        PlaneCurve | None, Option("In place of points: a profile that the meridian comes near to.")
     ] = None
     a: Annotated[
-        float | None, Asked("In place of points: moment at the origin over stiffness and distance.")
+        float | None, Option("In place of points: moment at the origin over stiffness and distance.")
     ] = None
-    b: Annotated[Pair | None, Asked("Change of that along the meridian.", "1/mm")] = None
-    start: Annotated[Pair | None, Asked("Where the meridian begins.", "mm")] = None
-    angle: Annotated[float | None, Asked("Angle of its tangent there.", "rad")] = None
-    length: Annotated[float | None, Asked("Length of the meridian.", "mm", least=0)] = None
-    ring: Annotated[float | None, Asked("It ends at this distance from the axis.", "mm", least=0)] = None
-    strips: Annotated[int, Asked("So many strips.", least=3, most=1000)] = 16
+    b: Annotated[Pair | None, Option("Change of that along the meridian.", "1/mm")] = None
+    start: Annotated[Pair | None, Option("Where the meridian begins.", "mm")] = None
+    angle: Annotated[float | None, Option("Angle of its tangent there.", "rad")] = None
+    length: Annotated[float | None, Option("Length of the meridian.", "mm", least=0)] = None
+    ring: Annotated[float | None, Option("It ends at this distance from the axis.", "mm", least=0)] = None
+    strips: Annotated[int, Option("So many strips.", least=3, most=1000)] = 16
     thickness: Annotated[
-        float | None, Asked("Thickness of the sheet, where it is another than its own.", "mm", least=0)
+        float | None, Option("Thickness of the sheet, where it is another than its own.", "mm", least=0)
     ] = None
-    rings: Annotated[Sheet | None, Asked("Sheet of the rings at both ends.")] = None
-    gap: Annotated[float | None, Asked("Two rings at either end, so far apart.", "mm", least=0)] = None
+    rings: Annotated[Sheet | None, Option("Sheet of the rings at both ends.")] = None
+    gap: Annotated[float | None, Option("Two rings at either end, so far apart.", "mm", least=0)] = None
     ends: Annotated[
         tuple[Tab, Tab] | None,
-        Asked("Tab of both ends, or the two of start and end.", written=Tab | tuple[Tab, Tab]),
+        Option("Tab of both ends, or the two of start and end.", written=Tab | tuple[Tab, Tab]),
     ] = None
-    shop: Annotated[FabricationLimits, Asked("What the workshop can make.")] = DEFAULT_LIMITS
-    ignore_limits: Annotated[bool, Asked("Make strips that cannot be cut or handled, and say so.")] = False
+    shop: Annotated[FabricationLimits, Option("What the workshop can make.")] = DEFAULT_LIMITS
+    ignore_limits: Annotated[bool, Option("Make strips that cannot be cut or handled, and say so.")] = False
 
     @cached_property
     def meridian(self) -> Meridian:

@@ -7,7 +7,7 @@ from typing import Annotated, Any, TypeAlias
 import numpy as np
 
 from elastica_cad._values import require_positive
-from elastica_cad.declared import Asked
+from elastica_cad.declared import Option
 from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
 from elastica_cad.design.toml_text import toml_text
@@ -32,17 +32,17 @@ WrittenSplit: TypeAlias = PlaneSplit | PointSplit | CornerSplit
 class SectionsTable:
     """The table `sections`: a surface, and how planes cut it into curves."""
 
-    mesh: Annotated[str, Asked("Surface beside the design: OBJ, STL, PLY or STEP.")]
-    radial: Annotated[RadialCuts | None, Asked("Half planes about an axis.")] = None
-    parallel: Annotated[ParallelCuts | None, Asked("Parallel planes.")] = None
-    along: Annotated[AlongPath | None, Asked("Planes across a path.")] = None
-    unit: Annotated[str | None, Asked("Unit of the mesh.")] = None
-    scale: Annotated[float | None, Asked("Factor on the mesh.", least=0)] = None
-    half: Annotated[bool | None, Asked("Only what lies at x >= 0 of each plane.")] = None
-    longest: Annotated[bool, Asked("Only the longest line of each section.")] = False
-    split: Annotated[WrittenSplit | tuple[WrittenSplit, ...], Asked("Where lines are divided.")] = ()
-    tolerance: Annotated[float, Asked("Largest distance from the section.", "mm", least=0)] = 0.3
-    wavelength: Annotated[float, Asked("Shorter waves are smoothed away.", "mm", least=0)] = 0.0
+    mesh: Annotated[str, Option("Surface beside the design: OBJ, STL, PLY or STEP.")]
+    radial: Annotated[RadialCuts | None, Option("Half planes about an axis.")] = None
+    parallel: Annotated[ParallelCuts | None, Option("Parallel planes.")] = None
+    along: Annotated[AlongPath | None, Option("Planes across a path.")] = None
+    unit: Annotated[str | None, Option("Unit of the mesh.")] = None
+    scale: Annotated[float | None, Option("Factor on the mesh.", least=0)] = None
+    half: Annotated[bool | None, Option("Only what lies at x >= 0 of each plane.")] = None
+    longest: Annotated[bool, Option("Only the longest line of each section.")] = False
+    split: Annotated[WrittenSplit | tuple[WrittenSplit, ...], Option("Where lines are divided.")] = ()
+    tolerance: Annotated[float, Option("Largest distance from the section.", "mm", least=0)] = 0.3
+    wavelength: Annotated[float, Option("Shorter waves are smoothed away.", "mm", least=0)] = 0.0
 
     def __post_init__(self) -> None:
         if self.scale is not None:

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias
 
-from elastica_cad.declared import Asked, Record
+from elastica_cad.declared import Option, Record
 from elastica_cad.design.drawn_curves import read_drawn_curve
 from elastica_cad.design.records import Reader, fields_of
 from elastica_cad.design.tables import Table
@@ -29,7 +29,7 @@ class SharedKeys:
     WITHOUT: ClassVar[tuple[str, ...]] = ("curve", "slots", "label")
     thickness: Annotated[
         float | None,
-        Asked(
+        Option(
             "Thickness of the sheet, where it is another than its own.",
             "mm",
             least=0,
@@ -44,24 +44,24 @@ class StripKeys(SharedKeys):
     """All keys of a table in [[strips]]."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = ()
-    count: Annotated[int, Asked("So many strips, i = 1, 2, ...", least=1)] = 1
-    let: Annotated[dict[str, float] | None, Asked("Names for formulae of this strip.")] = None
+    count: Annotated[int, Option("So many strips, i = 1, 2, ...", least=1)] = 1
+    let: Annotated[dict[str, float] | None, Option("Names for formulae of this strip.")] = None
     sections: Annotated[
         Any,
-        Asked(
+        Option(
             "In place of the curve: a strip for every section of a surface.",
             written="elastica_cad.design.sections_table:SectionsTable",
         ),
     ] = None
     origin: Annotated[
-        Triple, Asked("Where the origin of the drawing lies in space.", "mm", group="weight")
+        Triple, Option("Where the origin of the drawing lies in space.", "mm", group="weight")
     ] = (0, 0, 0)
-    x_axis: Annotated[Triple, Asked("Where the x axis of the drawing points in space.", group="weight")] = (
+    x_axis: Annotated[Triple, Option("Where the x axis of the drawing points in space.", group="weight")] = (
         1,
         0,
         0,
     )
-    y_axis: Annotated[Triple, Asked("Where the y axis of the drawing points in space.", group="weight")] = (
+    y_axis: Annotated[Triple, Option("Where the y axis of the drawing points in space.", group="weight")] = (
         0,
         0,
         1,

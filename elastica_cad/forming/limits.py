@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_series, numbers, pair, require_positive, several
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import UNLIMITED_RATIO
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.sheets import Sheet
@@ -38,8 +38,8 @@ class HalfPlane:
     (0.0, 1.0)
     """
 
-    point: Annotated[tuple[float, float], Asked("A point on the wall.", "mm")] = (0.0, 0.0)
-    normal: Annotated[tuple[float, float], Asked("Points to where the strip may be.")] = (0.0, 1.0)
+    point: Annotated[tuple[float, float], Option("A point on the wall.", "mm")] = (0.0, 0.0)
+    normal: Annotated[tuple[float, float], Option("Points to where the strip may be.")] = (0.0, 1.0)
 
     def __post_init__(self) -> None:
         point, normal = (
@@ -68,8 +68,8 @@ class Box:
         Opposite corners, mm.
     """
 
-    lower: Annotated[tuple[float, float], Asked("Corner of least x and y.", "mm")]
-    upper: Annotated[tuple[float, float], Asked("Corner of largest x and y.", "mm")]
+    lower: Annotated[tuple[float, float], Option("Corner of least x and y.", "mm")]
+    upper: Annotated[tuple[float, float], Option("Corner of largest x and y.", "mm")]
 
     def __post_init__(self) -> None:
         lower, upper = pair(self.lower, "lower corner of a box"), pair(self.upper, "upper corner of a box")
@@ -100,9 +100,11 @@ Row: TypeAlias = tuple[float, ...]
 
 
 def _bounds_along_strip(
-    lower: Annotated[float | Row | None, Asked("Least value, or values at equal distances.", least=1)] = None,
+    lower: Annotated[
+        float | Row | None, Option("Least value, or values at equal distances.", least=1)
+    ] = None,
     upper: Annotated[
-        float | Row | None, Asked("Largest value, or values at equal distances.", least=1)
+        float | Row | None, Option("Largest value, or values at equal distances.", least=1)
     ] = None,
 ) -> tuple[float | Row | None, float | Row | None]:
     """Bounds of K / min K along the strip, in the form used by files."""
@@ -150,21 +152,21 @@ class Limits:
 
     ratio: Annotated[
         float | None,
-        Asked("Largest stiffness ratio, widest over narrowest.", least=1, group="limits", common=True),
+        Option("Largest stiffness ratio, widest over narrowest.", least=1, group="limits", common=True),
     ] = None
     margin: Annotated[
         float | None,
-        Asked(
+        Option(
             "Least stability margin: 0 is where it would snap away, 5 is safely stable.",
             group="limits",
             common=True,
         ),
     ] = None
-    curvature: Annotated[float | None, Asked("Largest curvature.", "1/mm", above=0, group="limits")] = None
+    curvature: Annotated[float | None, Option("Largest curvature.", "1/mm", above=0, group="limits")] = None
     sheet: Sheet | None = None
     strain: Annotated[
         float | None,
-        Asked(
+        Option(
             "Largest strain: true for what the sheet bears, or a number.",
             above=0,
             group="limits",
@@ -174,18 +176,18 @@ class Limits:
     ] = None
     width: Annotated[
         tuple[float, float] | None,
-        Asked("Least and largest width, which bound the ratio.", "mm", above=0, group="limits"),
+        Option("Least and largest width, which bound the ratio.", "mm", above=0, group="limits"),
     ] = None
     length: Annotated[
-        tuple[float, float] | None, Asked("Least and largest length.", "mm", above=0, group="limits")
+        tuple[float, float] | None, Option("Least and largest length.", "mm", above=0, group="limits")
     ] = None
     keep_out: Annotated[
         tuple[HalfPlane | Box, ...],
-        Asked("Ground, walls and boxes where the strip may not go.", group="limits"),
+        Option("Ground, walls and boxes where the strip may not go.", group="limits"),
     ] = ()
     stiffness_bounds: Annotated[
         tuple[Bound, Bound] | None,
-        Asked(
+        Option(
             "Bounds of the stiffness over its least value, along the strip.",
             group="limits",
             written=_bounds_along_strip,
@@ -278,23 +280,23 @@ class Keep:
 
     ends: Annotated[
         bool | tuple[bool, bool],
-        Asked("Do both ends, or start and end, stay where they are?", group="limits", common=True),
+        Option("Do both ends, or start and end, stay where they are?", group="limits", common=True),
     ] = True
     tangents: Annotated[
         bool | tuple[bool, bool],
-        Asked("Do both ends, or start and end, keep their tangents?", group="limits", common=True),
+        Option("Do both ends, or start and end, keep their tangents?", group="limits", common=True),
     ] = False
-    length: Annotated[bool, Asked("Keep the length.", group="limits", common=True)] = False
+    length: Annotated[bool, Option("Keep the length.", group="limits", common=True)] = False
     symmetry: Annotated[
-        Symmetry | None, Asked("The mirror image or half turn that the curve keeps.", group="limits")
+        Symmetry | None, Option("The mirror image or half turn that the curve keeps.", group="limits")
     ] = None
     points: Annotated[
         tuple[float, ...],
-        Asked("Places along the drawn curve that stay on the strip.", "mm", many=100, group="limits"),
+        Option("Places along the drawn curve that stay on the strip.", "mm", many=100, group="limits"),
     ] = ()
     line: Annotated[
         bool | tuple[tuple[float, float], tuple[float, float]] | None,
-        Asked("Inflections stay on their line, or on the line through two points.", "mm", group="limits"),
+        Option("Inflections stay on their line, or on the line through two points.", "mm", group="limits"),
     ] = None
 
     def __post_init__(self) -> None:

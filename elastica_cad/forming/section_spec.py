@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, is_whole, require_flag
-from elastica_cad.declared import Asked
+from elastica_cad.declared import Option
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.forming.plane_sections import FARTHEST_MM
 from elastica_cad.forming.section_lines import PlaneSection, SectionCurve, SectionLine, section_curves
@@ -224,13 +224,13 @@ class RadialCuts:
     """Half planes about an axis: at `angles`, rad from `zero`, or `count` of them all around."""
 
     half: ClassVar[bool] = True
-    count: Annotated[int, Asked("So many half planes all around.", least=1)] = 8
+    count: Annotated[int, Option("So many half planes all around.", least=1)] = 8
     angles: Annotated[
-        tuple[float, ...] | None, Asked("Where the half planes lie, in place of count.", "rad")
+        tuple[float, ...] | None, Option("Where the half planes lie, in place of count.", "rad")
     ] = None
-    point: Annotated[Triple, Asked("A point on the axis.", "mm")] = (0.0, 0.0, 0.0)
-    axis: Annotated[Triple, Asked("Direction of the axis.")] = (0.0, 0.0, 1.0)
-    zero: Annotated[Triple, Asked("Where angles begin.")] = (1.0, 0.0, 0.0)
+    point: Annotated[Triple, Option("A point on the axis.", "mm")] = (0.0, 0.0, 0.0)
+    axis: Annotated[Triple, Option("Direction of the axis.")] = (0.0, 0.0, 1.0)
+    zero: Annotated[Triple, Option("Where angles begin.")] = (1.0, 0.0, 0.0)
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
         """Frames of the planes; they do not depend on the surface."""
@@ -246,13 +246,13 @@ class ParallelCuts:
     """Planes across `normal`: at `offsets` from the point, mm, or through `count` equal slices of the surface."""
 
     half: ClassVar[bool] = False
-    normal: Annotated[Triple, Asked("Across the planes.")]
-    count: Annotated[int, Asked("So many equal slices, in place of offsets.", least=1)] = 8
-    offsets: Annotated[tuple[float, ...] | None, Asked("Distances of the planes from the point.", "mm")] = (
+    normal: Annotated[Triple, Option("Across the planes.")]
+    count: Annotated[int, Option("So many equal slices, in place of offsets.", least=1)] = 8
+    offsets: Annotated[tuple[float, ...] | None, Option("Distances of the planes from the point.", "mm")] = (
         None
     )
-    point: Annotated[Triple, Asked("From where offsets are measured.", "mm")] = (0.0, 0.0, 0.0)
-    up: Annotated[Triple, Asked("The y axis of the sections.")] = (0.0, 0.0, 1.0)
+    point: Annotated[Triple, Option("From where offsets are measured.", "mm")] = (0.0, 0.0, 0.0)
+    up: Annotated[Triple, Option("The y axis of the sections.")] = (0.0, 0.0, 1.0)
 
     def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
         """Return the planes; equal slices depend on the surface."""
@@ -271,10 +271,10 @@ class AlongPath:
     """`count` planes across a path of points (n, 3), mm; `ends` puts the first and the last at its ends."""
 
     half: ClassVar[bool] = False
-    path: Annotated[FloatArray, Asked("Points of the path.", "mm", written=tuple[Triple, ...])]
-    count: Annotated[int, Asked("So many planes.", least=1)] = 8
-    ends: Annotated[bool, Asked("The first and the last plane stand at the ends of the path.")] = False
-    up: Annotated[Triple, Asked("The y axis of the sections.")] = (0.0, 0.0, 1.0)
+    path: Annotated[FloatArray, Option("Points of the path.", "mm", written=tuple[Triple, ...])]
+    count: Annotated[int, Option("So many planes.", least=1)] = 8
+    ends: Annotated[bool, Option("The first and the last plane stand at the ends of the path.")] = False
+    up: Annotated[Triple, Option("The y axis of the sections.")] = (0.0, 0.0, 1.0)
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
         """Frames of the planes; they do not depend on the surface."""
@@ -316,8 +316,8 @@ class PlaneSplit:
         A normal of zero.
     """
 
-    normal: Annotated[Triple, Asked("Across the plane.")]
-    point: Annotated[Triple, Asked("A point of the plane.", "mm")] = (0.0, 0.0, 0.0)
+    normal: Annotated[Triple, Option("Across the plane.")]
+    point: Annotated[Triple, Option("A point of the plane.", "mm")] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
         if not any(self.normal):
@@ -340,7 +340,7 @@ class PointSplit:
     """Split at the places nearest to points (k, 3) in space."""
 
     points: Annotated[
-        FloatArray, Asked("Split at the places nearest to these points.", "mm", written=tuple[Triple, ...])
+        FloatArray, Option("Split at the places nearest to these points.", "mm", written=tuple[Triple, ...])
     ]
 
     name: ClassVar[str] = "a point"
@@ -360,7 +360,7 @@ class CornerSplit:
         An angle that no corner has.
     """
 
-    corners: Annotated[float, Asked("Split where the line turns by more than this.", "rad", least=0)]
+    corners: Annotated[float, Option("Split where the line turns by more than this.", "rad", least=0)]
 
     def __post_init__(self) -> None:
         if not 0 < self.corners < np.pi:

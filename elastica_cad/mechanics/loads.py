@@ -17,7 +17,7 @@ from elastica_cad._values import (
     require_positive,
     several,
 )
-from elastica_cad.declared import Asked
+from elastica_cad.declared import Option
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.geometry.profile import Profile
@@ -48,11 +48,11 @@ class Gravity:
     """
 
     length: Annotated[
-        float, Asked("Elasto-gravity length, in place of that of the sheet.", "mm", least=0, group="weight")
+        float, Option("Elasto-gravity length, in place of that of the sheet.", "mm", least=0, group="weight")
     ]
     direction: Annotated[
         tuple[float, float],
-        Asked("The direction in which things fall, in the plane of the curve.", group="weight"),
+        Option("The direction in which things fall, in the plane of the curve.", group="weight"),
     ] = (0.0, -1.0)
 
     def __post_init__(self) -> None:
@@ -107,8 +107,8 @@ STANDARD_GRAVITY_M_S2 = 9.80665  # m/s2
 class PointMass:
     """Point mass on the rod: `mass` in g at arc length `at` in mm."""
 
-    at: Annotated[float, Asked("Place along the strip.", "mm")]
-    mass: Annotated[float, Asked("Mass that hangs there.", "g", least=0)]
+    at: Annotated[float, Option("Place along the strip.", "mm")]
+    mass: Annotated[float, Option("Mass that hangs there.", "g", least=0)]
 
     def __post_init__(self) -> None:
         if not is_number(self.at):
@@ -132,13 +132,13 @@ class Weight:
         bending stiffness B is known; the rod it returns has it there, and `own` is False again.
     """
 
-    alpha: Annotated[float | Profile, Asked("Weight per length.", "N/mm", least=0, written=float)] = 0.0
+    alpha: Annotated[float | Profile, Option("Weight per length.", "N/mm", least=0, written=float)] = 0.0
     beta: Annotated[
         float | Profile,
-        Asked("Weight per length that goes with the stiffness K.", "N/mm", least=0, written=float),
+        Option("Weight per length that goes with the stiffness K.", "N/mm", least=0, written=float),
     ] = 0.0
-    masses: Annotated[tuple[PointMass, ...], Asked("Masses hung on the strip.")] = ()
-    own: Annotated[bool, Asked("Add the own weight of the strip.")] = False
+    masses: Annotated[tuple[PointMass, ...], Option("Masses hung on the strip.")] = ()
+    own: Annotated[bool, Option("Add the own weight of the strip.")] = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "masses", several("masses", self.masses, PointMass, "PointMass"))

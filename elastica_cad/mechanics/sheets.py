@@ -18,7 +18,7 @@ from elastica_cad._notebook import html_table
 from elastica_cad._toml import parse_toml
 from elastica_cad._units import MM_PER_INCH
 from elastica_cad._values import is_number, is_one_of, is_series, require_number, require_path
-from elastica_cad.declared import Asked, Field, declared
+from elastica_cad.declared import Field, Option, declared
 from elastica_cad.errors import InputError, quoted, toml_slip
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, ExcessCurvature, Gravity, NaturalCurvature
@@ -502,52 +502,52 @@ class Sheet:
     """
 
     name: str
-    thickness: Annotated[float, Asked("Thickness of the sheet.", "mm", least=0)]
-    youngs_modulus: Annotated[float, Asked("Young's modulus in bending along the strip.", "MPa", least=0)]
-    density: Annotated[float, Asked("Density.", "kg/m3", least=0)]
+    thickness: Annotated[float, Option("Thickness of the sheet.", "mm", least=0)]
+    youngs_modulus: Annotated[float, Option("Young's modulus in bending along the strip.", "MPa", least=0)]
+    density: Annotated[float, Option("Density.", "kg/m3", least=0)]
     max_strain: Annotated[
-        float, Asked("Largest strain of the skin that is borne for long: 0.01 is 1 %.", least=0)
+        float, Option("Largest strain of the skin that is borne for long: 0.01 is 1 %.", least=0)
     ]
-    kerf: Annotated[float, Asked("Width that the laser burns away.", "mm", least=0)] = 0.0
-    poisson_ratio: Annotated[float, Asked("Poisson's ratio, where it is known.", least=0)] = USUAL_RATIO
+    kerf: Annotated[float, Option("Width that the laser burns away.", "mm", least=0)] = 0.0
+    poisson_ratio: Annotated[float, Option("Poisson's ratio, where it is known.", least=0)] = USUAL_RATIO
     grain: Annotated[
         Grain,
-        Asked(
+        Option(
             "How the strip lies to the face grain: along, across or none; or 0 or 90 degrees.",
             written=float | str,
         ),
     ] = "none"
-    kind: Annotated[str, Asked("Family of materials.")] = ""
-    source: Annotated[str, Asked("Where the numbers come from.")] = ""
+    kind: Annotated[str, Option("Family of materials.")] = ""
+    source: Annotated[str, Option("Where the numbers come from.")] = ""
     thickness_range: Annotated[
-        Range | None, Asked("Least and largest thickness found in practice.", "mm", least=0)
+        Range | None, Option("Least and largest thickness found in practice.", "mm", least=0)
     ] = None
     youngs_modulus_range: Annotated[
-        Range | None, Asked("Least and largest modulus found in practice.", "MPa", least=0)
+        Range | None, Option("Least and largest modulus found in practice.", "MPa", least=0)
     ] = None
     density_range: Annotated[
-        Range | None, Asked("Least and largest density found in practice.", "kg/m3", least=0)
+        Range | None, Option("Least and largest density found in practice.", "kg/m3", least=0)
     ] = None
     max_strain_range: Annotated[
-        Range | None, Asked("Least and largest of the strain that is borne.", least=0)
+        Range | None, Option("Least and largest of the strain that is borne.", least=0)
     ] = None
-    kerf_range: Annotated[Range | None, Asked("Least and largest kerf found in practice.", "mm", least=0)] = (
-        None
-    )
+    kerf_range: Annotated[
+        Range | None, Option("Least and largest kerf found in practice.", "mm", least=0)
+    ] = None
     least_width: Annotated[
-        float | None, Asked("Narrowest strip or tongue that can be cut.", "mm", least=0)
+        float | None, Option("Narrowest strip or tongue that can be cut.", "mm", least=0)
     ] = None
     least_ligament: Annotated[
-        float | None, Asked("Narrowest ligament of a perforated strip.", "mm", least=0)
+        float | None, Option("Narrowest ligament of a perforated strip.", "mm", least=0)
     ] = None
     least_bridge: Annotated[
-        float | None, Asked("Narrowest bridge between the cuts of a plate.", "mm", least=0)
+        float | None, Option("Narrowest bridge between the cuts of a plate.", "mm", least=0)
     ] = None
-    stock: Annotated[Range | None, Asked("Sides of the largest sheet on sale.", "mm", least=0)] = None
+    stock: Annotated[Range | None, Option("Sides of the largest sheet on sale.", "mm", least=0)] = None
     shear_modulus: Annotated[
-        float | None, Asked("Shear modulus in the plane of the sheet.", "MPa", least=0)
+        float | None, Option("Shear modulus in the plane of the sheet.", "MPa", least=0)
     ] = None
-    break_strain: Annotated[float | None, Asked("Strain of the skin at which it breaks.", least=0)] = None
+    break_strain: Annotated[float | None, Option("Strain of the skin at which it breaks.", least=0)] = None
     poisson_known: bool = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -844,7 +844,7 @@ SUFFIXES = {"mm": "_mm", "MPa": "_MPa", "kg/m3": "_kg_m3"}
 @cache
 def sheet_keys() -> Mapping[str, Field]:
     """Return the possible keys of a sheet's table, which are fields of `Sheet` with their unit."""
-    known = {entry.name + SUFFIXES.get(entry.asked.unit, ""): entry for entry in declared(Sheet)}
+    known = {entry.name + SUFFIXES.get(entry.option.unit, ""): entry for entry in declared(Sheet)}
     return MappingProxyType(known | {NOMINAL_KEY: known["poisson_ratio"]})
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import EqualByValue, and_more, require_record
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import POCKET_CLEARANCE
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame, frame_or_plain
@@ -197,14 +197,14 @@ class EndFixture(EqualByValue):
 
     tab: PlacedTab
     floor: Frame | None = None
-    clearance: Annotated[float, Asked("Room around the tab in its pocket.", "mm", least=0, most=100)] = (
+    clearance: Annotated[float, Option("Room around the tab in its pocket.", "mm", least=0, most=100)] = (
         POCKET_CLEARANCE
     )
-    wall: Annotated[float, Asked("Thickness around the pocket.", "mm", least=LEAST_WALL_MM, most=1000)] = 4.0
-    foot: Annotated[float, Asked("Width of the foot; 0 for none.", "mm", least=0, most=1000)] = 12.0
-    foot_height: Annotated[float, Asked("Height of the foot.", "mm", above=0, most=1000)] = 4.0
+    wall: Annotated[float, Option("Thickness around the pocket.", "mm", least=LEAST_WALL_MM, most=1000)] = 4.0
+    foot: Annotated[float, Option("Width of the foot; 0 for none.", "mm", least=0, most=1000)] = 12.0
+    foot_height: Annotated[float, Option("Height of the foot.", "mm", above=0, most=1000)] = 4.0
     screw: Annotated[
-        float, Asked("Diameter of the screw holes in the foot; 0 for none.", "mm", least=0, most=100)
+        float, Option("Diameter of the screw holes in the foot; 0 for none.", "mm", least=0, most=100)
     ] = 4.3
     engrave: str | None = None
     lean: tuple[float, float] = (0.0, 0.0)

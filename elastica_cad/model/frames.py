@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, require_record, several
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import BORDER, CLEARANCE, PLAY
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
@@ -138,13 +138,13 @@ def slotted_frame(
     placed: Sequence[Placed],
     sheet: Sheet | str,
     *,
-    ribs: Annotated[int, Asked("Ribs between the rails.", least=2, most=MOST_RIBS)] = 3,
-    depth: Annotated[float, Asked("Depth of the ribs.", "mm", least=1, most=1000)] = 20.0,
-    tongue: Annotated[float, Asked("Length of the tongues.", "mm", least=1, most=1000)] = 12.0,
+    ribs: Annotated[int, Option("Ribs between the rails.", least=2, most=MOST_RIBS)] = 3,
+    depth: Annotated[float, Option("Depth of the ribs.", "mm", least=1, most=1000)] = 20.0,
+    tongue: Annotated[float, Option("Length of the tongues.", "mm", least=1, most=1000)] = 12.0,
     play: Play = PLAY,
     clearance: Clearance = CLEARANCE,
     border: Border = BORDER,
-    gap: Annotated[float | None, Asked("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None,
+    gap: Annotated[float | None, Option("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None,
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> SlottedFrame:

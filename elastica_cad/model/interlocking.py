@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import direction, is_series, is_whole, numbers, require_number
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import CLEARANCE
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
@@ -156,12 +156,12 @@ class InterlockedStrips:
 def interlock(
     placed: Sequence[Placed],
     *,
-    clearance: Annotated[float, Asked("Added to the width of slots.", "mm", least=0)] = CLEARANCE,
-    fit: Annotated[Fit, Asked("Slots for the exact angle, or as the paper cuts them.")] = "exact",
-    relief: Annotated[Relief, Asked("Inner end of slots.")] = "square",
+    clearance: Annotated[float, Option("Added to the width of slots.", "mm", least=0)] = CLEARANCE,
+    fit: Annotated[Fit, Option("Slots for the exact angle, or as the paper cuts them.")] = "exact",
+    relief: Annotated[Relief, Option("Inner end of slots.")] = "square",
     pairs: Iterable[tuple[int, int]] | None = None,
     above: Annotated[
-        ArrayLike | None, Asked("From where strips are pushed on.", written=tuple[float, float, float])
+        ArrayLike | None, Option("From where strips are pushed on.", written=tuple[float, float, float])
     ] = None,
 ) -> InterlockedStrips:
     """Cut slots where bent strips cross, half way into each strip and from opposite sides.

@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._notebook import html_table
 from elastica_cad._types import ArrayLike
 from elastica_cad._values import counted, direction, is_whole, several, three
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError, quoted, refuse_options_unlike
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Color, Sheet, require_printable
@@ -153,10 +153,10 @@ MOST_PLACED = 100_000
 
 def mirror(
     placed: Sequence[Placed],
-    point: Annotated[ArrayLike, Asked("A point on the plane.", "mm", written=Triple)] = (0.0, 0.0, 0.0),
-    normal: Annotated[ArrayLike, Asked("Across the plane.", written=Triple)] = (1.0, 0.0, 0.0),
+    point: Annotated[ArrayLike, Option("A point on the plane.", "mm", written=Triple)] = (0.0, 0.0, 0.0),
+    normal: Annotated[ArrayLike, Option("Across the plane.", written=Triple)] = (1.0, 0.0, 0.0),
     *,
-    keep: Annotated[bool, Asked("Keep the original too.")] = True,
+    keep: Annotated[bool, Option("Keep the original too.")] = True,
 ) -> tuple[Placed, ...]:
     """Return the mirror images in the plane through `point` with this normal, after the originals if kept."""
     n, p = direction(normal, "the normal of a mirror"), three(point, "the point of a mirror")
@@ -167,11 +167,11 @@ def mirror(
 
 def rotate(
     placed: Sequence[Placed],
-    count: Annotated[int, Asked("How many in all.", least=1, most=1000)],
+    count: Annotated[int, Option("How many in all.", least=1, most=1000)],
     *,
-    axis: Annotated[ArrayLike, Asked("Direction of the axis.", written=Triple)] = (0.0, 0.0, 1.0),
-    point: Annotated[ArrayLike, Asked("A point on the axis.", "mm", written=Triple)] = (0.0, 0.0, 0.0),
-    step: Annotated[float | None, Asked("Angle between two; all around unless given.", "rad")] = None,
+    axis: Annotated[ArrayLike, Option("Direction of the axis.", written=Triple)] = (0.0, 0.0, 1.0),
+    point: Annotated[ArrayLike, Option("A point on the axis.", "mm", written=Triple)] = (0.0, 0.0, 0.0),
+    step: Annotated[float | None, Option("Angle between two; all around unless given.", "rad")] = None,
 ) -> tuple[Placed, ...]:
     """Return `count` copies of the strips about an axis, `step` rad apart; by default they fill the full turn."""
     _require_count(count, len(placed))
@@ -188,8 +188,8 @@ def rotate(
 
 def repeat(
     placed: Sequence[Placed],
-    count: Annotated[int, Asked("How many in all.", least=1, most=1000)],
-    step: Annotated[ArrayLike, Asked("From one to the next.", "mm", written=Triple)],
+    count: Annotated[int, Option("How many in all.", least=1, most=1000)],
+    step: Annotated[ArrayLike, Option("From one to the next.", "mm", written=Triple)],
 ) -> tuple[Placed, ...]:
     """Return `count` copies of the strips, `step` (3,) mm apart; the first copy is the original."""
     _require_count(count, len(placed))

@@ -10,7 +10,7 @@ from typing import Annotated
 import numpy as np
 
 from elastica_cad._values import require_number, require_record, several
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import KERF
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
@@ -34,11 +34,11 @@ LEAST_GAP_MM = 0.01
 class Nesting:
     """Size of the sheets (width, height) and least distance between pieces, mm."""
 
-    sheet_size: Annotated[tuple[float, float], Asked("Width and height of the sheets.", "mm", above=0)] = (
+    sheet_size: Annotated[tuple[float, float], Option("Width and height of the sheets.", "mm", above=0)] = (
         600.0,
         400.0,
     )
-    margin: Annotated[float, Asked("Least distance between parts.", "mm", least=0)] = 2.0
+    margin: Annotated[float, Option("Least distance between parts.", "mm", least=0)] = 2.0
 
     def __post_init__(self) -> None:
         require_declared(Nesting, vars(self))

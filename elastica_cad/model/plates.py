@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_flag, require_record, several
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import BASE_BORDER, BASE_PLAY, BORDER, CLEARANCE, PLAY
 from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame, frame_or_plain
@@ -48,13 +48,13 @@ BELOW_MM = 1e-6
 
 Shape = Literal["hull", "rectangle", "ring"]
 
-Play: TypeAlias = Annotated[float, Asked("Room beside a tab on either side.", "mm", least=0, most=1000)]
-Clearance: TypeAlias = Annotated[float, Asked("Added to the width of slots.", "mm", least=0, most=1000)]
+Play: TypeAlias = Annotated[float, Option("Room beside a tab on either side.", "mm", least=0, most=1000)]
+Clearance: TypeAlias = Annotated[float, Option("Added to the width of slots.", "mm", least=0, most=1000)]
 Border: TypeAlias = Annotated[
-    float, Asked("Least distance of slots from the edge.", "mm", least=0, most=1000)
+    float, Option("Least distance of slots from the edge.", "mm", least=0, most=1000)
 ]
-Outline: TypeAlias = Annotated[Shape, Asked("Outline of the plate.")]
-Name: TypeAlias = Annotated[str, Asked("Name of its files.")]
+Outline: TypeAlias = Annotated[Shape, Option("Outline of the plate.")]
+Name: TypeAlias = Annotated[str, Option("Name of its files.")]
 
 
 @dataclass(frozen=True)
@@ -68,10 +68,10 @@ class PlateOptions:
 
     play: Play = BASE_PLAY
     clearance: Clearance = CLEARANCE
-    slot_width: Annotated[float | None, Asked("Least width of slots.", "mm", least=0, most=1000)] = None
+    slot_width: Annotated[float | None, Option("Least width of slots.", "mm", least=0, most=1000)] = None
     border: Border = BASE_BORDER
     shape: Outline = "hull"
-    ends: Annotated[Sequence[StripEnd], Asked("Which tabs; all unless given.", written=StripEnd)] = ENDS
+    ends: Annotated[Sequence[StripEnd], Option("Which tabs; all unless given.", written=StripEnd)] = ENDS
     name: Name = "base"
     shop: FabricationLimits | None = None
     ignore_limits: bool = False

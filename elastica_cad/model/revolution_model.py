@@ -259,7 +259,7 @@ def revolve(
     ends = None if ends is None else pair_of_tabs(ends)
     if gap is not None:
         require_number(gap, "gap", "mm")
-    asked = _Asked(strips, sheet, ends, rings, gap, shop, ignore_limits)
+    asked = _Request(strips, sheet, ends, rings, gap, shop, ignore_limits)
     try:
         placed, plates, told = asked.made(meridian)
     except InputError as problem:
@@ -272,7 +272,7 @@ def revolve(
 
 
 @dataclass(frozen=True)
-class _Asked:
+class _Request:
     """Request for a surface, without its meridian."""
 
     strips: int
@@ -341,7 +341,7 @@ class _Asked:
         return first, last
 
 
-def _smallest_ring(meridian: Meridian, asked: _Asked) -> int | None:
+def _smallest_ring(meridian: Meridian, asked: _Request) -> int | None:
     """Return the smallest distance from the axis, in whole mm, at which strips and rings can be made, or None."""
 
     def works(ring: int) -> bool:

@@ -17,7 +17,7 @@ from elastica_cad._values import (
     require_positive,
     require_record,
 )
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError, NotConvergedError, StrainError, rounded_up
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -82,10 +82,10 @@ class Pad:
         Distance from the ends of the pad to the centres of the holes, mm.
     """
 
-    length: Annotated[float, Asked("Along the part.", "mm", above=0)] = 18.0
-    width: Annotated[float, Asked("Across the part.", "mm", above=0)] = 10.0
-    hole: Annotated[float, Asked("Diameter of its two holes; 3.2 for M3.", "mm", above=0)] = 3.2
-    inset: Annotated[float, Asked("From its ends to the middles of the holes.", "mm", above=0)] = 4.5
+    length: Annotated[float, Option("Along the part.", "mm", above=0)] = 18.0
+    width: Annotated[float, Option("Across the part.", "mm", above=0)] = 10.0
+    hole: Annotated[float, Option("Diameter of its two holes; 3.2 for M3.", "mm", above=0)] = 3.2
+    inset: Annotated[float, Option("From its ends to the middles of the holes.", "mm", above=0)] = 4.5
 
     def __post_init__(self) -> None:
         require_declared(Pad, vars(self), "pad")

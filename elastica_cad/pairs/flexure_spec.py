@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Annotated, Literal
 
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet
@@ -45,49 +45,49 @@ class FlexureSpec:
     False
     """
 
-    first: Annotated[PlaneCurve, Asked("The curve of the first state.")]
-    second: Annotated[PlaneCurve, Asked("The curve of the second state.")]
+    first: Annotated[PlaneCurve, Option("The curve of the first state.")]
+    second: Annotated[PlaneCurve, Option("The curve of the second state.")]
     sheet: Annotated[
-        Sheet | str, Asked("Material, whose thickness is the depth of the part.", common=True, written=Sheet)
+        Sheet | str, Option("Material, whose thickness is the depth of the part.", common=True, written=Sheet)
     ]
     match: Annotated[
         Match,
-        Asked(
+        Option(
             "Make both curves equally long: with their ends where they are, by scaling, or not.", common=True
         ),
     ] = "ends"
     smooth: Annotated[
         float | None,
-        Asked("Move the curves so far to make their curvature smooth.", "mm", least=0, common=True),
+        Option("Move the curves so far to make their curvature smooth.", "mm", least=0, common=True),
     ] = None
-    limits: Annotated[PairLimits, Asked("What the strip may have at most.")] = field(
+    limits: Annotated[PairLimits, Option("What the strip may have at most.")] = field(
         default_factory=PairLimits
     )
-    free: Annotated[State | None, Asked("The state that needs no holding.", common=True)] = None
+    free: Annotated[State | None, Option("The state that needs no holding.", common=True)] = None
     objective: Annotated[
-        Objective, Asked("The thickest part that the strain allows, or the most even one.", common=True)
+        Objective, Option("The thickest part that the strain allows, or the most even one.", common=True)
     ] = "thickness"
     least_thickness: Annotated[
         float | None,
-        Asked(
+        Option(
             "Thinnest place in the plane, else the most that the sheet's strain allows.",
             "mm",
             least=0,
             common=True,
         ),
     ] = None
-    pad: Annotated[Pad, Asked("What holds both ends.")] = field(default_factory=Pad)
-    fillet: Annotated[float, Asked("Radius at the roots of the pads.", "mm", least=0, common=True)] = 1.0
+    pad: Annotated[Pad, Option("What holds both ends.")] = field(default_factory=Pad)
+    fillet: Annotated[float, Option("Radius at the roots of the pads.", "mm", least=0, common=True)] = 1.0
     push_at: Annotated[
         float | None,
-        Asked("Where a bistable part is pushed over, else at its middle.", "mm", least=0, common=True),
+        Option("Where a bistable part is pushed over, else at its middle.", "mm", least=0, common=True),
     ] = None
     printed: Annotated[
-        bool, Asked("For a printer: 0.9 mm thick at least, not 0.8 as a laser cuts.", common=True)
+        bool, Option("For a printer: 0.9 mm thick at least, not 0.8 as a laser cuts.", common=True)
     ] = False
-    label: Annotated[str, Asked("Name of the part, engraved on its first pad.", common=True)] = ""
+    label: Annotated[str, Option("Name of the part, engraved on its first pad.", common=True)] = ""
     ignore_limits: Annotated[
-        bool, Asked("Make it although it is too thin or touches itself.", common=True)
+        bool, Option("Make it although it is too thin or touches itself.", common=True)
     ] = False
 
     def __post_init__(self) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_one_of, require_positive, require_record
-from elastica_cad.declared import Asked
+from elastica_cad.declared import Option
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.geometry.polynomials import WEIGHTS, PanelFunction
@@ -62,12 +62,12 @@ class PairLimits:
 
     ratio: Annotated[
         float | None,
-        Asked("Largest stiffness ratio; 8 is a ratio of 2 in the thickness.", least=1, common=True),
+        Option("Largest stiffness ratio; 8 is a ratio of 2 in the thickness.", least=1, common=True),
     ] = None
     natural_curvature: Annotated[
-        float | None, Asked("How far the strip is curved at most before it is bent.", "1/mm", least=0)
+        float | None, Option("How far the strip is curved at most before it is bent.", "1/mm", least=0)
     ] = None
-    bend: Annotated[float | None, Asked("How far it is bent at most in either state.", "1/mm", least=0)] = (
+    bend: Annotated[float | None, Option("How far it is bent at most in either state.", "1/mm", least=0)] = (
         None
     )
 

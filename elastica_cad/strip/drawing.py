@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._notebook import BLUE, GREY, INK, RED, svg_of_lines
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_number, require_number, require_record, several
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path, distances
@@ -309,10 +309,10 @@ class HoldingTabs:
         Interrupt inner cuts longer than `spacing` too.
     """
 
-    width: Annotated[float, Asked("Width of a bridge.", "mm", above=0)] = 0.5
-    spacing: Annotated[float, Asked("Largest distance between two bridges.", "mm", least=1)] = 100.0
-    least: Annotated[int, Asked("How many bridges each loop has at least.", least=1, most=1000)] = 2
-    inner: Annotated[bool, Asked("Interrupt inner cuts too.")] = False
+    width: Annotated[float, Option("Width of a bridge.", "mm", above=0)] = 0.5
+    spacing: Annotated[float, Option("Largest distance between two bridges.", "mm", least=1)] = 100.0
+    least: Annotated[int, Option("How many bridges each loop has at least.", least=1, most=1000)] = 2
+    inner: Annotated[bool, Option("Interrupt inner cuts too.")] = False
 
     def __post_init__(self) -> None:
         require_declared(HoldingTabs, vars(self), "holding tabs:")

@@ -7,7 +7,7 @@ from typing import Annotated
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.geometry.plane_curve import CORNER_RAD
 from elastica_cad.mechanics.discrete_rod import solve_tridiagonal
 from elastica_cad.mechanics.rod import Rod
@@ -314,20 +314,20 @@ class MakingTolerance:
 
     thickness_wave: Annotated[
         float,
-        Asked("Amplitude of a wave of thickness along the strip, as a share of the thickness.", least=0),
+        Option("Amplitude of a wave of thickness along the strip, as a share of the thickness.", least=0),
     ] = 0.01
     grain: Annotated[
-        float, Asked("By how much the grain wanders to either side along the strip.", "rad", least=0)
+        float, Option("By how much the grain wanders to either side along the strip.", "rad", least=0)
     ] = float(np.radians(2.0))
-    clamps: Annotated[float, Asked("By how much each clamp is turned.", "rad", least=0)] = float(
+    clamps: Annotated[float, Option("By how much each clamp is turned.", "rad", least=0)] = float(
         np.radians(0.5)
     )
     kerf: Annotated[
-        float, Asked("Width that is lost beyond what the kerf was corrected for.", "mm", least=0)
+        float, Option("Width that is lost beyond what the kerf was corrected for.", "mm", least=0)
     ] = 0.05
     modulus: Annotated[
         float,
-        Asked(
+        Option(
             "Share by which Young's modulus is smaller; only strips under weight or loads depend on it.",
             least=0,
             most=0.5,

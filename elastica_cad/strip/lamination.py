@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.laminated_section import BoundedBacking, LaminatedSection
@@ -61,13 +61,13 @@ class Laminated:
     20.0
     """
 
-    width: Annotated[Width, Asked("Width of the base.", "mm", least=0, common=True, written=float)]
-    backing: Annotated[Sheet, Asked("Sheet that is glued on.")]
-    least_backing: Annotated[float, Asked("Narrowest backing that can be cut and glued.", "mm", above=0)] = (
+    width: Annotated[Width, Option("Width of the base.", "mm", least=0, common=True, written=float)]
+    backing: Annotated[Sheet, Option("Sheet that is glued on.")]
+    least_backing: Annotated[float, Option("Narrowest backing that can be cut and glued.", "mm", above=0)] = (
         1.0
     )
     dots: Annotated[
-        float, Asked("Diameter of the holes in the tabs that align the layers; 0 for none.", "mm", least=0)
+        float, Option("Diameter of the holes in the tabs that align the layers; 0 for none.", "mm", least=0)
     ] = 1.0
 
     def __post_init__(self) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import counted, require_positive, several
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import TAB_LENGTH
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
@@ -41,9 +41,9 @@ class Hole:
         Distance from the centre line, mm, towards positive y.
     """
 
-    at: Annotated[float, Asked("Distance from where the tab begins.", "mm")]
-    diameter: Annotated[float, Asked("Diameter of the hole.", "mm", above=0)]
-    across: Annotated[float, Asked("Distance from the centre line.", "mm")] = 0.0
+    at: Annotated[float, Option("Distance from where the tab begins.", "mm")]
+    diameter: Annotated[float, Option("Diameter of the hole.", "mm", above=0)]
+    across: Annotated[float, Option("Distance from the centre line.", "mm")] = 0.0
 
     def __post_init__(self) -> None:
         require_declared(Hole, vars(self), "hole")
@@ -70,13 +70,13 @@ class TSlot:
         Sizes are not positive, the nut is narrower than the screw, or the depth ends before the nut.
     """
 
-    depth: Annotated[float, Asked("From the outer edge inward.", "mm", above=0)]
-    screw: Annotated[float, Asked("Width of the slot.", "mm", above=0)] = 3.2
-    nut: Annotated[tuple[float, float], Asked("Pocket across and along the screw.", "mm", above=0)] = (
+    depth: Annotated[float, Option("From the outer edge inward.", "mm", above=0)]
+    screw: Annotated[float, Option("Width of the slot.", "mm", above=0)] = 3.2
+    nut: Annotated[tuple[float, float], Option("Pocket across and along the screw.", "mm", above=0)] = (
         5.6,
         2.6,
     )
-    wall: Annotated[float, Asked("Between the outer edge and the nut.", "mm", above=0)] = 4.0
+    wall: Annotated[float, Option("Between the outer edge and the nut.", "mm", above=0)] = 4.0
 
     def __post_init__(self) -> None:
         require_declared(TSlot, vars(self), "T-slot")
@@ -132,16 +132,16 @@ class Tab:
     """
 
     length: Annotated[
-        float, Asked("Length of the tab; 0 for none.", "mm", least=0, most=10_000, common=True)
+        float, Option("Length of the tab; 0 for none.", "mm", least=0, most=10_000, common=True)
     ] = TAB_LENGTH
     width: Annotated[
-        float | None, Asked("Width of the tab; that of the strip unless given.", "mm", above=0)
+        float | None, Option("Width of the tab; that of the strip unless given.", "mm", above=0)
     ] = None
-    corner_radius: Annotated[float, Asked("Rounding of the outer corners.", "mm", least=0)] = 0.0
-    chamfer: Annotated[float, Asked("Chamfer of the outer corners.", "mm", least=0)] = 0.0
-    holes: Annotated[tuple[Hole, ...], Asked("Round holes.")] = ()
-    t_slot: Annotated[TSlot | None, Asked("Slot for a screw with its nut.")] = None
-    taper: Annotated[float, Asked("How much the tab narrows on either side.", "mm", least=0)] = 0.0
+    corner_radius: Annotated[float, Option("Rounding of the outer corners.", "mm", least=0)] = 0.0
+    chamfer: Annotated[float, Option("Chamfer of the outer corners.", "mm", least=0)] = 0.0
+    holes: Annotated[tuple[Hole, ...], Option("Round holes.")] = ()
+    t_slot: Annotated[TSlot | None, Option("Slot for a screw with its nut.")] = None
+    taper: Annotated[float, Option("How much the tab narrows on either side.", "mm", least=0)] = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "holes", several("holes", self.holes, Hole, "Hole"))

@@ -9,7 +9,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import counted
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError, rounded_down, rounded_up
 from elastica_cad.geometry.approximations import as_arcs
 from elastica_cad.geometry.path import JOIN, Path, distances
@@ -356,16 +356,18 @@ class Perforated:
     True
     """
 
-    width: Annotated[Width, Asked("Width of the outline.", "mm", least=0, common=True, written=float)]
-    columns: Annotated[int, Asked("Diamond holes side by side.", least=1)] = 2
-    rows: Annotated[int | None, Asked("Diamond holes one after the other; chosen unless given.", least=1)] = (
-        None
+    width: Annotated[Width, Option("Width of the outline.", "mm", least=0, common=True, written=float)]
+    columns: Annotated[int, Option("Diamond holes side by side.", least=1)] = 2
+    rows: Annotated[
+        int | None, Option("Diamond holes one after the other; chosen unless given.", least=1)
+    ] = None
+    hole_ratio: Annotated[float, Option("Largest share of the width that holes take.", above=0, most=1)] = (
+        0.85
     )
-    hole_ratio: Annotated[float, Asked("Largest share of the width that holes take.", above=0, most=1)] = 0.85
-    least_ligament: Annotated[float, Asked("Narrowest ligament between holes.", "mm", above=0)] = 0.5
-    least_hole: Annotated[float, Asked("Widest place of the narrowest hole.", "mm", above=0)] = 1.0
-    corner_radius: Annotated[float, Asked("Rounding of the corners of the holes.", "mm", least=0)] = 0.0
-    sides: Annotated[Literal["spline", "arc"], Asked("What the sides of holes are made of.")] = "spline"
+    least_ligament: Annotated[float, Option("Narrowest ligament between holes.", "mm", above=0)] = 0.5
+    least_hole: Annotated[float, Option("Widest place of the narrowest hole.", "mm", above=0)] = 1.0
+    corner_radius: Annotated[float, Option("Rounding of the corners of the holes.", "mm", least=0)] = 0.0
+    sides: Annotated[Literal["spline", "arc"], Option("What the sides of holes are made of.")] = "spline"
 
     def __post_init__(self) -> None:
         require_declared(Perforated, vars(self))

@@ -10,7 +10,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import Chords, chord_crossings, encloses, polylines_cross
@@ -81,15 +81,15 @@ class Slot:
     'upper'
     """
 
-    at: Annotated[float, Asked("Place along the strip.", "mm")]
-    width: Annotated[float, Asked("Width of the slot.", "mm", above=0)]
+    at: Annotated[float, Option("Place along the strip.", "mm")]
+    width: Annotated[float, Option("Width of the slot.", "mm", above=0)]
     depth: Annotated[
-        float | None, Asked("Depth from the edge; to the centre line unless given.", "mm", above=0)
+        float | None, Option("Depth from the edge; to the centre line unless given.", "mm", above=0)
     ] = None
-    side: Annotated[Side, Asked("The edge on which it opens.")] = "upper"
-    lean: Annotated[float, Asked("Angle to the ruling of the strip.", "rad")] = 0.0
-    relief: Annotated[Relief, Asked("Its inner end.")] = "square"
-    mate: Annotated[str, Asked("What goes in; written beside it.")] = ""
+    side: Annotated[Side, Option("The edge on which it opens.")] = "upper"
+    lean: Annotated[float, Option("Angle to the ruling of the strip.", "rad")] = 0.0
+    relief: Annotated[Relief, Option("Its inner end.")] = "square"
+    mate: Annotated[str, Option("What goes in; written beside it.")] = ""
     path: FloatArray | None = None
     widths: FloatArray | None = None
 

@@ -10,7 +10,7 @@ from typing import Annotated, Any, TypeAlias, cast
 import numpy as np
 
 from elastica_cad._values import EqualByValue, is_number, require_record, several
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import Change, InputError, refuse_unknown, rounded_up
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.limits import Keep, Limits
@@ -49,14 +49,14 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.styles import NO_WIDTH, PLAIN, Plain, Style, require_style, width_profile
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
-AskedGravity: TypeAlias = Gravity | bool | Sequence[float] | None
+GravityOption: TypeAlias = Gravity | bool | Sequence[float] | None
 """A `Gravity`, True for the sheet's own weight along -y, or the direction of the weight."""
 
 Loads: TypeAlias = "tuple[PointMass, ...] | Weight"
 """Masses hung on a strip in addition to its own weight, or the whole weight in newtons."""
 
 
-def pull_in_plane(given: AskedGravity, sheet: Sheet, frame: Frame | None) -> tuple[Gravity | None, float]:
+def pull_in_plane(given: GravityOption, sheet: Sheet, frame: Frame | None) -> tuple[Gravity | None, float]:
     """Return gravity in the plane of a strip's curve, and the fraction of a weight that acts in the plane.
 
     Raises
@@ -381,10 +381,10 @@ class StripSpec(EqualByValue):
     True
     """
 
-    curve: Annotated[PlaneCurve, Asked("The curve that the strip takes.", group="curve")]
+    curve: Annotated[PlaneCurve, Option("The curve that the strip takes.", group="curve")]
     sheet: Annotated[
         Sheet | str,
-        Asked(
+        Option(
             "Material: the name of a sheet, or a file of yours, my.toml or my.toml:NAME.",
             group="sheet",
             common=True,
@@ -393,23 +393,23 @@ class StripSpec(EqualByValue):
     ]
     frame: Frame | None = None
     max_width: Annotated[
-        float | None, Asked("Width of the widest place.", "mm", above=0, group="widths", common=True)
+        float | None, Option("Width of the widest place.", "mm", above=0, group="widths", common=True)
     ] = None
     min_width: Annotated[
         float | None,
-        Asked("Width of the narrowest place, or its limit.", "mm", above=0, group="widths", common=True),
+        Option("Width of the narrowest place, or its limit.", "mm", above=0, group="widths", common=True),
     ] = None
-    style: Annotated[Style, Asked("How stiffness becomes material.", group="widths", common=True)] = PLAIN
+    style: Annotated[Style, Option("How stiffness becomes material.", group="widths", common=True)] = PLAIN
     limits: Annotated[
         Limits | None,
-        Asked("The curve may change, as little as these limits ask for.", group="limits", common=True),
+        Option("The curve may change, as little as these limits ask for.", group="limits", common=True),
     ] = None
     keep: Annotated[
-        Keep | None, Asked("What a curve that may change keeps.", group="limits", common=True)
+        Keep | None, Option("What a curve that may change keeps.", group="limits", common=True)
     ] = None
     gravity: Annotated[
-        AskedGravity,
-        Asked(
+        GravityOption,
+        Option(
             "The strip carries its own weight: true, the direction in which it falls, or a length of its own.",
             group="weight",
             common=True,
@@ -418,18 +418,18 @@ class StripSpec(EqualByValue):
     ] = None
     loads: Annotated[
         tuple[PointMass, ...] | Weight,
-        Asked(
+        Option(
             "Masses hung on the strip, or all weight in newtons.",
             group="weight",
             written=tuple[PointMass, ...] | Weight,
         ),
     ] = ()
     supports: Annotated[
-        Supports, Asked("What holds the start and the end of the curve.", group="ends", common=True)
+        Supports, Option("What holds the start and the end of the curve.", group="ends", common=True)
     ] = field(default_factory=Supports)
     natural_curvature: Annotated[
         NaturalCurvature,
-        Asked(
+        Option(
             "Curvature of the strip before it is bent, or a blank that is bent beforehand.",
             "1/mm",
             group="curve",
@@ -437,11 +437,11 @@ class StripSpec(EqualByValue):
         ),
     ] = 0.0
     samples: Annotated[
-        int | None, Asked("Nodes of the rod; chosen unless given.", least=3, most=10000, group="curve")
+        int | None, Option("Nodes of the rod; chosen unless given.", least=3, most=10000, group="curve")
     ] = None
     ends: Annotated[
         tuple[Tab, Tab],
-        Asked(
+        Option(
             "Tab of both ends, or the two of start and end.",
             group="ends",
             common=True,
@@ -450,7 +450,7 @@ class StripSpec(EqualByValue):
     ] = (Tab(), Tab())
     seam_position: Annotated[
         float | None,
-        Asked(
+        Option(
             "Where a closed strip is joined, along its curve; where it is bent least unless given.",
             "mm",
             least=0,
@@ -459,21 +459,21 @@ class StripSpec(EqualByValue):
     ] = None
     straight_ends: Annotated[
         bool,
-        Asked(
+        Option(
             "Straight first and last pieces of the curve become the tabs; false: the whole curve is bent.",
             group="ends",
         ),
     ] = True
-    slots: Annotated[tuple[Slot, ...], Asked("Slots from the edge.", many=1000, group="ends")] = ()
+    slots: Annotated[tuple[Slot, ...], Option("Slots from the edge.", many=1000, group="ends")] = ()
     label: Annotated[
-        str, Asked("Name of the strip, which is engraved on it.", most=200, group="ends", common=True)
+        str, Option("Name of the strip, which is engraved on it.", most=200, group="ends", common=True)
     ] = ""
     engrave: Annotated[
-        str | None, Asked("Text engraved in place of the label; empty for none.", most=200, group="ends")
+        str | None, Option("Text engraved in place of the label; empty for none.", most=200, group="ends")
     ] = None
     smooth: Annotated[
         float | None,
-        Asked(
+        Option(
             "How far the curve may be moved to become fair; 0 follows it exactly as drawn.",
             "mm",
             least=0,
@@ -481,10 +481,10 @@ class StripSpec(EqualByValue):
             common=True,
         ),
     ] = None
-    shop: Annotated[FabricationLimits, Asked("What the workshop can make.", group="limits")] = DEFAULT_LIMITS
+    shop: Annotated[FabricationLimits, Option("What the workshop can make.", group="limits")] = DEFAULT_LIMITS
     compensate: Annotated[
         bool | None,
-        Asked(
+        Option(
             "Make up in the widths for slots, narrow tabs and bending; unless given for anticlastic bending alone.",
             group="widths",
             common=True,
@@ -492,20 +492,21 @@ class StripSpec(EqualByValue):
     ] = None
     creep: Annotated[
         float,
-        Asked("Creep factor of the sheet in the long run; 0 leaves creep out.", least=0, group="weight"),
+        Option("Creep factor of the sheet in the long run; 0 leaves creep out.", least=0, group="weight"),
     ] = 0.0
     law: Annotated[
         BoundedLaw | None,
-        Asked(
+        Option(
             "What stiffness is made of in place of width: thickness, a rod, a tube, or glued leaves.",
             group="widths",
         ),
     ] = None
     ignore_limits: Annotated[
-        bool, Asked("Make a strip that cannot be cut or handled, and say so.", group="limits", common=True)
+        bool, Option("Make a strip that cannot be cut or handled, and say so.", group="limits", common=True)
     ] = False
     tolerance: Annotated[
-        MakingTolerance, Asked("What is off in sheet, cut and clamps; what that adds is told.", group="sheet")
+        MakingTolerance,
+        Option("What is off in sheet, cut and clamps; what that adds is told.", group="sheet"),
     ] = USUAL_TOLERANCE
 
     def __post_init__(self) -> None:

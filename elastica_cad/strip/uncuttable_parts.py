@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
 from elastica_cad._values import and_more, require_record, told_apart
-from elastica_cad.declared import Asked, require_declared
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import anticlockwise
@@ -66,7 +66,7 @@ class FabricationLimits:
 
     least_width: Annotated[
         float | None,
-        Asked(
+        Option(
             "Narrowest strip, tab or tongue that can be made; that of the sheet unless given.",
             "mm",
             least=0.05,
@@ -75,17 +75,17 @@ class FabricationLimits:
     ] = None
     least_ligament: Annotated[
         float | None,
-        Asked("Least material between the holes of a perforated strip.", "mm", least=0.05, group="limits"),
+        Option("Least material between the holes of a perforated strip.", "mm", least=0.05, group="limits"),
     ] = None
     least_bridge: Annotated[
-        float | None, Asked("Least material between the cuts of a plate.", "mm", least=0.05, group="limits")
+        float | None, Option("Least material between the cuts of a plate.", "mm", least=0.05, group="limits")
     ] = None
     stock: Annotated[
-        tuple[float, float] | None, Asked("Sides of the largest sheet.", "mm", above=0, group="limits")
+        tuple[float, float] | None, Option("Sides of the largest sheet.", "mm", above=0, group="limits")
     ] = None
     lap: Annotated[
         float | None,
-        Asked(
+        Option(
             "Length of the plates that join pieces of a strip longer than the stock.",
             "mm",
             above=0,

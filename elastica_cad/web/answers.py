@@ -146,7 +146,7 @@ def _design(request: Mapping[str, Any]) -> Design:
     return design_of(request["design"], FilePath("design"), _no_file)
 
 
-def asked_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
+def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
     """Return the request for strip number `k` of a design.
 
     Raises
@@ -162,7 +162,7 @@ def asked_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
 
 
 def _spec(request: Mapping[str, Any]) -> StripSpec:
-    return asked_spec(request["design"], request.get("strip", 0))
+    return requested_spec(request["design"], request.get("strip", 0))
 
 
 def _strip(request: Mapping[str, Any]) -> Record:

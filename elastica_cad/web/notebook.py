@@ -12,7 +12,7 @@ from elastica_cad.errors import missing_library
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.strip.strip_spec import StripSpec
-from elastica_cad.web.answers import asked_spec
+from elastica_cad.web.answers import requested_spec
 from elastica_cad.web.saved_design import curve_table
 from elastica_cad.web.vocabulary import page_words
 from elastica_cad.web.worker import reply
@@ -99,7 +99,7 @@ def _widget() -> type["AnyWidget"]:
         @property
         def value(self) -> tuple[PlaneCurve, StripSpec]:
             """The curve and the request as they are drawn."""
-            spec = asked_spec(self.design)
+            spec = requested_spec(self.design)
             return spec.curve, spec
 
     return Studio

@@ -22,7 +22,7 @@ from elastica_cad import ElasticaError, Frame, Strip, build123d, cadquery, read_
 from elastica_cad.cli.commands import elastica
 from elastica_cad.design import read_design
 from elastica_cad.refusals import Wording
-from elastica_cad.web.answers import asked_spec
+from elastica_cad.web.answers import requested_spec
 from tests.contract import answers
 from tests.contract.more_requests import MORE_REQUESTS
 from tests.contract.table import REFUSED, REQUESTS
@@ -62,7 +62,7 @@ def design_text(asked):
 def studio_page(asked, _):
     """The request of the page for the design that it shows."""
     try:
-        return asked_spec(tomlkit.parse(design_text(asked)).unwrap()).make()
+        return requested_spec(tomlkit.parse(design_text(asked)).unwrap()).make()
     except ElasticaError as problem:
         return str(problem)
 

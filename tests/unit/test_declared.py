@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 import pytest
 
 from elastica_cad import InputError, StripSpec
-from elastica_cad.declared import Asked, declared, kind_of
+from elastica_cad.declared import Option, declared, kind_of
 from elastica_cad.design.records import Reader, described, parsed_line
 from elastica_cad.design.strip_table import StripKeys
 from elastica_cad.design.tables import Table
@@ -18,10 +18,10 @@ ROOT = Path(__file__).resolve().parents[2]
 
 @dataclass(frozen=True)
 class Ring:
-    radius: Annotated[float, Asked("Radius of the ring.", "mm", least=0)]
-    side: Annotated[Literal["upper", "lower"], Asked("Where it opens.")] = "upper"
-    places: Annotated[tuple[tuple[float, float], ...], Asked("Points on it.", "mm")] = ()
-    inner: "Annotated[Ring | None, Asked('A ring within.')]" = None
+    radius: Annotated[float, Option("Radius of the ring.", "mm", least=0)]
+    side: Annotated[Literal["upper", "lower"], Option("Where it opens.")] = "upper"
+    places: Annotated[tuple[tuple[float, float], ...], Option("Points on it.", "mm")] = ()
+    inner: "Annotated[Ring | None, Option('A ring within.')]" = None
 
 
 def ring_of(line):
@@ -85,9 +85,9 @@ def test_typed_options_are_those_of_the_declarations(monkeypatch):
 def test_a_table_refuses_what_is_larger_than_declared(line, sentence):
     @dataclass(frozen=True)
     class Part:
-        length: Annotated[float, Asked("Length.", "mm", least=0, most=10_000)] = 0.0
-        name: Annotated[str, Asked("Name.", most=100)] = ""
-        places: Annotated[tuple[float, ...], Asked("Places.", "mm", many=50)] = ()
+        length: Annotated[float, Option("Length.", "mm", least=0, most=10_000)] = 0.0
+        name: Annotated[str, Option("Name.", most=100)] = ""
+        places: Annotated[tuple[float, ...], Option("Places.", "mm", many=50)] = ()
 
     with pytest.raises(InputError, match=f"part: {sentence}"):
         Reader().record(Part, Table(parsed_line(line, "part"), "part", {}))

@@ -72,7 +72,7 @@ GROUPS = {"style": "Style", "limits": "Nearest", "keep": "Nearest", "curve": "Cu
 
 def _group(path: str) -> str:
     table = path.partition(".")[0]
-    return GROUPS.get(table) or GROUPS.get(paths_of(StripKeys)[table].asked.group, "Strip")
+    return GROUPS.get(table) or GROUPS.get(paths_of(StripKeys)[table].option.group, "Strip")
 
 
 def _one_to_one() -> Iterator[tuple[str, Field]]:
@@ -296,7 +296,7 @@ def _value(obj: Any, name: str, field: Field) -> Any:
     """Return the value of a property as in a design file, or None if it is not set."""
     value = getattr(obj, name)
     value = getattr(value, "Value", value)
-    if field.asked.unit == "rad":
+    if field.option.unit == "rad":
         value = math.radians(value)
     if field.kind.name == "list" and field.kind.of[0].name != "number":
         return _lines(value, name, EXAMPLES.get(name, "")) or None

@@ -65,7 +65,7 @@ def declared_property(
     kind, name, default = written(field.kind), name or field.name.title().replace("_", ""), field.default
     called = KINDS.get(kind.name) or ("StringList" if kind.name == "list" else "String")
     if kind.name == "number":
-        called = UNITS.get(field.asked.unit, called)
+        called = UNITS.get(field.option.unit, called)
     if kind.name == "list" and kind.of[0].name == "number":
         called = "FloatList"
     if kind.name == "choice":

@@ -110,7 +110,7 @@ split_option = click.option(
 
 
 @dataclass(frozen=True, eq=False)
-class AskedCurve:
+class RequestedCurve:
     """Requested curve of a command.
 
     Attributes
@@ -189,7 +189,7 @@ class AskedCurve:
             raise
 
 
-def asked_curves(
+def requested_curves(
     path: Path,
     unit: str | None,
     number: str | None,
@@ -199,7 +199,7 @@ def asked_curves(
     split: bool = False,
     corners: bool = True,
     how: str = CHOICE,
-) -> tuple[AskedCurve, ...]:
+) -> tuple[RequestedCurve, ...]:
     """Return the curve selected by number, id or layer, or `every` selected curve; with `split` their pieces.
 
     Without `corners`, curves that meet at a corner are not joined, and joints are not reported. `how` names the
@@ -217,7 +217,7 @@ def asked_curves(
     in_files = _names(found)
     in_drawing = _names(drawing.curves) if len(drawing) > 1 else {}
     return tuple(
-        AskedCurve(
+        RequestedCurve(
             path,
             one,
             whole,
@@ -296,7 +296,7 @@ END_NAMES = get_args(EndName)
 
 def read_curves_told(path: Path, *, unit: str | None = None) -> list[PlaneCurve]:
     """Read the only curve of a file, and print a note if its size is doubtful."""
-    (drawn,) = asked_curves(path, unit, None, None)
+    (drawn,) = requested_curves(path, unit, None, None)
     return [drawn.bendable(None)]
 
 
