@@ -98,14 +98,15 @@ def _has_loose_inflections(check: EquilibriumCheck, other: EquilibriumCheck, poi
 
 
 def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurve]:
-    """Yield a cubic fit within the resolution of the points, a fit to every other point, and a smoother fit.
+    """Yield two fits within the resolution of the points, a fit to every other point, and a smoother fit.
 
     The deviation of the smoother fit is at most half of that of the fit to every other point.
     """
     step = -(-len(points.points) // MOST_POINTS)
     some, half = _thinned(points.points, step), _thinned(points.points, 2 * step)
-    with suppress(ElasticaError):
-        yield PlaneCurve(*fit_spline(some, 3, points.resolution), 3)
+    for degree in (3, 5):
+        with suppress(ElasticaError):
+            yield PlaneCurve(*fit_spline(some, degree, points.resolution), degree)
     loose = max(distance, points.resolution)
     smoother = max(points.reach, loose)
     with suppress(ElasticaError):
