@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.edges import Edge, Run, Source, reverse_run
 from elastica_cad.formats.source_file import MOST_PIECES, check_count, check_size, check_tolerance
@@ -277,6 +277,9 @@ def _without_overlaps(
     in_part: list[tuple[int, int]] = []
     called = [(source.layer, source.is_named and source.name) for source in sources]
     sizes = np.array([sum(edge.length for edge in run) for run in runs])
+    points = [np.concatenate([edge.points for edge in run]) for run in runs]
+    lows = np.array([some.min(axis=0) for some in points]) - tolerance
+    highs = np.array([some.max(axis=0) for some in points]) + tolerance
     middles = ends.mean(axis=1)
     axis = int(np.ptp(middles, axis=0).argmax())
     in_order = middles[:, axis].argsort()
@@ -288,24 +291,27 @@ def _without_overlaps(
     for j in order.tolist():
         if j in dropped:
             continue
-        points = np.concatenate([edge.points for edge in runs[j]])
-        low, high = points.min(axis=0) - tolerance, points.max(axis=0) + tolerance
+        low, high = lows[j], highs[j]
         reach = (dist(low, high) + sizes[j]) / 2
         middle = (low + high)[axis] / 2
         near = in_order[slice(*along.searchsorted([middle - reach, middle + reach]))]
         near = np.sort(near[rank[near] > rank[j]])
         inside = np.all((ends[near] >= low) & (ends[near] <= high), axis=2)
-        apart = np.linalg.norm(ends[near][:, :, None] - ends[j], axis=3).min(axis=2) > tolerance
-        for i in near[inside.all(axis=1) | (inside & apart).any(axis=1)].tolist():
+        apart = np.linalg.norm(ends[near][:, :, None] - ends[j], axis=3) > tolerance
+        candidate = inside.all(axis=1) | (inside & apart.all(axis=2)).any(axis=1)
+        near, apart = near[candidate], apart[candidate]
+        touching = _on_run(ends[near].reshape(-1, ends.shape[2]), runs[j], tolerance).reshape(-1, 2)
+        ends_on = np.all((ends[j] >= lows[near, None]) & (ends[j] <= highs[near, None]), axis=2)
+        partly = (touching[:, :, None] & ends_on[:, None] & apart).any(axis=(1, 2))
+        for i, both, some in zip(near.tolist(), touching.all(axis=1), partly, strict=True):
             if i in dropped:
                 continue
-            touching = [_is_on_run(ends[i, [side]], runs[j], tolerance) for side in (0, 1)]
-            if all(touching) and _is_on_run(_probes(runs[i]), runs[j], tolerance):
+            if both and _on_run(_probes(runs[i]), runs[j], tolerance).all():
                 same = called[i] == called[j]
                 overlaps.append((sources[i], sources[j], "left out" if same else "kept"))
                 if same:
                     dropped.add(i)
-            elif any(touching):
+            elif some:
                 in_part.append((i, j))
     limits: dict[int, list[_Place]] = {}
     least = max(
@@ -339,7 +345,7 @@ def _common_parts(
         for place, end in sorted(on_run, key=lambda met: met[0], reverse=bool(side)):
             first, last = _whole(run)
             common = _part(run, place, last) if side else _part(run, first, place)
-            if sum(e.size for e in common) > least and _is_on_run(_probes(common), longer, tolerance):
+            if sum(e.size for e in common) > least and _on_run(_probes(common), longer, tolerance).all():
                 parts.append((side, place, end))
                 break
     return parts
@@ -370,14 +376,14 @@ def _part(run: Run, first: _Place, last: _Place) -> Run:
     return tuple(parts)
 
 
-def _is_on_run(points: FloatArray, run: Run, tolerance: float) -> bool:
-    """Return True if all points (n, d) are within `tolerance` mm of the run."""
+def _on_run(points: FloatArray, run: Run, tolerance: float) -> BoolArray:
+    """Return which points (n, d) are within `tolerance` mm of the run."""
+    found = np.zeros(len(points), dtype=bool)
     for edge in run:
         low, high = edge.points.min(axis=0) - tolerance, edge.points.max(axis=0) + tolerance
-        near = np.all((points >= low) & (points <= high), axis=1)
-        near[near] = _nearest(edge, points[near])[0] <= tolerance
-        points = points[~near]
-    return not len(points)
+        near = np.flatnonzero(~found & np.all((points >= low) & (points <= high), axis=1))
+        found[near] = _nearest(edge, points[near])[0] <= tolerance
+    return found
 
 
 def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:
