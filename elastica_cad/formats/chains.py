@@ -303,7 +303,7 @@ def _without_overlaps(
         touching = _on_run(ends[near].reshape(-1, ends.shape[2]), runs[j], tolerance).reshape(-1, 2)
         ends_on = np.all((ends[j] >= lows[near, None]) & (ends[j] <= highs[near, None]), axis=2)
         partly = (touching[:, :, None] & ends_on[:, None] & apart).any(axis=(1, 2))
-        for i, both, some in zip(near.tolist(), touching.all(axis=1), partly, strict=True):
+        for i, both, some in zip(near.tolist(), touching.min(axis=1), partly, strict=True):
             if i in dropped:
                 continue
             if both and _on_run(_probes(runs[i]), runs[j], tolerance).all():
