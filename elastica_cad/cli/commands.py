@@ -61,7 +61,7 @@ FILES = {
 }
 """Instructions for missing input files, by the name of the argument."""
 
-TOLD: dict[type[ElasticaError], tuple[str, int]] = {
+EXIT_CODES: dict[type[ElasticaError], tuple[str, int]] = {
     NotRealizable: ("Not realizable", NOT_REALIZABLE),
     StrainError: ("Would break", NOT_REALIZABLE),
     NotMetError: ("Not within these limits", NOT_REALIZABLE),
@@ -368,7 +368,7 @@ def _refuse(problem: ElasticaError) -> int:
     """Say what is wrong, then what would work, and give the exit code."""
     if (process := click.get_current_context().find_object(DrawingProcess)) is not None:
         process.end()
-    begins, code = next((told for kind, told in TOLD.items() if isinstance(problem, kind)))
+    begins, code = next((told for kind, told in EXIT_CODES.items() if isinstance(problem, kind)))
     said, option = f"{begins}: {problem}", problem.refusal.where.get("option", "")
     unnamed = [one for one in option.split(", ") if one and one not in said]
     said += f" ({', '.join(unnamed)})" if unnamed else ""

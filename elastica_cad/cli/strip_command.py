@@ -272,7 +272,7 @@ def _compensated(result: StripResult) -> Iterator[Row]:
 def _report(result: StripResult, written: Sequence[Path], *, several: bool) -> None:
     """Print the report in rows; for one of several strips only its size and warnings."""
     strip = result.strip
-    rows = strip_rows(strip, result.near)
+    rows = strip_rows(strip, result.near, result.stability)
     voice().notes.extend(text for text in strip.warnings if not is_told(text))
     if several and not voice().verbose:
         for row in rows:

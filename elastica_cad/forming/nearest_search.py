@@ -144,7 +144,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
     """
     problem = pose_problem(task)
     if before is not None and (near := _from_before(task, problem, before)) is not None:
-        return _concluded(Search(task, problem, near, (), near.iterations, before.off), [near])
+        return _compared(Search(task, problem, near, (), near.iterations, before.off), [near])
     outcomes = [minimize(problem, _start(task, problem))]
     # a margin that the first start misses is refused sooner than a long distance
     tight = outcomes[0].violation > MET and task.limits.margin is not None
@@ -159,7 +159,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
             outcomes.append(minimize(problem, start(), known=known))
     best = min(outcomes, key=_rank)
     off, steps = task.off(best.point) / task.target.diagonal, sum(outcome.iterations for outcome in outcomes)
-    return _concluded(Search(task, problem, best, (), steps, off), outcomes)
+    return _compared(Search(task, problem, best, (), steps, off), outcomes)
 
 
 def _is_optimum(outcome: RodOutcome) -> bool:
@@ -234,20 +234,22 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
     return outcome if near and _is_optimum(outcome) else None
 
 
-def _concluded(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
+def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
     """Add to a search a rod of smaller ratio that is as near as its best, or else other results that are as
     near."""
     task, problem, best, _, steps, _ = search
     free = task.is_scaled_freely or task.is_light
     if free and task.off(best.point) < SETTINGS.exact_distance * task.target.diagonal:
-        lean = _leaner(task, best)
+        lean = _with_least_ratio(task, best)
         if lean is not None:
             tight, problem, best = lean
             return search._replace(task=tight, problem=problem, best=best, steps=steps + best.iterations)
     return search._replace(ties=tuple(_ties(task, problem, best, outcomes)))
 
 
-def _leaner(task: NearestTask, best: RodOutcome) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
+def _with_least_ratio(
+    task: NearestTask, best: RodOutcome
+) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
     """Return an equally near rod with the least ratio that the target needs, if that is below the best rod's ratio.
 
     If the target can be met exactly, the distance does not depend on the ratio and the search ends with any ratio.

@@ -22,7 +22,7 @@ KEY_STRIDE = 1_000_000
 """Factor in the key of a row, constraint * KEY_STRIDE + index; larger than the number of values of a constraint."""
 
 
-class SearchSettings(NamedTuple):
+class ProgramSettings(NamedTuple):
     """Settings of a search. The defect is the change of state that closes a point, in radians.
 
     States are scaled so that linearity ends at a change of about 1.
@@ -125,7 +125,7 @@ class SearchSettings(NamedTuple):
     correction_accuracy: float = 1e-4
 
 
-SETTINGS = SearchSettings()
+SETTINGS = ProgramSettings()
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.binary_brep import BinaryBrep, boundary_brep, face_brep, wire_brep
+from elastica_cad.formats.brep_writer import BinaryBrep, boundary_brep, face_brep, wire_brep
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.kernel.ocp_import import Shape, kernel

@@ -1,4 +1,4 @@
-"""STEP files: strips and models written by OpenCASCADE, curves read by it."""
+"""STEP files of strips and models written by OpenCASCADE; curves read from STEP and BREP files."""
 
 import faulthandler
 import os

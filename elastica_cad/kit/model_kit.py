@@ -18,9 +18,10 @@ from elastica_cad.formats.write_files import File, check_folder, write_json, wri
 from elastica_cad.geometry.path import Path as ClosedPath
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, left_out, save_solid
 from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_contents
+from elastica_cad.model.cut_list import CutList
 from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.model.model import Model
-from elastica_cad.model.nesting import CutList, NestedSheet, Nesting, nest_pieces
+from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces
 from elastica_cad.strip.drawing import CUT_OUTER, SHEET, Drawing, LayeredPath
 from elastica_cad.strip.holding_template import holding_template
 from elastica_cad.strip.pieces import Piece, distinct, file_word

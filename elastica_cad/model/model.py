@@ -14,11 +14,12 @@ from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError, quoted, refuse_options_unlike
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Color, Sheet, require_printable
+from elastica_cad.model.cut_list import CutList, cut_list
 from elastica_cad.model.fixtures import EndFixture, end_fixtures
 from elastica_cad.model.frames import Rib, SlottedFrame, slotted_frame
 from elastica_cad.model.held_tabs import held_shapes
 from elastica_cad.model.interlocking import Joint, interlock
-from elastica_cad.model.nesting import CutList, NestedSheet, cut_list, nest_pieces
+from elastica_cad.model.nesting import NestedSheet, nest_pieces
 from elastica_cad.model.plate_pairs import end_plates, facing_plates
 from elastica_cad.model.plates import BasePlate, Ring, RingOptions, base_plate
 from elastica_cad.refusals import Length, note

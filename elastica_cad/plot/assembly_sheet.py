@@ -16,10 +16,10 @@ from elastica_cad.model.assembly import (
     list_assembly_steps,
     single_holders,
 )
+from elastica_cad.model.cut_list import CutList
 from elastica_cad.model.fixtures import EndFixture, PlacedTab, place_tabs
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.model import Model
-from elastica_cad.model.nesting import CutList
 from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons, write_pages
 from elastica_cad.plot.model_pictures import look_from, rule_strip, screen_of
 from elastica_cad.strip.strip import Placed

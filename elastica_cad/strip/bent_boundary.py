@@ -24,7 +24,7 @@ from elastica_cad.geometry.splines import (
 )
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
-from elastica_cad.strip.flat_pattern import Piece, Region, on_segment
+from elastica_cad.strip.flat_pattern import Region, SegmentPart, on_segment
 from elastica_cad.strip.outline import graphs, pace
 
 STRAIGHT = np.eye(2)
@@ -506,7 +506,7 @@ class BoundaryMaker:
             )
             self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
 
-    def _add_side(self, piece: Piece, shape: Map) -> None:
+    def _add_side(self, piece: SegmentPart, shape: Map) -> None:
         """Add the wall over a piece of a loop; u is the piece's parameter, v the height."""
         low = self.at_piece[piece.number]
         surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
@@ -520,7 +520,7 @@ class BoundaryMaker:
         uses = zip((low, end, low + 1, start), (True, True, False, False), traces, strict=True)
         self.faces.append(Face(surface, (tuple(EdgeUse(*use) for use in uses),), outward=piece.forward))
 
-    def _wall(self, piece: Piece, shape: Map, low: Edge, high: Edge) -> Surface:
+    def _wall(self, piece: SegmentPart, shape: Map, low: Edge, high: Edge) -> Surface:
         segment, up = piece.segment, self.heights[0]
         straight = isinstance(segment, Line)
         if isinstance(shape, BentMap) and not _is_across(segment):
@@ -610,7 +610,7 @@ def _across(segment: Segment) -> tuple[float, float]:
     return float(rows[:, 1].min()), float(rows[:, 1].max())
 
 
-def _ends(piece: Piece) -> tuple[int, int]:
+def _ends(piece: SegmentPart) -> tuple[int, int]:
     """Return the corners in the direction of the parameter."""
     return (piece.start, piece.end) if piece.forward else (piece.end, piece.start)
 
@@ -623,7 +623,7 @@ def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArra
 
 
 def _curves(
-    shape: Map, pieces: Sequence[Piece], heights: Sequence[float]
+    shape: Map, pieces: Sequence[SegmentPart], heights: Sequence[float]
 ) -> Iterator[Sequence[SpaceCurve | PlacedSegment]]:
     """Yield the segment of each piece in space at every height."""
     if not isinstance(shape, BentMap):

@@ -167,7 +167,7 @@ ON_SEAM = 1e-7  # mm
 
 
 @dataclass(frozen=True, eq=False)
-class Piece:
+class SegmentPart:
     """Part of a segment in the direction of its loop.
 
     Attributes
@@ -201,7 +201,7 @@ class Region:
     """Connected part of the pattern between two stations; `interval` 0 is before the first station."""
 
     interval: int
-    loops: tuple[tuple[Piece, ...], ...]
+    loops: tuple[tuple[SegmentPart, ...], ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -213,7 +213,7 @@ class CutPattern:
 
 
 def on_segment(segment: Segment, t: FloatArray) -> FloatArray:
-    """Return points (..., 2) of a segment at its parameters `t` (see `Piece`)."""
+    """Return points (..., 2) of a segment at its parameters `t` (see `SegmentPart`)."""
     if isinstance(segment, Spline):
         return segment.curve.evaluate(t)
     if isinstance(segment, Arc):
@@ -250,8 +250,8 @@ class _Cutter:
 
     stations: list[float]
     points: list[FloatArray] = field(default_factory=list)
-    loops: dict[int, list[list[Piece]]] = field(default_factory=dict)
-    chains: dict[int, list[list[Piece]]] = field(default_factory=dict)
+    loops: dict[int, list[list[SegmentPart]]] = field(default_factory=dict)
+    chains: dict[int, list[list[SegmentPart]]] = field(default_factory=dict)
     seams: dict[tuple[int, int], tuple[int, Line]] = field(default_factory=dict)
     count: int = 0
     rim: int = 0
@@ -264,10 +264,10 @@ class _Cutter:
             parts = [(segment, a, b, not forward) for segment, a, b, forward in reversed(parts)]
         first = len(self.points)
         corners = [*range(first, first + len(parts)), first]
-        pieces: list[tuple[int, Piece]] = []
+        pieces: list[tuple[int, SegmentPart]] = []
         for (segment, a, b, forward), i, j in zip(parts, corners[:-1], corners[1:], strict=True):
             self.points.append(on_segment(segment, np.array(a if forward else b)))
-            piece = Piece(segment, a, b, forward, i, j, self._next())
+            piece = SegmentPart(segment, a, b, forward, i, j, self._next())
             pieces.append((self._interval(piece), piece))
         intervals = [interval for interval, _ in pieces]
         if len(set(intervals)) == 1:
@@ -313,7 +313,7 @@ class _Cutter:
         for low, high in ranges if forward else reversed(ranges):
             yield segment, low, high, forward
 
-    def _interval(self, piece: Piece) -> int:
+    def _interval(self, piece: SegmentPart) -> int:
         """Return the interval of a piece; a piece along a station belongs to the side on its left."""
         segment, stations = piece.segment, self.stations
         if not isinstance(segment, Line):
@@ -332,10 +332,10 @@ class _Cutter:
         corners = [i for i, p in enumerate(self.points) if abs(p[0] - x) < ON_SEAM]
         return sorted(corners, key=lambda i: float(self.points[i][1]))
 
-    def _closed(self, interval: int, on_seam: list[list[int]]) -> list[list[Piece]]:
+    def _closed(self, interval: int, on_seam: list[list[int]]) -> list[list[SegmentPart]]:
         """Return the loops of the interval's open chains and the seams between them."""
         chains = list(self.chains.get(interval, []))
-        loops: list[list[Piece]] = []
+        loops: list[list[SegmentPart]] = []
         while chains:
             loop = chains.pop(0)
             while loop[-1].end != loop[0].start:
@@ -366,14 +366,14 @@ class _Cutter:
             "the flat pattern has an open loop at x = {points:.6g}", points=Length(self.points[corner][0])
         )
 
-    def _seam(self, start: int, end: int, upward: bool) -> Piece:
+    def _seam(self, start: int, end: int, upward: bool) -> SegmentPart:
         low, high = (start, end) if upward else (end, start)
         if (low, high) not in self.seams:
             self.seams[low, high] = self._next(), Line(self.points[low], self.points[high])
         number, line = self.seams[low, high]
-        return Piece(line, 0.0, line.length, upward, start, end, number, seam=True)
+        return SegmentPart(line, 0.0, line.length, upward, start, end, number, seam=True)
 
-    def _grouped(self, loops: list[list[Piece]]) -> list[list[list[Piece]]]:
+    def _grouped(self, loops: list[list[SegmentPart]]) -> list[list[list[SegmentPart]]]:
         """Return every outer loop with the holes inside it."""
         if len(loops) == 1 and any(piece.number < self.rim for piece in loops[0]):
             return [loops]
@@ -387,12 +387,12 @@ class _Cutter:
         return list(groups.values())
 
 
-def _parted(loop: Sequence[Piece]) -> Iterator[list[Piece]]:
+def _parted(loop: Sequence[SegmentPart]) -> Iterator[list[SegmentPart]]:
     """Split a loop into loops that pass each corner once.
 
     A hole may have a tip on a station and extend past the next.
     """
-    walk: list[Piece] = []
+    walk: list[SegmentPart] = []
     for piece in loop:
         walk.append(piece)
         back = next((k for k, one in enumerate(walk) if one.start == piece.end), None)
@@ -426,7 +426,7 @@ def _crossings(segment: Segment, x: float) -> list[float]:
     return [t for t, p in zip(crossings, points, strict=True) if np.hypot(*(ends - p).T).min() > ON_SEAM]
 
 
-def _polygon(loop: Sequence[Piece]) -> FloatArray:
+def _polygon(loop: Sequence[SegmentPart]) -> FloatArray:
     """Return points along a loop, dense enough to distinguish inside from outside."""
     rows = []
     for piece in loop:

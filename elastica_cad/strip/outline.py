@@ -1,4 +1,4 @@
-"""The rim of a flat part: two long sides from a width, and the tabs at both ends."""
+"""Outline of a flat part: tabs, holes, and the rim of two long sides from a width."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace

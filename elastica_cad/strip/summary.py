@@ -16,7 +16,9 @@ from elastica_cad.strip.holding_template import distance_between, distance_of_ti
 from elastica_cad.strip.strip import Strip
 
 
-def strip_rows(strip: Strip, near: NearestRod | None = None) -> tuple[Row, ...]:
+def strip_rows(
+    strip: Strip, near: NearestRod | None = None, verdict: Stability | None = None
+) -> tuple[Row, ...]:
     """Return the report on a strip in rows, with warnings before notes.
 
     Parameters
@@ -24,6 +26,8 @@ def strip_rows(strip: Strip, near: NearestRod | None = None) -> tuple[Row, ...]:
     strip : Strip
     near : NearestRod, optional
         The nearest rod from which the strip was made, if the curve was allowed to change.
+    verdict : Stability, optional
+        Stability of the strip's rod, if it is known already.
 
     Examples
     --------
@@ -36,7 +40,13 @@ def strip_rows(strip: Strip, near: NearestRod | None = None) -> tuple[Row, ...]:
     Strain | 0.10 % at 314 mm; card-200gsm allows 0.50 %
     Stability | stable, in its plane and sideways
     """
-    rows = [size_row(strip), *_nearest(strip, near), *_strain(strip), *_steadiness(strip), *_hold(strip)]
+    rows = [
+        size_row(strip),
+        *_nearest(strip, near),
+        *_strain(strip),
+        _stability(strip, stability(strip.rod) if verdict is None else verdict),
+        *_hold(strip),
+    ]
     with suppress(NotConvergedError):
         rows.append(accuracy_row(strip.held()))
     with suppress(NotConvergedError):
@@ -113,10 +123,6 @@ def _stability(strip: Strip, verdict: Stability) -> Row:
     else:
         return Row(note("Stability"), note("stable, in its plane and sideways"), details)
     return Row(note("Stability"), text, details, "warning")
-
-
-def _steadiness(strip: Strip) -> Iterator[Row]:
-    yield _stability(strip, stability(strip.rod))
 
 
 def _hold(strip: Strip) -> Iterator[Row]:

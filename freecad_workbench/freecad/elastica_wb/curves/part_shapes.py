@@ -16,7 +16,7 @@ import numpy as np
 import Part
 
 from elastica_cad.errors import InputError
-from elastica_cad.formats.binary_brep import BinaryBrep, boundary_brep, face_brep, wire_brep
+from elastica_cad.formats.brep_writer import BinaryBrep, boundary_brep, face_brep, wire_brep
 from elastica_cad.formats.chains import holes_on_chains
 from elastica_cad.formats.drawn_file import DrawnCurve, ReadReport, ReadUnit, report_on
 from elastica_cad.formats.edges import Edge

@@ -23,7 +23,7 @@ from elastica_cad import (
     make_strip,
     optimal_rod,
 )
-from elastica_cad.formats.binary_brep import boundary_brep
+from elastica_cad.formats.brep_writer import boundary_brep
 from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry import Line
 from elastica_cad.strip import BentSolid, FlatSolid

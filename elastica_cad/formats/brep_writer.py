@@ -1,4 +1,4 @@
-"""Boundary records as OpenCASCADE's binary BREP, which OCP and FreeCAD's Part read.
+"""Writer of boundary records as OpenCASCADE's binary BREP, which OCP and FreeCAD's Part read.
 
 All numbers are exactly those of the record; nothing is projected, fitted or sewn.
 """
