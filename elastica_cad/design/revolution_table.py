@@ -50,9 +50,9 @@ class RevolutionTable:
     gap: Annotated[float | None, Option("Two rings at either end, so far apart.", "mm", least=0)] = None
     ends: Annotated[
         tuple[Tab, Tab] | None,
-        Option("Tab of both ends, or the two of start and end.", written=Tab | tuple[Tab, Tab]),
+        Option("Tab for both ends, or one for the start and one for the end.", written=Tab | tuple[Tab, Tab]),
     ] = None
-    shop: Annotated[FabricationLimits, Option("What the workshop can make.")] = DEFAULT_LIMITS
+    shop: Annotated[FabricationLimits, Option("Limits of the workshop.")] = DEFAULT_LIMITS
     ignore_limits: Annotated[bool, Option("Make strips that cannot be cut or handled, and say so.")] = False
 
     @cached_property

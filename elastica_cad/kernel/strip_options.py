@@ -27,48 +27,52 @@ class StripOptions(TypedDict, total=False):
         "Plane of the curve, with z towards the strip's upper edge: a plane of the library, or a `Frame`.",
     ]
     min_width: Annotated["float | None", "Width of the narrowest place, or its limit (mm)."]
-    style: Annotated["Style", "How stiffness becomes material."]
-    limits: Annotated["Limits | None", "The curve may change, as little as these limits ask for."]
-    keep: Annotated["Keep | None", "What a curve that may change keeps."]
+    style: Annotated["Style", "Style: one sheet, a sheet with holes, or two glued sheets."]
+    limits: Annotated[
+        "Limits | None", "Limits that the strip must meet; the curve changes as little as possible for them."
+    ]
+    keep: Annotated["Keep | None", "Properties of the curve that stay when it changes."]
     gravity: Annotated[
         "Gravity | bool | Sequence[float] | Point | None",
-        "The strip carries its own weight: true, the direction in which it falls, or a length of its own.",
+        "Own weight of the strip: true, the direction of gravity, or also its elasto-gravity length.",
     ]
     loads: Annotated[
-        "PointMass | Sequence[PointMass] | Weight", "Masses hung on the strip, or all weight in newtons."
+        "PointMass | Sequence[PointMass] | Weight",
+        "Masses that hang on the strip, or its weight in newtons, own weight included.",
     ]
-    supports: Annotated["Supports", "What holds the start and the end of the curve."]
+    supports: Annotated["Supports", "Supports of the start and the end of the curve."]
     natural_curvature: Annotated[
-        "float | RestCurvature",
-        "Curvature of the strip before it is bent, or a blank that is bent beforehand (1/mm).",
+        "float | RestCurvature", "Curvature of the strip before it is bent, or a pre-bent strip (1/mm)."
     ]
-    samples: Annotated["int | None", "Nodes of the rod; chosen unless given."]
-    ends: Annotated["Tab | Sequence[Tab]", "Tab of both ends, or the two of start and end."]
+    samples: Annotated["int | None", "Number of nodes of the rod; chosen automatically by default."]
+    ends: Annotated["Tab | Sequence[Tab]", "Tab for both ends, or one for the start and one for the end."]
     seam_position: Annotated[
         "float | None",
-        "Where a closed strip is joined, along its curve; where it is bent least unless given (mm).",
+        "Place of the joint of a closed strip along its curve; by default where it is bent least (mm).",
     ]
     straight_ends: Annotated[
-        "bool", "Straight first and last pieces of the curve become the tabs; false: the whole curve is bent."
+        "bool", "Use straight first and last pieces of the curve as tabs; if false, bend the whole curve."
     ]
     slots: Annotated["Slot | Sequence[Slot]", "Slots from the edge."]
     label: Annotated["str", "Name of the strip, which is engraved on it."]
     engrave: Annotated["str | None", "Text engraved in place of the label; empty for none."]
     smooth: Annotated[
-        "float | None", "How far the curve may be moved to become fair; 0 follows it exactly as drawn (mm)."
+        "float | None", "Largest distance by which smoothing may move the curve; 0 keeps it as drawn (mm)."
     ]
-    shop: Annotated["FabricationLimits", "What the workshop can make."]
+    shop: Annotated["FabricationLimits", "Limits of the workshop."]
     compensate: Annotated[
         "bool | None",
-        "Make up in the widths for slots, narrow tabs and bending; unless given for anticlastic bending alone.",
+        "Compensate slots, narrow tabs and bending by the widths; by default only anticlastic bending.",
     ]
-    creep: Annotated["float", "Creep factor of the sheet in the long run; 0 leaves creep out."]
+    creep: Annotated["float", "Long-term creep factor of the sheet; 0 for no creep."]
     law: Annotated[
         "BoundedLaw | None",
-        "What stiffness is made of in place of width: thickness, a rod, a tube, or glued leaves.",
+        "Section law: varies thickness, a rod, a tube, or glued plies instead of the width.",
     ]
-    ignore_limits: Annotated["bool", "Make a strip that cannot be cut or handled, and say so."]
-    tolerance: Annotated["MakingTolerance", "What is off in sheet, cut and clamps; what that adds is told."]
+    ignore_limits: Annotated["bool", "Make a strip even if it cannot be cut or handled, with a warning."]
+    tolerance: Annotated[
+        "MakingTolerance", "Errors of sheet, cut and clamps, for the expected accuracy of the strip."
+    ]
 
 
 class FixtureSizes(TypedDict, total=False):

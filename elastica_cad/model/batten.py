@@ -55,7 +55,7 @@ def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, F
     """
     law, size = strip.layout.section, strip.layout.size
     if law is None or size is None:
-        raise InputError("the strip is of one thickness: it has no side view; give it a law")
+        raise InputError("a strip of even thickness has no side view: set a section law")
     first, last = (tab.length for tab in strip.ends)
     tips = -first, strip.rod.length + last
     evenly = np.unique([*tips, *np.linspace(0.0, strip.rod.length, ROWS)])

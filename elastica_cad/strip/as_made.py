@@ -537,24 +537,24 @@ class StripAsMade:
         if sheet.grain != "none" and sheet.shear_modulus is None and self.shares.keys() & KINKS:
             notes.append(
                 note(
-                    "The shear modulus of {sheet} is not known, so it counts as a sheet without grain: beside "
-                    "slots, tabs and steps it is softer than that",
+                    "The shear modulus of {sheet} is unknown, so the model assumes a sheet without grain. "
+                    "Beside slots, tabs and steps the strip is softer than computed",
                     sheet=sheet.name,
                 )
             )
         if self.approximated and sheet.shear_ratio < LEAST_SHEARING * even_shear_ratio(sheet.poisson_ratio):
             notes.append(
                 note(
-                    "Holes and layers count as in a sheet without grain: {sheet} shears more easily, and what that "
-                    "does is left open",
+                    "The model of holes and layers assumes a sheet without grain. {sheet} shears more "
+                    "easily; that effect is not computed",
                     sheet=sheet.name,
                 )
             )
         if self.crowded:
             notes.append(
                 note(
-                    "The slots at {first} and {second} lie nearer to each other than they are deep: what they do "
-                    "together is left open",
+                    "The slots at {first} and {second} are closer together than they are deep. Their "
+                    "combined effect is not computed",
                     first=Length(self.crowded[0]),
                     second=Length(self.crowded[1]),
                 )

@@ -347,8 +347,8 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
         i = int(np.argmax(np.abs(kappa)))
         if abs(kappa[i]) * reach >= 1:
             raise InputError(
-                "the radius at {s:.4g} is {given:.4g}, but the strip's face lies {reach:g} off the "
-                "curve and would fold over: take a thinner sheet or a gentler curve",
+                "the radius at {s:.4g} is {given:.4g}, but the strip's face is {reach:g} from the curve and "
+                "would fold over: use a thinner sheet or a gentler curve",
                 s=Length(s[i]),
                 given=Length(1 / abs(kappa[i])),
                 reach=Length(reach),
@@ -412,8 +412,8 @@ def _fitted(
         if edges.size > MOST_SPANS:
             at = float(edges[:-1][bad][0])
             raise NotConvergedError(
-                "the bent strip cannot follow its curve near {at:.6g}: the curve changes too fast "
-                "there; smooth it",
+                "the bent strip cannot follow its curve near {at:.6g}, because the curve changes too fast "
+                "there: smooth the curve",
                 at=Length(at),
             )
         # the error is proportional to the width to the power of degree + 1
@@ -529,7 +529,7 @@ class BoundaryMaker:
                 frame = shape.frame.shifted(z=float(segment.start[1]))
                 return PlaneSurface(Frame(frame.origin, frame.x_axis, side * frame.y_axis))
             if not (isinstance(low.curve, SpaceCurve) and isinstance(high.curve, SpaceCurve)):
-                raise TypeError("edges of a bent face are splines")
+                raise TypeError("the edges of a bent face must be splines")
             return self._ruled(low.curve, high.curve)
         if straight:
             a, b = self.vertices[low.start], self.vertices[low.end]

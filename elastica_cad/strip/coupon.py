@@ -100,7 +100,10 @@ def coupon_drawing(
         )
     if width > free:
         raise InputError(
-            "a coupon of {width:g} width and {free:g} overhang is a plate: make it narrower than it is long",
+            (
+                "a coupon of {width:g} width and {free:g} overhang bends as a plate: make it narrower than its "
+                "overhang"
+            ),
             width=Length(width),
             free=Length(free),
         )
@@ -135,7 +138,7 @@ def reference_bar(length: float = 100.0, *, width: float = 10.0) -> Drawing:
     figure, height = f"{length:g} mm", 0.4 * width
     if text_width(figure, height) > 0.9 * length:
         raise InputError(
-            "a reference bar of {length:g} by {width:g} is too short for its figures",
+            "a reference bar of {length:g} by {width:g} is too short for its figures: make it longer",
             length=length,
             width=Length(width),
         )

@@ -222,8 +222,8 @@ def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -
     require_record(drawing, Drawing, "what is cut", "a Drawing record")
     if abs(kerf) > WIDEST_KERF_MM:
         raise InputError(
-            "the kerf is {kerf:g}, wider than the cut of any tool: give the width of the cut in "
-            "mm, such as 0.15 for a laser",
+            "the kerf is {kerf:g}, wider than the cut of any tool: set the width of the cut in mm, such as "
+            "0.15 for a laser",
             kerf=Mm(kerf),
         )
     if kerf == 0:
@@ -311,7 +311,7 @@ class HoldingTabs:
 
     width: Annotated[float, Option("Width of a bridge.", "mm", above=0)] = 0.5
     spacing: Annotated[float, Option("Largest distance between two bridges.", "mm", least=1)] = 100.0
-    least: Annotated[int, Option("How many bridges each loop has at least.", least=1, most=1000)] = 2
+    least: Annotated[int, Option("Least number of bridges in each loop.", least=1, most=1000)] = 2
     inner: Annotated[bool, Option("Interrupt inner cuts too.")] = False
 
     def __post_init__(self) -> None:
@@ -384,8 +384,8 @@ def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
     for item in cuts:
         if not item.path.closed:
             raise InputError(
-                "{name}: the cut from {start} is open, and a cutting service cuts closed outlines and holes "
-                "only; close it or leave it out",
+                "{name}: the cut from {start} is open, but a cutting service cuts only closed outlines and "
+                "holes: close the cut or leave it out",
                 name=drawing.name,
                 start=place(item.path.start),
             )
@@ -422,8 +422,8 @@ class _Loop:
         count = max(tabs.least, int(np.ceil(self.length / tabs.spacing)))
         if self.length < 4 * count * tabs.width:
             raise InputError(
-                "the loop at {start} is {length:.4g} around: too short for {count} holding tabs of "
-                "{width:g}; use fewer or narrower ones",
+                "the loop at {start} is {length:.4g} long, too short for {count} holding tabs {width:g} "
+                "wide: use fewer or narrower tabs",
                 start=place(self.segments[0].start),
                 length=Mm(self.length),
                 count=count,

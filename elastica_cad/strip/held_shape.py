@@ -34,7 +34,7 @@ class Reactions:
     Examples
     --------
     >>> print(Reactions(np.array([1.0, 0.0]), 20.0, np.array([-1.0, 0.0]), -20.0))
-    the start is held by 1 N, (1, 0), and 20 N mm; the end by 1 N, (-1, 0), and -20 N mm
+    the start is held by 1 N, (1, 0), and 20 N mm; the end is held by 1 N, (-1, 0), and -20 N mm
     """
 
     start_force: FloatArray
@@ -50,7 +50,7 @@ class Reactions:
             )
             for (x, y), moment in ((self.start_force, self.start_moment), (self.end_force, self.end_moment))
         )  # fmt: skip
-        return note("the start is held by {start}; the end by {end}", start=start, end=end)
+        return note("the start is held by {start}; the end is held by {end}", start=start, end=end)
 
 
 Seats = tuple[TabSeat | None, TabSeat | None]
@@ -123,34 +123,35 @@ class HeldShape:
     def __str__(self) -> str:
         """Return a sentence on the deviation and a sentence for each note."""
         figures = {
-            "most of it as modelled": self.deviation,
-            "most of it left open by the model": self.open,
-            "most of it from the sheet": self.sheet_adds,
+            "mostly as computed": self.deviation,
+            "mostly due to uncertainty of the model": self.open,
+            "mostly due to the sheet": self.sheet_adds,
         }
         largest = max(figures, key=lambda words: figures[words])
         strays = note(
-            "as made and held, its widths made for anticlastic bending, the strip strays about {far} from its "
-            "design, {percent:g} % of its length" if self.as_plate else
-            "as made and held the strip strays about {far} from its design, {percent:g} % of its length",
+            "A real strip, with widths that compensate anticlastic bending, deviates from its design by "
+            "about {far}, {percent:g} % of its length" if self.as_plate else
+            "A real strip deviates from its design by about {far}, {percent:g} % of its length",
             far=about(self.expected), percent=_two_digits(100 * self.expected / self.rod.length),
         )  # fmt: skip
         if figures[largest] > MOST * self.expected:
             strays = note("{strays}, {most}", strays=strays, most=note(largest))
         sentence = note(
-            "{strays}: the model says {modelled} and leaves {open} open, and sheet, cut and clamps add {sheet}",
+            ("{strays}: {modelled} are computed, {open} are uncertainty of the model, and {sheet} come from "
+             "sheet, cut and clamps"),
             strays=strays, modelled=about(self.deviation), open=about(self.open),
             sheet=about(self.sheet_adds),
         )  # fmt: skip
         listed = [
-            note("{far:.2g} by {cause}", far=Length(mm), cause=note(cause))
+            note("{far:.2g} due to {cause}", far=Length(mm), cause=note(cause))
             for cause, mm in sorted(self.parts.items(), key=lambda part: -part[1])
             if mm >= LEAST_TOLD_MM
         ]
         if listed:
             each = (
-                "{strays}; each cause alone, without its correction: {causes}"
+                "{strays}. Each cause alone, without the compensation: {causes}"
                 if self.corrected
-                else "{strays}; each cause alone: {causes}"
+                else "{strays}. Each cause alone: {causes}"
             )
             sentence = note(each, strays=sentence, causes=sentences(listed))
         return sentences((sentence, *self.notes), ". ")
@@ -314,21 +315,19 @@ class MakingTolerance:
 
     thickness_wave: Annotated[
         float,
-        Option("Amplitude of a wave of thickness along the strip, as a share of the thickness.", least=0),
+        Option("Amplitude of a wave of thickness along the strip, as a fraction of the thickness.", least=0),
     ] = 0.01
     grain: Annotated[
-        float, Option("By how much the grain wanders to either side along the strip.", "rad", least=0)
+        float, Option("Deviation of the grain to either side along the strip.", "rad", least=0)
     ] = float(np.radians(2.0))
-    clamps: Annotated[float, Option("By how much each clamp is turned.", "rad", least=0)] = float(
+    clamps: Annotated[float, Option("Error of the angle of each clamp.", "rad", least=0)] = float(
         np.radians(0.5)
     )
-    kerf: Annotated[
-        float, Option("Width that is lost beyond what the kerf was corrected for.", "mm", least=0)
-    ] = 0.05
+    kerf: Annotated[float, Option("Width lost in the cut beyond the corrected kerf.", "mm", least=0)] = 0.05
     modulus: Annotated[
         float,
         Option(
-            "Share by which Young's modulus is smaller; only strips under weight or loads depend on it.",
+            "Relative reduction of Young's modulus; it affects only strips under weight or loads.",
             least=0,
             most=0.5,
         ),

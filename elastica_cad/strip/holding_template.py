@@ -140,8 +140,8 @@ def tell_ends(strip: Strip) -> Refusal:
     far: dict[str, Any] = {"apart": Length(distance_between(ends)), "tips": Length(distance_of_tips(ends))}
     if all(end.support.angle for end in ends):
         return note(
-            "hold the ends {apart:.1f} apart where the bend begins ({tips:.1f} from tip to tip); against the line "
-            "between them the strip starts at {start:.1f} degrees and arrives at {end:.1f} degrees",
+            "hold the ends {apart:.1f} apart where the bend begins ({tips:.1f} from tip to tip), the start "
+            "at {start:.1f} degrees and the end at {end:.1f} degrees to the line between them",
             start=ends[0].tilt,
             end=ends[1].tilt,
             **far,

@@ -153,18 +153,18 @@ class Laminated:
         scale = rod.bending_stiffness or fits.highest
         if scale > fits.highest * (1 + SLACK):
             raise InputError(
-                "the rod's bending stiffness of {scale:.4g} N mm2 asks for a backing wider than fits "
-                "at {high:.1f}, where {highest:.4g} N mm2 is the most: use thicker or stiffer "
-                "sheets, or widen the base",
+                "the rod's bending stiffness of {scale:.4g} N mm2 needs a backing wider than fits at "
+                "{high:.1f}, where at most {highest:.4g} N mm2 are possible: use thicker or stiffer sheets, "
+                "or widen the base",
                 scale=scale,
                 high=Length(high),
                 highest=fits.highest,
             )
         if scale < fits.lowest * (1 - SLACK):
             raise InputError(
-                "the rod's bending stiffness of {scale:.4g} N mm2 leaves a backing narrower than "
-                "{least:g} at {low:.1f}, where {lowest:.4g} N mm2 is the least: use thinner sheets, "
-                "or narrow the base",
+                "the rod's bending stiffness of {scale:.4g} N mm2 makes the backing narrower than {least:g} "
+                "at {low:.1f}, where at least {lowest:.4g} N mm2 are needed: use thinner sheets, or narrow "
+                "the base",
                 scale=scale,
                 least=Length(least),
                 low=Length(low),
@@ -185,13 +185,14 @@ def _infeasible(
         ways = [note("choose other widths ({why})", why=error.refusal)]
     else:
         ways = [note(
-            "make the backing {least:g} times as thick as the base or more (now {now:.3g} times)",
+            "make the backing at least {least:g} times as thick as the base (now {now:.3g} times)",
             least=rounded_up(1 / ratio, 3), now=section.backing.thickness / section.base.thickness,
         )]  # fmt: skip
     ways[1:1] = [note("narrow the base at {s}", s=Length(s[i])), note("widen it at {s}", s=Length(s[j]))]
     return note(
-        "the laminate cannot be as soft as it should at {soft} (base {soft_width}, K {soft_stiffness:.3g}) "
-        "and as stiff at {stiff} (base {stiff_width}, K {stiff_stiffness:.3g}): {ways}",
+        "the laminate cannot be as soft as needed at {soft} (base {soft_width} wide, stiffness K "
+        "{soft_stiffness:.3g}) and as stiff as needed at {stiff} (base {stiff_width} wide, K "
+        "{stiff_stiffness:.3g}): {ways}",
         soft=Length(s[i]), soft_width=Length(w1[i]), soft_stiffness=K[i],
         stiff=Length(s[j]), stiff_width=Length(w1[j]), stiff_stiffness=K[j], ways=Either(ways),
     )  # fmt: skip

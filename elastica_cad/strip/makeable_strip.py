@@ -259,16 +259,16 @@ class Splice:
                 if at
             )
             return note(
-                "cut in pieces: {pieces}, joined by plates of {lap:g} on the free face of each layer, which "
-                "are stiffer and move the shape by {far:.2g}",
+                "Cut in pieces: {pieces}, joined by plates {lap:g} long on the free face of each layer. The "
+                "plates stiffen the strip and move its shape by {far:.2g}.",
                 pieces=pieces, lap=Mm(self.plates.lap), far=Mm(self.deviation), severity="warning",
             )  # fmt: skip
         text = (
-            "cut in {count} pieces at {places}, joined by plates of {lap:g}, without the {lost} holes that "
-            "lie under them; they are stiffer and move the shape by {far:.2g}"
+            "Cut in {count} pieces at {places}, joined by plates {lap:g} long, without the {lost} holes "
+            "under them. The plates stiffen the strip and move its shape by {far:.2g}."
             if (lost := len(self.strip.holes) - len(self._holes))
-            else "cut in {count} pieces at {places}, joined by plates of {lap:g}, which are stiffer and "
-            "move the shape by {far:.2g}"
+            else "Cut in {count} pieces at {places}, joined by plates {lap:g} long. The plates stiffen the "
+            "strip and move its shape by {far:.2g}."
         )
         places = Listed(map(Mm, self.plates.joints))
         return note(
@@ -387,14 +387,14 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     name = strip.label or "strip"
     if strip.layout.size is not None:
         raise InputError(
-            "{name}: strips of a law are not cut in pieces, for their plates would have to taper "
-            "too: take a larger stock, or a strip of one sheet",
+            "{name}: a strip with a section law cannot be cut in pieces, because its plates would have to "
+            "taper too: use a larger stock, or a strip of one sheet",
             name=name,
         )
     longest = (stock, backing_stock or stock)[: len(strip.layers)]
     if not (np.isfinite(lap) and 0 < lap < min(longest) / 3):
         raise InputError(
-            "{name}: a lap of {lap:g}: give a length above 0 and below a third of {longest:g}",
+            "{name}: the lap is {lap:g}: set a length above 0 and below a third of {longest:g}",
             name=name,
             lap=Mm(lap),
             longest=Mm(min(longest)),
@@ -415,8 +415,8 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
         joints = _placed(s, np.where(clear, turn**2, np.inf), count, float(first), float(last), most, lap)
         if joints is None:
             raise InputError(
-                "{name}: there is no room for {count} joints of {lap:g} between its slots: take a "
-                "shorter lap or a larger stock",
+                "{name}: {count} joints {lap:g} long do not fit between the slots: use a shorter lap or a "
+                "larger stock",
                 name=name,
                 count=count,
                 lap=Mm(lap),
@@ -514,9 +514,9 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
         return
     thinner = thinner_for(strip.sheet, judged.used * strip.strain_limit)
     raise StrainError(
-        "{strains} To make it all the same, set {field}.",
+        "{strains} To make it anyway, set {field}.",
         field=FieldName("ignore_limits"),
-        strains=sentences(strip.strain_warnings, ". ", "."),
+        strains=sentences(strip.strain_warnings, " "),
         percent=judged.percent,
         where={"at": judged.at},
         changes=[*([] if thinner is None else [Change("thickness", thinner)]), Change("nearest", True)],
@@ -530,8 +530,8 @@ def compensate_within(strip: Strip, shop: FabricationLimits) -> Strip:
     if not faults or find_strip_faults(strip, shop):
         return better
     warning = note(
-        "its widths do not make up for how it is made, since it would then be {fault}; give it "
-        "tabs as wide as its ends, or shallower slots",
+        "The widths are not compensated, because the strip could then not be made: {fault}. Make the tabs as "
+        "wide as the ends of the strip, or the slots shallower.",
         fault=faults[0].what,
         severity="warning",
     )

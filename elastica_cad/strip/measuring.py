@@ -90,7 +90,7 @@ leave open
         """
         require_record(strip, Strip, "the strip", "a Strip")
         if strip.is_closed:
-            raise InputError("a closed strip has no ends to measure from: measure its widths across")
+            raise InputError("a closed strip has no ends to measure from: measure its widths instead")
         made, held = strip.as_made, strip.held()
         design, loaded = made.design, made.loaded
         n, M, s = design.s.size, loaded.moment, design.s
@@ -147,12 +147,12 @@ leave open
         unknown = [name for name in measured if name not in self.expected]
         if unknown or not names:
             raise InputError(
-                f"{', '.join(unknown) or 'an empty file'} is nothing that was to be measured: give some "
+                f"{', '.join(unknown) or 'an empty file'} is not among the expected measurements: give some "
                 f"of {', '.join(self.expected)}"
             )
         said = [
             note(
-                "{name}: {measured:.4g} measured, {expected:.4g} expected, give or take {uncertain:.2g}",
+                "{name}: {measured:.4g} measured, {expected:.4g} +/- {uncertain:.2g} expected",
                 name=name, measured=measured[name], expected=self.expected[name], uncertain=self.uncertain[name],
             )
             for name in names
@@ -160,7 +160,10 @@ leave open
         weights = np.array([1 / self.uncertain[name] for name in names])
         off = weights * np.array([measured[name] - self.expected[name] for name in names])
         if np.abs(off).max() <= 1.0:
-            return (*said, note("all of it lies within what sheet, cut, clamps and model leave open"))
+            return (
+                *said,
+                note("all measurements are within the expected uncertainty of sheet, cut, clamps and model"),
+            )
         best, amount, left = "", 0.0, 1.0
         for cause, changes in self.causes.items():
             G = weights[:, None] * np.array([[change[name] for change in changes] for name in names])

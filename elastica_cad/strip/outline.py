@@ -41,7 +41,7 @@ class Hole:
         Distance from the centre line, mm, towards positive y.
     """
 
-    at: Annotated[float, Option("Distance from where the tab begins.", "mm")]
+    at: Annotated[float, Option("Distance from the start of the tab.", "mm")]
     diameter: Annotated[float, Option("Diameter of the hole.", "mm", above=0)]
     across: Annotated[float, Option("Distance from the centre line.", "mm")] = 0.0
 
@@ -70,25 +70,30 @@ class TSlot:
         Sizes are not positive, the nut is narrower than the screw, or the depth ends before the nut.
     """
 
-    depth: Annotated[float, Option("From the outer edge inward.", "mm", above=0)]
+    depth: Annotated[float, Option("Depth from the outer edge inward.", "mm", above=0)]
     screw: Annotated[float, Option("Width of the slot.", "mm", above=0)] = 3.2
-    nut: Annotated[tuple[float, float], Option("Pocket across and along the screw.", "mm", above=0)] = (
+    nut: Annotated[
+        tuple[float, float], Option("Size of the nut's pocket across and along the screw.", "mm", above=0)
+    ] = (
         5.6,
         2.6,
     )
-    wall: Annotated[float, Option("Between the outer edge and the nut.", "mm", above=0)] = 4.0
+    wall: Annotated[float, Option("Distance between the outer edge and the nut.", "mm", above=0)] = 4.0
 
     def __post_init__(self) -> None:
         require_declared(TSlot, vars(self), "T-slot")
         if self.nut[0] <= self.screw:
             raise InputError(
-                "a nut of {nut:g} is held by nothing in a slot of {screw:g}: make it wider",
+                "a nut {nut:g} wide is not held in a slot {screw:g} wide: make the nut wider",
                 nut=Length(self.nut[0]),
                 screw=Length(self.screw),
             )
         if self.depth < self.wall + self.nut[1]:
             raise InputError(
-                "a T-slot of {depth:g} ends before its nut is in, at {wall:g}: make it deeper",
+                (
+                    "a T-slot {depth:g} deep is too shallow for its nut, which ends at {wall:g}: make the slot "
+                    "deeper"
+                ),
                 depth=Length(self.depth),
                 wall=Length(self.wall + self.nut[1]),
             )
@@ -135,13 +140,15 @@ class Tab:
         float, Option("Length of the tab; 0 for none.", "mm", least=0, most=10_000, common=True)
     ] = TAB_LENGTH
     width: Annotated[
-        float | None, Option("Width of the tab; that of the strip unless given.", "mm", above=0)
+        float | None, Option("Width of the tab; by default the width of the strip.", "mm", above=0)
     ] = None
     corner_radius: Annotated[float, Option("Rounding of the outer corners.", "mm", least=0)] = 0.0
     chamfer: Annotated[float, Option("Chamfer of the outer corners.", "mm", least=0)] = 0.0
     holes: Annotated[tuple[Hole, ...], Option("Round holes.")] = ()
     t_slot: Annotated[TSlot | None, Option("Slot for a screw with its nut.")] = None
-    taper: Annotated[float, Option("How much the tab narrows on either side.", "mm", least=0)] = 0.0
+    taper: Annotated[
+        float, Option("Taper of the tab: reduction of its width on each side.", "mm", least=0)
+    ] = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "holes", several("holes", self.holes, Hole, "Hole"))
@@ -158,7 +165,7 @@ class Tab:
             raise InputError("a tab that tapers has neither corner radius nor chamfer")
         if self.t_slot is not None and self.t_slot.depth >= self.length:
             raise InputError(
-                "a T-slot of {depth:g} does not fit a tab of {length:g}: lengthen the tab",
+                "a T-slot {depth:g} deep does not fit a tab {length:g} long: lengthen the tab",
                 depth=Length(self.t_slot.depth),
                 length=Length(self.length),
             )
@@ -204,7 +211,7 @@ class Tab:
             )
         if 2 * self.taper >= w:
             raise InputError(
-                "a taper of {taper:g} leaves nothing of a tab {w:.4g} wide: make it smaller",
+                "a taper of {taper:g} on each side is too large for a tab {w:.4g} wide: make the taper smaller",
                 taper=Length(self.taper),
                 w=Length(w),
             )
@@ -231,8 +238,8 @@ class Tab:
             return list(ends)
         if self.t_slot.nut[0] / 2 >= far:
             raise InputError(
-                "the nut of a T-slot, {nut:g}, is wider than the tab's outer edge of {far:.4g}: make "
-                "the tab wider",
+                "the nut of a T-slot is {nut:g} wide, wider than the tab's outer edge of {far:.4g}: make the "
+                "tab wider",
                 nut=Length(self.t_slot.nut[0]),
                 far=Length(2 * far),
             )
@@ -295,7 +302,7 @@ def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
     found = several("ends", tabs, Tab, "Tab") * (2 if isinstance(tabs, Tab) else 1)
     if len(found) != 2:
         raise InputError(
-            f"ends are {counted(len(found), 'tab')}: give two, for the start and the end; Tab(0) is none"
+            f"ends are {counted(len(found), 'tab')}: give two, for the start and the end; Tab(0) means no tab"
         )
     return found[0], found[1]
 

@@ -357,17 +357,16 @@ class Perforated:
     """
 
     width: Annotated[Width, Option("Width of the outline.", "mm", least=0, common=True, written=float)]
-    columns: Annotated[int, Option("Diamond holes side by side.", least=1)] = 2
+    columns: Annotated[int, Option("Number of diamond holes side by side.", least=1)] = 2
     rows: Annotated[
-        int | None, Option("Diamond holes one after the other; chosen unless given.", least=1)
+        int | None,
+        Option(("Number of diamond holes along the strip; chosen automatically by default."), least=1),
     ] = None
-    hole_ratio: Annotated[float, Option("Largest share of the width that holes take.", above=0, most=1)] = (
-        0.85
-    )
+    hole_ratio: Annotated[float, Option("Largest fraction of the width for holes.", above=0, most=1)] = 0.85
     least_ligament: Annotated[float, Option("Narrowest ligament between holes.", "mm", above=0)] = 0.5
-    least_hole: Annotated[float, Option("Widest place of the narrowest hole.", "mm", above=0)] = 1.0
-    corner_radius: Annotated[float, Option("Rounding of the corners of the holes.", "mm", least=0)] = 0.0
-    sides: Annotated[Literal["spline", "arc"], Option("What the sides of holes are made of.")] = "spline"
+    least_hole: Annotated[float, Option("Least width of a hole, at its widest place.", "mm", above=0)] = 1.0
+    corner_radius: Annotated[float, Option("Corner radius of the holes.", "mm", least=0)] = 0.0
+    sides: Annotated[Literal["spline", "arc"], Option("Curves that form the sides of holes.")] = "spline"
 
     def __post_init__(self) -> None:
         require_declared(Perforated, vars(self))
@@ -420,8 +419,7 @@ class Perforated:
         if slopes[i] > np.tan(STEEP_RAD):
             long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
             warnings.append(note(
-                "ligaments lean {angle:.0f} degrees off the strip at {s}: use fewer rows, {long} long or "
-                "longer",
+                "ligaments are at {angle:.0f} degrees to the strip at {s}: use fewer rows, at least {long} long",
                 angle=np.degrees(np.arctan(slopes[i])), s=Mm(s[i]), long=Mm(np.ceil(long)),
             ))  # fmt: skip
         missing = self._excess(pattern) / pattern.material(pattern.joints)
@@ -429,7 +427,7 @@ class Perforated:
         if missing[i] > TIP_SHARE:
             warnings.append(note(
                 "a corner radius of {radius:g} leaves {percent:.2g} % too much material at the tips at {s}: "
-                "{least:.2g} or less keeps it within {allowed:.0f} %",
+                "use {least:.2g} or less to stay within {allowed:.0f} %",
                 radius=Mm(self.corner_radius), percent=100 * missing[i], s=Mm(pattern.joints[i]),
                 least=Mm(self.corner_radius * TIP_SHARE / missing[i]), allowed=100 * TIP_SHARE,
             ))  # fmt: skip
@@ -495,7 +493,7 @@ class _Fit:
             if asked > scale * (1 + SLACK):
                 i = self.by_ligaments.highest_at
                 raise InputError(
-                    "the rod's bending stiffness asks for {needed:.4g} of material at {s:.1f}, "
+                    "the rod's bending stiffness needs {needed:.4g} of material at {s:.1f}, but only "
                     "{given:.4g} fit: widen the outline or raise {field}",
                     field=MATERIAL_WIDTH,
                     needed=Mm(asked * self.K[i] / rigidity),
@@ -510,8 +508,8 @@ class _Fit:
                 else note("use a thinner or softer sheet")
             )
             raise InputError(
-                "{too_little}: the ligaments need {needed:.4g} in all where they are widest, not "
-                "{given:.4g}; {way}",
+                "{too_little}. At the widest place the ligaments need a total of {needed:.4g}, but have "
+                "{given:.4g}: {way}",
                 too_little=self._too_little(scale),
                 needed=Mm(self.lowest * high / rigidity),
                 given=Mm(scale * high / rigidity),
@@ -519,7 +517,7 @@ class _Fit:
             )
         if min_width is not None and scale * low / rigidity < min_width * (1 - SLACK):
             raise InputError(
-                "the ligaments are {ligaments:.4g} in all at the narrowest place, below {field} "
+                "the ligaments have a total of {ligaments:.4g} at the narrowest place, below {field} "
                 "{min_width:g}: widen the outline or lower the stiffness ratio",
                 field=FieldName("min_width"),
                 ligaments=Mm(scale * low / rigidity),
@@ -534,7 +532,7 @@ class _Fit:
         ways = []
         if np.isfinite(need):
             ways.append(note(
-                "make the outline {least:g} or more wide there (now {now:.4g})",
+                "make the outline at least {least:g} wide there (now {now:.4g})",
                 least=Mm(rounded_up(need)), now=Mm(self.w[i]),
             ))  # fmt: skip
         fewer = [n for n in range(style.columns - 1, 0, -1) if self._would_do(n)]
@@ -542,7 +540,7 @@ class _Fit:
             share = 1 - float((self.highest * self.K / (rigidity * self.w)).min())
             ways.append(
                 note(
-                    "allow a {field} of {share:.3f}",
+                    "set {field} to {share:.3f}",
                     field=FieldName("style.hole_ratio"),
                     share=np.ceil(1000 * share) / 1000,
                 )
@@ -556,7 +554,7 @@ class _Fit:
                 now=self.rod.ratio, most=rounded_down(ratio, 3),
             ))  # fmt: skip
         return note(
-            "{too_little}, when holes still fit at {s}: {ways}",
+            "{too_little}, if holes must also fit at {s}: {ways}",
             too_little=self._too_little(self.highest), s=Mm(self.s[i]), ways=Either(ways),
         )  # fmt: skip
 

@@ -41,7 +41,9 @@ Relief = Literal["square", "round"]
 def _center_line(path: object, widths: object, here: str) -> tuple[FloatArray, FloatArray]:
     rows, across = numbers(path, f"{here}: path"), numbers(widths, f"{here}: widths")
     if rows.ndim != 2 or rows.shape[1] != 2 or len(rows) < 2 or across.shape != (len(rows),):
-        raise InputError(f"{here}: path has two or more rows (x, y), widths one number for each")
+        raise InputError(
+            f"{here}: path must have two or more rows (x, y), and widths one number for each row"
+        )
     return rows, across
 
 
@@ -84,12 +86,12 @@ class Slot:
     at: Annotated[float, Option("Place along the strip.", "mm")]
     width: Annotated[float, Option("Width of the slot.", "mm", above=0)]
     depth: Annotated[
-        float | None, Option("Depth from the edge; to the centre line unless given.", "mm", above=0)
+        float | None, Option("Depth from the edge; by default to the centre line.", "mm", above=0)
     ] = None
-    side: Annotated[Side, Option("The edge on which it opens.")] = "upper"
+    side: Annotated[Side, Option("Edge at which the slot opens.")] = "upper"
     lean: Annotated[float, Option("Angle to the ruling of the strip.", "rad")] = 0.0
-    relief: Annotated[Relief, Option("Its inner end.")] = "square"
-    mate: Annotated[str, Option("What goes in; written beside it.")] = ""
+    relief: Annotated[Relief, Option("Shape of the inner end.")] = "square"
+    mate: Annotated[str, Option("Name of the inserted part, engraved beside the slot.")] = ""
     path: FloatArray | None = None
     widths: FloatArray | None = None
 
@@ -97,9 +99,9 @@ class Slot:
         require_declared(Slot, vars(self), "slot")
         here = note("slot at {at}", at=Length(self.at))
         if abs(self.lean) >= np.pi / 2:
-            raise InputError(f"{here}: lean is {self.lean:g} rad: it must stay within a quarter turn")
+            raise InputError(f"{here}: lean is {self.lean:g} rad: it must be within a quarter turn")
         if (self.path is None) != (self.widths is None):
-            raise InputError(f"{here}: path and widths go together")
+            raise InputError(f"{here}: give path and widths together")
         if self.path is not None:
             path, widths = (array.copy() for array in _center_line(self.path, self.widths, here))
             if not np.all(np.isfinite(path)) or not np.all(widths > 0):
@@ -291,8 +293,8 @@ class _Edge:
             low, high = float(self.low[:, 0].min()), float(self.high[:, 0].max())
             if not low < slot.at < high:
                 raise InputError(
-                    "{name}: the slot at {at:.6g} is not on the strip, which goes from {low:.4g} to "
-                    "{high:.4g} with its tabs: move it",
+                    "{name}: the slot at {at:.6g} is not on the strip, which extends from {low:.4g} to "
+                    "{high:.4g} with its tabs: move the slot",
                     name=name,
                     at=Length(slot.at),
                     low=low,
@@ -377,7 +379,7 @@ def _refuse_meetings(openings: Sequence[_Opening], holes: Sequence[Path], name: 
 
 def _meeting(name: str, a: Slot, b: Slot) -> str:
     return note(
-        "{strip}: the slots at {one} and {other} meet: move them apart, or make them narrower or shallower",
+        "{strip}: the slots at {one} and {other} touch: move them apart, or make them narrower or shallower",
         strip=name, one=Length(a.at), other=Length(b.at),
     )  # fmt: skip
 

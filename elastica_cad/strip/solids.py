@@ -117,7 +117,7 @@ class FlatSolid:
         require_positive(self.thickness, "plate thickness")
         require_record(self.outline, Path, "the outline of a plate", "a Path")
         if not all(path.closed for path in (self.outline, *several("holes", self.holes, Path, "Path"))):
-            raise InputError("a plate is made of closed loops: one of the paths given is open")
+            raise InputError("a plate needs closed loops, but one path is open: close it")
 
     @classmethod
     def of(cls, strip: Strip, frame: Frame | None = None) -> "FlatSolid | RoundSolid":
@@ -394,7 +394,7 @@ class BentSolid:
         require_record(rod, Rod, "what a pattern is wrapped on", "a Rod")
         both = numbers(heights, "heights of a wrapped pattern")
         if both.shape != (2,):
-            raise InputError(f"heights are {heights!r}: give the lower and the upper of the record, mm")
+            raise InputError(f"heights are {heights!r}: give the lower and the upper height, mm")
         lower, upper = both.tolist()
         bent = bent_maps(rod, frame, max(abs(lower), abs(upper)))
         stations = [0.0, *(float(part.knots[-1]) for part in bent[:-1]), rod.length]

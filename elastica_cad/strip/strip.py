@@ -147,11 +147,13 @@ class Shoulder:
         judged, bears = self.verdict, self.sheet.max_strain
         peak = judged.used * bears
         strain, limit = told_apart(100 * peak, 100 * bears, ".2g")
-        place = note("in the corners beside it" if peak > self.strain * (1 + STRAIN_SLACK) else "across it")
+        place = note(
+            "in the corners beside the tab" if peak > self.strain * (1 + STRAIN_SLACK) else "across the tab"
+        )
         return note(
-            "at {at} from the start the strip is {width} wide and its tab {tab}: {place} the strain is "
-            "{strain:g} %, beyond the {limit:g} % that {sheet} bears; {outcome}; make the tab {least} wide, or "
-            "the curve gentler there",
+            "At {at} from the start the strip is {width} wide and its tab {tab}. The strain {place} is "
+            "{strain:g} %; {sheet} allows {limit:g} %: {outcome}. Make the tab at least {least} wide, or the "
+            "curve gentler there.",
             at=Length(self.at), width=Length(self.width), tab=Length(self.tab), place=place, strain=strain,
             limit=limit, sheet=self.sheet.name, outcome=note(judged.outcome), least=Length(self.least_tab),
             severity="warning",
@@ -217,16 +219,16 @@ def _tell_backing(mark: str) -> str:
     if not mark:
         return ""
     texts = {
-        "INSIDE": "bent, the backing lies inside: {mark} is engraved on both sheets, on the faces that look "
-        "there",
-        "OUTSIDE": "bent, the backing lies outside: {mark} is engraved on both sheets, on the faces that "
-        "look there",
-        "INSIDE AT START": "bent, the backing lies inside at the start (the end at x = 0 of the cutting "
-        "files), on the other side of the bend beyond each inflection: {mark} is "
-        "engraved on both sheets",
-        "OUTSIDE AT START": "bent, the backing lies outside at the start (the end at x = 0 of the cutting "
-        "files), on the other side of the bend beyond each inflection: {mark} is "
-        "engraved on both sheets",
+        "INSIDE": "When the strip is bent, the backing is on the inside. {mark} is engraved on the inner "
+        "face of both sheets.",
+        "OUTSIDE": "When the strip is bent, the backing is on the outside. {mark} is engraved on the outer "
+        "face of both sheets.",
+        "INSIDE AT START": "When the strip is bent, the backing is on the inside at the start (x = 0 in the "
+        "cutting files) and changes sides at each inflection. {mark} is engraved on both "
+        "sheets.",
+        "OUTSIDE AT START": "When the strip is bent, the backing is on the outside at the start (x = 0 in "
+        "the cutting files) and changes sides at each inflection. {mark} is engraved on "
+        "both sheets.",
     }
     return note(texts[mark], mark=mark)
 
@@ -239,7 +241,7 @@ def _tell_joint(lap: float, width: float, held: Reactions, place: str) -> str:
         else note("join its ends butt to butt")
     )
     return note(
-        "closed: {how} at {place}, where it is {width} wide; the joint carries {moment:.3g} N mm and "
+        "closed: {how} at {place}, where the strip is {width} wide; the joint carries {moment:.3g} N mm and "
         "{force:.2g} N",
         how=how, place=place, width=Length(width), moment=abs(held.end_moment), force=np.hypot(*held.end_force),
     )  # fmt: skip
@@ -256,9 +258,8 @@ def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[s
             strain, limit = told_apart(100 * layer.largest, 100 * layer.limit, ".2g")
             radius, least = told_apart(1 / bend[at], 1 / bearable, ".3g")
             yield note(
-                "strain {strain:g} % at {at} from the start is beyond the {limit:g} % that {sheet} bears: "
-                "its radius there is {radius:g}, the least advisable {least:g}; {outcome}; use a thinner "
-                "sheet or a gentler curve",
+                "The strain is {strain:g} % at {at} from the start; {sheet} allows {limit:g} %: {outcome}. "
+                "Use a thinner sheet, or a radius of at least {least:g} there (now {radius:g}).",
                 strain=strain, at=Length(judged.at or 0.0), limit=limit, sheet=layer.name, radius=Length(radius),
                 least=Length(least), outcome=note(judged.outcome), severity="warning",
             )  # fmt: skip
@@ -269,15 +270,15 @@ def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: b
     start, end = width([0.0, length]).tolist()
     if closed and abs(end - start) > UNEVEN_JOINT_MM:
         yield note(
-            "its ends are {start:.3g} and {end} wide where it closes: choose another joint, leave out "
-            "gravity, or make the curvature continuous there",
+            "The ends are {start:.3g} and {end} wide where the strip closes. Choose another joint, leave out "
+            "gravity, or make the curvature continuous there.",
             start=start, end=Length(end), severity="warning",
         )  # fmt: skip
     widest = float(width.extremes[1])
     if widest > length:
         yield note(
-            "it is {width} wide and {length} long: what is wider than long bends as a plate, not as a "
-            "strip; give a smaller {field}, and look at its unit",
+            "The strip is {width} wide but only {length} long, so it bends as a plate. Set a smaller "
+            "{field}, and check its unit.",
             field=field,
             width=Length(widest), length=Length(length), severity="warning",
         )  # fmt: skip
@@ -292,9 +293,8 @@ def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], be
         if least is not None and layer.judged().allowed and bend[tightest] * least > 1 + TOLD_TO:
             at = bends.place(tightest)
             yield note(
-                "it bends to a radius of {radius} at {at} from the start, but plywood of {thickness:g} "
-                "bends to {least} at least {grain} the face grain ({source}); use a thinner sheet or a "
-                "gentler curve",
+                "The radius is {radius} at {at} from the start. Plywood {thickness:g} thick needs at least "
+                "{least} {grain} the face grain ({source}). Use a thinner sheet or a gentler curve.",
                 radius=Length(1 / bend[tightest]), at=Length(at), thickness=Length(cut.sheet.thickness),
                 least=Length(least), grain=note(cut.sheet.grain), source=PLYWOOD_SOURCE, severity="warning",
             )  # fmt: skip
@@ -304,8 +304,8 @@ def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Cre
     """Warn of places where creep of the most strained layer is not linear, and of a strip that does not stay."""
     if strained.largest > LINEAR_CREEP_SHARE * strained.limit:
         yield note(
-            "strain {strain:.2f} % is more than {share:.0f} % of what the sheet bears: creep is not linear "
-            "there, and more than said; use a thinner sheet or a gentler curve",
+            "The strain of {strain:.2f} % is more than {share:.0f} % of the sheet's limit, so creep there is "
+            "larger than computed. Use a thinner sheet or a gentler curve.",
             strain=100 * strained.largest, share=100 * LINEAR_CREEP_SHARE, severity="warning",
         )  # fmt: skip
     try:
@@ -315,8 +315,8 @@ def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Cre
         return
     if later is not None and not later.stays:
         yield note(
-            "with a creep factor of {factor:g} it will not stay in the long run: it snaps into another "
-            "shape; use a stiffer sheet or support it",
+            "With a creep factor of {factor:g} the strip snaps into another shape in the long run. Use a "
+            "stiffer sheet, or support the strip.",
             factor=factor, severity="warning",
         )  # fmt: skip
 
@@ -418,7 +418,9 @@ class Strip:
 
     def __post_init__(self) -> None:
         if not isinstance(self.rod, Rod):
-            raise InputError(f"the rod is a {type(self.rod).__name__}: give a Rod, as optimal_rod makes one")
+            raise InputError(
+                f"the rod is a {type(self.rod).__name__}: give a Rod, such as the result of optimal_rod"
+            )
         if self.rod.follows_bend:  # its widths are those that make it as stiff as it is in this shape
             object.__setattr__(self, "rod", as_bent(self.rod))
         object.__setattr__(self, "sheet", Sheet.of(self.sheet))
@@ -440,8 +442,8 @@ class Strip:
             object.__setattr__(self, "ends", (Tab(0.0), self.ends[1]))
             if self.layout.backing is not None or self.layout.size is not None:
                 raise InputError(
-                    "a closed strip is of one sheet of even thickness, which its lap can join: take a plain or "
-                    "perforated strip, or leave a gap between its ends"
+                    "a closed strip needs one sheet of even thickness for its joint: use a plain or "
+                    "perforated strip, or leave a gap between the ends"
                 )
         _ = self.layout
 
@@ -820,7 +822,7 @@ class Placed:
         m = numbers(turn, "the turn of a strip")
         if m.shape != (3, 3) or not np.allclose(m @ m.T, np.eye(3), rtol=0, atol=1e-9):
             raise InputError(
-                "a strip is moved by a 3x3 rotation or mirror and a shift: others would deform it"
+                "a strip can be moved only by a 3x3 rotation or mirror and a shift: other maps would deform it"
             )
         strip = self.strip if np.linalg.det(m) > 0 else self.strip.mirrored()
         origin = m @ self.origin + three(shift, "the shift of a strip")

@@ -73,8 +73,8 @@ def pull_in_plane(given: GravityOption, sheet: Sheet, frame: Frame | None) -> tu
         return sheet.gravity(direction), 1.0
     if frame is None:
         raise InputError(
-            f"gravity {direction} is a direction in space: give frame, the plane of the curve, or two "
-            "numbers, the direction in the drawing",
+            f"gravity {direction} is a direction in space: give the plane of the curve as frame, or the "
+            "direction in the drawing as two numbers",
             where={"field": "gravity"},
         )
     length = sheet.elasto_gravity_length
@@ -120,7 +120,7 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
     """Refuse a seam that is not on the curve, or a seam on an open curve."""
     if seam_position is not None and seam_position > curve.length:
         raise InputError(
-            "{field} is {seam:g}: give a place along the curve, 0 to {length:.4g}, or none",
+            "{field} is {seam:g}: set a place along the curve from 0 to {length:.4g}, or leave it out",
             field=FieldName("seam_position"),
             seam=seam_position,
             length=Length(curve.length),
@@ -128,8 +128,7 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
         )
     if seam_position is not None and not curve.is_closed:
         raise InputError(
-            "{field} is {seam:g}, but the curve is open and begins at its own end: leave it "
-            "out, or close the curve",
+            "{field} is {seam:g}, but only a closed curve has a joint: leave it out, or close the curve",
             field=FieldName("seam_position"),
             seam=Length(seam_position),
             where={"field": "seam_position"},
@@ -144,8 +143,8 @@ def _check_law(
     shaped = shaped and getattr(law, "quantity", "") != "width"
     if not isinstance(style, Plain) or sized or shaped:
         raise InputError(
-            "a law says what the section is and how large: leave out {style}, {slots}, {max_width} and "
-            "{min_width}, and give tabs a length only, or leave out {law}",
+            "a section law sets the section and its size: leave out {style}, {slots}, {max_width} and "
+            "{min_width} and give tabs only a length, or leave out {law}",
             style=FieldName("style"),
             slots=FieldName("slots"),
             max_width=FieldName("max_width"),
@@ -156,7 +155,7 @@ def _check_law(
     other = getattr(law, "sheet", sheet)
     if other != sheet:
         raise InputError(
-            "the law is of {name}, the strip of {name_2}: give both the same sheet",
+            "the section law uses the sheet {name}, but the strip uses {name_2}: set the same sheet for both",
             name=other.name,
             name_2=sheet.name,
             where={"field": "law"},
@@ -167,8 +166,8 @@ def _check_together(spec: RodSpec) -> None:
     """Refuse requests for a rod that exclude each other."""
     if spec.layers is not None and (spec.may_change or spec.natural_curvature != 0.0):
         raise InputError(
-            "a laminate that carries its weight follows its curve exactly, from flat sheets: do without the "
-            "nearest curve ({limits}) and {natural_curvature}, or without {gravity}",
+            "a laminate that carries its own weight must follow its curve exactly, from flat sheets: leave "
+            "out the nearest curve ({limits}) and {natural_curvature}, or leave out {gravity}",
             limits=FieldName("limits"),
             natural_curvature=FieldName("natural_curvature"),
             gravity=FieldName("gravity"),
@@ -176,24 +175,24 @@ def _check_together(spec: RodSpec) -> None:
         )
     if spec.weight is not None and spec.gravity is None:
         raise InputError(
-            "loads hang where gravity pulls in the plane of the curve: set {gravity}, with a direction "
-            "in that plane, or leave out {loads}",
+            "{loads} need gravity in the plane of the curve: set {gravity} to a direction in that plane, or "
+            "leave out {loads}",
             gravity=FieldName("gravity"),
             loads=FieldName("loads"),
             where={"field": ("gravity", "loads")},
         )
     if spec.may_change and spec.samples is not None:
         raise InputError(
-            "samples are of a strip that follows its curve exactly: do without the nearest curve ({limits}), "
-            "or without {samples}",
+            "{samples} can be set only for a strip that follows its curve exactly: leave out the nearest "
+            "curve ({limits}), or leave out {samples}",
             limits=FieldName("limits"),
             samples=FieldName("samples"),
             where={"field": ("limits", "samples")},
         )
     if spec.may_change and spec.weight is not None:
         raise InputError(
-            "a strip with loads hung on it follows its curve exactly: do without the nearest curve ({limits}), "
-            "or without {loads}",
+            "a strip with loads must follow its curve exactly: leave out the nearest curve ({limits}), or "
+            "leave out {loads}",
             limits=FieldName("limits"),
             loads=FieldName("loads"),
             where={"field": ("limits", "loads")},
@@ -218,8 +217,8 @@ def _limits_beside(
         and limits.sheet.thickness != sheet.thickness
     ):
         raise InputError(
-            "the limits are of {name}, {thickness:g} thick, the strip of {name_2}, "
-            "{thickness_2:g}: leave sheet out of the limits, which are then of the strip's",
+            "the limits are for {name}, {thickness:g} thick, but the strip is of {name_2}, {thickness_2:g} "
+            "thick: leave the sheet out of the limits to use the strip's sheet",
             name=limits.sheet.name,
             thickness=Length(limits.sheet.thickness),
             name_2=sheet.name,
@@ -231,8 +230,8 @@ def _limits_beside(
     for name, width in (("max_width", max_width), ("min_width", min_width)):
         if width is not None and not low <= width <= high:
             raise InputError(
-                "{name} is {width:g}, outside the limit width of {low:g} to {high:g}: change one of "
-                "them, or leave the limit out",
+                "{name} is {width:g}, outside the limits {low:g} to {high:g} of the width: change one of "
+                "them, or leave out the limits",
                 name=FieldName(name),
                 width=Length(width),
                 low=low,
@@ -256,7 +255,7 @@ def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Fab
     least = shop.width_for(sheet)
     if min_width > max_width:
         raise InputError(
-            "{field} is {min_width:g}, more than {wider}, {max_width:g}: give the larger one as {wider}",
+            "{field} is {min_width:g}, more than {wider} {max_width:g}: set {wider} to the larger width",
             field=FieldName("min_width"),
             wider=FieldName("max_width"),
             min_width=Length(min_width),
@@ -265,8 +264,8 @@ def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Fab
         )
     if least >= max_width:
         raise InputError(
-            "{field} is {max_width:g}, but {name} needs {least} at its narrowest: widen the "
-            "strip, take another sheet, or allow less with {least_width}",
+            "{field} is {max_width:g}, but {name} needs {least} at the narrowest place: widen the strip, use "
+            "another sheet, or lower {least_width}",
             field=FieldName("max_width"),
             least_width=FieldName("shop.least_width"),
             max_width=Length(max_width),
@@ -381,11 +380,11 @@ class StripSpec(EqualByValue):
     True
     """
 
-    curve: Annotated[PlaneCurve, Option("The curve that the strip takes.", group="curve")]
+    curve: Annotated[PlaneCurve, Option("Curve of the bent strip.", group="curve")]
     sheet: Annotated[
         Sheet | str,
         Option(
-            "Material: the name of a sheet, or a file of yours, my.toml or my.toml:NAME.",
+            "Material: the name of a sheet, or your own file, my.toml or my.toml:NAME.",
             group="sheet",
             common=True,
             written=Sheet,
@@ -399,18 +398,25 @@ class StripSpec(EqualByValue):
         float | None,
         Option("Width of the narrowest place, or its limit.", "mm", above=0, group="widths", common=True),
     ] = None
-    style: Annotated[Style, Option("How stiffness becomes material.", group="widths", common=True)] = PLAIN
+    style: Annotated[
+        Style,
+        Option("Style: one sheet, a sheet with holes, or two glued sheets.", group="widths", common=True),
+    ] = PLAIN
     limits: Annotated[
         Limits | None,
-        Option("The curve may change, as little as these limits ask for.", group="limits", common=True),
+        Option(
+            "Limits that the strip must meet; the curve changes as little as possible for them.",
+            group="limits",
+            common=True,
+        ),
     ] = None
     keep: Annotated[
-        Keep | None, Option("What a curve that may change keeps.", group="limits", common=True)
+        Keep | None, Option("Properties of the curve that stay when it changes.", group="limits", common=True)
     ] = None
     gravity: Annotated[
         GravityOption,
         Option(
-            "The strip carries its own weight: true, the direction in which it falls, or a length of its own.",
+            "Own weight of the strip: true, the direction of gravity, or also its elasto-gravity length.",
             group="weight",
             common=True,
             written=bool | tuple[float, float, float] | tuple[float, float] | Gravity,
@@ -419,30 +425,33 @@ class StripSpec(EqualByValue):
     loads: Annotated[
         tuple[PointMass, ...] | Weight,
         Option(
-            "Masses hung on the strip, or all weight in newtons.",
+            "Masses that hang on the strip, or its weight in newtons, own weight included.",
             group="weight",
             written=tuple[PointMass, ...] | Weight,
         ),
     ] = ()
     supports: Annotated[
-        Supports, Option("What holds the start and the end of the curve.", group="ends", common=True)
+        Supports, Option("Supports of the start and the end of the curve.", group="ends", common=True)
     ] = field(default_factory=Supports)
     natural_curvature: Annotated[
         NaturalCurvature,
         Option(
-            "Curvature of the strip before it is bent, or a blank that is bent beforehand.",
+            "Curvature of the strip before it is bent, or a pre-bent strip.",
             "1/mm",
             group="curve",
             common=True,
         ),
     ] = 0.0
     samples: Annotated[
-        int | None, Option("Nodes of the rod; chosen unless given.", least=3, most=10000, group="curve")
+        int | None,
+        Option(
+            "Number of nodes of the rod; chosen automatically by default.", least=3, most=10000, group="curve"
+        ),
     ] = None
     ends: Annotated[
         tuple[Tab, Tab],
         Option(
-            "Tab of both ends, or the two of start and end.",
+            "Tab for both ends, or one for the start and one for the end.",
             group="ends",
             common=True,
             written=Tab | tuple[Tab, Tab],
@@ -451,7 +460,7 @@ class StripSpec(EqualByValue):
     seam_position: Annotated[
         float | None,
         Option(
-            "Where a closed strip is joined, along its curve; where it is bent least unless given.",
+            "Place of the joint of a closed strip along its curve; by default where it is bent least.",
             "mm",
             least=0,
             group="ends",
@@ -460,7 +469,7 @@ class StripSpec(EqualByValue):
     straight_ends: Annotated[
         bool,
         Option(
-            "Straight first and last pieces of the curve become the tabs; false: the whole curve is bent.",
+            "Use straight first and last pieces of the curve as tabs; if false, bend the whole curve.",
             group="ends",
         ),
     ] = True
@@ -474,39 +483,42 @@ class StripSpec(EqualByValue):
     smooth: Annotated[
         float | None,
         Option(
-            "How far the curve may be moved to become fair; 0 follows it exactly as drawn.",
+            "Largest distance by which smoothing may move the curve; 0 keeps it as drawn.",
             "mm",
             least=0,
             group="curve",
             common=True,
         ),
     ] = None
-    shop: Annotated[FabricationLimits, Option("What the workshop can make.", group="limits")] = DEFAULT_LIMITS
+    shop: Annotated[FabricationLimits, Option("Limits of the workshop.", group="limits")] = DEFAULT_LIMITS
     compensate: Annotated[
         bool | None,
         Option(
-            "Make up in the widths for slots, narrow tabs and bending; unless given for anticlastic bending alone.",
+            "Compensate slots, narrow tabs and bending by the widths; by default only anticlastic bending.",
             group="widths",
             common=True,
         ),
     ] = None
     creep: Annotated[
         float,
-        Option("Creep factor of the sheet in the long run; 0 leaves creep out.", least=0, group="weight"),
+        Option("Long-term creep factor of the sheet; 0 for no creep.", least=0, group="weight"),
     ] = 0.0
     law: Annotated[
         BoundedLaw | None,
         Option(
-            "What stiffness is made of in place of width: thickness, a rod, a tube, or glued leaves.",
+            "Section law: varies thickness, a rod, a tube, or glued plies instead of the width.",
             group="widths",
         ),
     ] = None
     ignore_limits: Annotated[
-        bool, Option("Make a strip that cannot be cut or handled, and say so.", group="limits", common=True)
+        bool,
+        Option(
+            "Make a strip even if it cannot be cut or handled, with a warning.", group="limits", common=True
+        ),
     ] = False
     tolerance: Annotated[
         MakingTolerance,
-        Option("What is off in sheet, cut and clamps; what that adds is told.", group="sheet"),
+        Option("Errors of sheet, cut and clamps, for the expected accuracy of the strip.", group="sheet"),
     ] = USUAL_TOLERANCE
 
     def __post_init__(self) -> None:
@@ -627,7 +639,7 @@ class StripSpec(EqualByValue):
         if message is None or not drilled:
             return message
         return note(
-            "{tabs} Circles drawn on them became holes: {count}.",
+            "{tabs} Circles drawn on the tabs became holes: {count}.",
             tabs=message,
             count=drilled,
             severity="warning",
@@ -783,8 +795,8 @@ class StripSpec(EqualByValue):
         """Return the layers from which a laminate's rod is computed; gravity must act fully in the plane."""
         if abs(gravity.length / self.material.elasto_gravity_length - 1) > SAME_LENGTH:
             raise InputError(
-                "a laminate that carries its weight must stand upright and weigh what its sheets do: turn its "
-                "plane, give {field} the length of the base sheet, or leave it out",
+                "a laminate that carries its own weight must be upright and weigh as much as its sheets: "
+                "turn its plane, set {field} to the length of the base sheet, or leave it out",
                 field=FieldName("gravity"),
             )
         widths = self.max_width, self.min_width

@@ -56,7 +56,7 @@ GUIDE_MM = 0.5
 
 
 NO_WIDTH = note(
-    "a strip needs {max_width} or {min_width}, in mm: its curve fixes only how widths compare",
+    "a strip needs {max_width} or {min_width}, in mm, because its curve sets only the ratio of its widths",
     max_width=FieldName("max_width"), min_width=FieldName("min_width"),
 )  # fmt: skip
 """Message of a plain strip without a width; other styles have their own outline."""
@@ -291,8 +291,8 @@ def _within(
         )
     if max_width is not None and wide > max_width * (1 + slack):
         raise InputError(
-            "the rod's bending stiffness asks for a width of {wide:.4g}, above {field} "
-            "{max_width:g}: choose a thicker or stiffer sheet",
+            "the rod's bending stiffness needs a width of {wide:.4g}, above {field} {max_width:g}: choose a "
+            "thicker or stiffer sheet",
             field=FieldName("max_width"),
             wide=Length(wide),
             max_width=Length(max_width),
@@ -348,7 +348,7 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
     if isinstance(width, Profile):
         if not np.isclose(width.length, length, rtol=1e-6):
             raise InputError(
-                "{name} is given over {length:.6g}, the strip is {length_2:.6g} long",
+                "{name} covers {length:.6g}, but the strip is {length_2:.6g} long",
                 name=name,
                 length=Length(width.length),
                 length_2=Length(length),

@@ -65,9 +65,7 @@ class TabSeat:
         for side in ("left", "right"):
             edges = numbers(getattr(self, side), f"{side} edges of a seat")
             if edges.ndim == 0 or (edges.size and edges.shape[-1] != 2):
-                raise InputError(
-                    f"{side} edges of a seat are rows (k, 2) of the record, in mm, not {edges.shape}"
-                )
+                raise InputError(f"{side} edges of a seat must be rows (k, 2), in mm, not {edges.shape}")
             object.__setattr__(self, side, edges.reshape(-1, 2))
 
     @classmethod
@@ -377,8 +375,8 @@ def rest_in_seats(
         raise NotConvergedError(
             problem.without_room(q)
             if price > PRICE and problem.walls(q)[1].min() < -OVERLAP_SHARE * design.length
-            else "the strip finds no rest in its holders: give them less play, or hold the tabs with screws "
-            "or glue"
+            else "the strip has no rest position in its holders: reduce the play, or hold the tabs with "
+            "screws or glue"
         )
     poses = [EndPose(), EndPose()]
     for end, part in problem.parts(q):
@@ -448,8 +446,8 @@ class _Held:
         seated_end, gap = min(each, key=lambda pair: pair[1])
         end = "end" if seated_end.index else "start"
         return note(
-            "the tab at the {end} does not go into its {seat}: however it turns and bends, {depth:.2g} of "
-            "it stand in the material; give it more play",
+            "the tab at the {end} does not fit into its {seat}: it overlaps the material by at least "
+            "{depth:.2g}, however it turns and bends; increase the play",
             end=end, seat=seated_end.seat.name, depth=Length(-gap),
         )  # fmt: skip
 

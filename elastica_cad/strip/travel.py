@@ -137,23 +137,23 @@ class Travel:
         warnings = []
         if self.force_falls_at is not None:
             warnings.append(note(
-                "from {place} on the force falls: an end that is led stays there, one that a weight "
-                "pushes runs away",
+                "the force falls beyond {place}: a driven end stays in place, but an end pushed by a weight "
+                "runs away",
                 place=self.tell_place(self.force_falls_at),
             ))  # fmt: skip
         if self.snaps_at is not None:
             warnings.append(
-                note("at {place} it snaps out of its shape", place=self.tell_place(self.snaps_at))
+                note("the strip snaps into another shape at {place}", place=self.tell_place(self.snaps_at))
             )
         if self.crosses_at is not None:
             warnings.append(note(
-                "from {place} on it crosses itself: that it touches itself there is left out",
+                "the strip crosses itself beyond {place}: contact of the strip with itself is not computed",
                 place=self.tell_place(self.crosses_at),
             ))  # fmt: skip
         if self.strained_at is not None:
             warnings.append(note(
-                "from {place} on it is strained beyond what the sheet bears (safety {safety:.2g}): take "
-                "a thinner sheet, a longer strip or less travel",
+                "the strain exceeds the limit of the sheet beyond {place} (safety {safety:.2g}): use a "
+                "thinner sheet, a longer strip or less travel",
                 place=self.tell_place(self.strained_at), safety=self.safety.min(),
             ))  # fmt: skip
         return tuple(warnings)
@@ -291,7 +291,7 @@ def bend_strip(
     require_record(strip, Strip, "what is bent", "a Strip")
     rods = bend_path(strip.rod_to_bend, path, side=side)
     if not rods:
-        raise InputError("the path holds no place: give the places that the end is moved to")
+        raise InputError("the path is empty: give the positions to which the end is moved")
     B = strip.bending_stiffness
     end = np.array([rod.position[-1] - rod.position[0] for rod in rods])
     designed = strip.rod.position[-1] - strip.rod.position[0]

@@ -67,7 +67,7 @@ class FabricationLimits:
     least_width: Annotated[
         float | None,
         Option(
-            "Narrowest strip, tab or tongue that can be made; that of the sheet unless given.",
+            "Least width of a strip, tab or tongue; by default that of the sheet.",
             "mm",
             least=0.05,
             group="limits",
@@ -352,7 +352,7 @@ class Fault:
     changes: tuple[Change, ...] = ()
 
     def __str__(self) -> str:
-        return note("{part}: {fault}; {cure}", part=self.part, fault=self.what, cure=self.cure)
+        return note("{part}: {fault}. {cure}", part=self.part, fault=self.what, cure=self.cure)
 
 
 def _tell_faults(faults: Iterable[Fault]) -> str:
@@ -375,13 +375,13 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
     if faults and not ignore_limits:
         changes = dict.fromkeys(change for fault in faults for change in fault.changes)
         raise InputError(
-            "{faults} To make it all the same, set {field}.",
+            "{faults} To make it anyway, set {field}.",
             faults=_tell_faults(faults),
             field=FieldName("ignore_limits"),
             kind="fault",
             changes=[*changes],
         )
-    return tuple(note("made anyway: {fault}", fault=str(fault), severity="warning") for fault in faults)
+    return tuple(note("Made anyway: {fault}", fault=str(fault), severity="warning") for fault in faults)
 
 
 def find_strip_faults(
@@ -397,7 +397,7 @@ def find_strip_faults(
     >>> from elastica_cad.mechanics.rod import Rod
     >>> thin = Strip(Rod.straight(200, [1, 4, 1]), Sheet.named("birch-plywood-0.8"), max_width=6, label="A")
     >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
-    A: only 1.5 mm wide at ... mm from the start of the curve, 3 mm are needed in birch-plywood-0.8; ...
+    A: only 1.5 mm wide at ... mm from the start of the curve; birch-plywood-0.8 needs 3 mm. ...
     """
     if strip.layout.size is not None:  # not cut from a sheet; its law has its own limits
         return ()
@@ -423,11 +423,11 @@ def find_strip_faults(
     if isinstance(style, Perforated) and style.least_ligament < ligament:
         allowed = style.least_ligament
         what = note(
-            "ligaments down to {allowed} are allowed, {ligament} are needed",
+            "ligaments may be as narrow as {allowed}, but {ligament} are needed",
             allowed=Length(allowed),
             ligament=Length(ligament),
         )
-        faults.append(Fault(name, what, note("ask for wider ligaments, or fewer columns")))
+        faults.append(Fault(name, what, note("Set wider ligaments, or fewer columns")))
     longest = min(strip.rod.length, stocks[0][0] if joined else np.inf)
     slenderest = longest / min(float(strip.width.extremes[0]), stocks[0][1])
     if slenderest > SLENDEREST:
@@ -437,7 +437,7 @@ def find_strip_faults(
             width=Length(strip.width.extremes[0]),
         )
         wider = _wider(strip, slenderest / SLENDEREST)
-        faults.append(Fault(name, what, note("make it wider, or split it"), wider))
+        faults.append(Fault(name, what, note("Make it wider, or split it"), wider))
     return tuple(faults)
 
 
@@ -457,8 +457,8 @@ def find_plate_faults(
     return (
         *_faults_at(
             name, () if far_larger else find_thin_places([outline], holes, least), least, sheet,
-            note("leave more room between the slots: a larger ring or plate, fewer or narrower strips, a "
-            "wider border"),
+            note("Leave more room between the slots: use a larger ring or plate, fewer or narrower strips, "
+                 "or a wider border"),
             (note("the edge"), *called, *(note("a hole") for _ in holes[len(called):])),
         ),
         *_too_large(name, float(length), float(width), sheet, stock),
@@ -472,10 +472,12 @@ def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tu
         return ()
     slot, width, through = max(wide, key=lambda each: each[1] / each[2])
     what = note(
-        "the slot for {slot}{more} is {width} wide for a tab of {through}, which it cannot hold",
+        "the slot for {slot}{more} is {width} wide and cannot hold a tab {through} thick",
         slot=slot, more=and_more(wide), width=Length(width), through=Length(through),
     )  # fmt: skip
-    cure = note("end the strips steeper to the plate, take a thinner plate, or hold them by end fixtures")
+    cure = note(
+        "Let the strips meet the plate more steeply, use a thinner plate, or hold the strips by end fixtures"
+    )
     return (Fault(name, what, cure),)
 
 
@@ -485,11 +487,11 @@ def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]
         Fault(
             name,
             note(
-                "beside the tab of {tab} the strip would stand {depth} deep in the plate",
+                "the strip would be {depth} deep in the plate beside the tab of {tab}",
                 tab=tab,
                 depth=Length(depth),
             ),
-            note("give it a tab as wide as the strip, or set the plate so much lower"),
+            note("Make the tab as wide as the strip, or lower the plate by that depth"),
         )
         for tab, depth, thickness in shoulders
         if depth > thickness
@@ -516,10 +518,10 @@ def _thin_strip(
     for place in tabs[:1]:
         wide, needed = map(Length, told_apart(place.width, least, ".3g"))
         what = note(
-            "only {wide:g} wide {at}, {needed:g} are needed in {sheet}",
+            "only {wide:g} wide {at} ({sheet} needs {needed:g})",
             wide=wide, at=_place_on(strip, place), needed=needed, sheet=layer.sheet.name,
         )  # fmt: skip
-        yield Fault(name, what, note("give the tab a larger width"))
+        yield Fault(name, what, note("Make the tab wider"))
     webs = [place for place in places if place.loops != (0, 0) and place.width < web]
     for place in webs[:MOST_TOLD]:
         yield _thin_web(name, place, _place_on(strip, place), web, layer.sheet)
@@ -530,19 +532,24 @@ def _cures_of_necks(strip: Strip, times: float, least: float, noisy: bool) -> tu
     wider = _wider(strip, times)
     field = outline_field(strip.style)
     if not wider:
-        cure = note("make it wider ({field}), or ask for the nearest curve with a smaller ratio", field=field)
+        cure = note(
+            "Make it wider ({field}), or use the nearest curve with a smaller stiffness ratio", field=field
+        )
     elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
         wider = ()  # a wider strip has thinner tips of its bulges
-        cure = note("ask for the nearest curve with a smaller ratio")
+        cure = note("Use the nearest curve with a smaller stiffness ratio")
     else:
         cure = note(
-            "make it wider ({field} = {width:g} or more), or ask for the nearest curve with a smaller ratio",
+            (
+                "Make it wider ({field} = {width:g} or more), or use the nearest curve with a smaller stiffness "
+                "ratio"
+            ),
             field=field,
             width=Length(wider[0].value),
         )
-    smoothing = note("smoothing its points more helps too ({field})", field=FieldName("smooth"))
+    smoothing = note("or smooth its points more ({field})", field=FieldName("smooth"))
     more = [smoothing] if noisy else []
-    return sentences([cure, *more]), (*wider, Change("nearest", True))
+    return sentences([cure, *more], ", "), (*wider, Change("nearest", True))
 
 
 def _place_on(strip: Strip, place: ThinPlace) -> str:
@@ -561,17 +568,17 @@ def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) 
     shift = Length(rounded_up(least - place.width, 2))
     if 0 in place.loops:
         what = note(
-            "only {wide:g} are left between a hole and the edge {at}, {needed:g} are needed in {sheet}",
+            "only {wide:g} of material between a hole and the edge {at} ({sheet} needs {needed:g})",
             wide=wide, at=at, needed=needed, sheet=sheet.name,
         )  # fmt: skip
         return Fault(
-            name, what, note("move the hole {shift} away from the edge, or make it smaller", shift=shift)
+            name, what, note("Move the hole {shift} away from the edge, or make it smaller", shift=shift)
         )
     what = note(
-        "only {wide:g} are left between two holes {at}, {needed:g} are needed in {sheet}",
+        "only {wide:g} of material between two holes {at} ({sheet} needs {needed:g})",
         wide=wide, at=at, needed=needed, sheet=sheet.name,
     )  # fmt: skip
-    return Fault(name, what, note("move the holes {shift} apart, or make them smaller", shift=shift))
+    return Fault(name, what, note("Move the holes {shift} apart, or make them smaller", shift=shift))
 
 
 def _wider(strip: Strip, times: float) -> tuple[Change, ...]:
@@ -595,8 +602,8 @@ def _faults_at(
         wide, needed = map(Length, told_apart(place.width, least, ".3g"))
         between = Listed(dict.fromkeys(loops[k] for k in sorted(place.loops))) if loops else ()
         what = note(
-            "only {wide:g} between {loops} {at}{more}, {needed:g} are needed in {sheet}" if loops else
-            "only {wide:g} wide {at}{more}, {needed:g} are needed in {sheet}",
+            "only {wide:g} between {loops} {at}{more} ({sheet} needs {needed:g})" if loops else
+            "only {wide:g} wide {at}{more} ({sheet} needs {needed:g})",
             wide=wide, loops=between, at=at, more=more, needed=needed, sheet=sheet.name,
         )  # fmt: skip
         yield Fault(name, what, cure)
@@ -618,9 +625,11 @@ def _too_large(
         if width > length or (width > stock[1] and length <= stock[0]):
             field = outline_field(style)
             fits = Change(field, rounded_down(min(stock[1], length / TIMES_AS_LONG), 2))
-            cure = note("give a smaller {field}, or name a larger stock", field=field)
+            cure = note("Set a smaller {field}, or a larger stock", field=field)
             yield Fault(name, what, cure, (fits,))
         else:
-            cure = note("name a larger stock, join a strip of pieces by plates (lap), or scale the curve")
+            cure = note(
+                "Set a larger stock, join the strip from pieces by plates (lap), or make the curve smaller"
+            )
             lap = Change("lap", float(round(LAP_THICKNESSES * sheet.thickness)))
             yield Fault(name, what, cure, (lap,))

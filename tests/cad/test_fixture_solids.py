@@ -171,7 +171,9 @@ def test_a_leaning_strip_wider_than_its_tab_is_kept_out_of_the_base_plate(measur
     def shared(plate):
         return abs(measure.volume(common(occt.make_solid(plate.solid), bent), bent=False))
 
-    with pytest.raises(ValueError, match=r"beside the tab of A:1 the strip would stand 5\.13 mm deep"):
+    with pytest.raises(
+        ValueError, match=r"the strip would be 5\.13 mm deep in the plate beside the tab of A:1"
+    ):
         Model([placed]).base_plate("mdf-3")
     forced = Model([placed]).base_plate("mdf-3", ignore_limits=True)
     assert len(forced.warnings) == 2

@@ -256,7 +256,7 @@ def test_a_tiny_sketch_says_why(document, drawn):
     assert "it may crack there" in feature.getStatusString()
     change(feature, Anyway=True)
     assert "Invalid" in feature.State
-    assert "would fold over: take a thinner sheet" in feature.getStatusString()
+    assert "would fold over: use a thinner sheet" in feature.getStatusString()
 
 
 def test_a_huge_sketch_says_why_and_is_made_anyway(document, drawn):

@@ -326,8 +326,8 @@ PROVOKED = {
         "wave.svg",
     ),
     "a corner at ... mm": (r"a corner at [\d.]+ mm", "check", "corner.svg"),
-    "Would break: strain ... is beyond the ...": (
-        r"Would break: strain .* is beyond the",
+    "The strain is ... %; ... allows ... %": (
+        r"The strain is .*; .* allows .* %",
         "strip",
         "three.svg",
         *PLY,
@@ -338,8 +338,8 @@ PROVOKED = {
     ),
     "largest strain ... (bears ...)": (r"largest strain .* bears [\d.]+ %", *MAKE),
     "stiffness ratio": (r"stiffness ratio [\d.]+", *MAKE),
-    "asks for a width of ...": (
-        r"asks for a width of [\d.]+ mm",
+    "needs a width of ...": (
+        r"needs a width of [\d.]+ mm",
         *MAKE,
         "--gravity",
         "--set",
@@ -348,8 +348,8 @@ PROVOKED = {
     "unstable": (r"\(unstable\)", *NEAR),
     "margin ... low, ample": (r"margin [\d.]+ \((low|ample)\)", *MAKE),
     "sideways low, undecided": (r"sideways (low|undecided)", *NEAR),
-    "strays ... from its design": (r"strays about [\d.]+ mm from its design", *MAKE),
-    "only ... mm, ... mm are needed": (r"only [\d.]+ mm .* mm are needed", *MAKE, "--max-width", "2"),
+    "deviates from its design by about ...": (r"deviates from its design by about [\d.]+ mm", *MAKE),
+    "only ... mm; ... needs ... mm": (r"only [\d.]+ mm .* needs [\d.]+ mm", *MAKE, "--max-width", "2"),
     "larger than the stock": (r"larger than the stock", *MAKE, "--set", "shop.stock=[100,80]"),
 }
 """The words of each message, and what makes a command say them."""

@@ -64,7 +64,7 @@ def test_a_strip_takes_its_curve_by_default_where_nu_is_known(name, asked):
     beam = make_strip(CURVES[name], CARD, **ASKED[asked], compensate=False)
     needed = beam.held_deviation > LEAST_TOLD_MM
     assert held.made_up_for == (("anticlastic bending",) if needed else ())
-    assert ("its widths made for anticlastic bending" in str(held)) == needed
+    assert ("with widths that compensate anticlastic bending" in str(held)) == needed
     narrow, wide = made.width.extremes
     assert (narrow if "narrowest" in asked else wide) == pytest.approx(
         ASKED[asked].get("max_width", 12.0), rel=0.025 if "near" in asked else 5e-3

@@ -88,7 +88,7 @@ def test_laminated_under_the_weight_of_both_layers(pot, widths, number):
 
 
 def test_the_other_way_round_is_refused_with_the_thickness_that_would_do(pot, widths):
-    with pytest.raises(InputError, match=r"make the backing (0\.9|1\.0)\d* times as thick"):
+    with pytest.raises(InputError, match=r"make the backing at least (0\.9|1\.0)\d* times as thick"):
         ec.Strip(
             ec.optimal_rod(pot[0][0]),
             card(0.2),

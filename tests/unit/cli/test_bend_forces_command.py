@@ -34,7 +34,7 @@ def test_a_spring_and_its_force_travel_curve(tmp_path):
 def test_a_strain_beyond_the_sheet_is_told(tmp_path):
     line = "bend --straight 60 --sheet acrylic-3 --max-width 10 --to 30 0 -o out"
     made = run(line, cwd=tmp_path)
-    assert "strained beyond what the sheet bears" in made.stderr
+    assert "the strain exceeds the limit of the sheet beyond" in made.stderr
 
 
 def test_where_it_snaps_and_where_its_strain_is_too_much_is_told_between_steps(tmp_path):
@@ -47,7 +47,7 @@ def test_where_it_snaps_and_where_its_strain_is_too_much_is_told_between_steps(t
     assert told["snaps_at"] == pytest.approx(460 * limit.parameter, rel=1e-3)
     strained = bend(strip.rod_to_bend, end=(360 - told["strained_at"], 0.0))
     assert np.abs(strained.curvature).max() * sheet.thickness / 2 == pytest.approx(sheet.max_strain, rel=1e-3)
-    assert any("it snaps out of its shape" in note for note in told["notes"])
+    assert any("the strip snaps into another shape at" in note for note in told["notes"])
     assert str(limit) == "stable up to 0.9085 on the path, where end is (-57.91, 0) mm: it buckles there"
     way = bend_strip(strip, [(-100.0, 0.0)])
     assert len(str(way).splitlines()) == 5, "titles, one step, where it snaps, crosses itself and is strained"
@@ -136,7 +136,7 @@ def test_places_of_a_turn_are_in_degrees(tmp_path):
     assert told["unit"] == "deg"
     assert set(told["travel"]["travel_mm"]) == {0.0}
     assert told["snaps_at"] == pytest.approx(float(share) / 100 * whole, rel=0.01)
-    assert any(f"at {told['snaps_at']:.4g} degrees of turn it snaps" in one for one in told["notes"])
+    assert any(f"shape at {told['snaps_at']:.4g} degrees of turn" in one for one in told["notes"])
     assert not any("of travel" in one or "force falls" in one for one in told["notes"])
     step = bend_strip(make_strip(read_curves(tmp_path / "low.csv")[0], "pom-0.5", max_width=10.0), [{}])
     assert not step.is_turn

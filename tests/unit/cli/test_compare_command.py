@@ -44,7 +44,7 @@ def test_a_page_and_readings_to_fill_in(report):
     filled = re.sub(r"^# (\w+ = [\d.]+)", r"\1", readings.read_text(), flags=re.MULTILINE)
     readings.write_text(filled)
     told = run("compare", report, readings)
-    assert told.output.rstrip().endswith("within what sheet, cut, clamps and model leave open")
+    assert told.output.rstrip().endswith("within the expected uncertainty of sheet, cut, clamps and model")
 
 
 def test_a_clamp_that_gives_way_is_told(report, tmp_path):
@@ -61,7 +61,7 @@ def test_a_clamp_that_gives_way_is_told(report, tmp_path):
     [
         ("chord = 'wide'", "chord is no number"),
         ("chord = ", "cannot be read"),
-        ("", "an empty file is nothing"),
+        ("", "an empty file is not among the expected"),
     ],
 )
 def test_readings_that_are_none(report, tmp_path, text, said):

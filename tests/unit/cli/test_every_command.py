@@ -110,7 +110,7 @@ def test_a_width_meant_in_mm_is_told_where_lengths_are_inches(folder):
     words = ("--units", "inch", "--max-width", "40", "-o", "out")
     made = run("strip", "arch.dxf", "--sheet", "card-200gsm", *words, cwd=folder)
     assert "1016 mm wide" in made.stderr
-    assert "look at its unit" in made.stderr
+    assert "check its unit" in made.stderr
 
 
 @pytest.mark.campaign

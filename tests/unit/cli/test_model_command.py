@@ -306,7 +306,7 @@ def test_what_cannot_be_cut_is_made_anyway_only(design, tmp_path):
     """A base slot as wide as a finger; and a slot of a neighbour that leaves a strip a neck."""
     design.write_text(DESIGN.replace("height = 10", "height = 10\nslot_width = 9"))
     refused = run("model", design, "-o", tmp_path / "out", code=2)
-    assert "the slot for K1:1 (and 3 more) is 9 mm wide for a tab of 0.8 mm" in refused.output
+    assert "the slot for K1:1 (and 3 more) is 9 mm wide and cannot hold a tab 0.8 mm thick" in refused.output
     assert not (tmp_path / "out").exists()
     design.write_text(
         DESIGN.replace('label = "K{i}"', 'label = "K{i}"\nslots = [{ at = 30, width = 1, depth = 20 }]')
@@ -323,9 +323,9 @@ def test_what_cannot_be_cut_is_made_anyway_only(design, tmp_path):
         "--no-pictures",
         "--no-step",
     )
-    assert "Note: made anyway: K1: only" in written.stderr
+    assert "Note: Made anyway: K1: only" in written.stderr
     reports = json.loads((tmp_path / "out" / "kit.json").read_text())["reports"]
-    assert sum(text.startswith("made anyway: K1: only") for text in reports) == 1
+    assert sum(text.startswith("Made anyway: K1: only") for text in reports) == 1
 
 
 def test_the_stock_of_a_design_holds_for_its_plates_too(design, tmp_path):

@@ -57,8 +57,8 @@ def test_a_neck_is_written_anyway_and_said(tmp_path):
         "out",
     ]
     made = run(*words, cwd=tmp_path)
-    assert "made anyway: tall: only 2.3 mm wide" in made.stderr
-    assert "made anyway" in (tmp_path / "out" / "tall.json").read_text()
+    assert "Made anyway: tall: only 2.3 mm wide" in made.stderr
+    assert "Made anyway" in (tmp_path / "out" / "tall.json").read_text()
 
 
 @pytest.mark.campaign
@@ -338,14 +338,14 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
     ("words", "options"),
     [
         ("--set smooth=-1", "(--smooth)"),
-        ("--nearest --set samples=99", "without the nearest curve (--nearest), or without --set samples"),
+        ("--nearest --set samples=99", "leave out the nearest curve (--nearest), or leave out --set samples"),
         (
             "--set loads=[{at=20,mass=5}]",
-            "set --gravity, with a direction in that plane, or leave out --set loads",
+            "set --gravity to a direction in that plane, or leave out --set loads",
         ),
         (
             "--nearest --set limits.width=[10,15] --max-width 20",
-            "outside the limit width of 10 to 15 mm: change one of them, or leave the limit out "
+            "outside the limits 10 to 15 mm of the width: change one of them, or leave out the limits "
             "(--set limits.width)",
         ),
     ],

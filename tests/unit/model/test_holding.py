@@ -160,7 +160,7 @@ def test_a_tab_that_its_holder_has_no_room_for_is_told_by_how_much(rod):
     seat = TabSeat(
         [(0, 0.45), (10, 0.25), (20, 0.45)], [(0, -0.45), (10, -0.65), (20, -0.45)], 0.8, "three slots"
     )
-    words = r"^the tab at the end does not go into its three slots: .* ([\d.]+) mm .* more play$"
+    words = r"^the tab at the end does not fit into its three slots: .* ([\d.]+) mm, .* increase the play$"
     with pytest.raises(NotConvergedError, match=words) as refused:
         rest_in_seats(rod, rod, (None, seat))
     assert float(re.match(words, str(refused.value))[1]) == pytest.approx(0.1, abs=0.002)
@@ -478,7 +478,7 @@ def test_widths_that_make_up_bring_the_strip_back(rod, asked):
     assert better.held().parts == pytest.approx(
         strip.held().parts
     )  # causes, not what the correction leaves of them
-    assert "without its correction" in str(better.held())
+    assert "without the compensation" in str(better.held())
     assert better.width.extremes[1] == pytest.approx(30.0, abs=1e-4)
     assert better.rod is strip.rod
 

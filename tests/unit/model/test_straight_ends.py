@@ -45,7 +45,7 @@ def test_straight_ends_become_tabs_of_that_length_with_holes_where_circles_are_d
     assert np.allclose(strip.width.extremes, bent.width.extremes, atol=1e-6)
     assert len(strip.holes) == 4
     (told,) = (warning for warning in strip.warnings if "straight first 60 mm and last 60 mm" in warning)
-    assert told.endswith("Circles drawn on them became holes: 4.")
+    assert told.endswith("Circles drawn on the tabs became holes: 4.")
 
 
 def test_a_curve_that_is_to_be_bent_whole_is_refused_as_theorem_1_says(arch):
@@ -74,7 +74,7 @@ def test_the_holding_template_shows_where_the_ends_and_the_screws_are(arch):
     first, last = held_ends(strip)
     assert first.position == pytest.approx([60, 0], abs=1e-9)
     assert last.tip == pytest.approx([500, 0], abs=1e-9)
-    assert "ends 380.0 mm apart where the bend begins (500.0 mm from tip to tip);" in tell_ends(strip)
+    assert "ends 380.0 mm apart where the bend begins (500.0 mm from tip to tip)," in tell_ends(strip)
     drawing = holding_template(strip)
     curve_drawn = drawing.on("ENGRAVE")[0]
     assert np.abs(curve_drawn.points(0.01)[:, 1].max() - strip.rod.position[:, 1].max()) < 0.02

@@ -93,13 +93,16 @@ def test_a_round_body_is_closed_and_as_thick_as_the_law_says(law, faces):
     ids=["width", "slots", "tabs"],
 )
 def test_what_a_law_leaves_no_room_for_is_refused(asked):
-    with pytest.raises(InputError, match="a law says what the section is and how large"):
+    with pytest.raises(InputError, match="a section law sets the section and its size"):
         StripSpec(ARCH, GLASS, law=THICKNESS, **asked)
 
 
 test_refusals = refusal_test(
     [
-        (lambda: StripSpec(ARCH, CARD, law=THICKNESS), "the law is of glass, the strip of card-200gsm"),
+        (
+            lambda: StripSpec(ARCH, CARD, law=THICKNESS),
+            "the section law uses the sheet glass, but the strip uses card-200gsm",
+        ),
         (lambda: make_strip(ARCH, LEAF, law=LEAVES), r"ask for the nearest curve \(limits\)"),
         (lambda: LeafStack(make_strip(ARCH, GLASS, law=THICKNESS)), "the strip is not of leaves"),
         (

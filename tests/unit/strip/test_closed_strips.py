@@ -185,7 +185,7 @@ def test_where_it_is_joined():
         asked.changed(seam_position=1000.0)
     free = asked.changed(seam_position=100.0, limits=Limits(ratio=9.0)).make()
     assert free.rod.position[0] == pytest.approx(there.rod.position[0], abs=1e-6)
-    with pytest.raises(InputError, match="seam_position is 100 mm, but the curve is open"):
+    with pytest.raises(InputError, match="seam_position is 100 mm, but only a closed curve has a joint"):
         asked.changed(seam_position=100.0, curve=PlaneCurve.arc((0, 0), 60, 0, 3))
 
 
@@ -220,10 +220,10 @@ def test_drawn_to_begin_in_an_inflection_it_is_counted_from_elsewhere():
 
 
 def test_what_does_not_close():
-    with pytest.raises(InputError, match="closed strip is of one sheet"):
+    with pytest.raises(InputError, match="closed strip needs one sheet"):
         make_strip(CIRCLE, PLY, style=Laminated(width=20, backing=Sheet.named("card-200gsm")))
     heavy = make_strip(CIRCLE, PLY, max_width=20, gravity=Gravity(300.0, (1.0, 0.3)), seam_position=40.0)
-    assert any("where it closes" in text for text in heavy.warnings)
+    assert any("where the strip closes" in text for text in heavy.warnings)
 
 
 def test_pattern_and_report():

@@ -73,7 +73,7 @@ def test_figures_do_not_run_into_each_other():
         ({"overhang": 15.0}, "too short for its scale"),
         ({"overhang": 1e6}, "longer than any board"),
         ({"width": 5.0}, "too narrow for its engraving"),
-        ({"overhang": 30.0, "width": 40.0}, "is a plate"),
+        ({"overhang": 30.0, "width": 40.0}, "bends as a plate"),
     ],
 )
 def test_bad_sizes(options, message):

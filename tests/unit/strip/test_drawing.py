@@ -129,7 +129,7 @@ def test_no_kerf_changes_nothing():
             r"meet at \(.* mm",
         ),
         ([(CUT_OUTER, Path.circle((0, 0), 5))], np.inf, "kerf is inf"),
-        ([(CUT_OUTER, Path.circle((0, 0), 5))], 50.0, "50 mm, wider than the cut of any tool: give"),
+        ([(CUT_OUTER, Path.circle((0, 0), 5))], 50.0, "50 mm, wider than the cut of any tool: set"),
     ],
 )
 def test_impossible_kerfs_are_refused_with_their_place(items, kerf, message):

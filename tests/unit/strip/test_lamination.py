@@ -157,7 +157,7 @@ def test_the_thickness_that_is_told_would_do():
     thin = ec.Sheet("thin", 0.05, CARD.youngs_modulus, density=700.0, max_strain=0.01)
     with pytest.raises(InputError) as refusal:
         ec.Strip(stiff, CARD, style=Laminated(width=20.0, backing=thin))
-    times = float(str(refusal.value).split("make the backing ")[1].split(" times")[0])
+    times = float(str(refusal.value).split("make the backing at least ")[1].split(" times")[0])
     enough = replace(thin, thickness=1.01 * times * CARD.thickness)
     ec.Strip(stiff, CARD, style=Laminated(width=20.0, backing=enough))
     with pytest.raises(InputError):

@@ -60,11 +60,11 @@ class TestLaminateWithWeight:
 
     @pytest.mark.parametrize("options", [{"keep": Keep()}, {"natural_curvature": 1e-3}])
     def test_follows_its_curve_exactly(self, options):
-        with pytest.raises(InputError, match="follows its curve exactly"):
+        with pytest.raises(InputError, match="must follow its curve exactly"):
             make_strip(ARCH, "card-200gsm", style=self.STYLE, gravity=True, **options)
 
     def test_gravity_of_another_sheet(self):
-        with pytest.raises(InputError, match="stand upright"):
+        with pytest.raises(InputError, match="must be upright"):
             make_strip(ARCH, "card-200gsm", style=self.STYLE, gravity=Gravity(50.0, (0, -1)))
 
 

@@ -37,14 +37,14 @@ def test_both_widths_bound_the_ratio():
     """Equal ones ask for an even strip; a least width above the largest is the user's, not the sheet's."""
     even = make_strip(ARCH, "card-200gsm", max_width=20, min_width=20, limits=Limits())
     assert even.width.extremes == pytest.approx((20, 20))
-    with pytest.raises(InputError, match="min_width is 25 mm, more than max_width, 20 mm"):
+    with pytest.raises(InputError, match="min_width is 25 mm, more than max_width 20 mm"):
         make_strip(ARCH, "card-200gsm", max_width=20, min_width=25, limits=Limits())
 
 
 @pytest.mark.parametrize("asked", [{"max_width": 30}, {"max_width": 8}, {"min_width": 8}, {"min_width": 21}])
 def test_widths_stay_within_the_limit_width(asked):
     """A strip of 30 mm had been made under limits that end at 20 mm."""
-    with pytest.raises(InputError, match=r"_width is \d+ mm, outside the limit width of 10 to 20 mm"):
+    with pytest.raises(InputError, match=r"_width is \d+ mm, outside the limits 10 to 20 mm of the width"):
         make_strip(ARCH, "card-200gsm", **asked, limits=Limits(width=(10, 20)))
 
 
@@ -64,7 +64,7 @@ def test_a_limit_width_bounds_both_places(asked):
 def test_limits_of_another_thickness_are_refused():
     thin = Sheet.named("card-200gsm")
     with pytest.raises(
-        InputError, match=r"the limits are of card-200gsm, 0\.2 mm thick, the strip of birch-ply"
+        InputError, match=r"the limits are for card-200gsm, 0\.2 mm thick, but the strip is of birch-ply"
     ):
         make_strip(ARCH, "birch-plywood-0.8", max_width=20, limits=Limits(sheet=thin))
     other = replace(thin, max_strain=1.1 * thin.max_strain)

@@ -49,7 +49,7 @@ def test_a_strip_that_is_mounted_end_for_end_is_found(strip):
 
 
 def test_a_strip_as_designed_is_as_expected(strip):
-    assert "all of it lies within" in meaning(strip, strip.rod)
+    assert "all measurements are within" in meaning(strip, strip.rod)
 
 
 def test_what_no_cause_explains_is_told(strip):
@@ -66,7 +66,7 @@ def test_weight_and_backings_have_causes_of_their_own(strip):
 
 
 def test_slips_are_refused(strip):
-    with pytest.raises(InputError, match="hight is nothing that was to be measured: give some of chord"):
+    with pytest.raises(InputError, match="hight is not among the expected measurements: give some of chord"):
         Measuring.of(strip).compare({"hight": 3.0})
     hoop = ec.Strip(ec.optimal_rod(ec.PlaneCurve.arc((0, 0), 80, 0, 2 * np.pi)), PLY, max_width=20.0)
     with pytest.raises(InputError, match="a closed strip has no ends"):

@@ -187,7 +187,7 @@ def test_steps_of_the_outline_become_steps_of_the_holes():
     ("style", "max_width", "words"),
     [
         (Perforated(width=30.0, columns=2, hole_ratio=0.99), 2.0, ["0.5 mm", "286 mm", "raise max_width"]),
-        (Perforated(width=30.0, hole_ratio=0.3), None, ["30 %", "286 mm", "hole_ratio of 0.3"]),
+        (Perforated(width=30.0, hole_ratio=0.3), None, ["30 %", "286 mm", "hole_ratio to 0.3"]),
         (Perforated(width=lambda s: 30 - 0.09 * s), None, ["285.7 mm", "6 ligaments", "fewer columns"]),
         (Perforated(width=30.0, rows=200), 20.0, ["200 rows", "fewer rows"]),
         (Perforated(width=lambda s: 8 + 0.2 * s, columns=2), None, ["hole"]),
@@ -207,7 +207,7 @@ def test_an_infeasible_outline_names_what_would_do(rod):
     stiff = ec.Rod.straight(200.0, ec.Profile.fit(lambda s: 1 + s / 20, 200.0))
     with pytest.raises(InputError, match=r"1 column") as refusal:
         ec.Strip(stiff, CARD, style=Perforated(width=30.0, columns=2, hole_ratio=0.95))
-    needed = float(str(refusal.value).split("make the outline ")[1].split(" mm")[0])
+    needed = float(str(refusal.value).split("make the outline at least ")[1].split(" mm")[0])
     ec.Strip(stiff, CARD, style=Perforated(width=needed * 1.001, columns=2, hole_ratio=0.95))
     ec.Strip(stiff, CARD, style=Perforated(width=30.0, columns=1, hole_ratio=0.95))
 
@@ -219,7 +219,7 @@ def test_one_width_that_is_told_will_do_whatever_limits_it(width):
     stiff = ec.Rod.straight(380.0, ec.Profile.fit(lambda s: 1 + 5.08 * s / 380, 380.0))
     with pytest.raises(InputError) as refusal:
         ec.Strip(stiff, sheet, style=Perforated(width=width, columns=2, rows=20))
-    told = float(str(refusal.value).split("make the outline ")[1].split(" mm")[0])
+    told = float(str(refusal.value).split("make the outline at least ")[1].split(" mm")[0])
     ec.Strip(stiff, sheet, style=Perforated(width=told, columns=2, rows=20))
 
 
@@ -241,14 +241,14 @@ def test_bad_options(options):
 
 def test_steep_ligaments_and_large_radii_are_told(rod):
     steep = ec.Strip(rod, CARD, style=Perforated(width=30.0, columns=1, rows=30))
-    assert any("lean" in text for text in steep.warnings)
+    assert any("degrees to the strip" in text for text in steep.warnings)
     blunt = ec.Strip(rod, CARD, max_width=10.0, style=Perforated(width=30.0, corner_radius=0.4))
     (text,) = blunt.warnings
     told = float(text.split("leaves ")[1].split(" %")[0]) / 100
     s = (blunt.layout.pattern.joints[1:-1, None] + np.linspace(-3, 3, 601)).ravel()
     excess = (blunt.layers[0].material(s) / blunt.layout.material(s) - 1).max()
     assert 0.6 * told < excess < 1.05 * told
-    allowed = float(text.split(": ")[1].split(" mm")[0])
+    allowed = float(text.split(": use ")[1].split(" mm")[0])
     ec.Strip(rod, CARD, max_width=10.0, style=Perforated(width=30.0, corner_radius=allowed))
 
 
@@ -298,10 +298,10 @@ def test_ligaments_that_lean_too_far_are_told_with_their_angle(rod, rows):
         steps = np.abs(np.diff(hole.points(1e-3), axis=0))
         lean = np.degrees(np.arctan2(steps[:, 1], steps[:, 0]))
         leans.append(lean[lean < 80].max())  # without the ends of a hole, which run across
-    told = [text for text in strip.warnings if "ligaments lean" in text]
+    told = [text for text in strip.warnings if "ligaments are at" in text]
     assert bool(told) == (max(leans) > 30)
     if told:
-        assert float(re.search(r"lean (\d+) degrees", told[0])[1]) == pytest.approx(max(leans), abs=2)
+        assert float(re.search(r"at (\d+) degrees", told[0])[1]) == pytest.approx(max(leans), abs=2)
 
 
 @pytest.mark.parametrize("side", ["upper", "lower"])
@@ -358,6 +358,6 @@ def test_a_blunt_end_narrower_than_the_radius_is_rounded_as_its_tip_would_be():
 def test_a_wide_outline_is_narrowed_by_its_own_width():
     style = Perforated(width=24.0, columns=2, rows=1)
     strip = ec.Strip(ec.Rod.straight(20.0, [1, 2, 1]), ec.Sheet.named("card-200gsm"), style=style)
-    assert any("give a smaller style.width" in warning for warning in strip.warnings)
+    assert any("Set a smaller style.width" in warning for warning in strip.warnings)
     (fault,) = find_strip_faults(strip, ec.FabricationLimits(stock=(60.0, 22.0)))
-    assert "give a smaller style.width" in fault.cure
+    assert "Set a smaller style.width" in fault.cure

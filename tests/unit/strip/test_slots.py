@@ -113,8 +113,8 @@ def test_turned_over():
         ((Slot(40, 1, 25),), "A: the slot at 40 mm cuts through to another edge"),
         ((Slot(40, 1, 4), Slot(40.5, 1, 4)), "slots at 40"),
         ((Slot(40, 1, 12), Slot(40.3, 1, 12, side="lower")), "slots at 40"),
-        ((Slot(40, 30, 4), Slot(40, 1, 4)), "slots at 40 mm and 40 mm meet"),
-        ((Slot(400, 1, 4),), "A: the slot at 400 mm is not on the strip, which goes from"),
+        ((Slot(40, 30, 4), Slot(40, 1, 4)), "slots at 40 mm and 40 mm touch"),
+        ((Slot(400, 1, 4),), "A: the slot at 400 mm is not on the strip, which extends from"),
     ],
 )
 def test_refused(slots, message):

@@ -61,8 +61,8 @@ def test_what_the_plates_do_is_bent_forward(arch):
     (at,) = joined.plates.joints
     lost = 7 / 8 * np.ptp(np.interp([at - 40, at + 40], arch.rod.s, arch.rod.angle))
     assert 0.02 * lost * 1000 < joined.deviation < lost * 2000  # rad on arms of about a metre, both ends held
-    assert "cut in 2 pieces at" in str(joined)
-    assert f"move the shape by {joined.deviation:.2g} mm" in str(joined)
+    assert "Cut in 2 pieces at" in str(joined)
+    assert f"move its shape by {joined.deviation:.2g} mm" in str(joined)
 
 
 @pytest.mark.campaign
@@ -138,10 +138,10 @@ def test_what_is_told_of_plates_is_what_the_report_says_of_the_strip(tmp_path):
     for more in ((), ("--compensate",)):
         done = run(*command, *more)
         (report,) = json.loads(done.stdout)["strips"]
-        (sentence,) = (text for text in report["warnings"] if text.startswith("cut in 2 pieces"))
+        (sentence,) = (text for text in report["warnings"] if text.startswith("Cut in 2 pieces"))
         told[more] = held = report["held"]
         left = held["deviation"] if more else held["parts"]["plates"]
-        assert sentence.endswith(f"move the shape by {left:.2g} mm")
+        assert sentence.endswith(f"move its shape by {left:.2g} mm.")
     asked, better = told.values()
     assert asked["deviation"] == pytest.approx(asked["parts"]["plates"], rel=0.1)
     assert better["deviation"] < asked["deviation"] / 4
@@ -190,7 +190,7 @@ def test_perforated_strips_are_solid_under_their_plates():
     for piece, side in ((one, -1), (two, 1)):
         for hole in piece.drawing.on(CUT_INNER):
             assert np.all(side * (hole.bounds[:, 0] - at) >= 40)
-    assert f"without the {sum(under)} holes that lie under them" in str(joined)
+    assert f"without the {sum(under)} holes under them" in str(joined)
     plain = ec.make_strip(ARCH, PLY, max_width=120, shop=ec.FabricationLimits(stock=(4000, 1500)))
     assert joined.deviation > splice(plain, 2200.0, 80.0).deviation > 0.1
 
@@ -214,14 +214,14 @@ def test_layers_of_a_laminate_are_staggered():
         assert sum(piece.area for piece in cut) == pytest.approx(layer.area)
         assert plate.size[0] == pytest.approx(16.0)
         assert {piece.sheet for piece in pieces} == {layer.sheet}
-    assert f"cut in pieces: A at {base:.0f} mm and A-backing at {backing:.0f} mm, joined" in str(joined)
+    assert f"Cut in pieces: A at {base:.0f} mm and A-backing at {backing:.0f} mm, joined" in str(joined)
     assert [drawing.name for drawing in joined.drawings] == ["A", "A-backing"]
 
 
 def test_a_layer_that_fits_its_stock_stays_whole():
     joined = splice(laminated(), 2200.0, 16.0, backing_stock=4000.0)
     assert joined.plates.backing_joints == ()
-    assert str(joined).startswith(f"cut in pieces: A at {joined.plates.joints[0]:.0f} mm, joined by plates")
+    assert str(joined).startswith(f"Cut in pieces: A at {joined.plates.joints[0]:.0f} mm, joined by plates")
     assert [piece.name for piece in joined.layer_pieces["A-backing"]] == ["A-backing-1"]
 
 
@@ -254,7 +254,7 @@ def test_marks_of_the_backing_go_on_across_the_pieces():
 def test_tapered_strips_are_refused_with_the_reason():
     law = ThicknessLaw(PLY, 3.0, 8.0, width=40.0)
     strip = ec.make_strip(ARCH, PLY, law=law, label="A")
-    with pytest.raises(InputError, match="their plates would have to taper too: take a larger stock"):
+    with pytest.raises(InputError, match="its plates would have to taper too: use a larger stock"):
         splice(strip, 2200.0, 80.0)
 
 
@@ -295,7 +295,7 @@ def test_the_door_takes_laps_for_every_style(style, tmp_path, check_drawing_file
 
 
 @pytest.mark.parametrize(
-    ("stock", "lap", "words"), [(1300.0, 500.0, "a lap of 500 mm"), (1300.0, -1.0, "a lap of -1")]
+    ("stock", "lap", "words"), [(1300.0, 500.0, "the lap is 500 mm"), (1300.0, -1.0, "the lap is -1")]
 )
 def test_laps_that_cannot_be(arch, stock, lap, words):
     with pytest.raises(InputError, match=words):
@@ -309,7 +309,7 @@ def test_only_where_it_is_needed(arch):
     with pytest.raises(InputError, match="larger than the stock of 2500 x 1250 mm"):
         ec.make_strip(ARCH, PLY, max_width=120, shop=ec.FabricationLimits(stock=(2500, 1250)))
     made = ec.make_strip(ARCH, PLY, max_width=120, shop=ec.FabricationLimits(stock=(2500, 1250), lap=80))
-    assert any(text.startswith("cut in 2 pieces") for text in made.warnings)
+    assert any(text.startswith("Cut in 2 pieces") for text in made.warnings)
 
 
 @pytest.mark.campaign

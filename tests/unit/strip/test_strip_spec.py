@@ -108,7 +108,7 @@ class TestGravity:
         assert felt.length == pytest.approx(CARD.elasto_gravity_length * 2 ** (1 / 6), rel=1e-12)
 
     def test_in_space_without_a_plane(self):
-        with pytest.raises(InputError, match="give frame"):
+        with pytest.raises(InputError, match="plane of the curve as frame"):
             spec(gravity=(0, 0, -1))
 
     @pytest.mark.parametrize("given", ["down", (0, 0), (0, 0, 0), (1,), (0, math.nan), (0, "x"), 5])
@@ -150,9 +150,9 @@ class TestLoads:
     @pytest.mark.parametrize(
         ("fields", "match"),
         [
-            ({"gravity": None}, "loads hang where gravity pulls"),
-            ({"gravity": (0, 0, -1), "frame": LEVEL}, "loads hang where gravity pulls"),
-            ({"gravity": True, "limits": Limits(ratio=3)}, "follows its curve exactly"),
+            ({"gravity": None}, "loads need gravity"),
+            ({"gravity": (0, 0, -1), "frame": LEVEL}, "loads need gravity"),
+            ({"gravity": True, "limits": Limits(ratio=3)}, "must follow its curve exactly"),
         ],
     )
     def test_refusals(self, fields, match):
@@ -184,7 +184,10 @@ class TestLoads:
         ({"slots": (5,)}, "slots hold 5: give Slot records"),
         ({"label": 7}, "label is 7"),
         ({"max_width": None}, "needs max_width or min_width"),
-        ({"samples": 99, "limits": Limits(ratio=3)}, "samples are of a strip that follows its curve exactly"),
+        (
+            {"samples": 99, "limits": Limits(ratio=3)},
+            "samples can be set only for a strip",
+        ),
     ],
 )
 def test_what_no_strip_can_be_asked(fields, match):

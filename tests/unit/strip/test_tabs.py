@@ -49,16 +49,16 @@ def test_the_slot_lies_in_the_middle_of_the_edge():
     ("make", "message"),
     [
         (lambda: TSlot(-1), "T-slot depth is -1: it must be a number above 0, in mm"),
-        (lambda: TSlot(10, nut=(3.0, 2.0)), "held by nothing"),
-        (lambda: TSlot(5), "ends before its nut is in, at 6.6 mm"),
-        (lambda: Tab(10, t_slot=TSlot(10)), "does not fit a tab of 10 mm"),
+        (lambda: TSlot(10, nut=(3.0, 2.0)), "is not held in a slot"),
+        (lambda: TSlot(5), "is too shallow for its nut, which ends at 6.6 mm"),
+        (lambda: Tab(10, t_slot=TSlot(10)), "does not fit a tab 10 mm long"),
         (lambda: Tab(10, taper=2, chamfer=1), "neither corner radius nor chamfer"),
         (lambda: Tab(10, taper=-2), "tab taper is -2"),
         (
             lambda: strip(Tab(20, t_slot=TSlot(12)), width=5.0).outline,
             "wider than the tab's outer edge of 5 mm",
         ),
-        (lambda: strip(Tab(10, taper=15)).outline, "a taper of 15 mm leaves nothing"),
+        (lambda: strip(Tab(10, taper=15)).outline, "a taper of 15 mm on each side is too large"),
         (lambda: strip(Tab(20, t_slot=TSlot(12), holes=(Hole(10, 3),))).holes, "meets its T-slot"),
     ],
 )
