@@ -163,16 +163,15 @@ def _report(made: MadePair) -> None:
 
 def _stability(part: Flexure) -> Row:
     """Return the row on the stability of both states, in the plane and sideways."""
-    words = [*(state.word for state in part.pair.stability), *(state.word for state in part.sideways)]
+    ratings = [*(state.rating for state in part.pair.stability), *(state.rating for state in part.sideways)]
     details = [
         f"The stability margins are {part.pair.stability[0].margin:.3g} and {part.pair.stability[1].margin:.3g}; "
         f"sideways {part.sideways[0].margin:.3g} and {part.sideways[1].margin:.3g}."
     ]
-    if set(words) == {"ample"}:
+    if set(ratings) == {"stable"}:
         return Row("Stability", "both states are stable, in the plane and sideways", details)
     names = ("first state", "second state", "first state sideways", "second state sideways")
-    shown = {"ample": "stable", "low": "close to snapping", "unstable": "unstable", "undecided": "undecided"}
-    states = [f"{name} {shown[word]}" for name, word in zip(names, words, strict=True)]
+    states = [f"{name} {rating}" for name, rating in zip(names, ratings, strict=True)]
     return Row("Stability", ", ".join(states), details, "warning")
 
 

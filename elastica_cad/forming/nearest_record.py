@@ -303,7 +303,7 @@ def _missed(near: NearestRod, binding: Binding) -> str:
         rating = stability(near.rod)
         return note(
             "The stability margin of {limit:.3g} is missed: this rod has {margin:.3g} ({word}).",
-            limit=binding.limit, margin=rating.margin, word=note(rating.word),
+            limit=binding.limit, margin=rating.margin, word=note(rating.rating),
         )  # fmt: skip
     if binding.name == "curvature" and binding.limit is not None:
         radius = Length(1 / float(np.abs(near.rod.curvature).max()))

@@ -48,11 +48,12 @@ class Gravity:
     """
 
     length: Annotated[
-        float, Option("Elasto-gravity length, in place of that of the sheet.", "mm", least=0, group="weight")
+        float,
+        Option("Elasto-gravity length; by default, the value of the sheet.", "mm", least=0, group="weight"),
     ]
     direction: Annotated[
         tuple[float, float],
-        Option("The direction in which things fall, in the plane of the curve.", group="weight"),
+        Option("Direction of gravity in the plane of the curve.", group="weight"),
     ] = (0.0, -1.0)
 
     def __post_init__(self) -> None:
@@ -79,7 +80,7 @@ class Gravity:
         )
         if any(row.shape != (3,) for row in (d, *axes)) or not 0 < np.abs(d).max() < np.inf:
             raise InputError(
-                "gravity in a plane takes a direction and two axes of three numbers, none of them all 0"
+                "gravity in a plane needs a direction and two axes: give three numbers for each, not all 0"
             )
         require_positive(length, "gravity length")
         d = d / np.linalg.norm(d)
@@ -108,13 +109,13 @@ class PointMass:
     """Point mass on the rod: `mass` in g at arc length `at` in mm."""
 
     at: Annotated[float, Option("Place along the strip.", "mm")]
-    mass: Annotated[float, Option("Mass that hangs there.", "g", least=0)]
+    mass: Annotated[float, Option("Mass hung at this place.", "g", least=0)]
 
     def __post_init__(self) -> None:
         if not is_number(self.at):
             raise InputError(f"a point mass hangs at {self.at!r}: give a finite number of mm along the strip")
         if not (is_number(self.mass) and self.mass >= 0):
-            raise InputError("a point mass is {mass!r}: it can't be negative, in g", mass=self.mass)
+            raise InputError("a point mass is {mass!r}: give 0 or more, in g", mass=self.mass)
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,10 +136,15 @@ class Weight:
     alpha: Annotated[float | Profile, Option("Weight per length.", "N/mm", least=0, written=float)] = 0.0
     beta: Annotated[
         float | Profile,
-        Option("Weight per length that goes with the stiffness K.", "N/mm", least=0, written=float),
+        Option(
+            "Weight per length where the stiffness K is 1, in proportion to K.",
+            "N/mm",
+            least=0,
+            written=float,
+        ),
     ] = 0.0
     masses: Annotated[tuple[PointMass, ...], Option("Masses hung on the strip.")] = ()
-    own: Annotated[bool, Option("Add the own weight of the strip.")] = False
+    own: Annotated[bool, Option("Add the strip's own weight.")] = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "masses", several("masses", self.masses, PointMass, "PointMass"))
@@ -146,7 +152,7 @@ class Weight:
             value = getattr(self, name)
             # a profile may dip below 0: alpha + beta K as the tangent of a laminate's law
             if not isinstance(value, Profile) and not (is_number(value) and value >= 0):
-                raise InputError(f"weight {name} is {value!r}: it can't be negative, in N/mm")
+                raise InputError(f"weight {name} is {value!r}: give 0 or more, in N/mm")
 
     def scaled(self, alpha: float = 1.0, beta: float = 1.0) -> "Weight":
         """Return the weight with alpha and beta multiplied by these factors; the masses stay."""
@@ -164,14 +170,19 @@ class Weight:
         """Return the weight of each node (n,), N; a point mass is divided between its two neighbours."""
         if self.own:
             raise InputError(
-                "a strip's own weight has no value before optimal_rod has found it: give beta in N/mm"
+                "the strip's own weight is unknown before optimal_rod computes it: give beta in N/mm"
             )
         alpha, beta = self.along(s)
         weight = node_lengths * (alpha + beta * stiffness)
         for point in self.masses:
             if not 0 <= point.at <= s[-1]:
                 raise InputError(
-                    "point mass at {at:.6g} lies off the rod of {s:.6g}", at=Length(point.at), s=Length(s[-1])
+                    (
+                        "the point mass at {at:.6g} is beyond the ends of the rod, which is {s:.6g} long: give a "
+                        "place along the rod"
+                    ),
+                    at=Length(point.at),
+                    s=Length(s[-1]),
                 )
             i = min(int(np.searchsorted(s, point.at, side="right")) - 1, s.size - 2)
             share = (point.at - s[i]) / (s[i + 1] - s[i])
@@ -261,11 +272,11 @@ class Supports:
         a, b = self.ends
         for axis in ("x", "y"):
             if not (getattr(a, axis) or getattr(b, axis)):
-                raise InputError(
-                    f"the rod is free to fly: no end holds {axis}; hold {axis} at one end at least"
-                )
+                raise InputError(f"the rod is free to move along {axis}: hold {axis} at one end or both ends")
         if not (a.angle or b.angle or (a.x and b.x) or (a.y and b.y)):
-            raise InputError("the rod is free to spin: hold the angle of one end, or the position of both")
+            raise InputError(
+                "the rod is free to spin: hold the angle of one end, or the position of both ends"
+            )
 
     @property
     def ends(self) -> tuple[End, End]:
@@ -292,7 +303,7 @@ def require_curve(curve: object) -> None:
     """Refuse what is no `PlaneCurve`."""
     if not isinstance(curve, PlaneCurve):
         raise InputError(
-            f"the curve is a {type(curve).__name__}: give a PlaneCurve, as PlaneCurve.fit(points) makes one"
+            f"the curve is a {type(curve).__name__}: give a PlaneCurve, such as PlaneCurve.fit(points)"
         )
 
 
@@ -328,7 +339,10 @@ def require_ratio(ratio: object, name: str) -> None:
     """Refuse a bound of max K / min K that is below 1 or not a number."""
     if not (is_number(ratio) and ratio >= 1):
         raise InputError(
-            "{name} is {ratio}: the largest stiffness over the least cannot be below 1; plain strips allow 2 to 4",
+            (
+                "{name} is {ratio}, but the ratio of largest to least stiffness is 1 or more: give a larger "
+                "number; plain strips allow 2 to 4"
+            ),
             name=name,
             ratio=ratio,
         )
@@ -389,7 +403,7 @@ class RestCurvature(EqualByValue):
         if not isinstance(self.profile, Profile) or self.profile.knots[0] != 0.0:
             raise InputError(
                 "a rest curvature needs a Profile that begins at 0 mm: use RestCurvature.linear(stations, "
-                "curvatures), or RestCurvature.of(curve) for a blank that is drawn"
+                "curvatures), or RestCurvature.of(curve) for a drawn pre-bent strip"
             )
 
     @classmethod
@@ -400,8 +414,8 @@ class RestCurvature(EqualByValue):
         rising = s.ndim == 1 and s.size >= 2 and s[0] == 0 and np.all(np.diff(s) >= 0)
         if s.shape != kappa_0.shape or not rising or np.any(s[2:] == s[:-2]) or s[1] == 0 or s[-1] == s[-2]:
             raise InputError(
-                "a rest curvature is given at two or more stations, one curvature each: begin at 0 mm, go on to "
-                "the length of the strip, and name a station twice at most, for a step between the ends"
+                "a rest curvature needs two or more stations with a curvature each. Begin at 0 mm and end at "
+                "the length of the strip. Give a station twice only for a jump between the ends"
             )
         return cls(Profile(np.concatenate([s[:1], s, s[-1:]]), kappa_0, 1))
 
@@ -409,12 +423,10 @@ class RestCurvature(EqualByValue):
     def of(cls, blank: PlaneCurve) -> "RestCurvature":
         """Return the curvature of a pre-bent strip, drawn from the same side as the bent strip."""
         if not isinstance(blank, PlaneCurve):
-            raise InputError(
-                f"the blank is {blank!r}: give the PlaneCurve in which it lies before it is bent"
-            )
+            raise InputError(f"the pre-bent strip is {blank!r}: give a PlaneCurve, its shape before assembly")
         if blank.tangent_breaks:
             raise InputError(
-                "the blank has a corner at {s:.4g}: round it, a strip has none",
+                "the pre-bent strip has a corner at {s:.4g}, but a strip bends without kinks: round the corner",
                 s=Length(blank.tangent_breaks[0].s),
             )
         size = max(float(np.abs(blank.sample(_SAMPLES).curvature).max()), 1 / blank.length)
@@ -452,8 +464,8 @@ class RestCurvature(EqualByValue):
         length = require_number(length, "the length of the curve", "mm")
         if abs(length / self.length - 1) > LENGTHS_APART:
             raise InputError(
-                "the blank is {length:.5g} long before it is bent, the curve {length_2:.5g}: give "
-                "its curvature along the length of the curve",
+                "the pre-bent strip is {length:.5g} long, but the curve is {length_2:.5g} long: give the "
+                "curvature of the pre-bent strip along the length of the curve",
                 length=Length(self.length),
                 length_2=Length(length),
             )
@@ -505,7 +517,7 @@ def require_natural_curvature(value: object) -> None:
     if not (isinstance(value, RestCurvature) or is_number(value)):
         raise InputError(
             f"natural_curvature is {value!r}: give a finite number, in 1/mm, or a RestCurvature for a "
-            "blank that is bent beforehand"
+            "pre-bent strip"
         )
 
 

@@ -96,10 +96,10 @@ def _advise_key(key: str) -> str:
 def require_printable(text: str, where: str) -> str:
     """Return the text, or refuse line breaks, control characters and characters that files cannot contain."""
     if not isinstance(text, str):
-        raise InputError(f"{where} is {text!r}: give a text")
+        raise InputError(f"{where} is {text!r}: give text")
     if not text.isprintable():
         odd = ", ".join(sorted({repr(sign) for sign in text if not sign.isprintable()}))
-        raise InputError(f"{where} {text!r} holds {odd}: use signs that can be printed, in one line")
+        raise InputError(f"{where} {text!r} contains {odd}: use printable characters in one line")
     return text
 
 
@@ -167,7 +167,7 @@ def _checked_poisson_ratio(value: Any, where: str) -> float:
     """
     nu = _finite_number(value, f"{where}: poisson_ratio")
     if not 0 <= nu < 1:
-        raise InputError(f"{where}: poisson_ratio is {nu:g}; it must lie between 0 and 1")
+        raise InputError(f"{where}: poisson_ratio is {nu:g}; it must be between 0 and 1")
     return NominalRatio(nu) if isinstance(value, NominalRatio) else nu
 
 
@@ -312,22 +312,22 @@ def _read_table(path: str | Path) -> object:
     if os.path.isdir(path):  # False, not an error, for a name that no disk takes
         raise InputError(f"{path} is a folder, not a file of sheets: name the TOML file inside it")
     if os.path.exists(path) and not path.is_file():
-        raise InputError(f"{path} is no file but a device or a pipe: name a file of sheets")
+        raise InputError(f"{path} is a device or a pipe, not a file: name a file of sheets")
     try:
         if path.stat().st_size > LARGEST_FILE:
-            raise InputError(
-                f"{path} has more than {LARGEST_FILE // 2**20} MB, which is no file of sheets: name one"
-            )
+            raise InputError(f"{path} is larger than {LARGEST_FILE // 2**20} MB: name a file of sheets")
         text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
         data = parse_toml(text)
     except RecursionError as error:
-        raise InputError(f"{path} nests lists or tables too deep for a file of sheets") from error
+        raise InputError(f"{path} nests lists or tables too deeply for a file of sheets") from error
     except OSError as error:
         raise InputError(
-            f"{path} cannot be read: {error.strerror or error}; name a file that is there"
+            f"{path} cannot be read: {error.strerror or error}; name an existing file"
         ) from error
     except UnicodeDecodeError as error:
-        raise InputError(f"{path} is not a TOML file, which are UTF-8: save it as text in UTF-8") from error
+        raise InputError(
+            f"{path} is not a TOML file, because it is not UTF-8 text: save it as text in UTF-8"
+        ) from error
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{path} is not a TOML file: {error}; {toml_slip(text, error)}") from error
     for key in data:
@@ -367,9 +367,7 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
             number = plausible_number(value, key, where)
             values[field_name] = NominalRatio(number) if key == NOMINAL_KEY else number
     if NOMINAL_KEY in entry and "poisson_ratio" in entry:
-        raise InputError(
-            f"{where}: poisson_ratio is given twice; leave out {NOMINAL_KEY}, now that it is known"
-        )
+        raise InputError(f"{where}: poisson_ratio is given twice; remove {NOMINAL_KEY}")
     for key in ("thickness_mm", "youngs_modulus_MPa", "density_kg_m3", "max_strain"):
         if key not in entry:
             raise InputError(f"{where}: {key} is missing; give it a number")
@@ -506,19 +504,20 @@ class Sheet:
     youngs_modulus: Annotated[float, Option("Young's modulus in bending along the strip.", "MPa", least=0)]
     density: Annotated[float, Option("Density.", "kg/m3", least=0)]
     max_strain: Annotated[
-        float, Option("Largest strain of the skin that is borne for long: 0.01 is 1 %.", least=0)
+        float,
+        Option("Largest strain of the surface that the sheet withstands for long: 0.01 is 1 %.", least=0),
     ]
-    kerf: Annotated[float, Option("Width that the laser burns away.", "mm", least=0)] = 0.0
-    poisson_ratio: Annotated[float, Option("Poisson's ratio, where it is known.", least=0)] = USUAL_RATIO
+    kerf: Annotated[float, Option("Width of material that the laser removes.", "mm", least=0)] = 0.0
+    poisson_ratio: Annotated[float, Option("Poisson's ratio, if known.", least=0)] = USUAL_RATIO
     grain: Annotated[
         Grain,
         Option(
-            "How the strip lies to the face grain: along, across or none; or 0 or 90 degrees.",
+            "Direction of the strip relative to the face grain: along, across or none, or 0 or 90 degrees.",
             written=float | str,
         ),
     ] = "none"
     kind: Annotated[str, Option("Family of materials.")] = ""
-    source: Annotated[str, Option("Where the numbers come from.")] = ""
+    source: Annotated[str, Option("Source of the numbers.")] = ""
     thickness_range: Annotated[
         Range | None, Option("Least and largest thickness found in practice.", "mm", least=0)
     ] = None
@@ -529,7 +528,7 @@ class Sheet:
         Range | None, Option("Least and largest density found in practice.", "kg/m3", least=0)
     ] = None
     max_strain_range: Annotated[
-        Range | None, Option("Least and largest of the strain that is borne.", least=0)
+        Range | None, Option("Least and largest strain that the sheet withstands.", least=0)
     ] = None
     kerf_range: Annotated[
         Range | None, Option("Least and largest kerf found in practice.", "mm", least=0)
@@ -543,11 +542,13 @@ class Sheet:
     least_bridge: Annotated[
         float | None, Option("Narrowest bridge between the cuts of a plate.", "mm", least=0)
     ] = None
-    stock: Annotated[Range | None, Option("Sides of the largest sheet on sale.", "mm", least=0)] = None
+    stock: Annotated[Range | None, Option("Side lengths of the largest sheet on sale.", "mm", least=0)] = None
     shear_modulus: Annotated[
         float | None, Option("Shear modulus in the plane of the sheet.", "MPa", least=0)
     ] = None
-    break_strain: Annotated[float | None, Option("Strain of the skin at which it breaks.", least=0)] = None
+    break_strain: Annotated[
+        float | None, Option("Strain of the surface at which the sheet breaks.", least=0)
+    ] = None
     poisson_known: bool = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -600,9 +601,8 @@ class Sheet:
         turned: dict[float, Grain] = {0.0: "along", 90.0: "across"}
         if degrees % 180 not in turned:
             raise InputError(
-                f"sheet {self.name!r}: grain is {degrees:g} degrees; a strip that lies askew to its grain "
-                "twists when it is bent, and takes no plane curve: lay it along (0) or across (90) the "
-                "grain"
+                f"sheet {self.name!r}: grain is {degrees:g} degrees, but a strip at an angle to its grain twists "
+                "when bent, out of the plane of the curve: lay the strip along (0) or across (90) the grain"
             )
         return turned[degrees % 180]
 
@@ -612,11 +612,11 @@ class Sheet:
             return
         where = f"sheet {self.name!r}: {field_name}_range"
         if not isinstance(given, list | tuple) or len(given) != 2:
-            raise InputError(f"{where} is {given!r}; it must be two numbers, lowest and highest")
+            raise InputError(f"{where} is {given!r}; give two numbers, the lowest first")
         low, high = (_finite_number(v, where) for v in given)
         if not 0 <= low <= value <= high:
             raise InputError(
-                f"{where} is {low:g} to {high:g}; it must hold {field_name} = {value:g}, lowest first"
+                f"{where} is {low:g} to {high:g}; it must contain {field_name} = {value:g}, lowest first"
             )
         object.__setattr__(self, f"{field_name}_range", (low, high))
 
@@ -638,7 +638,7 @@ class Sheet:
             return cls.named(given)
         if not isinstance(given, Sheet):
             raise InputError(
-                "a Sheet or the name of one is needed, such as 'birch-plywood-0.8', not "
+                "give a Sheet or the name of a sheet, such as 'birch-plywood-0.8', not "
                 f"{type(given).__name__}: `sheet_names()` lists them"
             )
         return given
@@ -661,7 +661,7 @@ class Sheet:
         """
         if not isinstance(name, str | PathLike):
             raise InputError(
-                f"the name of a sheet is needed, such as 'birch-plywood-0.8', not {type(name).__name__}: "
+                f"give the name of a sheet, such as 'birch-plywood-0.8', not {type(name).__name__}: "
                 "`sheet_names()` lists them"
             )
         figures = built_in_figures()
@@ -828,9 +828,7 @@ def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
         for name, sheet in loaded.items():
             if name in built_in_figures() or name in by_name:
                 problems.append(
-                    note(
-                        "{file}: the name {name!r} is taken: call that sheet otherwise", file=file, name=name
-                    )
+                    note("{file}: the name {name!r} is already used: rename this sheet", file=file, name=name)
                 )
             else:
                 by_name[name] = sheet
@@ -869,7 +867,7 @@ def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
         else note("there are {count} sheets", count=len(sheets))
     )
     choices = " or ".join(f"{path.name}:{key}" for key in sheets)
-    raise InputError(f"{path}: {several}: name one, {choices}")
+    raise InputError(f"{path}: {several}: name {choices}")
 
 
 def load_sheets(path: str | Path) -> dict[str, Sheet]:
@@ -908,7 +906,7 @@ def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
         As `load_sheets`.
     """
     if not isinstance(table, Mapping) or not table:
-        raise InputError(f"{where} holds no sheet: write at least one table [sheets.NAME]")
+        raise InputError(f"{where} contains no sheet: add a table [sheets.NAME]")
     figures = {name: _fields(name, entry, where) for name, entry in table.items()}
     try:
         return {name: Sheet(name=name, **fields) for name, fields in figures.items()}

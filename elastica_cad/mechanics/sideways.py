@@ -168,7 +168,7 @@ def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> flo
         )
     ratio = even_shear_ratio(nu) if shear_ratio is None else require_number(shear_ratio, "shear_ratio")
     if not 0 < ratio < np.inf:
-        raise InputError(f"shear_ratio is {shear_ratio}: G / E is positive")
+        raise InputError(f"shear_ratio is {shear_ratio}: give a positive G / E")
     return ratio
 
 
@@ -244,6 +244,11 @@ class SidewaysStability:
         return "low" if self.margin < SAFE_MARGIN else "ample"
 
     @property
+    def rating(self) -> str:
+        """Rating of the margin as shown to users."""
+        return {"low": "close to tipping", "ample": "stable"}.get(self.word, self.word)
+
+    @property
     def needs_guiding(self) -> bool:
         """True if the strip tips sideways, or may do so if pushed."""
         return self.word in ("unstable", "low")
@@ -251,22 +256,26 @@ class SidewaysStability:
     def __str__(self) -> str:
         """Return a sentence, with the margin if it is a warning."""
         return note(
-            "sideways margin {margin:.3g} ({word}): {meaning}" if self.needs_guiding else "sideways {word}: "
+            "sideways {word} (margin {margin:.3g}): {meaning}" if self.needs_guiding else "sideways {word}: "
             "{meaning}",
-            margin=self.margin, word=note(self.word), meaning=note(self.meaning),
+            word=note(self.rating), margin=self.margin, meaning=note(self.meaning),
         )  # fmt: skip
 
     @property
     def meaning(self) -> str:
         """Practical meaning of the margin, in a sentence."""
         if self._is_rod and self._between:
-            return "its holes leave open whether it tips over sideways: guide it at the sides, or try it out"
+            return (
+                "with its holes, it may or may not tip over sideways: guide it at the sides, or test a sample"
+            )
         return {
             "unstable": "it tips over sideways or twists out of its plane: guide it at the sides, or make "
             "it wider",
-            "low": "it stays in its plane, but a push from the side may tip it: guide it at the sides",
+            "low": "a push from the side can tip it over: guide it at the sides",
             "ample": "it stays in its plane",
-            "undecided": "too wide for its length and bend to be judged as a rod: try it out",
+            "undecided": (
+                "it is too wide for its length and bend, so the rod model does not apply: test a sample"
+            ),
         }[self.word]
 
 
@@ -321,7 +330,7 @@ def sideways_stability(
     'ample'
     """
     if not isinstance(rod, Rod):
-        raise InputError(f"sideways stability needs a Rod, not {type(rod).__name__}: bend one first")
+        raise InputError(f"sideways stability needs a Rod, such as bend returns, not {type(rod).__name__}")
     s = stations_of_sideways(rod)
     section = SidewaysSection.rectangle(
         np.interp(s, rod.s, rod.flat_stiffness),
@@ -397,7 +406,7 @@ def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:
     else:
         given = np.atleast_1d(numbers(width, name))
         if given.ndim != 1 or not given.size:
-            raise InputError(f"{name} is one finite number, a row of them, or a Profile, in mm")
+            raise InputError(f"{name} must be a finite number, an array of numbers or a Profile, in mm")
         sizes = (
             np.interp(s, np.linspace(0, s[-1], given.size), given)
             if given.size > 1

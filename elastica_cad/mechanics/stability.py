@@ -117,7 +117,7 @@ def determinant_gradient(
     for name, values in (("weights", weights), ("moments", moments)):
         if numbers(values, name).shape != (rod.angles.size + 1,):
             raise InputError(
-                f"{name} are numbers ({rod.angles.size + 1},) of this rod: one more than it has edges"
+                f"{name} must be an array ({rod.angles.size + 1},), with a number for each node of the rod"
             )
     n, lengths, T, rows = rod.angles.size, rod.edge_lengths, rod.tangents, rod.constraint_rows
     z = stability_determinant(rod)
@@ -167,7 +167,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     """
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     if not rod.held_angles[1]:
-        raise InputError("conjugate points need an end that holds the angle: run the rod the other way round")
+        raise InputError("conjugate points need a rod whose start holds the angle: reverse the rod")
     (diagonal, off), rows, lengths = rod.hessian, rod.constraint_rows, rod.edge_lengths
     count = _first_unstable_piece(rod)
     if count is None:
@@ -313,9 +313,8 @@ class Stability:
 
     def __str__(self) -> str:
         return note(
-            "stable, margin {margin:.3g} ({word}): {meaning}" if self.stable else "margin {margin:.3g} ({word}): "
-            "{meaning}",
-            margin=self.margin, word=note(self.word), meaning=note(self.meaning),
+            "{word} (margin {margin:.3g}): {meaning}",
+            word=note(self.rating), margin=self.margin, meaning=note(self.meaning),
         )  # fmt: skip
 
     @property
@@ -326,12 +325,17 @@ class Stability:
         return "low" if self.margin < SAFE_MARGIN else "ample"
 
     @property
+    def rating(self) -> str:
+        """Rating of the margin as shown to users."""
+        return {"unstable": "unstable", "low": "close to snapping", "ample": "stable"}[self.word]
+
+    @property
     def meaning(self) -> str:
         """Practical meaning of the margin, in a sentence."""
         return {
-            "unstable": "in balance but it will not stay: it snaps into another shape",
-            "low": "it stays, but a push, a loose clamp or a cut that is off may make it snap",
-            "ample": "it stays, and comes back when pushed",
+            "unstable": "it is in balance, but snaps into another shape",
+            "low": "it keeps its shape, but a push, a loose clamp or an inaccurate cut can make it snap",
+            "ample": "it keeps its shape, and springs back when pushed",
         }[self.word]
 
 
@@ -369,11 +373,11 @@ def stability(rod: Rod) -> Stability:
     True
     """
     if not isinstance(rod, Rod):
-        raise InputError(f"stability needs a Rod, as optimal_rod or bend makes one, not {type(rod).__name__}")
-    if rod.residual > OUT_OF_BALANCE:
         raise InputError(
-            f"the rod is out of balance (residual {rod.residual:.2g}), so it has no stability: bend it first"
+            f"stability needs a Rod, such as optimal_rod or bend returns, not {type(rod).__name__}"
         )
+    if rod.residual > OUT_OF_BALANCE:
+        raise InputError(f"the rod is not in equilibrium (residual {rod.residual:.2g}): bend it first")
     discrete = rod.discrete
     negative, margin = discrete.unstable_modes, discrete.margin
     scale = float(np.abs(discrete.hessian[0]).max()) * discrete.angles.size * rod.length

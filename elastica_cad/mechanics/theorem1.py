@@ -54,7 +54,7 @@ class InflectionLine:
         """Return the signed distances (n,) of points (n, 2), mm."""
         points = numbers(position, "positions")
         if points.shape[-1:] != (2,):
-            raise InputError(f"positions are points (n, 2), in mm, not of shape {points.shape}")
+            raise InputError(f"positions must be points (n, 2), mm, got the shape {points.shape}")
         return np.asarray((points - np.asarray(self.point)) @ self.b)
 
     def as_dict(self) -> dict[str, Any]:
@@ -104,17 +104,17 @@ class Undecided:
 
     def __str__(self) -> str:
         return note(
-            "The verdict is undecided by these points (resolution {resolution}): give more points, or more "
-            "decimals. The curve fitted to them within {far} has {count} inflections, another curve within "
-            "{near} has {others}."
+            "These points leave the verdict undecided (resolution {resolution}). The curve fitted within "
+            "{far} has {count} inflections; another curve within {near} has {others}. Give more points, or "
+            "more decimals."
             if self.fit.realizable == self.other.realizable else
-            "The verdict is undecided by these points (resolution {resolution}): give more points, or more "
-            "decimals. A curve within {near} of the points (inflections: {others}) cannot be bent. The curve "
-            "fitted to them within {far} (inflections: {count}) can."
+            "These points leave the verdict undecided (resolution {resolution}). The curve fitted within "
+            "{far} (inflections: {count}) can be bent; another curve within {near} (inflections: {others}) "
+            "cannot. Give more points, or more decimals."
             if self.fit.realizable else
-            "The verdict is undecided by these points (resolution {resolution}): give more points, or more "
-            "decimals. A curve within {near} of the points (inflections: {others}) can be bent. The curve "
-            "fitted to them within {far} (inflections: {count}) cannot.",
+            "These points leave the verdict undecided (resolution {resolution}). The curve fitted within "
+            "{far} (inflections: {count}) cannot be bent; another curve within {near} (inflections: "
+            "{others}) can. Give more points, or more decimals.",
             resolution=_two_digits(self.resolution), near=_two_digits(self.other.distance),
             far=_two_digits(self.fit.distance), others=self.other.inflections, count=self.fit.inflections,
             severity="warning",
@@ -222,7 +222,7 @@ class EquilibriumCheck:
         if not self.realizable:
             template = "A flat strip cannot take this curve of {length}."
         elif self.any_stiffness:
-            template = "A strip of any width takes this curve of {length}: it is not bent."
+            template = "A strip of any width takes this curve of {length}, because the curve is straight."
         elif not self.inflections:
             template = "A flat strip can take this curve of {length}; it has no inflections."
         elif len(self.inflections) == 1:
@@ -236,15 +236,13 @@ class EquilibriumCheck:
     def _prebent_verdict(self) -> str:
         """Return the verdict on a pre-bent strip; it inflects where curve and strip have equal curvature."""
         if not self.realizable:
-            return self._with_numbers("A strip bent beforehand as asked cannot take this curve of {length}.")
+            return self._with_numbers("The pre-bent strip cannot take this curve of {length}.")
         if self.any_stiffness:
-            return self._with_numbers("A strip bent beforehand as asked has this curve of {length} already.")
+            return self._with_numbers("The pre-bent strip already has the shape of this curve of {length}.")
         return self._with_numbers(
-            "A strip bent beforehand as asked can take this curve of {length}; its bending changes sign at "
-            "{places}."
+            "The pre-bent strip can take this curve of {length}; its bending changes sign at {places}."
             if self.inflections
-            else "A strip bent beforehand as asked can take this curve of {length}; its bending does not "
-            "change sign."
+            else "The pre-bent strip can take this curve of {length}; its bending does not change sign."
         )
 
     def _with_numbers(self, text: str) -> str:
@@ -353,7 +351,9 @@ class PairCheck:
         if self.any_stiffness:
             return "Both curves have the same shape: a strip of that shape rests in them without being bent."
         held = "in the same clamps" if self.bistable else "each in its own clamps"
-        alike = "they are bent alike at {places}" if self.zeros else "they are bent alike nowhere"
+        alike = (
+            "their curvatures are equal at {places}" if self.zeros else "their curvatures are equal nowhere"
+        )
         text = f"One strip can rest in both curves of {{length}}, {held}; {alike}."
         return note(text, length=Length(self.length), places=lengths(z.s for z in self.zeros))
 
@@ -462,19 +462,19 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
             here, *beside = np.degrees(drawn.measured.turns_beside(place))
             if any(SAMPLED_SHARE <= turn / here < 1 and abs(turn) < CORNER_DEG for turn in beside):
                 return note(
-                    "undecided by these points: they turn by {angle:.3g} degrees at {shown}, and by {before:.3g} "
-                    "and {after:.3g} at the points beside it, so it may be a corner or a sharp bend; give more "
-                    "points there, or draw two curves{smooth}",
+                    "these points leave the verdict undecided: they turn by {angle:.3g} degrees at {shown} "
+                    "and by {before:.3g} and {after:.3g} degrees at its neighbours. This can be a corner or "
+                    "a sharp bend. Give more points there, or draw two curves{smooth}",
                     angle=abs(here), shown=drawn.shown(place), before=abs(beside[0]), after=abs(beside[1]),
                     smooth=_smoothing_advice(curve),
                 )  # fmt: skip
     sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
     shown = None if drawn is None else drawn.shown(curve.evaluate(np.array(corners[0].t)))
     return note(
-        "the curve has a corner at {places}, of {angle:.3g} degrees: a strip bends without kinks; round it, "
-        "or draw two curves{smooth}" if shown is None else
-        "the curve has a corner at {places}, {shown}, of {angle:.3g} degrees: a strip bends without kinks; "
-        "round it, or draw two curves{smooth}",
+        "the curve has a corner at {places}, of {angle:.3g} degrees, but a strip bends without kinks. Round "
+        "the corner, or draw two curves{smooth}" if shown is None else
+        "the curve has a corner at {places}, {shown}, of {angle:.3g} degrees, but a strip bends without "
+        "kinks. Round the corner, or draw two curves{smooth}",
         places=lengths(c.s for c in corners), shown=shown, angle=sharpest, smooth=_smoothing_advice(curve),
     )  # fmt: skip
 
@@ -488,8 +488,8 @@ def _seam_message(curve: PlaneCurve) -> str:
             if turn.t == curve.domain[0]:
                 return _undecided_message(drawn, turn, [0.0])
     return note(
-        "the curve is closed with a corner of {angle:.3g} degrees at {shown}: a strip bends without kinks; "
-        "round it, or leave a gap between its ends{smooth}",
+        "the closed curve has a corner of {angle:.3g} degrees at {shown}, where its ends meet, but a strip "
+        "bends without kinks. Round the corner, or leave a gap between the ends{smooth}",
         angle=np.degrees(abs(curve.seam_turn)), shown=_shown_on(curve, start), smooth=_smoothing_advice(curve),
     )  # fmt: skip
 
@@ -497,8 +497,8 @@ def _seam_message(curve: PlaneCurve) -> str:
 def _undecided_message(drawn: Provenance, turn: Turn, s: Iterable[float]) -> str:
     return note(
         "undecided at this precision: the curve turns by {angle:.2g} degrees at {shown}, {places} from its "
-        "start, and the digits of the file alone can turn its handle of {handle} by {bound:.2g}: save it "
-        "with more decimals, or make the node smooth with longer handles",
+        "start. The rounding of numbers in the file alone can turn its handle of {handle} by {bound:.2g} "
+        "degrees. Save the drawing with more decimals, or make the node smooth with longer handles",
         angle=np.degrees(turn.angle), shown=drawn.shown(turn.point), places=lengths(s),
         handle=Length(turn.handle), bound=np.degrees(turn.bound),
     )  # fmt: skip
@@ -515,7 +515,7 @@ def _smoothing_advice(curve: PlaneCurve) -> str:
     if not slight:
         return ""
     size = Length(slight[0].value)
-    return note(", or set {field} to {size:g}, which takes it out", field=SMOOTH, size=size)
+    return note(", or set {field} to {size:g} to smooth it", field=SMOOTH, size=size)
 
 
 SMOOTH, SMOOTH_WITHIN = FieldName("smooth"), Length(0.1)
@@ -555,10 +555,10 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     [[0.0, 10.0]]
     """
     if not curve.is_closed:
-        raise InputError("the curve is open: only a closed one can begin anywhere")
+        raise InputError("the curve is open: only a closed curve can begin at another place")
     if not 0 <= s <= curve.length:
         raise InputError(
-            "the curve cannot begin at {s:g}: it is {length:.4g} long; give a place along it",
+            "the curve cannot begin at {s:g}, because it is {length:.4g} long: give a place along the curve",
             s=Length(s),
             length=Length(curve.length),
         )
@@ -698,8 +698,8 @@ def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvatu
         return excess, ()
     place = flattest_place(curve)
     message = note(
-        "The curve is closed and begins where it is not bent, so places are counted from {shown}, {s} after "
-        "its start.",
+        "The drawn start of the closed curve is not bent, so the strip begins at {shown}, {s} after it. All "
+        "places are counted from there.",
         shown=_shown_on(curve, curve.at(np.array([place])).position[0]), s=Length(place), severity="warning",
     )  # fmt: skip
     return replace(excess, curve=begin_at(curve, place)), (message,)
@@ -791,11 +791,11 @@ def _pinned_end_reasons(
         kappa = float(curve.curvature_at(np.array(t)))
         natural = float(excess.rest_at(np.array(t)))
         yield note(
-            "The {end} (at {s}) is free to turn, so the curve must have no curvature there; it has "
-            "{curvature:.3g} 1/mm less the natural {natural:.3g}: clamp this end, or let the curvature run "
-            "out to zero." if natural else
-            "The {end} (at {s}) is free to turn, so the curve must have no curvature there; it has "
-            "{curvature:.3g} 1/mm: clamp this end, or let the curvature run out to zero.",
+            "The {end} (at {s}) is free to turn, so its curvature of {curvature:.3g} 1/mm must equal the "
+            "natural curvature of {natural:.3g} 1/mm. Clamp this end, or let the curvature run out to the "
+            "natural curvature." if natural else
+            "The {end} (at {s}) is free to turn, so the curvature there must be 0, but it is {curvature:.3g} "
+            "1/mm. Clamp this end, or let the curvature run out to 0.",
             end=note(name), s=Length(s), curvature=kappa, natural=natural,
         )  # fmt: skip
 
@@ -809,18 +809,18 @@ def _straight_part_reasons(
         joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))
                   if AT_END_SHARE * curve.length < joint[0] < (1 - AT_END_SHARE) * curve.length]  # fmt: skip
         opening = note(
-            "The piece from {start} to {end} has exactly the natural curvature and joined to a bent one, so "
-            "the stiffness would have to go to 0 at the joint" if excess.is_bent_beforehand else
-            "The piece from {start} to {end} is straight and joined to a bent one, so the stiffness would "
-            "have to go to 0 at the joint",
+            "The piece from {start} to {end} has exactly the natural curvature, but the adjacent piece is "
+            "bent, so the stiffness at the joint would have to be 0" if excess.is_bent_beforehand else
+            "The piece from {start} to {end} is straight, but the adjacent piece is bent, so the stiffness "
+            "at the joint would have to be 0",
             start=Length(round(flat.s, 6)), end=Length(flat.s_end),
         )  # fmt: skip
         if any(_is_gentle(excess, t, largest, left=left) for _, t, left in joints):
-            yield note("{why}, whatever supports the strip there: bend the piece a little.", why=opening)
+            yield note("{why}. A support there does not help. Bend the piece a little.", why=opening)
         else:
             at = lengths(s for s, _, _ in joints)
             yield note(
-                "{why}: support the strip at {places}, or bend the piece a little.", why=opening, places=at
+                "{why}. Support the strip at {places}, or bend the piece a little.", why=opening, places=at
             )
 
 
@@ -836,9 +836,9 @@ def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
     """Describe jumps of the curvature through zero."""
     if jumps:
         yield note(
-            "The bending is reversed by a jump of the curvature at {places}, where the stiffness "
-            "would have to go to 0: support the strip there, or let the curvature pass through zero "
-            "smoothly (set {field} to {within:g}).",
+            "The curvature jumps from one sign to the other at {places}, where the stiffness would have to "
+            "be 0. Support the strip there, or set {field} to {within:g} to let the curvature pass smoothly "
+            "through 0.",
             places=lengths(jumps),
             field=SMOOTH,
             within=SMOOTH_WITHIN,
@@ -849,9 +849,9 @@ def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
     """Describe places where the curvature touches zero."""
     if touches:
         yield note(
-            "The curvature runs out to zero at {places} without a clear change of sign, where the stiffness "
-            "would have to be infinite or zero, whatever supports the strip: bend the curve a little more "
-            "there, or reverse its bending at a clear rate.",
+            "The curvature runs out to 0 at {places} without a clear change of sign. The stiffness there "
+            "would have to be infinite or 0, with or without a support. Bend the curve a little more there, "
+            "or reverse its bending clearly.",
             places=lengths(touches),
         )
 
@@ -879,18 +879,18 @@ def _warn_of_widths(
     if steps:
         yield Refusal(
             "kinks",
-            "The width of the strip steps at {places}, where the curvature jumps: set {field} to "
-            "{within:g} for a fair curve of degree 4 within that distance.",
+            "The width of the strip jumps at {places}, because the curvature jumps there. Set {field} to "
+            "{within:g} for a smooth curve of degree 4 within that distance.",
             {"places": lengths(steps), "field": SMOOTH, "within": SMOOTH_WITHIN}, severity="warning",
         )  # fmt: skip
     if kinks:
         yield Refusal(
             "kinks",
-            "The width of the strip has a kink at {places}, where the slope of the curvature jumps: "
-            "set {field} to {within:g} for a fair curve of degree 4 within that distance."
+            "The width of the strip has a kink at {places}, because the slope of the curvature jumps there. "
+            "Set {field} to {within:g} for a smooth curve of degree 4 within that distance."
             if curve.degree < 4 else
-            "The width of the strip has a kink at {places}, where the slope of the curvature jumps: do not "
-            "repeat the knot there.",
+            "The width of the strip has a kink at {places}, because the slope of the curvature jumps there. "
+            "Do not repeat the knot there.",
             {"places": lengths(kinks), "field": SMOOTH, "within": SMOOTH_WITHIN},
             severity="warning" if sharp else "note",
         )  # fmt: skip

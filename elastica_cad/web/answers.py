@@ -247,7 +247,7 @@ def _steadiness(made: Strip) -> Record:
         warnings.insert(0, note(verdict.meaning))
     if made.sideways.needs_guiding:
         warnings.append(str(made.sideways))
-    return {"margin": float(f"{verdict.margin:.3g}"), "stable": verdict.word, "warnings": warnings}
+    return {"margin": float(f"{verdict.margin:.3g}"), "stable": verdict.rating, "warnings": warnings}
 
 
 def _flat(drawings: Iterable[Drawing]) -> list[Record]:
@@ -431,7 +431,7 @@ def _pair(request: Mapping[str, Any]) -> Record:
         "used": round(max(part.strain) / limit, 3),
         "strain": round(max(part.strain), 5),
         "margin": float(f"{min(one.margin for one in pair.stability):.3g}"),
-        "stable": min(pair.stability, key=lambda one: one.margin).word,
+        "stable": min(pair.stability, key=lambda one: one.margin).rating,
         "bistable": pair.bistable,
     }
 

@@ -92,7 +92,7 @@ REFUSED = {
         r"leaves its plane by [\d.]+ mm .*; project the curve onto a plane first$",
     ),
     "disjoint": (lambda: [line((0, 0, 0), (9, 0, 0)), line((20, 0, 0), (30, 0, 0))], {}, "2 separate chains"),
-    "closed with a corner": (
+    "closed curve has a corner": (
         lambda: [line((0, 0, 0), (9, 0, 0)), line((9, 0, 0), (4, 5, 0)), line((4, 5, 0), (0, 0, 0))],
         {},
         "polyline of 3 straight pieces",

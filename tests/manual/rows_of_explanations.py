@@ -42,13 +42,13 @@ def _verdicts(row, _):
         assert not verdict([(0, 0), (40, 60), (80, -55), (120, 10), (160, 30), (180, 0)])
 
 
-@asks(f"{EXPLAINED}/stability.md", "word", "it means", "margin")
+@asks(f"{EXPLAINED}/stability.md", "rating", "meaning", "margin")
 def _words(row, _):
-    """The word and its meaning are those that every door tells."""
+    """The rating and its meaning are those that every front end shows."""
     rod = ec.optimal_rod(ec.PlaneCurve.ellipse((0, 0), (100, 130), start=0, end=math.pi))
     margin = {"below 0": -0.1, "0 to 5": 4.9, "above 5": 5.1}[row[2]]
     told = replace(ec.stability(rod), margin=margin, stable=margin > 0)
-    assert (told.word, told.meaning) == row[:2]
+    assert (told.rating, told.meaning) == row[:2]
 
 
 def measured(head, part):

@@ -130,5 +130,5 @@ def test_signs_without_a_place_in_files_are_refused(text):
         lambda: replace(SHEET, name=text),
         lambda: ec.Drawing(text),
     ):
-        with pytest.raises(InputError, match="use signs that can be printed, in one line"):
+        with pytest.raises(InputError, match="use printable characters in one line"):
             make()

@@ -70,7 +70,7 @@ def test_the_nearest_curve_can_be_made():
     told = answer({"do": "strip", "design": taken})
     assert "refused" not in told
     assert told["used"] <= 1
-    assert told["stable"] == "ample"
+    assert told["stable"] == "stable"
 
 
 def test_sheets_that_can_do_it_are_told_apart():

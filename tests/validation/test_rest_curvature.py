@@ -252,14 +252,14 @@ class TestZeros:
         (zero,) = self.of(lambda s: 0.01 + 1e-6 * (s - 90) ** 2)
         assert (zero.kind, round(zero.s, 2)) == ("touch", 90.0)
         profile = Profile.fit(lambda s: 0.01 + 1e-6 * (s - 90) ** 2, ARC.length, tolerance=1e-15)
-        with pytest.raises(NotRealizable, match="runs out to zero at 90 mm"):
+        with pytest.raises(NotRealizable, match="runs out to 0 at 90 mm"):
             optimal_rod(ARC, natural_curvature=RestCurvature(profile))
 
     def test_a_jump_through_zero_is_refused(self):
         rest = RestCurvature.linear([0, 80, 80, 200], [0.005, 0.005, 0.015, 0.015])
         (zero,) = ExcessCurvature(ARC, rest).zeros
         assert (zero.kind, zero.s) == ("jump", pytest.approx(80))
-        assert "reversed by a jump of the curvature at 80 mm" in str(
+        assert "jumps from one sign to the other at 80 mm" in str(
             check_equilibrium(ARC, natural_curvature=rest)
         )
 
@@ -288,14 +288,14 @@ class TestZeros:
 @pytest.mark.parametrize(
     ("made", "words"),
     [
-        (lambda: RestCurvature.linear([0, 100], [0.0]), "two or more stations, one curvature each"),
-        (lambda: RestCurvature.linear([10, 100], [0.0, 0.0]), "begin at 0 mm"),
-        (lambda: RestCurvature.linear([0, 100, 100, 100, 200], [0.0] * 5), "twice at most"),
+        (lambda: RestCurvature.linear([0, 100], [0.0]), "two or more stations with a curvature each"),
+        (lambda: RestCurvature.linear([10, 100], [0.0, 0.0]), "Begin at 0 mm"),
+        (lambda: RestCurvature.linear([0, 100, 100, 100, 200], [0.0] * 5), "twice only for a jump"),
         (lambda: RestCurvature(0.01), "RestCurvature.linear"),
-        (lambda: RestCurvature.of([(0, 0)]), "give the PlaneCurve"),
+        (lambda: RestCurvature.of([(0, 0)]), "give a PlaneCurve"),
         (
             lambda: optimal_rod(ARC, natural_curvature=RestCurvature.linear([0, 150], [0, 0])),
-            "the curve 200 mm",
+            "the curve is 200 mm",
         ),
         (lambda: optimal_rod(ARC, natural_curvature=[0.0, 0.1]), "give a finite number"),
     ],

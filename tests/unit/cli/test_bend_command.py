@@ -52,7 +52,7 @@ def test_a_straight_strip_buckles_to_the_side_asked_for(tmp_path):
         (("--straight", 100, "--to", 80, 0, "--smooth", 0), "--smooth is of a drawn CURVE"),
         (("--straight", 100, "--to", 80, 0, "--nearest"), "--nearest is of a drawn CURVE"),
         (("--straight", 100, "--gravity"), "--gravity needs to know the material"),
-        (("--straight", 100, "--hold-start", "free", "--hold-end", "free"), "the rod is free to fly"),
+        (("--straight", 100, "--hold-start", "free", "--hold-end", "free"), "the rod is free to move along"),
         (("--straight", -1), "rod length is -1"),
         (("none.dxf",), "cannot be read"),
     ],

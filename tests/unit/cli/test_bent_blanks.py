@@ -53,9 +53,9 @@ def test_a_design_file_draws_the_blank(drawn):
     [
         ("nowhere.dxf", "is no number and no file"),
         ("nan", "nan or infinite"),
-        ("stations = [0, 100], curvatures = [0, 0]", "the blank is 100 mm long before it is bent"),
+        ("stations = [0, 100], curvatures = [0, 0]", "the pre-bent strip is 100 mm long"),
         ("stations = [0, 202]", "curvatures is missing"),
-        ("stations = [5, 202], curvatures = [0, 0]", "begin at 0 mm"),
+        ("stations = [5, 202], curvatures = [0, 0]", "Begin at 0 mm"),
     ],
 )
 def test_no_blank_is_refused_in_a_sentence(drawn, given, words):

@@ -142,8 +142,8 @@ def test_a_model_warns_of_a_strip_that_will_not_stay(tmp_path):
     )
     quick = ("--no-effects", "--no-pictures", "--no-step", "--no-parts")
     done = run("model", design, *quick, "-o", tmp_path / "kit")
-    assert "! Note      W: margin -0.613 (unstable): in balance but it will not stay" in done.stderr
-    assert "it will not stay" in (tmp_path / "kit" / "index.html").read_text()
+    assert "! Note      W: unstable (margin -0.613): it is in balance, but snaps" in done.stderr
+    assert "snaps into another shape" in (tmp_path / "kit" / "index.html").read_text()
 
 
 @pytest.mark.campaign
@@ -169,13 +169,13 @@ def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path)
         moved = report["smoothing"]["moved"]
         if smooth == 0:
             assert moved == 0
-            assert "The width of the strip steps" in done.stderr
+            assert "The width of the strip jumps" in done.stderr
             assert "--smooth 0.1" in done.stderr
         else:
             assert 0 < moved <= (smooth or 0.1)
             assert report["smoothing"]["ratio_as_drawn"] == pytest.approx(ratios.get(0, 1.557), rel=1e-3)
             assert f"{moved:.2g} mm from the drawn curve at most" in done.stderr
-            assert "The width of the strip steps" not in done.stderr
+            assert "The width of the strip jumps" not in done.stderr
     assert ratios[1.5] < ratios[None] < ratios[0]
 
 

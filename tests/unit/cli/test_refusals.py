@@ -65,7 +65,7 @@ def test_a_neck_is_written_anyway_and_said(tmp_path):
 def test_the_margin_comes_with_a_word(tmp_path):
     write_curves([ec.PlaneCurve.spline(CURVES["tall"], degree=4)], tmp_path / "tall.dxf")
     made = run("strip", "tall.dxf", "--sheet", "pom-0.5", "--max-width", "30", "-o", "out", cwd=tmp_path)
-    assert re.search(r"stable, margin [0-9.]+ \((low|ample)\): it stays", made.stdout)
+    assert re.search(r"(stable|close to snapping) \(margin [0-9.]+\): it keeps", made.stdout)
 
 
 @pytest.mark.campaign

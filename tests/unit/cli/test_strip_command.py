@@ -217,7 +217,7 @@ def test_the_curve_at_fault_is_named_by_its_number(tmp_path):
     path.write_text(curves_json([arc, drop]))
     options = ("--sheet", "card-200gsm", "--max-width", 20, "-o", tmp_path)
     asked = run("check", path, code=2)
-    assert "several.json, curve 2 of 2: the curve is closed with a corner" in asked.stderr
+    assert "several.json, curve 2 of 2: the closed curve has a corner" in asked.stderr
     run("strip", path, "--curve", 1, *options)
     assert "curve 2 of 2" in run("strip", path, "--curve", 2, *options, code=2).stderr
 

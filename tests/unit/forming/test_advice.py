@@ -95,7 +95,8 @@ def test_limits_that_exclude_each_other_are_named():
     found = stability(near.rod)
     *missed, last = near.advice
     assert (
-        missed[0] == f"The stability margin of 30 is missed: this rod has {found.margin:.3g} ({found.word})."
+        missed[0]
+        == f"The stability margin of 30 is missed: this rod has {found.margin:.3g} ({found.rating})."
     )
     assert last.startswith("Relax the stability margin, ")
     assert "the length" in last

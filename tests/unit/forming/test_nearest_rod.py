@@ -427,7 +427,10 @@ def test_a_straight_wish():
         (lambda: nearest_rod(ARCH, None, "ends"), "Keep record"),
         (lambda: nearest_rod(ARCH, gravity=9.81), "Gravity record"),
         (lambda: nearest_rod(ARCH, supports="pinned"), "Supports record"),
-        (lambda: nearest_rod(ARCH, Limits(margin=5.0), supports=Supports("free", "free")), "free to fly"),
+        (
+            lambda: nearest_rod(ARCH, Limits(margin=5.0), supports=Supports("free", "free")),
+            "free to move along",
+        ),
         (lambda: nearest_rod(ARCH, Limits(margin=5.0), supports=Supports("pinned", "free")), "free to spin"),
         (lambda: nearest_rod(ARCH, samples="many"), "samples"),
         (lambda: nearest_rod(ARCH, samples=5), "samples"),

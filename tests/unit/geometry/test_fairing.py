@@ -101,7 +101,7 @@ def test_slight_corners_are_taken_out_within_what_was_asked_for(degrees):
     assert not smoothing.curve.tangent_breaks
     assert two_sided_distance(drawn, smoothing.curve, 20000) <= smoothing.moved <= smooth
     assert f"corners, of {degrees:.2g} degrees at most, were rounded" in smoothing.notes[-1]
-    with pytest.raises(InputError, match=f"set smooth to {smooth:g} mm, which takes it out"):
+    with pytest.raises(InputError, match=f"set smooth to {smooth:g} mm to smooth it"):
         require_bendable(drawn)
 
 
@@ -163,9 +163,9 @@ def test_a_real_corner_where_a_curve_closes_is_refused_with_its_place_as_drawn()
     points = EGG.control_points.copy()
     points[1] += (0, 30)
     drawn = pen(*points).drawn_as(Provenance(place=np.diag([1.0, -1.0, 1.0])))
-    with pytest.raises(InputError, match=r"closed with a corner of 31 degrees at \(150, -50\) mm"):
+    with pytest.raises(InputError, match=r"closed curve has a corner of 31 degrees at \(150, -50\) mm"):
         require_bendable(drawn)
-    with pytest.raises(InputError, match="closed with a corner"):
+    with pytest.raises(InputError, match="closed curve has a corner"):
         smooth_curve(drawn, 1.0)
     with pytest.raises(InputError, match="with corners cannot be made fair"):
         fair_curve(drawn, 1.0)

@@ -67,9 +67,9 @@ def test_a_support_is_a_name_or_an_end(end):
         (lambda: STRIP.with_stiffness(np.ones(40)), "stiffness has 40 values, the rod 41 nodes"),
         (lambda: bend(STRIP, end=(90.0, 0.0), mode=1.5), "mode is 1.5"),
         (lambda: bend(STRIP, samples="many"), "samples is 'many'"),
-        (lambda: Weight(-1.0), "weight alpha is -1.0: it can't be negative"),
+        (lambda: Weight(-1.0), "weight alpha is -1.0: give 0 or more"),
         (lambda: Weight(0.0, np.nan), "weight beta is nan"),
-        (lambda: PointMass(5.0, -1.0), "a point mass is -1.0: it can't be negative"),
+        (lambda: PointMass(5.0, -1.0), "a point mass is -1.0: give 0 or more"),
     ],
 )
 def test_told_in_one_sentence(call, message):

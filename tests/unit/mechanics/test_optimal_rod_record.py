@@ -171,7 +171,7 @@ class TestRecord:
         rod = optimal_rod(arcs((100, 1.0), (60, 1.0)))
         assert rod.ratio == pytest.approx(100 / 60, rel=1e-6)
         assert rod.profile(np.array([99.0, 101.0])) == pytest.approx([100 / 60, 1.0], rel=1e-6)
-        assert "steps at 100 mm" in " ".join(rod.warnings)
+        assert "jumps at 100 mm" in " ".join(rod.warnings)
         # the step is a short ramp, so that the outline stays one edge
         _, repeats = np.unique(rod.profile.knots[4:-4], return_counts=True)
         assert repeats.max() <= 3

@@ -14,7 +14,7 @@ from elastica_cad.geometry.measured_points import MeasuredPoints
 
 pytestmark = pytest.mark.core
 
-UNDECIDED = "undecided by these points"
+UNDECIDED = "leave the verdict undecided"
 
 
 def drawn(rng):
@@ -58,7 +58,7 @@ def test_both_numbers_are_in_every_form_of_an_undecided_verdict(heights):
     assert (can.realizable, cannot.realizable, cannot.inflections) == (True, False, 2)
     assert can.inflections < 2
     assert max(can.distance, cannot.distance) < 0.05
-    assert str(check).startswith(f"The verdict is {UNDECIDED} (resolution 0.001 mm): ")
+    assert str(check).startswith(f"These points {UNDECIDED} (resolution 0.001 mm). ")
     assert {int(one) for one in re.findall(r"inflections: (\d)", str(check))} == {can.inflections, 2}
     told = json.loads(json.dumps(report_check(check)))["undecided"]
     assert told["other"] == asdict(found.other)
@@ -91,7 +91,7 @@ def test_inflections_that_the_points_do_not_require_refuse_no_curve(control, deg
     found = check.undecided
     assert (found.fit.realizable, found.other.realizable) == (False, False)
     assert found.fit.inflections >= found.other.inflections + 2
-    assert f"has {found.fit.inflections} inflections, another curve within 0 mm has" in str(check)
+    assert f"has {found.fit.inflections} inflections; another curve within 0 mm has" in str(check)
 
 
 def test_required_inflections_are_decided():
@@ -124,7 +124,7 @@ def test_a_bend_of_few_points_is_no_corner_for_sure(tmp_path):
     bend = np.cumsum(10 * np.column_stack([np.cos(heading), np.sin(heading)]), axis=0)
     sharp = np.array([(0, 0), (10, 0), (20, 0), (30, 0), (30, 10), (30, 20), (30, 30.0)])
     with pytest.raises(
-        ValueError, match=f"{UNDECIDED}: they turn by 60 degrees at .*, and by 20 and 20 at the"
+        ValueError, match=f"{UNDECIDED}: they turn by 60 degrees at .* and by 20 and 20 degrees at"
     ):
         check_equilibrium(curve_from_points(bend))
     with pytest.raises(ValueError, match="the curve has a corner at 30 mm"):

@@ -140,8 +140,8 @@ def test_an_unstable_wave_becomes_stable():
 
 test_bad_input = refusal_test(
     [
-        (lambda: optimize_ratio(ARCH, 0.9), "cannot be below 1"),
-        (lambda: recover_stability(ARCH, R_max=float("nan")), "cannot be below 1"),
+        (lambda: optimize_ratio(ARCH, 0.9), "give a larger number"),
+        (lambda: recover_stability(ARCH, R_max=float("nan")), "give a larger number"),
         (lambda: recover_stability(ARCH, margin=float("inf")), "border of stability"),
         (lambda: optimize_ratio(PlaneCurve.line((0, 0), (100, 0), degree=4), 2.0), "straight"),
         (lambda: optimize_ratio(ARCH, 2.0, max_steps=0), "max_steps"),

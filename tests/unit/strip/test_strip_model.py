@@ -172,7 +172,7 @@ def test_plates_take_the_name_of_a_sheet():
     assert model.base_plate("mdf-3").sheet == Sheet.named("mdf-3")
     assert Strip(arch.rod, "birch-plywood-0.8", max_width=20).sheet == arch.sheet
     with pytest.raises(
-        InputError, match=r"a Sheet or the name of one is needed, .*, not float: `sheet_names"
+        InputError, match=r"give a Sheet or the name of a sheet, such .*, not float: `sheet_names"
     ):
         model.base_plate(3.0)
     with pytest.raises(InputError, match="did you mean mdf-3"):

@@ -85,7 +85,7 @@ SLIPS = {
     "slots hold 3: give Slot records": lambda: Strip(ROD, SHEET, max_width=20, slots=[3]),
     "the rod is a str: give a Rod": lambda: Strip("rod", SHEET, max_width=20),
     "style is 'plain': give": lambda: Strip(ROD, SHEET, max_width=20, style="plain"),
-    "the label is 3: give a text": lambda: Strip(ROD, SHEET, max_width=20, label=3),
+    "the label is 3: give text": lambda: Strip(ROD, SHEET, max_width=20, label=3),
     "wall is '4'": lambda: EndFixture.of(STRIP, "end", wall="4"),
     "clearance is": lambda: EndFixture.of(STRIP, "end", clearance=(1, 2)),
     r"placed hold 3: give Placed records, of a strip ec.Placed\(strip\), of a body in CAD its `placed`$": lambda: (
@@ -111,7 +111,7 @@ SLIPS = {
     "the tolerance of a fit must be positive, not None": lambda: PlaneCurve.fit(POINTS, tolerance=None),
     "the kerf is '0.15'": lambda: compensate_kerf(STRIP.drawing(), "0.15"),
     "the kerf is None": lambda: compensate_kerf(STRIP.drawing(), None),
-    "the name of a sheet is needed, such as 'birch-plywood-0.8', not list": lambda: Sheet.named(["mdf-3"]),
+    "give the name of a sheet, such as 'birch-plywood-0.8', not list": lambda: Sheet.named(["mdf-3"]),
     "the kerf is 'a': give a finite number, in mm": lambda: nest_pieces(PIECES, kerf="a"),
     "margin is '2': it must be a number from 0, in mm": lambda: nest_pieces(PIECES, margin="2"),
     "sheet_size is '600x400': it must be 2 numbers above 0, in mm": lambda: nest_pieces(
