@@ -6,6 +6,7 @@ import numpy as np
 
 from elastica_cad._text import html_text
 from elastica_cad._types import FloatArray
+from elastica_cad.report_rows import Row
 
 BLUE, RED, GREY, INK = "#2f6db3", "#c2452d", "#8a8f98", "#3c4658"  # read on light and dark
 
@@ -53,3 +54,13 @@ def html_table(title: str, rows: Sequence[Mapping[str, object]]) -> str:
         "<tr>" + "".join(f"<td>{html_text(value)}</td>" for value in row.values()) + "</tr>" for row in rows
     )
     return f"<table><caption>{html_text(title)}</caption><tr>{head}</tr>{body}</table>"
+
+
+def rows_table(title: str, rows: Sequence[Row]) -> str:
+    """Labelled rows as a table with a caption; a row that stops the user is marked, details are tooltips."""
+    body = "".join(
+        f"<tr><th>{'! ' if row.stops else ''}{html_text(row.label)}</th>"
+        f'<td style="text-align: left" title="{html_text(" ".join(row.details))}">{html_text(row.text)}</td></tr>'
+        for row in rows
+    )
+    return f"<table><caption>{html_text(title)}</caption>{body}</table>"

@@ -28,12 +28,10 @@ from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kit.pair_kit import MadePair
-from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.pairs.flexure_spec import FlexureSpec
+from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.plot.drawing_process import DrawingProcess
-from elastica_cad.refusals import Length, note
 from elastica_cad.report_rows import Row, in_order
 
 FILE = click.Path(path_type=Path)
@@ -135,56 +133,6 @@ def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
 
 def _report(made: MadePair) -> None:
     """Print the report in rows, with warnings before notes."""
-    part, pair_ = made.part, made.part.pair
-    low, high = part.thickness_range
-    size = (
-        f"{pair_.length:.1f} mm between its pads, {low:.2f} to {high:.2f} mm thick in the plane, "
-        f"{part.sheet.thickness:g} mm deep"
-    )
-    first, second = (f"{100 * strain:.2f} %" for strain in part.strain)
-    allowed = judge_strain(part.sheet, max(*part.strain, part.travel_strain)).allowed
-    strain = (
-        f"{first} and {second} in the two states, {100 * part.travel_strain:.2f} % between them; "
-        f"{part.sheet.name} allows {100 * part.sheet.max_strain:.2f} % for long"
-    )
-    rest = note("at rest {far} and {other} from the curves, because forces stretch the part",
-                far=Length(part.rest_deviations[0]), other=Length(part.rest_deviations[1]))  # fmt: skip
-    rows = [
-        Row("Size", size),
-        Row("Strain", strain, severity="note" if allowed else "warning"),
-        _stability(part),
-        Row("Force", _force(part)),
-        Row("Accuracy", rest),
-        *(Row("Warning", text, severity="warning") for text in made.warnings),
-    ]
-    for row in in_order(rows):
+    warnings = [Row("Warning", text, severity="warning") for text in made.warnings]
+    for row in in_order([*pair_rows(made.part), *warnings]):
         say_row(row)
-
-
-def _stability(part: Flexure) -> Row:
-    """Return the row on the stability of both states, in the plane and sideways."""
-    ratings = [*(state.rating for state in part.pair.stability), *(state.rating for state in part.sideways)]
-    details = [
-        f"The stability margins are {part.pair.stability[0].margin:.3g} and {part.pair.stability[1].margin:.3g}; "
-        f"sideways {part.sideways[0].margin:.3g} and {part.sideways[1].margin:.3g}."
-    ]
-    if set(ratings) == {"stable"}:
-        return Row("Stability", "both states are stable, in the plane and sideways", details)
-    names = ("first state", "second state", "first state sideways", "second state sideways")
-    states = [f"{name} {rating}" for name, rating in zip(names, ratings, strict=True)]
-    return Row("Stability", ", ".join(states), details, "warning")
-
-
-def _force(part: Flexure) -> str:
-    """Return a sentence on the forces between the states."""
-    if not part.pair.bistable:
-        return f"two settings: hold the end with at most {part.force_text} between them"
-    at, _ = part.pushed
-    if (back := part.travel_back) is None:
-        return f"not bistable: the second curve holds only with {part.force_text}, pushed at {at:.4g} mm"
-    returns = note("back at about {force:.2g} N", force=back.largest_force)
-    sentence = f"bistable: pushed at {at:.4g} mm it snaps at {part.force_text}, {returns}"
-    if part.travel.snap is None:
-        return sentence
-    work = note("about {work:.2g} N mm", work=part.travel.work)
-    return f"{sentence}; it moves by itself from {part.travel.snap:.3g} mm of travel on, after {work} of work"

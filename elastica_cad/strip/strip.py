@@ -4,10 +4,12 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from elastica_cad._notebook import rows_table
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, require_positive, require_record, several, three, told_apart
 from elastica_cad.errors import InputError, NotConvergedError, rounded_up
@@ -456,6 +458,10 @@ class Strip:
     def _repr_svg_(self) -> str:
         return self.drawing()._repr_svg_()
 
+    def _repr_html_(self) -> str:
+        summary = import_module("elastica_cad.strip.summary")  # which imports this module
+        return self._repr_svg_() + rows_table(repr(self), summary.strip_rows(self))
+
     def table(self) -> dict[str, FloatArray]:
         """Return the columns (n,) of `Rod.table` in N and N mm, with widths in mm and the largest skin strain."""
         columns, B = self.rod.table(), self.bending_stiffness
@@ -519,7 +525,8 @@ class Strip:
     @property
     def mass_told(self) -> str:
         """Mass in words: in grams, or in kilograms from 1000 g on."""
-        return f"{self.mass:.3g} g" if self.mass < 1000 else f"{self.mass / 1000:.3g} kg"
+        heavy = self.mass >= 1000
+        return note("{mass:.3g} kg" if heavy else "{mass:.3g} g", mass=self.mass / (1000 if heavy else 1))
 
     @property
     def holes(self) -> tuple[Path, ...]:

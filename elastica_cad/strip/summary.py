@@ -9,15 +9,22 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.mechanics.stability import SAFE_MARGIN, Stability, stability
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import Length, is_told, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import MOST, HeldShape, about
 from elastica_cad.strip.holding_template import distance_between, distance_of_tips, held_ends
 from elastica_cad.strip.strip import Strip
 
+LATER = "…"
+"""Text of a row whose result is not known yet."""
+
 
 def strip_rows(
-    strip: Strip, near: NearestRod | None = None, verdict: Stability | None = None
+    strip: Strip,
+    near: NearestRod | None = None,
+    verdict: Stability | None = None,
+    *,
+    quick: bool = False,
 ) -> tuple[Row, ...]:
     """Return the report on a strip in rows, with warnings before notes.
 
@@ -28,6 +35,8 @@ def strip_rows(
         The nearest rod from which the strip was made, if the curve was allowed to change.
     verdict : Stability, optional
         Stability of the strip's rod, if it is known already.
+    quick : bool
+        Show "…" for stability and accuracy, and leave out creep: these take longest to compute.
 
     Examples
     --------
@@ -40,20 +49,20 @@ def strip_rows(
     Strain | 0.10 % at 314 mm; card-200gsm allows 0.50 %
     Stability | stable, in its plane and sideways
     """
-    rows = [
-        size_row(strip),
-        *_nearest(strip, near),
-        *_strain(strip),
-        _stability(strip, stability(strip.rod) if verdict is None else verdict),
-        *_hold(strip),
-    ]
-    with suppress(NotConvergedError):
-        rows.append(accuracy_row(strip.held()))
-    with suppress(NotConvergedError):
-        rows += [Row(note("Creep"), str(strip.crept))] if strip.crept is not None else []
+    rows = [size_row(strip), *_nearest(strip, near), *strain_rows(strip)]
+    if quick:
+        rows += [Row(note("Stability"), LATER), hold_row(strip), Row(note("Accuracy"), LATER)]
+    else:
+        verdict = stability(strip.rod) if verdict is None else verdict
+        rows += [stability_row(strip, verdict), hold_row(strip)]
+        with suppress(NotConvergedError):
+            rows.append(accuracy_row(strip.held()))
+        with suppress(NotConvergedError):
+            rows += [Row(note("Creep"), str(strip.crept))] if strip.crept is not None else []
     reported = {*strip.strain_warnings, *([near.status.value] if near is not None else [])}
     others = [text for text in strip.warnings if text not in reported]
-    rows += [Row(note("Warning"), text, (), getattr(text, "severity", "warning")) for text in others]
+    rows += [Row(note("Warning" if is_told(text) else "Note"), text, (), getattr(text, "severity", "warning"))
+             for text in others]  # fmt: skip
     return in_order(rows)
 
 
@@ -87,7 +96,8 @@ def _nearest(strip: Strip, near: NearestRod | None) -> Iterator[Row]:
     yield Row(note("Curve"), text, details, "warning" if far else "note")
 
 
-def _strain(strip: Strip) -> Iterator[Row]:
+def strain_rows(strip: Strip) -> Iterator[Row]:
+    """Yield the warnings on strain, or a row on the largest strain and its limit."""
     for warning in strip.strain_warnings:
         yield Row(note("Strain"), warning, severity="warning")
     if not strip.strain_warnings:
@@ -103,32 +113,32 @@ def _strain(strip: Strip) -> Iterator[Row]:
         )
 
 
-def _stability(strip: Strip, verdict: Stability) -> Row:
+def stability_row(strip: Strip, verdict: Stability) -> Row:
     """Return the row on both stabilities of a strip: in its plane and sideways."""
     sideways = strip.sideways
-    details = (
-        note("The stability margin is {margin:.3g}; 5 is safe.", margin=verdict.margin),
-        note("The sideways margin is {margin:.3g}; 5 is safe.", margin=sideways.margin),
-    )
+    details = [note("The stability margin is {margin:.3g}; 5 is safe.", margin=verdict.margin)]
+    if sideways.decided:
+        details.append(note("The sideways margin is {margin:.3g}; 5 is safe.", margin=sideways.margin))
     if not verdict.stable:
         text = note("unstable: the strip snaps into another shape")
     elif verdict.margin < SAFE_MARGIN:
         text = note("close to snapping: a push can move the strip into another shape")
-    elif sideways.needs_guiding:
-        text = note("stable in its plane, but {meaning}", meaning=note(sideways.meaning))
+    elif sideways.word == "unstable":
+        text = note("unstable sideways: the strip tips over; guide it at the sides, or make it wider")
+    elif sideways.word == "low":
+        text = note("close to tipping over sideways: guide the strip at the sides")
     elif sideways.word == "undecided":
-        return Row(
-            note("Stability"), note("stable in its plane; {meaning}", meaning=note(sideways.meaning)), details
-        )
+        text = note("stable in its plane; sideways undecided ({meaning})", meaning=note(sideways.meaning))
+        return Row(note("Stability"), text, details)
     else:
         return Row(note("Stability"), note("stable, in its plane and sideways"), details)
     return Row(note("Stability"), text, details, "warning")
 
 
-def _hold(strip: Strip) -> Iterator[Row]:
+def hold_row(strip: Strip) -> Row:
+    """Return the row on the positions of the ends and the loads on them, or on the joint of a closed strip."""
     if strip.joint:
-        yield Row(note("Hold"), strip.joint)
-        return
+        return Row(note("Hold"), strip.joint)
     ends = held_ends(strip)
     apart = note(
         "ends {apart:.1f} apart at {start:.1f} and {end:.1f} degrees"
@@ -151,7 +161,7 @@ def _hold(strip: Strip) -> Iterator[Row]:
         "The bend begins there; from tip to tip it is {tips:.1f}. Angles are from the line between the ends.",
         tips=Length(distance_of_tips(ends)),
     )
-    yield Row(note("Hold"), load, (details,))
+    return Row(note("Hold"), load, (details,))
 
 
 def accuracy_row(held: HeldShape) -> Row:

@@ -28,17 +28,20 @@ from elastica_cad.kit.pair_kit import MadePair
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet, sheet_names
-from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
+from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.model.assembly import assembly_parts
 from elastica_cad.pairs.flexure_spec import FlexureSpec
+from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.refusals import Refusal, note
+from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.drawing import LAYERS, Drawing
 from elastica_cad.strip.lettering import text_strokes
 from elastica_cad.strip.solids import FlatSolid, PrismSolid
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.styles import Bends
+from elastica_cad.strip.summary import strip_rows
 from elastica_cad.strip.travel import bend_strip
 from elastica_cad.web.saved_design import (
     OF_MODELS,
@@ -175,9 +178,14 @@ def _strip(request: Mapping[str, Any]) -> Record:
         made = spec.make(found)
     except ElasticaError as problem:
         return told | _drawn(spec) | refused(problem)
-    told |= _shape(made) | {"flat": _flat(made.drawings())} | _numbers(made, found)
-    told |= _drawn(spec) if spec.may_change else {}
-    return told if request.get("live") else told | _steadiness(made)
+    near = found if isinstance(found, NearestRod) else None
+    told |= _shape(made) | {
+        "flat": _flat(made.drawings()),
+        "length": round(made.rod.length, 2),
+        "deviation": None if near is None else round(near.deviation, 3),
+        "rows": _rows(strip_rows(made, near, quick=bool(request.get("live")))),
+    }
+    return told | (_drawn(spec) if spec.may_change else {})
 
 
 def _drawn(spec: StripSpec) -> Record:
@@ -221,33 +229,11 @@ def _shape(made: Strip, rod: Rod | None = None) -> Record:
     }
 
 
-def _numbers(made: Strip, found: Rod | NearestRod) -> Record:
-    """Return the numbers of the strip that are shown at once."""
-    low, high = made.width.extremes
-    forces = made.reactions()
-    near = found if isinstance(found, NearestRod) else None
-    return {
-        "warnings": list(made.warnings),
-        "deviation": None if near is None else round(near.deviation, 3),
-        "length": round(made.rod.length, 2),
-        "widths": [round(low, 2), round(high, 2)],
-        "ratio": round(made.rod.ratio, 3),
-        "used": round(made.strain_verdict.used, 3),
-        "strain": round(made.max_strain, 5),
-        "mass": float(f"{made.mass:.4g}"),
-        "force": float(f"{np.hypot(*forces.end_force):.3g}"),
-        "moment": float(f"{abs(forces.end_moment):.3g}"),
-    }
-
-
-def _steadiness(made: Strip) -> Record:
-    """Return the stability of the strip, which is requested when the pointer rests."""
-    verdict, warnings = stability(made.rod), list(made.warnings)
-    if not verdict.stable:
-        warnings.insert(0, note(verdict.meaning))
-    if made.sideways.needs_guiding:
-        warnings.append(str(made.sideways))
-    return {"margin": float(f"{verdict.margin:.3g}"), "stable": verdict.rating, "warnings": warnings}
+def _rows(rows: Iterable[Row]) -> list[Record]:
+    return [
+        {"label": row.label, "text": row.text, "details": list(row.details), "stops": row.stops}
+        for row in rows
+    ]
 
 
 def _flat(drawings: Iterable[Drawing]) -> list[Record]:
@@ -420,19 +406,17 @@ def _pair(request: Mapping[str, Any]) -> Record:
         places.append({
             "position": _rounded(rod.position[k], 3), "width": _rounded(wide, 3), "shares": _rounded(used, 3)
         })  # fmt: skip
+    together = Row(
+        note("Hold"),
+        note("both states in the same clamps" if pair.bistable else "each state in clamps of its own"),
+    )
+    faults = [Row(note("Warning"), text, severity="warning") for text in part.rest_warnings]
     return {
         "states": places,
         "flat": _flat((part.drawing(), part.holder())),
         "text": str(pair.check),
-        "warnings": list(part.rest_warnings),
         "length": round(pair.length, 2),
-        "widths": [round(width, 3) for width in part.thickness_range],
-        "ratio": round(pair.ratio, 3),
-        "used": round(max(part.strain) / limit, 3),
-        "strain": round(max(part.strain), 5),
-        "margin": float(f"{min(one.margin for one in pair.stability):.3g}"),
-        "stable": min(pair.stability, key=lambda one: one.margin).rating,
-        "bistable": pair.bistable,
+        "rows": _rows(in_order([*pair_rows(part, quick=True), together, *faults])),
     }
 
 

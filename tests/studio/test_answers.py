@@ -12,6 +12,7 @@ import trimesh
 
 import elastica_cad as ec
 from elastica_cad.cli import main
+from elastica_cad.strip.summary import strip_rows
 from elastica_cad.web.answers import Download, answer, with_point_near, without_point
 from elastica_cad.web.saved_design import compose_design, curve_table, open_design
 from elastica_cad.web.vocabulary import page_words
@@ -30,11 +31,30 @@ def test_a_strip_is_the_one_that_python_makes():
     told, made = asked("strip"), ec.make_strip(ec.PlaneCurve.spline(ARCH), "birch-plywood-0.8", max_width=40)
     assert "refused" not in told
     assert told["length"] == pytest.approx(made.rod.length, abs=0.01)
-    assert told["widths"] == pytest.approx(made.width.extremes, abs=0.01)
+    rows = [(row["label"], row["text"], row["details"], row["stops"]) for row in told["rows"]]
+    assert rows == [(row.label, row.text, list(row.details), row.stops) for row in strip_rows(made)]
     assert max(told["shares"]) == pytest.approx(made.strain_verdict.used, rel=0.01)
     assert told["theorem"]["at"] == pytest.approx(made.rod.curve.inflections, abs=0.5)
     outer = [loop for layer in told["flat"] if layer["layer"] == "CUT_OUTER" for loop in layer["loops"]]
     assert np.ptp(outer[0], axis=0) == pytest.approx(np.ptp(made.outline.bounds, axis=0), abs=0.1)
+
+
+def test_a_dragged_strip_is_checked_when_it_rests(monkeypatch):
+    at_rest = {row["label"]: row["text"] for row in asked("strip")["rows"]}
+    monkeypatch.setattr(ec.Strip, "held", None)
+    monkeypatch.setattr(ec.Strip, "sideways", None)
+    dragged = {row["label"]: row["text"] for row in asked("strip", live=True)["rows"]}
+    assert dragged == at_rest | {"Stability": "…", "Accuracy": "…"}
+
+
+def test_rows_are_in_the_language_of_the_page():
+    rows = json.loads(reply(json.dumps({"do": "strip", "design": design(), "language": "de"}).encode())[1])[
+        "rows"
+    ]
+    assert [row["label"] for row in rows] == ["Größe", "Dehnung", "Stabilität", "Halten", "Genauigkeit"]
+    text = " ".join(sentence for row in rows for sentence in (row["text"], *row["details"]))
+    assert re.search(r"\d,\d mm lang", text)
+    assert not re.search(r"\b(the|is|long|apart|about|at)\b", text), text
 
 
 def test_a_curve_that_cannot_be_bent_is_shown_with_its_faults():
@@ -69,8 +89,7 @@ def test_the_nearest_curve_can_be_made():
     taken["strips"][0]["curve"] = near["curve"]
     told = answer({"do": "strip", "design": taken})
     assert "refused" not in told
-    assert told["used"] <= 1
-    assert told["stable"] == "stable"
+    assert not any(row["stops"] for row in told["rows"])
 
 
 def test_sheets_that_can_do_it_are_told_apart():
@@ -249,7 +268,8 @@ def test_two_curves_become_one_part(tmp_path):
     told = answer({"do": "pair", "design": pair})
     heights = [np.array(state["position"])[:, 1] for state in told["states"]]
     assert heights[0].max() == pytest.approx(-heights[1].min(), abs=0.05)
-    assert 0.2 < told["used"] <= 1  # on the way from one setting to the other it is strained most
+    assert [row["label"] for row in told["rows"]] == ["Size", "Strain", "Stability", "Accuracy", "Hold"]
+    assert not any(row["stops"] for row in told["rows"])
     path = tmp_path / "clip.toml"
     path.write_text(compose_design(pair))
     assert open_design(path) == pair

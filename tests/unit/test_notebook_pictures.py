@@ -1,5 +1,6 @@
 """What a notebook shows: short words, pictures that a parser reads, tables whose texts are text."""
 
+import re
 from xml.etree import ElementTree
 
 import numpy as np
@@ -18,10 +19,12 @@ from elastica_cad import (
     optimal_rod,
 )
 from elastica_cad.strip import CUT_OUTER
+from elastica_cad.strip.summary import strip_rows
 
 pytestmark = pytest.mark.core
 
 ARCH = PlaneCurve.spline([(0, 0), (30, 60), (70, 80), (120, 60), (150, 0)])
+LOOP = PlaneCurve.spline([(0, 0), (200, 100), (-100, 100), (100, 0)], 3)
 
 
 @pytest.fixture(scope="module")
@@ -78,6 +81,18 @@ def test_a_sheet_is_a_table_of_its_figures():
     assert (
         "<b>" not in Sheet("<b>", thickness=1, youngs_modulus=1e3, density=500, max_strain=0.01)._repr_html_()
     )
+
+
+def test_a_strip_is_a_picture_and_its_labelled_rows(strip):
+    html = strip._repr_html_()
+    picture, table, _ = re.split(r"(?<=</svg>)(.*)", html)
+    assert picture == strip._repr_svg_()
+    rows = [
+        (row[0].text, row[1].text, row[1].get("title")) for row in ElementTree.fromstring(table).findall("tr")
+    ]
+    assert rows == [(row.label, row.text, " ".join(row.details)) for row in strip_rows(strip)]
+    tipping = Strip(optimal_rod(LOOP), Sheet.named("birch-plywood-0.8"), max_width=5.0)
+    assert "<th>! Stability</th>" in tipping._repr_html_()
 
 
 def test_a_label_is_text_in_the_table(strip):

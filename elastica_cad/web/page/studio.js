@@ -280,8 +280,8 @@ class Studio {
     this.drawing.show({ answer, ghost: answer?.other ?? null });
     this.judge();
     showFlat(this.flat, answer?.flat, answer && `${t("Flat strip")}, ${answer.length} mm`);
-    const read = this.read && same(this.read.curve, this.curve()) ? [["read", this.read.text]] : []; // until the curve is changed
-    this.tabulate([...read, ...(!answer || answer.refused ? [] : this.rows(answer))]);
+    const read = this.read && same(this.read.curve, this.curve()) ? [{ label: t("Read"), text: this.read.text, details: [] }] : []; // until the curve is changed
+    this.tabulate([...read, ...(answer?.rows ?? []).filter((row) => !row.stops)]);
     if (answer?.position && !this.whole.checked) this.spaceSoon ??= setTimeout(() => {
       this.spaceSoon = null; // the drawing under the pointer comes first
       if (!this.whole.checked) this.alone();
@@ -291,7 +291,8 @@ class Studio {
   // One verdict on the strip and, where the whole model is shown, on what holds it.
   judge() {
     const { t, answer } = this, assembly = answer || this.design.revolution ? this.assembly : null, refused = answer?.refused ?? assembly?.refused;
-    const warnings = refused ? [] : [...(answer?.warnings ?? []), ...(assembly?.warnings ?? [])];
+    const stops = (answer?.rows ?? []).filter((row) => row.stops).map((row) => row.text);
+    const warnings = refused ? [] : [...stops, ...(assembly?.warnings ?? [])];
     const state = refused ? "no" : warnings.length ? "care" : answer || assembly ? "yes" : "";
     const title = { yes: "It can be made", care: "It can be made, with care", no: "It cannot be made" }[state] ?? (this.design.revolution || this.lost ? "" : "Draw at least three points");
     const texts = refused ? [refused.message] : state ? [...warnings, ...(answer && answer.deviation == null ? [answer.text] : [])]
@@ -308,19 +309,11 @@ class Studio {
   tabulate(rows) {
     const cells = this.numbers.children;
     if (cells.length !== 2 * rows.length) this.numbers.replaceChildren(...rows.flatMap(() => [html("dt"), html("dd")]));
-    rows.forEach(([name, value], k) => [this.t(name), value].forEach((text, i) => {
-      if (cells[2 * k + i].textContent !== text) cells[2 * k + i].textContent = text;
+    rows.forEach(({ label, text, details }, k) => [label, text].forEach((content, i) => {
+      const cell = cells[2 * k + i];
+      if (cell.textContent !== content) cell.textContent = content;
+      cell.title = details.join(" ");
     }));
-  }
-
-  rows(answer) {
-    const { t, number } = this;
-    return [
-      ["length", `${number(answer.length)} mm`], ["width", `${answer.widths.map(number).join(" – ")} mm`], ["stiffness ratio", number(answer.ratio)],
-      ["strain", `${number(+(100 * answer.strain).toFixed(2))} %, ${Math.round(100 * answer.used)} % ${t("of what the sheet bears")}`],
-      ...(answer.bistable == null ? [] : [["both states", t(answer.bistable ? "in the same clamps" : "in clamps of their own")]]), ["stability", answer.stable ? `${number(answer.margin)}, ${t(answer.stable)}` : "…"], ...(answer.states ? [] : [["held by", `${number(answer.force)} N, ${number(answer.moment)} N mm`], ["mass", `${number(answer.mass)} g`]]),
-      ...(answer.deviation == null ? [] : [["off the drawn curve", `${number(answer.deviation)} mm`]]),
-    ];
   }
 
   suggestions(changes) {

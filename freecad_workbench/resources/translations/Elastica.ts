@@ -439,10 +439,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Held deviation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Save the coupon</source>
         <translation type="unfinished"></translation>
     </message>
@@ -571,27 +567,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Length</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Narrowest place</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Stiffness ratio</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Largest strain</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stability margin</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mass</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1228,10 +1204,6 @@
     </message>
     <message>
         <source>backing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sideways margin</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -435,10 +435,6 @@
         <translation>Andere Seite</translation>
     </message>
     <message>
-        <source>Held deviation</source>
-        <translation>Abweichung gehalten</translation>
-    </message>
-    <message>
         <source>Save the coupon</source>
         <translation>Probestreifen speichern</translation>
     </message>
@@ -567,28 +563,8 @@
         <translation>Auf Platten schachteln</translation>
     </message>
     <message>
-        <source>Length</source>
-        <translation>Länge</translation>
-    </message>
-    <message>
-        <source>Narrowest place</source>
-        <translation>Schmalste Stelle</translation>
-    </message>
-    <message>
         <source>Stiffness ratio</source>
         <translation>Steifigkeitsverhältnis</translation>
-    </message>
-    <message>
-        <source>Largest strain</source>
-        <translation>Größte Dehnung</translation>
-    </message>
-    <message>
-        <source>Stability margin</source>
-        <translation>Stabilitätsreserve</translation>
-    </message>
-    <message>
-        <source>Mass</source>
-        <translation>Masse</translation>
     </message>
     <message>
         <source>Sheet and width</source>
@@ -1225,10 +1201,6 @@
     <message>
         <source>backing</source>
         <translation>Verstärkung</translation>
-    </message>
-    <message>
-        <source>Sideways margin</source>
-        <translation>Reserve seitlich</translation>
     </message>
     <message>
         <source>inflection on the line</source>

@@ -435,10 +435,6 @@
         <translation>另一侧</translation>
     </message>
     <message>
-        <source>Held deviation</source>
-        <translation>夹持后的偏差</translation>
-    </message>
-    <message>
         <source>Save the coupon</source>
         <translation>保存试样</translation>
     </message>
@@ -567,28 +563,8 @@
         <translation>在板材上排样</translation>
     </message>
     <message>
-        <source>Length</source>
-        <translation>长度</translation>
-    </message>
-    <message>
-        <source>Narrowest place</source>
-        <translation>最窄处</translation>
-    </message>
-    <message>
         <source>Stiffness ratio</source>
         <translation>刚度比</translation>
-    </message>
-    <message>
-        <source>Largest strain</source>
-        <translation>最大应变</translation>
-    </message>
-    <message>
-        <source>Stability margin</source>
-        <translation>稳定裕度</translation>
-    </message>
-    <message>
-        <source>Mass</source>
-        <translation>质量</translation>
     </message>
     <message>
         <source>Sheet and width</source>
@@ -1225,10 +1201,6 @@
     <message>
         <source>backing</source>
         <translation>背层</translation>
-    </message>
-    <message>
-        <source>Sideways margin</source>
-        <translation>侧向裕度</translation>
     </message>
     <message>
         <source>inflection on the line</source>

@@ -3,7 +3,8 @@
 
 """Contents of the panels of all features."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from typing import Any
 
 from freecad.elastica_wb.curves.plane_sections import FAMILIES
@@ -22,44 +23,37 @@ from freecad.elastica_wb.features.nest import NestFeature
 from freecad.elastica_wb.features.strip import shown_strip
 from freecad.elastica_wb.features.strip_properties import PROPERTIES, STYLES
 from freecad.elastica_wb.host.objects import feature_kind
+from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel, Told
+from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel
+from freecad.elastica_wb.solving.strip_cache import held_shape, judged
 from freecad.elastica_wb.solving.verdicts import told_blanks
 
 from elastica_cad.refusals import Length, note
-from elastica_cad.strip.held_shape import about
+from elastica_cad.report_rows import Row, in_order
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.summary import LATER, accuracy_row, hold_row, size_row, stability_row, strain_rows
 
 
-def _strip_numbers(obj: Any) -> Told:
-    return (
-        (translate("Elastica", "Length"), Length(obj.Length.Value), "Length"),
-        (translate("Elastica", "Narrowest place"), Length(obj.NarrowestWidth.Value), "NarrowestWidth"),
-        (translate("Elastica", "Stiffness ratio"), note("{ratio:.3g}", ratio=obj.Ratio), "Ratio"),
-        (
-            translate("Elastica", "Largest strain"),
-            note("{strain:.2f} % ({used} %)", strain=obj.LargestStrain, used=obj.StrainUse),
-            "LargestStrain",
-        ),
-        (translate("Elastica", "Stability margin"), note("{margin:.3g}", margin=obj.Margin), "Margin"),
-        (translate("Elastica", "Sideways margin"), _sideways_margin(obj), "SidewaysMargin"),
-        (translate("Elastica", "Held deviation"), _held_deviation(obj), "HeldDeviation"),
-        (translate("Elastica", "Mass"), note("{mass:.3g} g", mass=obj.Mass), "Mass"),
-    )
+def _strip_rows(obj: Any) -> Sequence[Row]:
+    """Return the rows on the strip that the shape shows; none if its curve was lost since."""
+    try:
+        strip = shown_strip(obj)
+    except FAILURES:
+        return ()
+    size, verdict = size_row(strip), judged(strip.rod)
+    if {"Length", "NarrowestWidth"} & {*obj.Fails}:
+        size = replace(size, severity="warning")
+    steady = [] if verdict is None else [stability_row(strip, verdict)]
+    return in_order([size, *strain_rows(strip), *steady, hold_row(strip), _accuracy(obj, strip)])
 
 
-def _held_deviation(obj: Any) -> object:
-    """Return the expected deviation, "..." if it is not known yet, or "-" if the footnote explains its absence."""
-    if not obj.Held:
-        return "..."
-    far = obj.ExpectedDeviation.Value
-    return note("about {far}", far=about(far)) if far else "-"
-
-
-def _sideways_margin(obj: Any) -> str:
-    """Return the sideways margin, or "-" if a remark explains why it is undecided."""
-    return note("{margin:.3g}", margin=obj.SidewaysMargin) if obj.SidewaysMargin else "-"
+def _accuracy(obj: Any, strip: Strip) -> Row:
+    """Return the row on accuracy: "…" if it is not known yet, or "-" if the footnote explains its absence."""
+    held = held_shape(strip) if obj.Held else None
+    return Row(note("Accuracy"), "-" if obj.Held else LATER) if held is None else accuracy_row(held)
 
 
 def _flat_footnote(obj: Any) -> str:
@@ -124,7 +118,7 @@ STRIP = Layout(
         ),
     },
     "Curve",
-    _strip_numbers,
+    _strip_rows,
     footnote=lambda obj: obj.Held,
 )
 
@@ -135,7 +129,7 @@ MODEL = Layout(
     {QT_TRANSLATE_NOOP("Elastica", "Slots"): ("Interlock", "Clearance", "Fit", "Relief")},
     ModelFeature.properties,
     dict.fromkeys(("Clearance", "Fit", "Relief"), _where("Interlock", True)),
-    told=lambda obj: ((translate("Elastica", "Joints"), str(obj.Joints), "Joints"),),
+    results=lambda obj: (Row(translate("Elastica", "Joints"), str(obj.Joints), ("Joints",)),),
     footnote=lambda obj: "\n".join(obj.Overlaps),
 )
 
@@ -171,7 +165,7 @@ NEST = Layout(
     "Edit nest",
     {QT_TRANSLATE_NOOP("Elastica", "Sheets"): ("SheetWidth", "SheetHeight", "Margin")},
     NestFeature.properties,
-    told=lambda obj: ((translate("Elastica", "Sheets"), str(obj.Sheets), "Sheets"),),
+    results=lambda obj: (Row(translate("Elastica", "Sheets"), str(obj.Sheets), ("Sheets",)),),
     footnote=lambda obj: "\n".join(obj.LeftOut),
 )
 
@@ -194,8 +188,12 @@ NEAREST = Layout(
     {"MarginLimit": lambda obj: obj.LimitMargin, "StrainLimit": lambda obj: obj.LimitStrain},
     "Curve",
     lambda obj: (
-        (translate("Elastica", "Largest distance"), Length(obj.Deviation.Value), "Deviation"),
-        (translate("Elastica", "Stiffness ratio"), note("{ratio:.3g}", ratio=obj.Ratio), "Ratio"),
+        Row(
+            translate("Elastica", "Largest distance"),
+            note("{far}", far=Length(obj.Deviation.Value)),
+            ("Deviation",),
+        ),
+        Row(translate("Elastica", "Stiffness ratio"), note("{ratio:.3g}", ratio=obj.Ratio), ("Ratio",)),
     ),
     (
         (QT_TRANSLATE_NOOP("Elastica", "Draw it into the sketch"), draw_into),
@@ -226,7 +224,7 @@ SECTION = Layout(
         **dict.fromkeys(("ThroughX", "ThroughY", "ThroughZ", "Sweep"), _where("Family", FAMILIES[1])),
     },
     "Path",
-    lambda obj: ((translate("Elastica", "Curves"), str(obj.Curves), "Curves"),),
+    lambda obj: (Row(translate("Elastica", "Curves"), str(obj.Curves), ("Curves",)),),
     ((QT_TRANSLATE_NOOP("Elastica", "Make sketches to edit"), section_sketches_of),),
 )
 

@@ -4,7 +4,7 @@
 """The panel of a feature: a labelled widget for each property, updated in both directions."""
 
 import gc
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -32,9 +32,9 @@ from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.recording import record_value, recorded
 from freecad.elastica_wb.solving.verdicts import Verdict
 
-from elastica_cad.refusals import note
+from elastica_cad._text import html_text
+from elastica_cad.report_rows import Row
 
-Told = tuple[tuple[str, object, str], ...]
 FAILING = f' style="color: {hex_of(COLORS[Verdict.BREAKS])};"'
 
 
@@ -53,8 +53,8 @@ class Layout:
         For a property, the function that returns whether it applies to an object. Otherwise it is hidden.
     source : str
         Property with the curve, which the user can pick again; empty for none.
-    told : callable
-        Numbers below the message: label, value, and the property whose help explains them.
+    results : callable
+        Rows below the message. A detail that names a property stands for its help.
     actions : tuple of (label, callable)
         Buttons that replace the feature and close the panel.
     footnote : callable
@@ -68,7 +68,7 @@ class Layout:
     table: tuple[Property, ...]
     applies: Mapping[str, Callable[[Any], bool]] = field(default_factory=dict)
     source: str = ""
-    told: Callable[[Any], Told] = lambda _: ()
+    results: Callable[[Any], Sequence[Row]] = lambda _: ()
     actions: tuple[tuple[str, Callable[[Any], None]], ...] = ()
     footnote: Callable[[Any], str] = lambda _: ""
 
@@ -83,7 +83,7 @@ class PropertyPanel(Panel):
     def __init__(self, obj: Any, layout: Layout, others: Iterable[Any] = ()) -> None:
         self.objects = list(dict.fromkeys([obj, *others]))
         if len(self.objects) > 1:  # each feature has its own curve and numbers
-            layout = replace(layout, source="", told=lambda _: (), footnote=lambda _: "")
+            layout = replace(layout, source="", results=lambda _: (), footnote=lambda _: "")
         self.object, self.layout = obj, layout
         self.helps = {entry.name: entry.translated_help for entry in layout.table}
         self.icon_name, self.step = layout.icon_name, layout.step
@@ -106,6 +106,7 @@ class PropertyPanel(Panel):
         outer = QtWidgets.QVBoxLayout(form)
         form.message, form.numbers = QtWidgets.QLabel(), QtWidgets.QLabel()
         form.message.setWordWrap(True)
+        form.numbers.setWordWrap(True)
         form.message.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         outer.addWidget(form.message)
         form.useNearest = QtWidgets.QPushButton(translate("Elastica", "Use the nearest curve"))
@@ -234,14 +235,16 @@ class PropertyPanel(Panel):
         for name, widgets in self.rows.items():
             self._show_if_used(name, *widgets)
         failed = bool(why_not_made(obj))
-        numbers = () if failed else layout.told(obj)
-        rows = "".join(
-            f"<tr><td>{name}&nbsp;&nbsp;</td><td{FAILING if entry in getattr(obj, 'Fails', ()) else ''}>"
-            f"<b>{worded(note('{given}', given=value))}</b></td></tr>"
-            for name, value, entry in numbers
+        rows = () if failed else layout.results(obj)
+        self.form.numbers.setToolTip(
+            "\n".join(f"{worded(row.label)}: {self._explained(row)}" for row in rows if row.details)
         )
-        self.form.numbers.setToolTip("\n".join(f"{name}: {self.helps[entry]}" for name, _, entry in numbers))
-        self.form.numbers.setText(f"<table>{rows}</table>" if rows else "")
+        table = "".join(
+            f"<tr><td>{worded(row.label)}&nbsp;&nbsp;</td><td{FAILING if row.stops else ''}>"
+            f"{html_text(worded(row.text))}</td></tr>"
+            for row in rows
+        )
+        self.form.numbers.setText(f"<table>{table}</table>" if rows else "")
         self.form.numbers.setVisible(bool(rows))
         self.form.useNearest.setVisible(
             failed and getattr(obj, "Follow", "") == "Exactly" and could_follow_another(obj)
@@ -260,6 +263,10 @@ class PropertyPanel(Panel):
         used = name not in self.layout.applies or self.layout.applies[name](self.object)
         for widget in widgets:
             widget.setVisible(used)
+
+    def _explained(self, row: Row) -> str:
+        """Return the details of a row."""
+        return " ".join(self.helps.get(detail) or worded(detail) for detail in row.details)
 
     def _words(self) -> str:
         obj = self.object

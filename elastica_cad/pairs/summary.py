@@ -1,0 +1,91 @@
+"""Labelled rows that report a part with two states: the same in text and on the page."""
+
+from elastica_cad.mechanics.section_limits import judge_strain
+from elastica_cad.pairs.flexure import Flexure
+from elastica_cad.refusals import Length, Refusal, Span, note
+from elastica_cad.report_rows import Row, in_order
+from elastica_cad.strip.held_shape import about
+
+
+def pair_rows(part: Flexure, *, quick: bool = False) -> tuple[Row, ...]:
+    """Return the report on a part in rows, with warnings before notes.
+
+    Parameters
+    ----------
+    part : Flexure
+    quick : bool
+        Leave out the path between the states, which takes longest to compute.
+    """
+    path = [] if quick else [Row(note("Force"), _force(part))]
+    first, second = part.rest_deviations
+    rest = note(
+        "at rest {far} and {other} from the curves, because forces stretch the part",
+        far=about(first), other=about(second),
+    )  # fmt: skip
+    rows = [_size(part), _strain(part, quick=quick), _stability(part), *path, Row(note("Accuracy"), rest)]
+    return in_order(rows)
+
+
+def _size(part: Flexure) -> Row:
+    text = note(
+        "{length:.1f} between its pads, {thickness} thick in the plane, {depth} deep",
+        length=Length(part.pair.length),
+        thickness=Span.of(*part.thickness_range),
+        depth=Length(part.sheet.thickness),
+    )
+    return Row(note("Size"), text, (note("The stiffness ratio is {ratio:.4g}.", ratio=part.pair.ratio),))
+
+
+def _strain(part: Flexure, *, quick: bool) -> Row:
+    strains = (*part.strain, *(() if quick else (part.travel_strain,)))
+    text = note(
+        "{first:.2f} % and {second:.2f} % in the two states; {sheet} allows {limit:.2f} % for long" if quick else
+        "{first:.2f} % and {second:.2f} % in the two states, {between:.2f} % between them; {sheet} allows "
+        "{limit:.2f} % for long",
+        first=100 * strains[0], second=100 * strains[1], between=100 * strains[-1],
+        sheet=part.sheet.name, limit=100 * part.sheet.max_strain,
+    )  # fmt: skip
+    allowed = judge_strain(part.sheet, max(strains)).allowed
+    return Row(note("Strain"), text, severity="note" if allowed else "warning")
+
+
+def _stability(part: Flexure) -> Row:
+    """Return the row on the stability of both states, in the plane and sideways."""
+    (first, second), sides = part.pair.stability, part.sideways
+    ratings = (first.rating, second.rating, *(side.rating for side in sides))
+    details = [
+        note(
+            "The stability margins are {first:.3g} and {second:.3g}; sideways {left:.3g} and {right:.3g}.",
+            first=first.margin, second=second.margin, left=sides[0].margin, right=sides[1].margin,
+        )
+    ]  # fmt: skip
+    if set(ratings) == {"stable"}:
+        return Row(note("Stability"), note("both states are stable, in the plane and sideways"), details)
+    first_word, second_word, left, right = map(note, ratings)
+    text = note(
+        "first state {first}, second state {second}, first state sideways {left}, second state sideways {right}",
+        first=first_word, second=second_word, left=left, right=right,
+    )  # fmt: skip
+    return Row(note("Stability"), text, details, "warning")
+
+
+def _force(part: Flexure) -> Refusal:
+    """Return a sentence on the forces between the states."""
+    if not part.pair.bistable:
+        return note("two settings: hold the end with at most {force} between them", force=part.force_text)
+    at = Length(part.pushed[0])
+    if (back := part.travel_back) is None:
+        return note(
+            "not bistable: the second curve holds only with {force}, pushed at {at:.4g}",
+            force=part.force_text, at=at,
+        )  # fmt: skip
+    sentence = note(
+        "bistable: pushed at {at:.4g} it snaps at {force}, back at about {back:.2g} N",
+        at=at, force=part.force_text, back=back.largest_force,
+    )  # fmt: skip
+    if part.travel.snap is None:
+        return sentence
+    return note(
+        "{sentence}; it moves by itself from {snap:.3g} of travel on, after about {work:.2g} N mm of work",
+        sentence=sentence, snap=Length(part.travel.snap), work=part.travel.work,
+    )  # fmt: skip
