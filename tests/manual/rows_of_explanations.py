@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 import elastica_cad as ec
-from tests.manual.found_in_pages import tables
+from tests.manual.found_in_pages import ROOT, blocks_of, tables
 from tests.manual.proofs import asks, proved_by
 
 EXPLAINED = "docs/explanation"
@@ -102,6 +102,16 @@ TESTS_OF_TASKS = {
 def _algorithms(row, _):
     """What is exact here is asked by a test of its own."""
     proved_by(TESTS_OF_TASKS[row[0]])
+
+
+@asks(f"{EXPLAINED}/reproduce_the_paper.md", "figure", "the paper", "here")
+def _figures(row, _):
+    """Every number is printed by a call of the page, which `test_a_page_does_what_it_says` runs."""
+    page = (ROOT / EXPLAINED / "reproduce_the_paper.md").read_text(encoding="utf-8")
+    printed = "".join(block.body for block in blocks_of(page) if block.kind == "text")
+    numbers = re.findall(r"\d+\.\d+|\b\d+(?= mm)", row[2])
+    assert numbers
+    assert [number for number in numbers if not re.search(rf"\b{re.escape(number)}\b", printed)] == []
 
 
 @asks("docs/how_to/holding.md", "cause", "what helps")
