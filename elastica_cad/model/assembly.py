@@ -85,12 +85,12 @@ def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> 
     """
     solids: dict[int, tuple[BodyRecord, ...]] = {}
     strips = []
-    for name, one in zip(strip_names(placed), placed, strict=True):
-        strip = one.strip
+    for name, member in zip(strip_names(placed), placed, strict=True):
+        strip = member.strip
         if id(strip) not in solids:
             solids[id(strip)] = BentSolid.layers(strip)
         colors = tuple(sheet_color(sheet) for sheet in bent_sheets(strip))
-        strips.append(AssemblyPart(name, solids[id(strip)], colors, one.frame, strip))
+        strips.append(AssemblyPart(name, solids[id(strip)], colors, member.frame, strip))
     return (*_numbered(strips), *_numbered([_holder_part(holder) for holder in single_holders(holders)]))
 
 
@@ -206,13 +206,15 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
 def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple[StripEnd, ...]]:
     """Return the supported ends without a holder, by the index of their strip in the model."""
     places = _held_at(model, holders)
-    found = {
+    by_hand = {
         i: tuple(
-            end for end in ENDS if not places[tab_name(model.name_of(i), end)] and _by_hand(one, end) != FREE
+            end
+            for end in ENDS
+            if not places[tab_name(model.name_of(i), end)] and _by_hand(strip, end) != FREE
         )
-        for i, one in enumerate(model.placed)
+        for i, strip in enumerate(model.placed)
     }
-    return {i: ends for i, ends in found.items() if ends}
+    return {i: ends for i, ends in by_hand.items() if ends}
 
 
 def _held_at(model: Model, holders: Iterable[Holder]) -> dict[str, list[str]]:
@@ -224,14 +226,14 @@ def _held_at(model: Model, holders: Iterable[Holder]) -> dict[str, list[str]]:
     return places
 
 
-def _by_hand(one: Placed, end: StripEnd) -> str:
+def _by_hand(member: Placed, end: StripEnd) -> str:
     """Return at which position and angle to hold an end without a holder."""
     k = ENDS.index(end)
-    support = one.strip.rod.supports.ends[k]
-    if one.strip.is_closed or not (support.x or support.y or support.angle):
+    support = member.strip.rod.supports.ends[k]
+    if member.strip.is_closed or not (support.x or support.y or support.angle):
         return FREE
-    x, y, z = PlacedTab.of(one.strip, end, one.frame).frame.origin
-    turned = f", {held_ends(one.strip)[k].tilt:z.1f} degrees from the line" if support.angle else ""
+    x, y, z = PlacedTab.of(member.strip, end, member.frame).frame.origin
+    turned = f", {held_ends(member.strip)[k].tilt:z.1f} degrees from the line" if support.angle else ""
     return f"hold at ({x:z.1f}, {y:z.1f}, {z:z.1f}){turned}"
 
 

@@ -102,23 +102,23 @@ def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
         Text((x, top + 2.0 + TICK_MM), f"{tip:.1f}: {size:.2f}", LETTER_MM, np.pi / 2)
         for x, tip, size in zip(s.tolist(), far.tolist(), sizes.tolist(), strict=True)
     )
-    told = tuple(
+    text_lines = tuple(
         Text((left, low - LINE_MM * row), line, LETTER_MM, 0.0, MARK)
-        for row, line in enumerate(_told(strip), start=1)
+        for row, line in enumerate(_label_lines(strip), start=1)
     )
-    return Drawing(strip.label, (*ticks, LayeredPath(CUT_OUTER, view)), (*texts, *told))
+    return Drawing(strip.label, (*ticks, LayeredPath(CUT_OUTER, view)), (*texts, *text_lines))
 
 
-def _told(strip: Strip) -> list[str]:
+def _label_lines(strip: Strip) -> list[str]:
     """Return the lines below a side view."""
     law, sheet = strip.layout.section, strip.sheet
     flat = law is not None and law.quantity == "thickness"
     stock = sheet.full_name.removesuffix(f" {sheet.thickness:g} mm")  # a sheet is given for its wood
     wide = f"{stock}, {strip.width.extremes[1]:g} mm wide: plane both faces alike"
-    told = wide if flat else f"{stock}, round: turn it to the diameters"
+    instruction = wide if flat else f"{stock}, round: turn it to the diameters"
     ticks = "full size, seen from the side; at a tick: mm from this tip, and the size there"
-    said = strip.label or "batten", told, str(tell_ends(strip)), ticks
-    return [engravable(line) for one in said for line in wrap(one, LETTERS)]
+    blocks = strip.label or "batten", instruction, str(tell_ends(strip)), ticks
+    return [engravable(line) for block in blocks for line in wrap(block, LETTERS)]
 
 
 ENDS = Supports("pinned", "pinned")
@@ -256,17 +256,17 @@ class BattenSpec:
         from scipy.optimize import least_squares
 
         def missed(x: FloatArray) -> FloatArray:
-            found = camber_of(_pressed(self, float(x[0]), float(x[1]), SEARCH_NODES))
-            return np.array(found) - (self.camber, self.place)
+            bow = camber_of(_pressed(self, float(x[0]), float(x[1]), SEARCH_NODES))
+            return np.array(bow) - (self.camber, self.place)
 
         # initial guess: linear effect of the taper on the place of the camber
         first = [6.0 * (0.5 - self.place), self._even_chord]
-        found = least_squares(
+        solution = least_squares(
             missed, first, bounds=([-4.0, 0.3], [4.0, 1.0 - 1e-6]), x_scale=[1.0, 0.1], ftol=None, gtol=None,
             xtol=1e-10, max_nfev=MOST_STEPS,
         )  # fmt: skip
-        if np.abs(found.fun).max() < SETTLED:
-            return float(found.x[0]), float(found.x[1])
+        if np.abs(solution.fun).max() < SETTLED:
+            return float(solution.x[0]), float(solution.x[1])
         raise NotConvergedError(
             f"no taper brings a camber of {100 * self.camber:g} % to {100 * self.place:g} % of the "
             "chord: move it nearer to the middle"

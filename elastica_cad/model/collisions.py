@@ -177,12 +177,12 @@ def _flush_overlap(first: Body, second: Body) -> Collision | None:
 
 def _deeper(first: Body, second: Body, room: float, least: float, *, is_flush: bool) -> Collision | None:
     """Return the deeper of the overlaps of the first strip in the second and of the second in the first."""
-    one, other = (
+    in_second, in_first = (
         _deepest(a, b, room, least, is_flush=is_flush) for a, b in ((first, second), (second, first))
     )
-    if other is not None and (one is None or other.depth > one.depth):
-        return Collision(other.places[::-1], other.depth, other.position)
-    return one
+    if in_first is not None and (in_second is None or in_first.depth > in_second.depth):
+        return Collision(in_first.places[::-1], in_first.depth, in_first.position)
+    return in_second
 
 
 def _deepest(a: Body, b: Body, room: float, least: float, *, is_flush: bool) -> Collision | None:
@@ -231,7 +231,7 @@ class _Meeting:
     is_flush: bool = False
     beside_slots: Collision | None = None
 
-    def told(self, more: str = "") -> str:
+    def message(self, more: str = "") -> str:
         """Return a sentence; `more` is the text on other pairs."""
         (a, b), (s, r) = self.names, map(Length, self.places)
         if self.beside_slots is not None:
@@ -271,18 +271,18 @@ def missing_slots(
     """
     meetings = _meetings(placed, joints)
     if brief:
-        return tuple(meeting.told(and_more(meetings, "pair")) for meeting in meetings[:1])
-    return tuple(meeting.told() for meeting in meetings)
+        return tuple(meeting.message(and_more(meetings, "pair")) for meeting in meetings[:1])
+    return tuple(meeting.message() for meeting in meetings)
 
 
 def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meeting]:
     """Return one place for each pair of strips that overlap outside slots."""
-    names, bodies = strip_names(placed), [Body.of(one) for one in placed]
-    narrower = [replace(body.ruled, width=_within_edges(one.strip.width))
-                for body, one in zip(bodies, placed, strict=True)]  # fmt: skip
-    meeting = strips_may_meet(narrower, np.array([strip_thickness(one.strip) / 2 for one in placed]))
+    names, bodies = strip_names(placed), [Body.of(strip) for strip in placed]
+    narrower = [replace(body.ruled, width=_within_edges(member.strip.width))
+                for body, member in zip(bodies, placed, strict=True)]  # fmt: skip
+    meeting = strips_may_meet(narrower, np.array([strip_thickness(member.strip) / 2 for member in placed]))
     slotted = _rooms(placed, joints)
-    found = []
+    meetings = []
     clear: set[tuple[float, ...]] = set()
     for i, j in combinations(range(len(placed)), 2):
         pair, strips = (names[i], names[j]), (placed[i].strip, placed[j].strip)
@@ -295,15 +295,15 @@ def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meetin
             if (hit := deepest_collision(bodies[i], bodies[j], slotted[i, j])) is None:
                 clear.add(alike)
             else:
-                found.append(_Meeting(pair, hit.places, beside_slots=hit))
+                meetings.append(_Meeting(pair, hit.places, beside_slots=hit))
         elif meeting[i, j]:
             if (places := _crossing(strips, (narrower[i], narrower[j]))) is not None:
-                found.append(_Meeting(pair, places))
+                meetings.append(_Meeting(pair, places))
             elif (hit := _flush_overlap(bodies[i], bodies[j])) is not None and not _slotted(
                 strips, *np.array(hit.places)[:, None]
             ):
-                found.append(_Meeting(pair, hit.places, is_flush=True))
-    return found
+                meetings.append(_Meeting(pair, hit.places, is_flush=True))
+    return meetings
 
 
 def _rooms(placed: Sequence[Placed], joints: Iterable[Joint]) -> dict[tuple[int, int], float]:

@@ -248,10 +248,10 @@ def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
     m = np.eye(3)
     m[:2] = np.column_stack([moved.x_axis[:2], moved.y_axis[:2], moved.origin[:2]])
     first, second = Spline(a.curve), Spline(b.curve.transformed(m))
-    found = segment_crossings(first, second)
+    crossings = segment_crossings(first, second)
     offset = float(moved.origin[2])
     reach = a.width.extremes[1] + b.width.extremes[1] + abs(offset)
-    x, y = np.array(found, dtype=float).reshape(-1, 2).T
+    x, y = np.array(crossings, dtype=float).reshape(-1, 2).T
     s_a = a.curve.arc_length(first.parameter(x)) * a.length / a.curve.length
     s_b = b.curve.arc_length(Spline(b.curve).parameter(y)) * b.length / b.curve.length
     return [Ruling((a, b), float(s), float(r), offset, sign, reach) for s, r in zip(s_a, s_b, strict=True)]
@@ -376,18 +376,18 @@ def _monotone(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, Fl
     if np.abs(slope).max() < LEVEL_SLOPE:
         return [(s, np.full(s.size, height.mean()))]
     turns = np.flatnonzero((slope[:-1] < 0) != (slope[1:] < 0))
-    found = _bracketed_zeros(
+    zeros = _bracketed_zeros(
         lambda x: heights.along(strip, x)[1], s[turns], s[turns + 1], values=(slope[turns], slope[turns + 1])
     )
-    top = heights.along(strip, found)[0]
+    top = heights.along(strip, zeros)[0]
     stretches = []
     stops = [-1, *turns.tolist(), s.size - 1]
     for i, (before, after) in enumerate(pairwise(stops)):
         row, c = s[before + 1 : after + 1], height[before + 1 : after + 1]
         if i > 0:
-            row, c = np.append(found[i - 1], row), np.append(top[i - 1], c)
+            row, c = np.append(zeros[i - 1], row), np.append(top[i - 1], c)
         if i < turns.size:
-            row, c = np.append(row, found[i]), np.append(c, top[i])
+            row, c = np.append(row, zeros[i]), np.append(c, top[i])
         stretches.append((row, c))
     return stretches
 
@@ -579,10 +579,10 @@ def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
 
     Points are solved by Newton's method to rounding error. A stretch ends at an edge or end of one of the strips.
     """
-    found = []
+    crossings = []
     for locus in _intersect_surfaces(a, b):
-        found += [Crossing((a, b), locus, *run) for run in _runs((a, b), locus)]
-    return tuple(found)
+        crossings += [Crossing((a, b), locus, *run) for run in _runs((a, b), locus)]
+    return tuple(crossings)
 
 
 def _runs(strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve) -> list[tuple[float, float]]:

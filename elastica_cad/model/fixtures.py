@@ -104,8 +104,8 @@ class PlacedTab:
 def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
     """Return the tabs of all strips at these ends, strip by strip, with names from the strips."""
     return [
-        PlacedTab.of(one.strip, end, one.frame, name=name)
-        for one, name in zip(placed, strip_names(placed), strict=True)
+        PlacedTab.of(member.strip, end, member.frame, name=name)
+        for member, name in zip(placed, strip_names(placed), strict=True)
         for end in ends
     ]
 
@@ -113,8 +113,8 @@ def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> lis
 def tabs_to_hold(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
     """Return the placed tabs for holders, or raise InputError for strips that no holder fits."""
     require_ends(ends)
-    for one, name in zip(require_placed(placed), strip_names(placed), strict=True):
-        _require_holdable(one.strip, name)
+    for member, name in zip(require_placed(placed), strip_names(placed), strict=True):
+        _require_holdable(member.strip, name)
     return place_tabs(placed, ends)
 
 
@@ -442,17 +442,19 @@ def end_fixtures(
     Without `floor`, blocks of strips with a vertical plane share one horizontal floor below the lowest block. The
     floor of every other block is perpendicular to its tab.
     """
-    refuse_unknown(sizes, {one.name for one in fields(EndFixture)} - {"tab", "floor", "engrave"}, "a fixture")
+    refuse_unknown(
+        sizes, {field.name for field in fields(EndFixture)} - {"tab", "floor", "engrave"}, "a fixture"
+    )
     placed = require_placed(placed)
     tabs = tabs_to_hold(placed, ends)
-    of_tabs = [(one.strip, end) for one in placed for end in ends]
+    of_tabs = [(member.strip, end) for member in placed for end in ends]
     held = [(tab, *of) for tab, of in zip(tabs, of_tabs, strict=True) if tab.length > 0]
     if floor is not None:
         grounds: list[Frame | None] = [floor] * len(held)
     else:
         upright = [abs(tab.frame.y_axis[2]) <= LEVEL for tab, _, _ in held]
         trial = [EndFixture(tab, None, engrave=None, **sizes) for tab, _, _ in held]
-        corners = [one.lowest_height for one, stands in zip(trial, upright, strict=True) if stands]
+        corners = [fixture.lowest_height for fixture, stands in zip(trial, upright, strict=True) if stands]
         ground = Frame((0.0, 0.0, min(corners))) if corners else None
         grounds = [ground if stands else None for stands in upright]
     return tuple(
@@ -492,22 +494,22 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
     ]
     crossed = [
         note("{strip} would run through the printed block of {tab}", strip=name, tab=blocks[k].tab.name)
-        for name, one in zip(strip_names(placed), placed, strict=True)
-        for k in _crossed(one, blocks, parts)
+        for name, strip in zip(strip_names(placed), placed, strict=True)
+        for k in _crossed(strip, blocks, parts)
     ]
-    told = []
+    messages = []
     if pairs:
-        told.append(note(
+        messages.append(note(
             "the printed blocks of {pair}{more} would stand in each other: end these strips farther apart, "
             "make wall and foot smaller, or hold fewer of the ends by blocks (strips, ends)",
             pair=pairs[0], more=and_more(pairs, "pair"),
         ))  # fmt: skip
     if crossed:
-        told.append(note(
+        messages.append(note(
             "{crossed}{more}: end them farther apart, or hold fewer of the ends by blocks (strips, ends)",
             crossed=crossed[0], more=and_more(crossed, "place"),
         ))  # fmt: skip
-    return tuple(told)
+    return tuple(messages)
 
 
 def _crossed(placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Sequence["_Prism"]]) -> list[int]:

@@ -52,16 +52,16 @@ def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
 
 def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
     """Return the seat of each tab that is held with play, by the tab's position; two plates form one seat."""
-    found: dict[Key, TabSeat] = {}
+    seats: dict[Key, TabSeat] = {}
     for tab, seat in _seated(holders):
-        before = found.get(tab.key)
+        before = seats.get(tab.key)
         if before is not None:
             left, right = np.concatenate([before.left, seat.left]), np.concatenate([before.right, seat.right])
             both = note("{one} and {other}", one=before.name, other=seat.name.split()[-1])
-            found[tab.key] = TabSeat(left, right, seat.thickness, both)
+            seats[tab.key] = TabSeat(left, right, seat.thickness, both)
         else:
-            found[tab.key] = seat
-    return found
+            seats[tab.key] = seat
+    return seats
 
 
 def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
@@ -100,12 +100,12 @@ def held_shapes(placed: Sequence[Placed], holders: Iterable[object] = ()) -> tup
     NotConvergedError
         A strip has no equilibrium.
     """
-    found = []
+    shapes = []
     for shape in hold_each(placed, holders):
         if isinstance(shape, NotConvergedError):
             raise shape
-        found.append(shape)
-    return tuple(found)
+        shapes.append(shape)
+    return tuple(shapes)
 
 
 def hold_each(
@@ -114,20 +114,20 @@ def hold_each(
     """Yield the held shape of each strip, or the error if it has no equilibrium; equal cases are computed once."""
     placed = require_placed(placed)
     seats, known = tab_seats(holders), dict[object, HeldShape | NotConvergedError]()
-    for one in placed:
-        start, end = (_seat_of(seats, one, k) for k in ENDS)
-        alike = cut_key(one.strip), *(None if seat is None else seat.places for seat in (start, end))
+    for member in placed:
+        start, end = (_seat_of(seats, member, k) for k in ENDS)
+        alike = cut_key(member.strip), *(None if seat is None else seat.places for seat in (start, end))
         if alike not in known:
             try:
-                known[alike] = one.strip.held(start, end)
+                known[alike] = member.strip.held(start, end)
             except NotConvergedError as problem:
                 known[alike] = problem
         yield known[alike]
 
 
-def _seat_of(seats: Mapping[Key, TabSeat], one: Placed, end: StripEnd) -> TabSeat | None:
+def _seat_of(seats: Mapping[Key, TabSeat], member: Placed, end: StripEnd) -> TabSeat | None:
     """Return the seat of an end of a placed strip, or None if the end has no holder."""
-    return seats.get(PlacedTab.of(one.strip, end, one.frame).key)
+    return seats.get(PlacedTab.of(member.strip, end, member.frame).key)
 
 
 ROCKING_RAD = np.radians(3.0)
@@ -139,17 +139,17 @@ NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
 
 def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
     """Return one sentence for each holder with the largest shift and rotation of its tabs."""
-    placed, holders, told = require_placed(placed), _require_holders(holders), []
+    placed, holders, messages = require_placed(placed), _require_holders(holders), []
     for name, held in _by_holder(placed, holders).items():
         turn = max(np.degrees(np.ptp(seat.turning)) for _, _, seat in held)
         room = max(seat.room for _, _, seat in held)
         if room < NO_PLAY_MM and turn < NO_PLAY_DEGREES:
-            told.append(
+            messages.append(
                 note("{name} leaves its tabs no play: they bend a little between its edges", name=name)
             )
         else:
             across = 0.0 if room < NO_PLAY_MM else room
-            told.append(note(
+            messages.append(note(
                 "{name} leaves its tabs {across:.2g} across and {turn:.2g} degrees to turn",
                 name=name, across=Length(across), turn=turn,
             ))  # fmt: skip
@@ -157,31 +157,33 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
         lies_on_ring = isinstance(holder, Ring) and bool(holder.seats)
         if isinstance(holder, BasePlate) and (holder.glued or lies_on_ring):
             text = "{name} leaves its tabs no play: they are glued at their angle"
-            told.append(note(text, name=holder.name))
-    return tuple(told)
+            messages.append(note(text, name=holder.name))
+    return tuple(messages)
 
 
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
     """Return one sentence for each holder with rocking tabs: the worst tab, its strip's shape, and a suggestion."""
-    placed, holders, told = require_placed(placed), _require_holders(holders), []
+    placed, holders, messages = require_placed(placed), _require_holders(holders), []
     names = dict(zip(map(id, placed), distinct_names(placed), strict=True))
     for holder, held in _by_holder(placed, holders).items():
-        rocking = [one for one in held if np.ptp(one[2].turning) > 2 * ROCKING_RAD]
+        rocking = [place for place in held if np.ptp(place[2].turning) > 2 * ROCKING_RAD]
         if rocking:
-            one, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
-            toward, away = _tipping(one, end, seat)
-            told.append(note(
+            strip, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
+            toward, away = _tipping(strip, end, seat)
+            messages.append(note(
                 "{strip}{more}: in the {holder} its {end} can tip {toward:.0f} degrees towards the other end and "
                 "{away:.0f} away from it, and does not hold the drawn angle; {shape}; {cure}",
-                strip=names[id(one)], more=and_more(rocking), holder=holder, end=end, toward=toward, away=away,
-                shape=_shape(one, tab_seats(holders)), cure=_cure(one, end, holders), severity="warning",
+                strip=names[id(strip)], more=and_more(rocking), holder=holder, end=end, toward=toward, away=away,
+                shape=_shape(strip, tab_seats(holders)), cure=_cure(strip, end, holders), severity="warning",
             ))  # fmt: skip
-    return tuple(told)
+    return tuple(messages)
 
 
-def _tipping(one: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float]:
+def _tipping(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float]:
     """Return the angles, degrees, by which a strip can tip in a seat towards its other end and away from it."""
-    own, other = (PlacedTab.of(one.strip, k, one.frame).frame for k in sorted(ENDS, key=lambda k: k != end))
+    own, other = (
+        PlacedTab.of(member.strip, k, member.frame).frame for k in sorted(ENDS, key=lambda k: k != end)
+    )
     right, left = np.abs(np.degrees(seat.turning))
     # where the tab turns to the left of the curve, the strip before it turns to the right, which is its z axis
     lies_right = (other.origin - own.origin) @ own.z_axis > 0
@@ -192,31 +194,31 @@ def _by_holder(
     placed: Sequence[Placed], holders: Iterable[object]
 ) -> dict[str, list[tuple[Placed, StripEnd, TabSeat]]]:
     """Return strips, ends and seats by the name of their holder."""
-    seats, found = tab_seats(holders), dict[str, list[tuple[Placed, StripEnd, TabSeat]]]()
-    for one in placed:
+    seats, groups = tab_seats(holders), dict[str, list[tuple[Placed, StripEnd, TabSeat]]]()
+    for strip in placed:
         for end in ENDS:
-            seat = _seat_of(seats, one, end)
+            seat = _seat_of(seats, strip, end)
             if seat is not None:
-                found.setdefault(seat.name, []).append((one, end, seat))
-    return found
+                groups.setdefault(seat.name, []).append((strip, end, seat))
+    return groups
 
 
-def _shape(one: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
+def _shape(member: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
     """Return a sentence about the shape of a strip in its seats."""
     try:
-        strayed = one.strip.held(*(_seat_of(seats, one, end) for end in ENDS)).deviation
+        strayed = member.strip.held(*(_seat_of(seats, member, end) for end in ENDS)).deviation
     except NotConvergedError:
         return note("the strip finds no rest in it")
     return note(
         "the strip strays {far:.2g} so, {percent:.2g} % of its length",
         far=Length(strayed),
-        percent=100 * strayed / one.strip.rod.length,
+        percent=100 * strayed / member.strip.rod.length,
     )
 
 
-def _cure(one: Placed, end: StripEnd, holders: Sequence[object]) -> str:
+def _cure(member: Placed, end: StripEnd, holders: Sequence[object]) -> str:
     """Return a suggestion for holding a tab: two plates instead of a single plate, or another fixture."""
-    key = PlacedTab.of(one.strip, end, one.frame).key
+    key = PlacedTab.of(member.strip, end, member.frame).key
     others = note("end fixtures or feet ({field} = 10) glued at its angle", field=FieldName("feet"))
     lengths = [
         needed_length(slot.tab, plate, GAP_MM)
@@ -226,7 +228,7 @@ def _cure(one: Placed, end: StripEnd, holders: Sequence[object]) -> str:
     ]
     if len(lengths) != 1:
         return note("use {others}", others=others)
-    long = max(*lengths, *(tab.length for tab in one.strip.ends))
+    long = max(*lengths, *(tab.length for tab in member.strip.ends))
     return note(
         "use two plates ({field} = {gap:g}) and tabs of {length:.0f}, or {others}",
         field=FieldName("gap"), gap=GAP_MM, length=Length(long), others=others,

@@ -56,7 +56,8 @@ def _bent_slot_width(
     tangents = other.motion(mates[:, 0])[1]
     slopes = np.stack([ways, -tangents, -np.broadcast_to(other.axis, tangents.shape)], axis=2)
     inverse, rows, mates, across = (
-        np.tile(one, (4, *[1] * (one.ndim - 1))) for one in (np.linalg.inv(slopes), rows, mates, across)
+        np.tile(matrix, (4, *[1] * (matrix.ndim - 1)))
+        for matrix in (np.linalg.inv(slopes), rows, mates, across)
     )
     z = np.repeat(list(product((-0.5, 0.5), repeat=2)), len(along), axis=0) * thickness
     x = np.zeros((len(rows), 3))  # across the slot, and along and across the other strip
@@ -199,7 +200,7 @@ def interlock(
     up = None if above is None else direction(above, "above")
     ruled = [RuledStrip(p.strip.rod.curve, p.frame, p.strip.width) for p in placed]
     names = distinct_names(placed)
-    cutter = _Cutter(tuple(one.strip for one in placed), names, clearance, fit, relief, up)
+    cutter = _Cutter(tuple(strip.strip for strip in placed), names, clearance, fit, relief, up)
     joints: list[Joint] = []
     meeting = strips_may_meet(ruled)
     for i, j in _checked_pairs(len(placed), pairs):
@@ -239,13 +240,13 @@ def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[
 def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[tuple[int, int]]:
     if pairs is None:
         return list(combinations(range(count), 2))
-    found = []
+    checked = []
     for pair in tuple(pairs) if is_series(pairs) else (pairs,):
         two = isinstance(pair, Sequence) and len(pair) == 2 and all(map(is_whole, pair))
         if not two or pair[0] == pair[1] or not all(0 <= place < count for place in pair):
             raise InputError(f"pair {pair!r}: name two different strips by their places 0 to {count - 1}")
-        found.append((min(pair), max(pair)))
-    return sorted(set(found))
+        checked.append((min(pair), max(pair)))
+    return sorted(set(checked))
 
 
 def place_between(first: Frame, second: Frame) -> tuple[float, ...]:
@@ -273,23 +274,23 @@ class _Cutter:
     ) -> tuple[Joint, ...]:
         """Return all joints of two strips."""
         above = None if self.above is None else tuple(self.above.tolist())
-        asked = members, [self.names[i] for i in members], self.clearance, self.fit, self.relief, above
+        request = members, [self.names[i] for i in members], self.clearance, self.fit, self.relief, above
         known = _joined.setdefault(placed[0], WeakKeyDictionary())
-        before, found = known.get(placed[1], (None, ()))
-        if before != asked:
+        before, joints_of_pair = known.get(placed[1], (None, ()))
+        if before != request:
             frame, mate = placed[0].frame, placed[1].frame
             up = (
                 None if self.above is None else tuple(np.round(frame.axes @ self.above, TURN_DIGITS).tolist())
             )
-            alike = *(cut_key(one.strip) for one in placed), *place_between(frame, mate), up
+            alike = *(cut_key(member.strip) for member in placed), *place_between(frame, mate), up
             if alike not in self.crossed:
                 crossings = strip_crossings(*ruled)
                 self.refuse_touching(members, ruled, crossings)
                 self.crossed[alike] = [self.joint(members, crossing) for crossing in crossings], frame
             joints, first = self.crossed[alike]
-            found = tuple(self.repeated(joint, members, (first, frame)) for joint in joints)
-            known[placed[1]] = asked, found
-        return found
+            joints_of_pair = tuple(self.repeated(joint, members, (first, frame)) for joint in joints)
+            known[placed[1]] = request, joints_of_pair
+        return joints_of_pair
 
     def repeated(self, joint: Joint, members: tuple[int, int], frames: tuple[Frame, Frame]) -> Joint:
         """Return the joint moved to an equal pair of strips, from the frame of a first strip to another frame."""
@@ -410,7 +411,7 @@ def _reports(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
     for joint in joints:
         if joint.angle[0] < SHALLOW_RAD:
             shallow.setdefault(joint.members, []).append(joint)
-    found = []
+    messages = []
     for (i, j), group in shallow.items():
         a, b = names[i], names[j]
         places = Listed(Length(joint.slots[0].at) for joint in group)
@@ -418,13 +419,13 @@ def _reports(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
             float(np.max(slot.widths)) for joint in group for slot in joint.slots if slot.widths is not None
         )
         degrees = np.degrees(min(joint.angle[0] for joint in group))
-        found.append(note(
+        messages.append(note(
             "{a} and {b} cross at {degrees:.3g} degrees at {places} of {a}: the slots are up to {width} "
             "wide; a larger angle would hold better",
             a=a, b=b, degrees=degrees, places=places, width=Length(width),
         ))  # fmt: skip
-    told = _assembly(names, joints) if joints else note("no two strips cross: interlocking cut no slot")
-    return (*found, told)
+    order = _assembly(names, joints) if joints else note("no two strips cross: interlocking cut no slot")
+    return (*messages, order)
 
 
 def _assembly(names: Sequence[str], joints: list[Joint]) -> str:
@@ -432,7 +433,7 @@ def _assembly(names: Sequence[str], joints: list[Joint]) -> str:
     sides: dict[int, set[str]] = {}
     for joint in joints:
         sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)
-    both = [names[i] for i, found in sorted(sides.items()) if len(found) > 1]
+    both = [names[i] for i, edges in sorted(sides.items()) if len(edges) > 1]
     text = note("assembly: {order}; push each strip onto those before it", order=", ".join(names))
     if both:
         last = note("{strips} must be threaded in, being held from both edges", strips=", ".join(both))

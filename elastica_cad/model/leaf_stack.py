@@ -54,7 +54,7 @@ class LeafStack:
         """
         pitch = float(np.ptp(self.strip.outline.bounds[:, 1])) + APART_MM
         moved = [
-            one.transformed(np.array([[1, 0, 0], [0, 1, -i * pitch], [0, 0, 1]]))
-            for i, one in enumerate(self.strip.drawings())
+            path.transformed(np.array([[1, 0, 0], [0, 1, -i * pitch], [0, 0, 1]]))
+            for i, path in enumerate(self.strip.drawings())
         ]
         return Drawing.merged(self.strip.label or "stack", moved)

@@ -162,7 +162,7 @@ def mirror(
     """Return the mirror images in the plane through `point` with this normal, after the originals if kept."""
     n, p = direction(normal, "the normal of a mirror"), three(point, "the point of a mirror")
     turn = np.eye(3) - 2 * np.outer(n, n)
-    images = tuple(one.moved(turn, 2 * (p @ n) * n) for one in placed)
+    images = tuple(strip.moved(turn, 2 * (p @ n) * n) for strip in placed)
     return (*placed, *images) if keep else images
 
 
@@ -183,7 +183,7 @@ def rotate(
     copies = list(placed)
     for i in range(1, count):
         turn = np.eye(3) + np.sin(i * angle) * cross + (1 - np.cos(i * angle)) * cross @ cross
-        copies += [one.moved(turn, p - turn @ p) for one in placed]
+        copies += [strip.moved(turn, p - turn @ p) for strip in placed]
     return tuple(copies)
 
 
@@ -195,7 +195,7 @@ def repeat(
     """Return `count` copies of the strips, `step` (3,) mm apart; the first copy is the original."""
     _require_count(count, len(placed))
     d = three(step, "the step of a pattern")
-    return tuple(one.moved(np.eye(3), i * d) for i in range(count) for one in placed)
+    return tuple(strip.moved(np.eye(3), i * d) for i in range(count) for strip in placed)
 
 
 def _require_count(count: int, of: int) -> None:
@@ -303,12 +303,12 @@ class Model:
         Options and errors are the same as for `model.interlock`: clearance, fit, relief, pairs, above.
         """
         refuse_options_unlike(options, interlock, "interlock")
-        found = interlock(self.placed, **options)
+        locked = interlock(self.placed, **options)
         return replace(
             self,
-            placed=found.placed,
-            joints=(*self.joints, *found.joints),
-            reports=(*self.reports, *found.reports),
+            placed=locked.placed,
+            joints=(*self.joints, *locked.joints),
+            reports=(*self.reports, *locked.reports),
         )
 
     @property
@@ -407,13 +407,13 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
         # slots are cut again, because slots of the previous round may not reach the new edges
         known: dict[Any, Strip] = {}
         strips = list(model.strips)
-        for k, (one, cut) in enumerate(zip(model.strips, locked.strips, strict=True)):
-            if one.label not in which:
+        for k, (drawn, cut) in enumerate(zip(model.strips, locked.strips, strict=True)):
+            if drawn.label not in which:
                 continue
             alike = cut_key(cut), largest[k]
             if alike not in known:
                 known[alike] = compensate_widths(cut, largest=largest[k])
-            strips[k] = _widened(replace(one, correction=known[alike].correction), wider[k])
+            strips[k] = _widened(replace(drawn, correction=known[alike].correction), wider[k])
         locked = model.with_strips(strips).interlock(**options)
         lost = _lost(first, locked)
         left = ROUNDS if lost else left - 1
@@ -424,15 +424,15 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
                 largest[k] *= GENTLER
             else:
                 wider[k] *= narrower
-    told = tuple(
+    messages = tuple(
         note(
             "{strip} is {width:.4g} wide at most, not {asked:.4g}, so that it still locks into its neighbours",
-            strip=model.name_of(k), width=Length(strip.max_width), asked=Length(one.max_width),
+            strip=model.name_of(k), width=Length(strip.max_width), asked=Length(drawn.max_width),
         )
-        for k, (one, strip) in enumerate(zip(model.strips, locked.strips, strict=True))
-        if strip.max_width is not None and one.max_width is not None and strip.max_width > one.max_width
+        for k, (drawn, strip) in enumerate(zip(model.strips, locked.strips, strict=True))
+        if strip.max_width is not None and drawn.max_width is not None and strip.max_width > drawn.max_width
     )  # fmt: skip
-    return replace(locked, reports=(*locked.reports, *told))
+    return replace(locked, reports=(*locked.reports, *messages))
 
 
 def _widened(strip: Strip, scale: float) -> Strip:
@@ -448,16 +448,16 @@ def _lost(before: Model, after: Model) -> list[tuple[int, float]]:
     """
     gone = [(joint.members, [slot.at for slot in joint.slots]) for joint in before.joints]
     for joint in after.joints:
-        same = [one for one in gone if one[0] == joint.members]
+        same = [lost_joint for lost_joint in gone if lost_joint[0] == joint.members]
         if same:
-            gone.remove(min(same, key=lambda one: abs(one[1][0] - joint.slots[0].at)))
+            gone.remove(min(same, key=lambda lost_joint: abs(lost_joint[1][0] - joint.slots[0].at)))
     return [place for members, places in gone for place in zip(members, places, strict=True)]
 
 
 def _narrowed(lost: list[tuple[int, float]], before: Model, after: Model) -> dict[int, float]:
     """Return the largest ratio of old to new width of each strip at the joints that it lost."""
-    found: dict[int, float] = {}
+    scales: dict[int, float] = {}
     for k, at in lost:
         narrower = float(before.strips[k].width(at) / after.strips[k].width(at))
-        found[k] = max(1.0, narrower, found.get(k, 1.0))
-    return found
+        scales[k] = max(1.0, narrower, scales.get(k, 1.0))
+    return scales

@@ -152,10 +152,10 @@ def nest_pieces(
     Two-dimensional packing problems, EJOR 141, 2002). They are the exact bounds of the cut curves, so the curves
     also keep the margin.
     """
-    asked = Nesting(sheet_size, margin)
+    nesting = Nesting(sheet_size, margin)
     if kerf is not None:
         require_number(kerf, "the kerf", "mm")
-    width, height = map(float, asked.sheet_size)
+    width, height = map(float, nesting.sheet_size)
     groups: dict[Sheet, list[Piece]] = {}
     for piece in several("pieces", pieces, Piece, "Piece"):
         groups.setdefault(piece.sheet, []).append(piece)
@@ -207,13 +207,13 @@ def _nested_group(
 def _boxes(index: int, piece: Piece, margin: float, room: tuple[float, float], upright: bool) -> list[_Box]:
     """Return the orientations in which the piece fits the sheet."""
     x, y = (side + margin for side in piece.size)
-    found = []
+    boxes = []
     turns = {"along": (False,), "across": (True,)}.get(piece.sheet.grain, (False, True))  # grain is along x
     for turned in turns:
         long, wide = (y, x) if turned != upright else (x, y)
         if long <= room[0] + SLACK_MM and wide <= room[1] + SLACK_MM:
-            found.append(_Box(index, long, wide, turned))
-    return sorted(found, key=lambda box: _rounded(box.wide))
+            boxes.append(_Box(index, long, wide, turned))
+    return sorted(boxes, key=lambda box: _rounded(box.wide))
 
 
 def _packed(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float, float]) -> list[_Place]:

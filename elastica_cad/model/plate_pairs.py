@@ -81,9 +81,9 @@ def plate_pair(
     """
     sheet = Sheet.of(sheet)
     require_positive(gap, "the gap between two plates")
-    asked = options_by_name(PlateOptions, options, "a pair of plates")
-    upper = base_plate(placed, sheet, frame=frame, **vars(asked))
-    return _add_second(placed, upper, replace(asked, name=f"{upper.name}-lower"), gap)
+    plate_options = options_by_name(PlateOptions, options, "a pair of plates")
+    upper = base_plate(placed, sheet, frame=frame, **vars(plate_options))
+    return _add_second(placed, upper, replace(plate_options, name=f"{upper.name}-lower"), gap)
 
 
 def ring_pair(
@@ -119,11 +119,11 @@ def ring_pair(
         `ring_plate`.
     """
     require_positive(gap, "the gap between two plates")
-    asked = options_by_name(RingOptions, options, "a pair of rings", ("shape", "ends"))
+    ring_options = options_by_name(RingOptions, options, "a pair of rings", ("shape", "ends"))
     first = ring_plate(tabs, sheet, middle=middle, **options)
     if first.seats:
         return (first,)
-    return _add_second(placed, first, replace(asked, name=f"{first.name}-outer"), gap)
+    return _add_second(placed, first, replace(ring_options, name=f"{first.name}-outer"), gap)
 
 
 def _add_second(
@@ -172,19 +172,19 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
 
 def _leans(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, Lean]:
     """Return the shift and turn of the holder of each tab; equal ends are computed once."""
-    found, known = dict[Key, Lean](), dict[Hashable, Lean]()
-    for one in placed:
-        cut = cut_key(one.strip)
+    leans, known = dict[Key, Lean](), dict[Hashable, Lean]()
+    for member in placed:
+        cut = cut_key(member.strip)
         for index, end in enumerate(ENDS):
-            key = PlacedTab.of(one.strip, end, one.frame).key
+            key = PlacedTab.of(member.strip, end, member.frame).key
             if key in seats:
                 alike = cut, index, seats[key].places
                 if alike not in known:
-                    made = one.strip.as_made
+                    made = member.strip.as_made
                     ratio = made.tab_ratios(made.loaded)[index]
                     known[alike] = lean_against(made.loaded, index, seats[key], ratio)
-                found[key] = known[alike]
-    return found
+                leans[key] = known[alike]
+    return leans
 
 
 def _moved(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
@@ -255,17 +255,21 @@ def end_plates(
     >>> [(plate.name, plate.opening is not None) for plate in end_plates(lamp, Sheet.named("mdf-3"))]
     [('ring-start', True), ('ring-end', True)]
     """
-    sheet, asked = Sheet.of(sheet), options_by_name(RingOptions, options, "end plates")
-    groups = [tuple(asked.ends)] if together or len(asked.ends) == 1 else [(end,) for end in asked.ends]
-    names = [asked.name] if len(groups) == 1 else [f"{asked.name}-{end}" for (end,) in groups]
+    sheet, ring_options = Sheet.of(sheet), options_by_name(RingOptions, options, "end plates")
+    groups = (
+        [tuple(ring_options.ends)]
+        if together or len(ring_options.ends) == 1
+        else [(end,) for end in ring_options.ends]
+    )
+    names = [ring_options.name] if len(groups) == 1 else [f"{ring_options.name}-{end}" for (end,) in groups]
     if gap is not None:
         require_positive(gap, "the gap between two plates")
-    found: list[BasePlate] = []
+    plates: list[BasePlate] = []
     for group, name in zip(groups, names, strict=True):
-        plate = _plate(tabs_to_hold(placed, group), sheet, replace(asked, name=name))
-        outer = replace(asked, name=f"{name}-outer")
-        found += [plate] if gap is None else _add_second(placed, plate, outer, gap)
-    return tuple(found)
+        plate = _plate(tabs_to_hold(placed, group), sheet, replace(ring_options, name=name))
+        outer = replace(ring_options, name=f"{name}-outer")
+        plates += [plate] if gap is None else _add_second(placed, plate, outer, gap)
+    return tuple(plates)
 
 
 def facing_plates(placed: Sequence[Placed], sheet: Sheet, options: PlateOptions) -> tuple[BasePlate, ...]:
@@ -280,10 +284,12 @@ def facing_plates(placed: Sequence[Placed], sheet: Sheet, options: PlateOptions)
     outs = np.array([tab.frame.x_axis for tab in tabs])
     _, _, axes = np.linalg.svd(outs)
     way = outs @ axes[0] > 0
-    sides = [[tab for tab, one in zip(tabs, way, strict=True) if one == side] for side in (False, True)]
-    found = sorted((side for side in sides if side), key=lambda side: min(tab.tip[2] for tab in side))
+    sides = [
+        [tab for tab, is_first in zip(tabs, way, strict=True) if is_first == side] for side in (False, True)
+    ]
+    groups = sorted((side for side in sides if side), key=lambda side: min(tab.tip[2] for tab in side))
     called = (replace(options, name=f"{options.name}-{side}") for side in ("low", "high"))
-    return tuple(_plate(side, sheet, own) for side, own in zip(found, called, strict=False))
+    return tuple(_plate(side, sheet, own) for side, own in zip(groups, called, strict=False))
 
 
 def _plate(tabs: Sequence[PlacedTab], sheet: Sheet, options: PlateOptions) -> BasePlate:

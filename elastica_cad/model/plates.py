@@ -264,11 +264,11 @@ def base_plate(
         No tab reaches through the plate, a tab is too flat, slots meet or are far wider than their tabs, bridges
         are too thin, or an inclined strip wider than its tab runs into the plate. The message names the parts.
     """
-    asked = options_by_name(PlateOptions, options, "a base plate")
-    name, ends, sheet = asked.name, asked.ends, Sheet.of(sheet)
+    plate_options = options_by_name(PlateOptions, options, "a base plate")
+    name, ends, sheet = plate_options.name, plate_options.ends, Sheet.of(sheet)
     placed, ground = require_placed(placed), frame_or_plain(frame)
     require_ends(ends)
-    widths = [one.strip.end_widths[ENDS.index(end)] for one in placed for end in ends]
+    widths = [member.strip.end_widths[ENDS.index(end)] for member in placed for end in ends]
     tabs = tabs_to_hold(placed, ends)
     if not tabs:
         raise InputError("{name}: there is no strip for it to hold: name other strips or ends", name=name)
@@ -281,15 +281,15 @@ def base_plate(
             "where the strips end, give the strips longer tabs, or hold ends that come from below by "
             "rings"
         )
-    slots = [tab_slot(tab, ground, sheet.thickness, asked) for tab, _ in standing]
+    slots = [tab_slot(tab, ground, sheet.thickness, plate_options) for tab, _ in standing]
     deep = [
         (tab.name, _shoulder_depth(tab, wide, ground), tab.thickness)
         for tab, wide in standing
-        if wide > tab.width + 2 * asked.play
+        if wide > tab.width + 2 * plate_options.play
     ]
-    told = accept_faults(find_shoulder_faults(name, deep), asked.ignore_limits)
-    plate = plate_with(slots, sheet, ground, asked, BasePlate)
-    return replace(plate, warnings=(*told, *plate.warnings)) if told else plate
+    warnings = accept_faults(find_shoulder_faults(name, deep), plate_options.ignore_limits)
+    plate = plate_with(slots, sheet, ground, plate_options, BasePlate)
+    return replace(plate, warnings=(*warnings, *plate.warnings)) if warnings else plate
 
 
 def _shoulder_depth(tab: PlacedTab, wide: float, ground: Frame) -> float:
@@ -382,14 +382,14 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
         )
 
 
-def _gaps(one: FloatArray, others: FloatArray) -> FloatArray:
+def _gaps(first: FloatArray, others: FloatArray) -> FloatArray:
     """Return lower bounds (...,) of the distance, mm, between pairs of rectangles (..., 4, 2).
 
     The bound is exact where a side of one rectangle faces the other rectangle.
     """
-    own, theirs = _across(one), _across(others)
+    own, theirs = _across(first), _across(others)
     return np.asarray(
-        np.maximum(_apart(one @ own, others @ own), _apart(one @ theirs, others @ theirs)), dtype=float
+        np.maximum(_apart(first @ own, others @ own), _apart(first @ theirs, others @ theirs)), dtype=float
     )
 
 
@@ -530,8 +530,8 @@ def ring_plate(
         Tabs have no length, overlap, or are at an angle between 5 and 15 degrees; slots meet or are far wider than
         their tabs, or bridges are too thin to cut.
     """
-    sheet, asked = Sheet.of(sheet), options_by_name(RingOptions, options, "a ring", ("shape", "ends"))
-    name, tabs = asked.name, several("tabs", tabs, PlacedTab, "PlacedTab")
+    sheet, ring_options = Sheet.of(sheet), options_by_name(RingOptions, options, "a ring", ("shape", "ends"))
+    name, tabs = ring_options.name, several("tabs", tabs, PlacedTab, "PlacedTab")
     if not tabs:
         raise InputError(f"{name}: there is no tab for it to hold: give it PlacedTab records")
     first = tabs[0]
@@ -540,8 +540,8 @@ def ring_plate(
     height, rise = float(first.frame.origin[2]), float(first.frame.x_axis[2])
     if abs(rise) >= np.sin(FLATTEST_RAD):
         frame = _facing(height, up=rise < 0)
-        slots = [tab_slot(tab, frame, sheet.thickness, asked) for tab in tabs]
-        return plate_with(slots, sheet, frame, asked, Ring)
+        slots = [tab_slot(tab, frame, sheet.thickness, ring_options) for tab in tabs]
+        return plate_with(slots, sheet, frame, ring_options, Ring)
     if abs(rise) > np.sin(LYING_RAD):
         lean, steep, flat = np.degrees([np.arcsin(abs(rise)), FLATTEST_RAD, LYING_RAD])
         raise InputError(
@@ -564,9 +564,9 @@ def ring_plate(
     )
     loops = tuple(Path.polygon(seat) for seat in seats)
     seated = tuple(tab.name for tab in tabs)
-    outline, opening = _round(seats, np.zeros(2), asked.border)
+    outline, opening = _round(seats, np.zeros(2), ring_options.border)
     ring = Ring(sheet, frame, outline, (), name, (), opening, seats=loops, holes=holes, seated=seated)
-    return ring.checked(asked)
+    return ring.checked(ring_options)
 
 
 def _facing(height: float, *, up: bool) -> Frame:

@@ -99,12 +99,12 @@ def touching_widths(
     if count < 2:
         raise InputError("strips touch their neighbours: give two of them or more")
     require_flag(closed, "closed")
-    found = []
+    widths = []
     for i, (curve, frame) in enumerate(pairs):
         around = {(i - 1) % count, (i + 1) % count} if closed else {i - 1, i + 1} & set(range(count))
         bounds = [_bound((curve, frame), pairs[j], gap, (names[i], names[j])) for j in sorted(around)]
-        found.append(_width(curve, bounds, gap, names[i]))
-    return tuple(found)
+        widths.append(_width(curve, bounds, gap, names[i]))
+    return tuple(widths)
 
 
 def _bound(
@@ -131,8 +131,8 @@ def _width(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -
     """Return twice the smaller of the bounds, with a kink where the bounds cross."""
     breaks = [(b.s, max(b.continuity, 0)) for b in curve.breaks]
     if len(bounds) == 2:
-        one, two = bounds
-        a, b = one.a - two.a, one.b - two.b
+        first, two = bounds
+        a, b = first.a - two.a, first.b - two.b
         if np.hypot(*b) > PARALLEL:
             breaks += [(r.s, 0) for r in line_crossings(curve, a, b) if r.kind == "crossing"]
     inside = {s: c for s, c in sorted(breaks, reverse=True) if END_MM < s < curve.length - END_MM}
@@ -259,16 +259,18 @@ def revolve(
     ends = None if ends is None else pair_of_tabs(ends)
     if gap is not None:
         require_number(gap, "gap", "mm")
-    asked = _Request(strips, sheet, ends, rings, gap, shop, ignore_limits)
+    request = _Request(strips, sheet, ends, rings, gap, shop, ignore_limits)
     try:
-        placed, plates, told = asked.made(meridian)
+        placed, plates, reports = request.made(meridian)
     except InputError as problem:
-        works = _smallest_ring(meridian, asked) if meridian.at_pole else None
+        works = _smallest_ring(meridian, request) if meridian.at_pole else None
         if works is None:
             raise
-        said = f"{problem}".rstrip(".")
-        raise InputError(f"{said}; ring={works} is the smallest, in whole mm, that works here") from problem
-    return Model(placed, name=name, plates=plates, reports=told)
+        message = f"{problem}".rstrip(".")
+        raise InputError(
+            f"{message}; ring={works} is the smallest, in whole mm, that works here"
+        ) from problem
+    return Model(placed, name=name, plates=plates, reports=reports)
 
 
 @dataclass(frozen=True)
@@ -290,9 +292,9 @@ class _Request:
         turn = 2 * np.pi * np.arange(self.strips) / self.strips
         placed = tuple(Placed(strip, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn)
         refuse_broken(strip, self.ignore_limits)
-        told = accept_faults(find_strip_faults(strip, self.shop), self.ignore_limits)
+        warnings = accept_faults(find_strip_faults(strip, self.shop), self.ignore_limits)
         if self.rings is None:
-            return placed, (), told
+            return placed, (), warnings
         heights = strip.rod.position[:, 1]
         middle = float(heights.min() + heights.max()) / 2
         options: dict[str, Any] = {"middle": middle, "shop": self.shop, "ignore_limits": self.ignore_limits}
@@ -303,7 +305,7 @@ class _Request:
                 plates.append(ring_plate(tabs, self.rings, name=called, **options))
             else:
                 plates += ring_pair(placed, tabs, self.rings, gap=self.gap, name=called, **options)
-        return placed, tuple(plates), told
+        return placed, tuple(plates), warnings
 
     def _tabs(self, meridian: Meridian) -> tuple[Tab, Tab]:
         """Return straight tabs, narrower than the space between the planes to both neighbours.
@@ -341,12 +343,12 @@ class _Request:
         return first, last
 
 
-def _smallest_ring(meridian: Meridian, asked: _Request) -> int | None:
+def _smallest_ring(meridian: Meridian, request: _Request) -> int | None:
     """Return the smallest distance from the axis, in whole mm, at which strips and rings can be made, or None."""
 
     def works(ring: int) -> bool:
         try:
-            asked.made(meridian.to_ring(ring))
+            request.made(meridian.to_ring(ring))
         except InputError:
             return False
         return True

@@ -87,14 +87,14 @@ def rod_as_built(rod: Rod, layout: Layout, layers: Sequence[Layer]) -> Rod:
     return replace(made, weight=weight.scaled(beta=least / layout.bending_stiffness))
 
 
-def _stiffness_of_cells(rod: Rod, asked: FloatArray) -> FloatArray:
+def _stiffness_of_cells(rod: Rod, stiffness: FloatArray) -> FloatArray:
     """Return K (n,) at the nodes; if K jumps inside a cell, use the cell's mean compliance."""
     K = rod.stiffness.copy()
     half = rod.length / (rod.s.size - 1) / 2
     if rod.profile.steps:
         jumps = np.array([start for start, _ in rod.profile.steps])
         near = np.abs(rod.s[:, None] - jumps).min(axis=1) <= half
-        K[near] = 1 / _cell_means(1 / asked, rod.s.size)[near]
+        K[near] = 1 / _cell_means(1 / stiffness, rod.s.size)[near]
     return K
 
 
@@ -490,12 +490,12 @@ class StripAsMade:
         except NotConvergedError:
             return self.design
 
-    def held(self, seats: Seats, asked: "StripAsMade", tolerance: MakingTolerance) -> HeldShape:
+    def held(self, seats: Seats, uncorrected: "StripAsMade", tolerance: MakingTolerance) -> HeldShape:
         """Return the shape as held, with the effect of each single cause on the strip before any correction."""
         rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
-        parts = asked.parts(seats, poses)
+        parts = uncorrected.parts(seats, poses)
         corrected, holders = (
-            asked is not self,
+            uncorrected is not self,
             {_cause(k, seat) for k, seat in enumerate(seats) if seat is not None},
         )
         made_up_for = tuple(

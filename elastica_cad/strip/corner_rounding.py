@@ -99,9 +99,9 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
                 continue
             turns = [arcs.get(k) for k in ring.sides]
             if all(_is_inside(arc, gap, segments) for arc, gap in zip(turns, ring.gaps, strict=True)):
-                chain = [one for k, arc in zip(ring.sides, turns, strict=True) for one in (parts[k], arc)]
+                chain = [side for k, arc in zip(ring.sides, turns, strict=True) for side in (parts[k], arc)]
                 # ends of arcs are places where the sides are left
-                rounded[i] = Path([one for one in chain if one is not None], closed=True)
+                rounded[i] = Path([side for side in chain if side is not None], closed=True)
         left = following
     return rounded
 

@@ -395,7 +395,7 @@ def _parted(loop: Sequence[SegmentPart]) -> Iterator[list[SegmentPart]]:
     walk: list[SegmentPart] = []
     for piece in loop:
         walk.append(piece)
-        back = next((k for k, one in enumerate(walk) if one.start == piece.end), None)
+        back = next((k for k, side in enumerate(walk) if side.start == piece.end), None)
         if back is not None:
             yield walk[back:]
             del walk[back:]

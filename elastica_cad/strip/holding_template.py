@@ -128,8 +128,8 @@ def hole_places(ends: Sequence[HeldEnd]) -> tuple[FloatArray, FloatArray]:
     x, y = (last - first) / (np.linalg.norm(last - first) or 1.0)
     aside = np.array([[x, -y], [y, x]])
     start, end = (
-        np.reshape([one.position + hole.at * one.outward - first for hole in one.holes], (-1, 2)) @ aside
-        for one in ends
+        np.reshape([tab.position + hole.at * tab.outward - first for hole in tab.holes], (-1, 2)) @ aside
+        for tab in ends
     )
     return start, end
 

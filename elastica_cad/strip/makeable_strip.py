@@ -73,9 +73,9 @@ def _correct_widths(
     if closes(made):
         A, left = _without_motion(made.position[1:], A), _without_motion(made.position[1:], left)
     scale = float(np.abs(A).max()) * np.sqrt(len(A))
-    one = np.eye(basis.shape[1])
+    identity = np.eye(basis.shape[1])
     # the whole change must be small and smooth
-    whole = scale * np.concatenate([SMOOTHING * np.diff(one, n=2, axis=0), SIZE * one])
+    whole = scale * np.concatenate([SMOOTHING * np.diff(identity, n=2, axis=0), SIZE * identity])
     system, wanted = np.concatenate([A, whole]), np.concatenate([-left, -whole @ kept])
     from scipy.optimize import lsq_linear
 
@@ -85,8 +85,8 @@ def _correct_widths(
 def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
     """Return displacements (2 n, ...) of points (n, 2) without their rigid motion."""
     x, y = (position - position.mean(axis=0)).T
-    one, none = np.ones(x.size), np.zeros(x.size)
-    rigid = np.array([np.column_stack(row).ravel() for row in ((one, none), (none, one), (-y, x))])
+    ones, none = np.ones(x.size), np.zeros(x.size)
+    rigid = np.array([np.column_stack(row).ravel() for row in ((ones, none), (none, ones), (-y, x))])
     rigid /= np.linalg.norm(rigid, axis=1)[:, None]
     return np.asarray(moves - rigid.T @ (rigid @ moves))
 
@@ -138,7 +138,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
     clip = min(LARGEST_GUESS, largest)
     guess = np.clip(np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -clip, clip)
     drawn, guessed = (_held(strip, basis, start) for start in (np.zeros(basis.shape[1]), guess))
-    best = min(filter(None, (drawn, guessed)), key=lambda one: one.strayed, default=None)
+    best = min(filter(None, (drawn, guessed)), key=lambda candidate: candidate.strayed, default=None)
     if best is None:
         return strip
     step = 1.0
@@ -406,9 +406,9 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     rod = strip.rod
     turned = turns_along(rod.angle)
     turn = np.interp(s + lap / 2, rod.s, turned) - np.interp(s - lap / 2, rod.s, turned)
-    found: list[tuple[float, ...]] = []
+    places: list[tuple[float, ...]] = []
     for layer, most in zip(strip.layers, longest, strict=True):
-        for taken in (at for joints in found for at in joints):
+        for taken in (at for joints in places for at in joints):
             clear &= np.abs(s - taken) >= lap
         (first, _), (last, _) = layer.outline.bounds
         count = int(np.ceil(float(last - first) / most * (1 - 1e-12))) - 1
@@ -421,8 +421,8 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
                 count=count,
                 lap=Mm(lap),
             )
-        found.append(joints)
-    return Splice(strip, LapPlates(found[0], lap, found[1] if len(found) > 1 else ()))
+        places.append(joints)
+    return Splice(strip, LapPlates(places[0], lap, places[1] if len(places) > 1 else ()))
 
 
 def spliced(strip: Strip, shop: FabricationLimits) -> Splice | None:

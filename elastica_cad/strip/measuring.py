@@ -122,8 +122,8 @@ leave open
         expected = _measured(design.position)
         causes: dict[str, list[dict[str, float]]] = {}
         for k, cause in enumerate(owners):
-            found = _measured(design.position + moved[:, k])
-            causes.setdefault(cause, []).append({name: found[name] - expected[name] for name in expected})
+            lengths = _measured(design.position + moved[:, k])
+            causes.setdefault(cause, []).append({name: lengths[name] - expected[name] for name in expected})
         off = np.degrees(strip.tolerance.clamps + held.expected / design.length)
         uncertain = dict.fromkeys(LENGTHS, held.expected) | dict.fromkeys(ANGLES, float(off))
         return cls(
@@ -150,7 +150,7 @@ leave open
                 f"{', '.join(unknown) or 'an empty file'} is not among the expected measurements: give some "
                 f"of {', '.join(self.expected)}"
             )
-        said = [
+        messages = [
             note(
                 "{name}: {measured:.4g} measured, {expected:.4g} +/- {uncertain:.2g} expected",
                 name=name, measured=measured[name], expected=self.expected[name], uncertain=self.uncertain[name],
@@ -161,7 +161,7 @@ leave open
         off = weights * np.array([measured[name] - self.expected[name] for name in names])
         if np.abs(off).max() <= 1.0:
             return (
-                *said,
+                *messages,
                 note("all measurements are within the expected uncertainty of sheet, cut, clamps and model"),
             )
         best, amount, left = "", 0.0, 1.0
@@ -177,10 +177,10 @@ leave open
                 best, amount, left = cause, size, rest
         if left > 1 - EXPLAINED:
             return (
-                *said,
+                *messages,
                 note("no single cause explains the difference: measure again, and check sheet and side"),
             )
-        return (*said, note(MEANINGS[best], amount=amount))
+        return (*messages, note(MEANINGS[best], amount=amount))
 
 
 def _measured(position: FloatArray) -> dict[str, float]:

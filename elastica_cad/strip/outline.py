@@ -179,15 +179,18 @@ class Tab:
                     at=Length(hole.at),
                     length=Length(self.length),
                 )
-        for one, other in combinations(self.holes, 2):
-            if hypot(one.at - other.at, one.across - other.across) <= (one.diameter + other.diameter) / 2:
+        for first, second in combinations(self.holes, 2):
+            if (
+                hypot(first.at - second.at, first.across - second.across)
+                <= (first.diameter + second.diameter) / 2
+            ):
                 raise InputError(
                     "holes of {diameter:g} and {diameter_2:g}, {at:g} and {at_2:g} into the tab, meet: "
                     "move one of them",
-                    diameter=Length(one.diameter),
-                    diameter_2=Length(other.diameter),
-                    at=one.at,
-                    at_2=Length(other.at),
+                    diameter=Length(first.diameter),
+                    diameter_2=Length(second.diameter),
+                    at=first.at,
+                    at_2=Length(second.at),
                 )
 
     def mirrored(self) -> "Tab":
@@ -299,12 +302,12 @@ def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
     InputError
         The value is not a tab or a pair of tabs.
     """
-    found = several("ends", tabs, Tab, "Tab") * (2 if isinstance(tabs, Tab) else 1)
-    if len(found) != 2:
+    both = several("ends", tabs, Tab, "Tab") * (2 if isinstance(tabs, Tab) else 1)
+    if len(both) != 2:
         raise InputError(
-            f"ends are {counted(len(found), 'tab')}: give two, for the start and the end; Tab(0) means no tab"
+            f"ends are {counted(len(both), 'tab')}: give two, for the start and the end; Tab(0) means no tab"
         )
-    return found[0], found[1]
+    return both[0], both[1]
 
 
 Ends = tuple[Tab, Tab]

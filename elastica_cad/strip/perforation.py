@@ -131,10 +131,10 @@ class DiamondPattern:
         loops = [loop for _, loop in clear]
         if self.corner_radius > 0:
             rounded = rounded_where_they_fit(loops, self.corner_radius)
-            for (part, loop), found in zip(clear, rounded, strict=True):
-                if found is None and part.lost < part.length:
+            for (part, loop), rounded_loop in zip(clear, rounded, strict=True):
+                if rounded_loop is None and part.lost < part.length:
                     raise too_small_for(self.corner_radius, loop)
-            loops = [found for found in rounded if found is not None]
+            loops = [rounded_loop for rounded_loop in rounded if rounded_loop is not None]
         if self.arcs is not None:
             loops = [as_arcs(loop, self.arcs) for loop in loops]
         return tuple(loops)
@@ -153,7 +153,7 @@ class DiamondPattern:
         """Return the row for its j-th hole, or the parts of the row on both sides of slots."""
         left = [row]
         for cut in cuts:
-            left = [part for one in left for part in self._beside(one, j, cut)]
+            left = [part for piece in left for part in self._beside(piece, j, cut)]
         return left
 
     def _beside(self, row: "_Row", j: int, cut: Path) -> list["_Row"]:
@@ -489,18 +489,18 @@ class _Fit:
         rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes
         scale = self.highest if max_width is None else min(self.highest, rigidity * max_width / high)
         if self.rod.bending_stiffness is not None:
-            asked = self.rod.bending_stiffness
-            if asked > scale * (1 + SLACK):
+            stiffness = self.rod.bending_stiffness
+            if stiffness > scale * (1 + SLACK):
                 i = self.by_ligaments.highest_at
                 raise InputError(
                     "the rod's bending stiffness needs {needed:.4g} of material at {s:.1f}, but only "
                     "{given:.4g} fit: widen the outline or raise {field}",
                     field=MATERIAL_WIDTH,
-                    needed=Mm(asked * self.K[i] / rigidity),
+                    needed=Mm(stiffness * self.K[i] / rigidity),
                     s=Mm(self.s[i]),
                     given=Mm(scale * self.K[i] / rigidity),
                 )
-            scale = asked
+            scale = stiffness
         if scale < self.lowest * (1 - SLACK):
             way = (
                 note("raise {field}", field=MATERIAL_WIDTH)

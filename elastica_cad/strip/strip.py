@@ -590,7 +590,7 @@ class Strip:
         """Result of the strain rule for the worst of the strip's layers, and of tabs too narrow for their ends."""
         judged = [layer.judged(self._bends.place(layer.station)) for layer in self.strains]
         judged += [shoulder.verdict for shoulder in self._shoulders]
-        return max(judged, key=lambda one: (one.state, one.used))
+        return max(judged, key=lambda verdict: (verdict.state, verdict.used))
 
     @property
     def strain_warnings(self) -> tuple[str, ...]:

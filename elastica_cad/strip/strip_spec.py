@@ -766,7 +766,7 @@ class StripSpec(EqualByValue):
 
     def changed(self, **fields: Any) -> "StripSpec":
         """Return the request with other values of some fields."""
-        refuse_unknown(fields, {one.name for one in fields_of(self)}, "a strip")
+        refuse_unknown(fields, {option.name for option in fields_of(self)}, "a strip")
         return replace(self, **fields)
 
     def with_change(self, change: Change) -> "StripSpec | None":
@@ -787,7 +787,7 @@ class StripSpec(EqualByValue):
             return self.changed(sheet=self.material.with_thickness(change.value))
         if change.field == "lap":
             return self.changed(shop=replace(self.shop, lap=change.value))
-        if change.field not in {one.name for one in fields_of(self)}:
+        if change.field not in {option.name for option in fields_of(self)}:
             return None
         return self.changed(**{change.field: change.value})
 
@@ -822,7 +822,7 @@ def make_strip(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Strip:
     >>> round(make_strip(arch, "birch-plywood-0.8", max_width=30).width.extremes[1], 6)
     30.0
     """
-    refuse_unknown(fields, {one.name for one in fields_of(StripSpec)} - {"curve", "sheet"}, "a strip")
+    refuse_unknown(fields, {option.name for option in fields_of(StripSpec)} - {"curve", "sheet"}, "a strip")
     spec = StripSpec(curve, sheet, **fields)
     with told_in_python(spec.curve, spec.may_change):
         return spec.make()
