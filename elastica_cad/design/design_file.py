@@ -80,7 +80,9 @@ class Design:
         """Return the design with `ignore_limits`: parts that cannot be cut or handled are made, with a warning."""
         return replace(
             self,
-            entries=tuple(replace(one, spec=one.spec.changed(ignore_limits=True)) for one in self.entries),
+            entries=tuple(
+                replace(entry, spec=entry.spec.changed(ignore_limits=True)) for entry in self.entries
+            ),
             revolution=None if self.revolution is None else replace(self.revolution, ignore_limits=True),
             kit=replace(self.kit, ignore_limits=True),
         )
@@ -88,8 +90,10 @@ class Design:
     def nearest(self) -> "Design":
         """Return the design with strips that may leave their curves, as little as they must."""
         freed = (
-            one if one.spec.may_change else replace(one, spec=one.spec.changed(limits=Limits(), keep=Keep()))
-            for one in self.entries
+            entry
+            if entry.spec.may_change
+            else replace(entry, spec=entry.spec.changed(limits=Limits(), keep=Keep()))
+            for entry in self.entries
         )
         return replace(self, entries=tuple(freed))
 
@@ -131,7 +135,7 @@ class Design:
             placed, plates = [*surface.placed, *placed], surface.plates
         if failed and not placed:
             raise failed[0]
-        without = tuple(note("{said} This section is left out.", said=said) for said in map(str, failed))
+        without = tuple(note("{said} This section is left out.", said=reason) for reason in map(str, failed))
         model = Model(tuple(placed), self.name, reports=(*without, *self.reports), plates=plates)
         for kind, options in self.patterns:
             model = getattr(model, _PATTERNS[kind])(**options)
@@ -317,22 +321,22 @@ def _read_strips(
             if table.has("sections"):
                 from elastica_cad.design.sections_table import read_sections
 
-                sections, told = read_sections(_only_sections(table), reader, read_surface)
-                reports += told
+                sections, section_reports = read_sections(_only_sections(table), reader, read_surface)
+                reports += section_reports
             else:
                 sections = (None,) * table.count("count", 1)
         first = len(entries)
         for i, section in enumerate(sections, start=1):
             where = f"{table.where}, i = {i}" if len(sections) > 1 else table.where
-            one = Table(table.data, where, {**top.scope, "i": float(i)}, top)
+            strip_table = Table(table.data, where, {**top.scope, "i": float(i)}, top)
             try:
-                one.scope = one.within(table.data.get("let", {}))
+                strip_table.scope = strip_table.within(table.data.get("let", {}))
                 label = table.text("label", f"S{len(entries) + 1}").replace("{i}", str(i))
-                one.where = f"{where} ({label})"
-                entries.append(read_strip(one, label, reader, section))
+                strip_table.where = f"{where} ({label})"
+                entries.append(read_strip(strip_table, label, reader, section))
             except InputError as problem:
                 if section is None:
-                    slips.add(str(problem), one.where)
+                    slips.add(str(problem), strip_table.where)
                 else:
                     failed.append(problem)
         with slips.gathering():
@@ -407,8 +411,8 @@ def _likeness(entry: StripEntry) -> Any:
     numbers += [] if gravity is None else [[gravity.length, *gravity.direction]]
     digits = np.round(np.concatenate(numbers) / curve.length, SAME_DIGITS) + 0.0
     placed = ("curve", "frame", "gravity", "slots", "label", "engrave")
-    asked = [getattr(spec, one.name) for one in fields(spec) if one.name not in placed]
-    return digits.tobytes(), value_key(asked)
+    values = [getattr(spec, option.name) for option in fields(spec) if option.name not in placed]
+    return digits.tobytes(), value_key(values)
 
 
 def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
@@ -424,8 +428,8 @@ def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
 
 def _make(entry: StripEntry, *, slotted: bool) -> Strip:
     """Make a strip without its slots; errors name the strip, and slotted strips are compensated later."""
-    asked = entry.spec.compensate
-    spec = entry.spec.changed(slots=(), compensate=False if asked and slotted else asked)
+    compensate = entry.spec.compensate
+    spec = entry.spec.changed(slots=(), compensate=False if compensate and slotted else compensate)
     try:
         return spec.make()
     except (NotRealizable, InputError, NotConvergedError) as problem:

@@ -31,15 +31,15 @@ def tables() -> dict[str, Keys]:
     >>> tables()["point mass"]["mass"][1]
     'Mass that hangs there (g).'
     """
-    found: dict[str, Record] = {"design": DesignKeys}
+    records: dict[str, Record] = {"design": DesignKeys}
     waiting: list[Record] = [DesignKeys]
     while waiting:
-        for one in fields_of(waiting.pop()):
-            for inner in tables_in(written(one.kind)):
-                if title(inner) not in found:
-                    found[title(inner)] = inner
+        for entry in fields_of(waiting.pop()):
+            for inner in tables_in(written(entry.kind)):
+                if title(inner) not in records:
+                    records[title(inner)] = inner
                     waiting.append(inner)
-    return {name: _keys(record) for name, record in found.items()}
+    return {name: _keys(record) for name, record in records.items()}
 
 
 def _keys(record: Record) -> Keys:
@@ -47,7 +47,7 @@ def _keys(record: Record) -> Keys:
     kinds: Keys = (
         {} if word is None else {"kind": ({"enum": [word]}, str(record.__doc__).partition(".")[0] + ".")}
     )
-    return kinds | {one.name: _entry(one) for one in fields_of(record)}
+    return kinds | {entry.name: _entry(entry) for entry in fields_of(record)}
 
 
 @cache
@@ -64,7 +64,7 @@ def fragment(kind: Kind) -> Fragment:
     if kind.name == "table":
         assert kind.record is not None
         return {"$ref": f"#/definitions/{title(kind.record)}"}
-    inner = [fragment(written(one)) for one in kind.of]
+    inner = [fragment(written(part)) for part in kind.of]
     if kind.name == "names":
         return {"type": "object", "additionalProperties": inner[0]}
     if kind.name == "either":

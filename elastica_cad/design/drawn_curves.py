@@ -78,7 +78,7 @@ class Reshape:
     to: Annotated[Handles | None, Option("Where the handles go.", "mm")] = None
 
     def __post_init__(self) -> None:
-        own = [one for one in (self.handles, self.to) if one is not None]
+        own = [target for target in (self.handles, self.to) if target is not None]
         if bool(own) == bool(self.corners) or len(own) == 1:
             raise InputError(
                 "reshape must hold corners of the curve's box with their new places ({corners}), or four points "
@@ -275,19 +275,21 @@ def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneC
     if isinstance(given, str):
         return CurveOfFile(file=given).drawn(reader, table.place(key), table)
     curve = table.table(key)
-    found = [kind for kind in CURVES if kind in curve.data]
-    if len(found) != 1:
+    kinds = [kind for kind in CURVES if kind in curve.data]
+    if len(kinds) != 1:
         raise InputError(
             "{place} must hold one of file, x (with y and t), ellipse or spline, not {given}",
             place=curve.where,
             given=", ".join(curve.data) or "nothing",
         )
-    asked = reader.record(CURVES[found[0]], curve)
+    request = reader.record(CURVES[kinds[0]], curve)
     with curve.naming():
-        drawn: PlaneCurve = asked.drawn(reader, curve.where, curve)
-        return drawn if asked.reshape is None else asked.reshape.of(drawn)
+        drawn: PlaneCurve = request.drawn(reader, curve.where, curve)
+        return drawn if request.reshape is None else request.reshape.of(drawn)
 
 
 reads(
-    PlaneCurve, Kind("either", (Kind("text"), *(kind_of(one) for one in CURVES.values()))), read_drawn_curve
+    PlaneCurve,
+    Kind("either", (Kind("text"), *(kind_of(record) for record in CURVES.values()))),
+    read_drawn_curve,
 )

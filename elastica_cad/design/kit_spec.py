@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 def cutting_keys() -> dict[str, Field]:
     """Return the fields of `Cutting` by their keys: Python reserves the word `for`."""
-    return {"for" if one.name == "recipient" else one.name: one for one in declared(Cutting)}
+    return {"for" if option.name == "recipient" else option.name: option for option in declared(Cutting)}
 
 
 @dataclass(frozen=True)
@@ -193,7 +193,7 @@ class HolderSpec:
         from elastica_cad.model.plates import base_plate
 
         named = zip(model.placed, strip_names(model.placed), strict=True)
-        placed = [one for one, name in named if any(fnmatchcase(name, text) for text in self.strips)]
+        placed = [strip for strip, name in named if any(fnmatchcase(name, text) for text in self.strips)]
         if not placed:
             labels = ", ".join(dict.fromkeys(strip_names(model.placed)))
             raise InputError(

@@ -38,7 +38,7 @@ def measuring_record(measuring: Measuring) -> dict[str, Any]:
         "marks": list(measuring.marks),
         "expected": dict(measuring.expected),
         "uncertain": dict(measuring.uncertain),
-        "causes": {cause: [dict(one) for one in own] for cause, own in measuring.causes.items()},
+        "causes": {cause: [dict(change) for change in own] for cause, own in measuring.causes.items()},
         "shape": [list(point) for point in measuring.shape],
     }
 
@@ -126,7 +126,7 @@ def measuring_page(name: str, measuring: Measuring) -> Drawing:
     chord = Path([Line(points[0], points[-1])])
     drawn = Path([Line(a, b) for a, b in pairwise(points)])
     crosses = [Path([Line(at - reach, at + reach)]) for at in marks for reach in np.diag([2.0, 2.0])]
-    paths = [LayeredPath(ENGRAVE, drawn), *(LayeredPath(MARK, one) for one in (chord, *crosses))]
+    paths = [LayeredPath(ENGRAVE, drawn), *(LayeredPath(MARK, path) for path in (chord, *crosses))]
     texts = [Text((float(x) + 2, float(y) + 2), str(k), LETTER_MM) for k, (x, y) in enumerate(marks, 1)]
     places = ", ".join(f"{place:.1f}" for place in measuring.marks)
     lines = [f"{name}: measure it where it is held", f"marks 1, 2, 3 at {places} mm along the free part"]

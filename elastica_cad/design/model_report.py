@@ -100,11 +100,11 @@ def report_model(
 
 def _departure(strip: Strip, entry: StripEntry) -> dict[str, Any]:
     """Return the distance from the strip to its drawn curve, and from the curve to its section, mm."""
-    found = strip.rod.curve
-    told: dict[str, Any] = {"deviation": round_numbers(largest_deviation(entry.curve, found))}
+    curve = strip.rod.curve
+    departure: dict[str, Any] = {"deviation": round_numbers(largest_deviation(entry.curve, curve))}
     if entry.section:
-        told |= {"section": entry.section, "curve_off_section": round_numbers(entry.off_section)}
-    return told
+        departure |= {"section": entry.section, "curve_off_section": round_numbers(entry.off_section)}
+    return departure
 
 
 def _strip(strip: Strip) -> dict[str, Any]:
@@ -162,11 +162,11 @@ def compose_start_page(
         for file, what in files.items()
         if file not in pictures
     )
-    told = "".join(f"<p>{html_text(line)}</p>" for line in lines)
+    paragraphs = "".join(f"<p>{html_text(line)}</p>" for line in lines)
     warned = "".join(f"<li>{html_text(note)}</li>" for note in notes)
     return (
         f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{html_text(name)}</title>'
-        f"<style>{STYLE}</style></head><body><h1>{html_text(name)}</h1>{told}"
+        f"<style>{STYLE}</style></head><body><h1>{html_text(name)}</h1>{paragraphs}"
         f"{f'<h2>Before you cut</h2><ul>{warned}</ul>' if warned else ''}{shown}"
         f"<h2>Files</h2><table><tr><th>file</th><th>what it is</th></tr>{rows}</table></body></html>\n"
     )

@@ -193,7 +193,7 @@ class DesignKeys(SharedKeys):
 
 def read_kit(top: Table, reader: Reader) -> KitSpec:
     """Read from a whole design what is made beside the strips: holders, nesting, cutting, coupons."""
-    known = {one.name: one for one in fields_of(DesignKeys)}
+    known = {entry.name: entry for entry in fields_of(DesignKeys)}
 
     def given(key: str) -> dict[str, Any]:
         return {key: reader.value(known[key].kind, top, key)} if top.has(key) else {}

@@ -27,21 +27,21 @@ def read_pair(
         place.
     """
     path = require_file(path)
-    asked = parse_design(path)
-    changed = merged(asked, {"pair": changes}) if changes else asked
+    table = parse_design(path)
+    changed = merged(table, {"pair": changes}) if changes else table
     return pair_of(changed, path, read_curves)
 
 
 def read_cutting(path: Path, changes: Mapping[str, Any]) -> Cutting:
     """Read from a design file how cutting files are written, with `changes` of these keys."""
-    asked = parse_design(require_file(path))
-    return cutting_of(merged(asked, {"cut": changes}), str(path))
+    table = parse_design(require_file(path))
+    return cutting_of(merged(table, {"cut": changes}), str(path))
 
 
 def cutting_of(data: Mapping[str, Any], where: str = "") -> Cutting:
     """Make the record of the table [cut] from parsed tables."""
-    found: Cutting = Reader().record(Cutting, Table(data, where, {}).table("cut"))
-    return found
+    cutting: Cutting = Reader().record(Cutting, Table(data, where, {}).table("cut"))
+    return cutting
 
 
 def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> FlexureSpec:
@@ -56,7 +56,7 @@ def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> Fl
     if not top.has("pair"):
         raise InputError("{path} has no table [pair]: give two curves, or ask `elastica model`", path=path)
     top.scope = top.within(top.raw("let", {}))
-    found: FlexureSpec = Reader(own_sheets(top, path), path.parent, read_curves).record(
+    spec: FlexureSpec = Reader(own_sheets(top, path), path.parent, read_curves).record(
         FlexureSpec, top.table("pair")
     )
-    return found
+    return spec

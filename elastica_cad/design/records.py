@@ -123,12 +123,12 @@ WRITTEN: dict[Record, Kind] = {
 def written(kind: Kind) -> Kind:
     """Return the kind as a file writes it, with every form that a record may be written in."""
     if kind.name == "either":
-        found = [one for inner in kind.of for one in written(inner).alternatives]
-        return Kind("either", tuple(dict.fromkeys(found)))
+        alternatives = [alternative for inner in kind.of for alternative in written(inner).alternatives]
+        return Kind("either", tuple(dict.fromkeys(alternatives)))
     if kind.name == "table" and kind.record in WRITTEN:
         return WRITTEN[kind.record]
     if kind.name == "table" and kind.record in BY_KIND:
-        return Kind("either", tuple(kind_of(one) for one in BY_KIND[kind.record].values()))
+        return Kind("either", tuple(kind_of(record) for record in BY_KIND[kind.record].values()))
     return kind
 
 
@@ -139,20 +139,22 @@ def fields_of(record: Record) -> tuple[Field, ...]:
     different names, its function `FIELDS` returns the fields by key.
     """
     if (renamed := getattr(record, "FIELDS", None)) is not None:
-        return tuple(replace(one, name=key) for key, one in renamed().items())
+        return tuple(replace(entry, name=key) for key, entry in renamed().items())
     own, beside = declared(record), getattr(record, "BESIDE", None)
-    without = {*getattr(record, "WITHOUT", ()), *(one.name for one in own)}
-    return (*(one for one in (fields_of(beside) if beside else ()) if one.name not in without), *own)
+    without = {*getattr(record, "WITHOUT", ()), *(entry.name for entry in own)}
+    return (*(entry for entry in (fields_of(beside) if beside else ()) if entry.name not in without), *own)
 
 
 def word_of(record: Record) -> str | None:
     """Return the value of the key `kind` that selects a record, or None."""
-    return next((word for kinds in BY_KIND.values() for word, one in kinds.items() if one is record), None)
+    return next(
+        (word for kinds in BY_KIND.values() for word, other in kinds.items() if other is record), None
+    )
 
 
 def names_of(record: Record) -> list[str]:
     """Return the names of all keys of a record's table."""
-    return [*(["kind"] if word_of(record) else []), *(one.name for one in fields_of(record))]
+    return [*(["kind"] if word_of(record) else []), *(entry.name for entry in fields_of(record))]
 
 
 @dataclass(frozen=True)
@@ -191,7 +193,7 @@ class Reader:
         given = self.given(record, table)
         make = MADE_BY.get(record, record)
         parameters = signature(make).parameters if callable(make) else {}
-        if "sheet" in parameters and "sheet" not in {one.name for one in declared(record)}:
+        if "sheet" in parameters and "sheet" not in {entry.name for entry in declared(record)}:
             given["sheet"] = self.sheet
         with table.naming():
             return make(**given)
@@ -200,15 +202,15 @@ class Reader:
         """Return the values of the fields that a table gives, by name; unknown and missing keys are refused."""
         table.only(*names_of(record))
         values = {}
-        for one in fields_of(record):
-            if table.has(one.name):
-                values[one.name] = self.value(one.kind, table, one.name)
-                require_bounds(one, values[one.name], table.place(one.name))
-            elif one.default is REQUIRED:
+        for entry in fields_of(record):
+            if table.has(entry.name):
+                values[entry.name] = self.value(entry.kind, table, entry.name)
+                require_bounds(entry, values[entry.name], table.place(entry.name))
+            elif entry.default is REQUIRED:
                 raise InputError(
                     "{place} is missing: {help}",
-                    place=table.place(one.name),
-                    help=one.help.rstrip(".").lower(),
+                    place=table.place(entry.name),
+                    help=entry.help.rstrip(".").lower(),
                 )
         return values
 
@@ -260,15 +262,15 @@ class Reader:
 
 def _chosen(kinds: tuple[Kind, ...], value: object) -> Kind:
     """Return the kind that fits a value best; if none fits, return a kind that refuses the value."""
-    fitting = [one for one in kinds if _fits(one, value)]
+    fitting = [kind for kind in kinds if _fits(kind, value)]
     if isinstance(value, Mapping):
-        return max(fitting, key=lambda one: _keys_met(one, value), default=kinds[-1])
-    return fitting[0] if fitting else next((one for one in kinds if one.name != "flag"), kinds[0])
+        return max(fitting, key=lambda kind: _keys_met(kind, value), default=kinds[-1])
+    return fitting[0] if fitting else next((kind for kind in kinds if kind.name != "flag"), kinds[0])
 
 
 def _fits(kind: Kind, value: object) -> bool:
     if kind.name == "table" and kind.record in WRITTEN:
-        return any(_fits(one, value) for one in written(kind).alternatives)
+        return any(_fits(alternative, value) for alternative in written(kind).alternatives)
     match value:
         case bool():
             return kind.name == "flag"
@@ -287,7 +289,12 @@ def _fits(kind: Kind, value: object) -> bool:
 
 def _keys_met(kind: Kind, table: Mapping[str, Any]) -> int:
     """Return the number of keys that the kind knows, minus the number of unknown keys."""
-    known = {name for one in written(kind).alternatives if one.record for name in names_of(one.record)}
+    known = {
+        name
+        for alternative in written(kind).alternatives
+        if alternative.record
+        for name in names_of(alternative.record)
+    }
     return sum(1 if key in known else -1 for key in table)
 
 
@@ -295,9 +302,9 @@ def _read_sheet(reader: Reader, table: Table, key: str) -> Sheet:
     """Return a sheet of the file or a built-in sheet; a strip's sheet with the thickness of its table."""
     name = table.text(key)
     with table.naming(key):
-        found = reader.sheets[name] if name in reader.sheets else Sheet.named(name)
+        sheet = reader.sheets[name] if name in reader.sheets else Sheet.named(name)
         own = table.maybe("thickness") if key == "sheet" else None
-        return found if own is None else found.with_thickness(own)
+        return sheet if own is None else sheet.with_thickness(own)
 
 
 def _read_supports(reader: Reader, table: Table, key: str) -> Supports:
@@ -379,39 +386,39 @@ def described(record: Record) -> list[dict[str, Any]]:
     """
     return [
         {
-            "name": one.name,
-            **_plain_kind(one.kind),
-            "help": one.help,
-            "unit": one.option.unit,
-            "least": one.option.least if one.option.above is None else one.option.above,
-            "most": one.option.most,
-            "group": one.option.group,
-            "common": one.option.common,
-            "required": one.default is REQUIRED,
-            "default": _plain_default(one.default),
+            "name": entry.name,
+            **_plain_kind(entry.kind),
+            "help": entry.help,
+            "unit": entry.option.unit,
+            "least": entry.option.least if entry.option.above is None else entry.option.above,
+            "most": entry.option.most,
+            "group": entry.option.group,
+            "common": entry.option.common,
+            "required": entry.default is REQUIRED,
+            "default": _plain_default(entry.default),
         }
-        for one in fields_of(record)
+        for entry in fields_of(record)
     ]
 
 
 def _plain_kind(kind: Kind) -> dict[str, Any]:
     kind = written(kind)
-    found: dict[str, Any] = {"kind": kind.name}
+    plain: dict[str, Any] = {"kind": kind.name}
     if kind.choices:
-        found["choices"] = list(kind.choices)
+        plain["choices"] = list(kind.choices)
     if kind.size is not None:
-        found["size"] = kind.size
+        plain["size"] = kind.size
     if kind.of:
-        found["of"] = [_plain_kind(one) for one in kind.of]
+        plain["of"] = [_plain_kind(part) for part in kind.of]
     if kind.record is not None:
-        found |= {"table": title(kind.record), "word": word_of(kind.record), "fields": described(kind.record)}
-    return found
+        plain |= {"table": title(kind.record), "word": word_of(kind.record), "fields": described(kind.record)}
+    return plain
 
 
 def _plain_default(value: Any) -> Any:
     """Return a default as plain JSON, or None for a record, whose fields have their own defaults."""
     if isinstance(value, tuple):
-        plain = [_plain_default(one) for one in value]
+        plain = [_plain_default(item) for item in value]
         return None if None in plain else plain
     return value if isinstance(value, bool | int | float | str) else None
 
@@ -426,37 +433,41 @@ def paths_of(record: Record) -> Mapping[str, Field]:
     >>> paths_of(StripSpec)["limits.ratio"].option.least, "slots.at" in paths_of(StripSpec)
     (1, True)
     """
-    found: dict[str, Field] = {}
+    entries: dict[str, Field] = {}
     for path, entry in _walked(record):
-        found.setdefault(path, entry)
-    return found
+        entries.setdefault(path, entry)
+    return entries
 
 
 def _walked(record: Record) -> Iterator[tuple[str, Field]]:
     without = getattr(record, "WITHOUT", ())
-    for one in fields_of(record):
-        if one.name in without:
+    for key in fields_of(record):
+        if key.name in without:
             continue
-        yield one.name, one
-        for inner in tables_in(written(one.kind)):
+        yield key.name, key
+        for inner in tables_in(written(key.kind)):
             if word := word_of(inner):
                 yield (
-                    f"{one.name}.kind",
-                    Field("kind", Kind("choice", choices=_words(one.kind)), one.option, word),
+                    f"{key.name}.kind",
+                    Field("kind", Kind("choice", choices=_words(key.kind)), key.option, word),
                 )
             for path, entry in _walked(inner):
-                yield f"{one.name}.{path}", entry
+                yield f"{key.name}.{path}", entry
 
 
 def tables_in(kind: Kind) -> list[Record]:
     """Return the records of the tables in a value."""
-    found = [inner for one in kind.of for inner in tables_in(written(one))]
-    return [*found, *([kind.record] if kind.record is not None else [])]
+    inner_tables = [inner for part in kind.of for inner in tables_in(written(part))]
+    return [*inner_tables, *([kind.record] if kind.record is not None else [])]
 
 
 def _words(kind: Kind) -> tuple[str, ...]:
     """Return the words that select the kinds of a table."""
-    return tuple(word for one in written(kind).alternatives if one.record and (word := word_of(one.record)))
+    return tuple(
+        word
+        for alternative in written(kind).alternatives
+        if alternative.record and (word := word_of(alternative.record))
+    )
 
 
 def put(table: dict[str, Any], path: str, value: Any) -> None:
@@ -499,7 +510,7 @@ def require_path_of(path: str, record: Record) -> Field:
 
 def near_path(path: str, known: Iterable[str]) -> str:
     """Return the most likely known path: with the same last name, else the nearest, else ""."""
-    ends = {one.rpartition(".")[2]: one for one in reversed(list(known))}
+    ends = {known_path.rpartition(".")[2]: known_path for known_path in reversed(list(known))}
     last = path.rpartition(".")[2]
     near = near_names(path, known) or near_names(last, ends)
     return ends.get(last) or (near[0] if near and near[0] in known else ends.get(near[0], "") if near else "")

@@ -250,19 +250,19 @@ def _creep(strip: Strip) -> dict[str, Any] | None:
     if not strip.creep:
         return None
     try:
-        found = strip.crept
+        crept = strip.crept
     except NotConvergedError as problem:
         return {"factor": strip.creep, "problem": str(problem)}
-    assert found is not None
+    assert crept is not None
     return {
-        "factor": found.factor,
-        "basis": "exact" if found.exact else "effective modulus",
-        "sag": round_numbers(found.sag),
-        "force_share": round_numbers(found.force_share),
-        "end_forces": round_numbers(found.end_forces * strip.bending_stiffness),
-        "margin": round_numbers(found.stability.margin),
-        "word": found.stability.word,
-        "kept_bend": round_numbers(found.kept_share),
+        "factor": crept.factor,
+        "basis": "exact" if crept.exact else "effective modulus",
+        "sag": round_numbers(crept.sag),
+        "force_share": round_numbers(crept.force_share),
+        "end_forces": round_numbers(crept.end_forces * strip.bending_stiffness),
+        "margin": round_numbers(crept.stability.margin),
+        "word": crept.stability.word,
+        "kept_bend": round_numbers(crept.kept_share),
     }
 
 
@@ -285,7 +285,8 @@ def _nearest_report(near: NearestRod) -> dict[str, Any]:
         "met": near.met,
         "deviation": round_numbers(near.deviation),
         "binding": [
-            {"name": one.name, "limit": one.limit, "cost": round_numbers(one.cost)} for one in near.binding
+            {"name": bound.name, "limit": bound.limit, "cost": round_numbers(bound.cost)}
+            for bound in near.binding
         ],
     }
 
@@ -313,13 +314,13 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
     if strip.is_closed:
         return None
     ends = held_ends(strip)
-    found: dict[str, Any] = {
+    by_end: dict[str, Any] = {
         "distance": round_numbers(distance_between(ends)),
         "tips": round_numbers(distance_of_tips(ends)),
         "meaning": str(tell_ends(strip)),
     }
     for name, end, places in zip(("start", "end"), ends, hole_places(ends), strict=True):
-        found[name] = {
+        by_end[name] = {
             "position": round_numbers(end.position + 0.0),
             "angle": round_numbers(end.angle),
             "from_the_line": round_numbers(end.tilt),
@@ -330,7 +331,7 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
                 for hole, place in zip(end.holes, places, strict=True)
             ],
         }
-    return found
+    return by_end
 
 
 def _held(strip: Strip) -> dict[str, Any] | None:

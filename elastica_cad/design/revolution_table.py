@@ -128,10 +128,10 @@ def read_revolution(table: Table, reader: Reader) -> RevolutionTable:
         Unknown keys, a meridian with no or several definitions, or an impossible meridian; the message names the
         place.
     """
-    asked: RevolutionTable = reader.record(RevolutionTable, table)
+    revolution: RevolutionTable = reader.record(RevolutionTable, table)
     try:
         with table.naming():
-            _ = asked.meridian
+            _ = revolution.meridian
     except NotConvergedError as problem:
         raise NotConvergedError("{place}: {problem}", place=table.where, problem=problem) from problem
-    return asked
+    return revolution

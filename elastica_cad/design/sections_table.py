@@ -54,7 +54,7 @@ class SectionsTable:
 
     @property
     def _cuts(self) -> list[Any]:
-        return [one for one in (self.radial, self.parallel, self.along) if one is not None]
+        return [cut for cut in (self.radial, self.parallel, self.along) if cut is not None]
 
     @property
     def spec(self) -> SectionSpec:
@@ -88,8 +88,8 @@ def read_sections(
                 place=cuts.place("count"),
                 key=key,
             )
-    asked: SectionsTable = reader.record(SectionsTable, table)
-    path = reader.folder / asked.mesh
+    sections: SectionsTable = reader.record(SectionsTable, table)
+    path = reader.folder / sections.mesh
     if not path.is_file():
         raise InputError(
             "{place}: there is no file {path}; names are relative to the design file",
@@ -97,8 +97,10 @@ def read_sections(
             path=path,
         )
     with table.naming():
-        surface = read_sized_surface(read_surface or mesh_surface, path, unit=asked.unit, scale=asked.scale)
-        return asked.spec.curves(surface)
+        surface = read_sized_surface(
+            read_surface or mesh_surface, path, unit=sections.unit, scale=sections.scale
+        )
+        return sections.spec.curves(surface)
 
 
 def compose_section_design(

@@ -37,8 +37,8 @@ from elastica_cad.strip.styles import Plain
 from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
 RECORDS = {
-    one.__name__: one
-    for one in (
+    record.__name__: record
+    for record in (
         End, FabricationLimits, Gravity, Hole, LaidLeaves, Laminated, Leaf, MakingTolerance, Perforated, Plain,
         PointMass, Profile, RestCurvature, RoundLaw, Sheet, Slot, Supports, Tab, ThicknessLaw, TSlot, Weight,
         WidthLaw,
@@ -124,10 +124,10 @@ class FinishedStrip:
     def make(self) -> Strip:
         """Make the strip with the stiffness in the report."""
         spec, designed = self.spec, self.designed or self.spec
-        asked = spec.rod_spec
-        laid = isinstance(asked.section, LaidLeaves)  # piecewise constant, unlike that of a solved rod
+        rod_spec = spec.rod_spec
+        laid = isinstance(rod_spec.section, LaidLeaves)  # piecewise constant, unlike that of a solved rod
         # a law and the layers of a heavy laminate determine weight and size
-        solved = spec if spec.law is not None or asked.layers is not None else designed
+        solved = spec if spec.law is not None or rod_spec.layers is not None else designed
         rod = solve_rod(replace(solved.rod_spec, section=None if laid else solved.rod_spec.section))
         assert isinstance(rod, Rod)  # a request without limits
         if not np.allclose(rod.stiffness, self.stiffness(rod.s), rtol=SAME_SHARE):
@@ -138,15 +138,15 @@ class FinishedStrip:
         elif spec is not designed:
             size = _size(spec, rod)
             scale = size if designed.law is not None else scale * size / _size(designed, rod)
-            weight = asked.weight
-            if weight is not None and asked.gravity is not None:
-                weight = carried_weight(weight, asked.gravity, scale)
+            weight = rod_spec.weight
+            if weight is not None and rod_spec.gravity is not None:
+                weight = carried_weight(weight, rod_spec.gravity, scale)
             rod = replace(
-                rod, gravity=asked.gravity, weight=weight, section=asked.section,
-                natural_curvature=nodal_curvature(asked.natural_curvature, rod.s),
+                rod, gravity=rod_spec.gravity, weight=weight, section=rod_spec.section,
+                natural_curvature=nodal_curvature(rod_spec.natural_curvature, rod.s),
             )  # fmt: skip
         if rod.bending_stiffness is not None or rod.weight is not None or laid:
-            rod = replace(rod, section=asked.section, bending_stiffness=scale)
+            rod = replace(rod, section=rod_spec.section, bending_stiffness=scale)
             if isinstance(spec.style, Plain) and spec.law is None:  # the stiffness determines the widths
                 widest = scale * rod.profile.extremes[1] / PlainSection(spec.material).rigidity
                 spec = spec.changed(max_width=(1 + SAME_SHARE) * widest, min_width=None)
@@ -173,7 +173,7 @@ def read_request(path: Path) -> Any:
 def request_record(spec: StripSpec, strip: Strip) -> dict[str, Any]:
     """Return the request for a finished strip, on its rest shape, as plain data for JSON."""
     plane = spec.in_plane
-    given = {one.name: getattr(plane, one.name) for one in fields(plane) if one.name not in SOLVED}
+    given = {field.name: getattr(plane, field.name) for field in fields(plane) if field.name not in SOLVED}
     rod = strip.rod
     given |= {
         "sheet": spec.material, "ends": spec.tabs, "samples": rod.s.size,
@@ -188,14 +188,14 @@ def _encoded(value: Any) -> Any:
     if is_dataclass(value):
         kind = next(name for name, record in RECORDS.items() if isinstance(value, record))
         return {"record": kind} | {
-            one.name: _encoded(getattr(value, one.name)) for one in fields(RECORDS[kind]) if one.init
+            field.name: _encoded(getattr(value, field.name)) for field in fields(RECORDS[kind]) if field.init
         }
     if isinstance(value, NominalRatio):
         return {"record": NominalRatio.__name__, "value": float(value)}
     if isinstance(value, np.ndarray | np.generic):
         value = value.tolist()
     if isinstance(value, list | tuple):
-        return [_encoded(one) for one in value]
+        return [_encoded(item) for item in value]
     if isinstance(value, float) and not np.isfinite(value):
         return str(value)
     return value
@@ -203,7 +203,7 @@ def _encoded(value: Any) -> Any:
 
 def _decoded(value: Any) -> Any:
     if isinstance(value, Mapping):
-        given = {key: _decoded(one) for key, one in value.items() if key != "record"}
+        given = {key: _decoded(item) for key, item in value.items() if key != "record"}
         if value.get("record") == NominalRatio.__name__:
             return NominalRatio(given["value"])
         return RECORDS[value["record"]](**given) if "record" in value else given

@@ -125,9 +125,9 @@ def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve 
         Unknown keys or values, missing files, or invalid curves; the message names the place.
     """
     frame = _plane(reader, table) if section is None else section.frame
-    asked = read_fields(table, reader) | {"label": label}
+    values = read_fields(table, reader) | {"label": label}
     curve = read_drawn_curve(reader, table) if section is None else section.curve
-    spec = _spec(table, curve, frame, asked)
+    spec = _spec(table, curve, frame, values)
     if section is None:
         return StripEntry(spec)
     return StripEntry(spec, section.called, section.deviation)
@@ -141,17 +141,17 @@ def read_fields(table: Table, reader: Reader) -> dict[str, Any]:
     InputError
         No sheet, or values of another kind; the place is named.
     """
-    known = {one.name: one for one in fields_of(StripSpec) if one.name != "curve"}
+    known = {entry.name: entry for entry in fields_of(StripSpec) if entry.name != "curve"}
     if not table.has("sheet"):
         raise InputError(
             '{key} is missing; name a sheet, e.g. sheet = "birch-plywood-0.8"', key=table.place("sheet")
         )
     sheet: Sheet = reader.value(known["sheet"].kind, table, "sheet")
     reader = replace(reader, sheet=sheet)
-    asked = {name: reader.value(one.kind, table, name) for name, one in known.items() if table.has(name)}
-    if "limits" in asked or "keep" in asked:
-        asked = {"limits": Limits(), "keep": Keep(), **asked}
-    return asked
+    values = {name: reader.value(entry.kind, table, name) for name, entry in known.items() if table.has(name)}
+    if "limits" in values or "keep" in values:
+        values = {"limits": Limits(), "keep": Keep(), **values}
+    return values
 
 
 def read_request(table: Table, reader: Reader, curve: PlaneCurve, frame: Frame | None = None) -> StripSpec:
@@ -164,20 +164,20 @@ def read_request(table: Table, reader: Reader, curve: PlaneCurve, frame: Frame |
     InputError
         No sheet, unknown values, or what `StripSpec` refuses.
     """
-    asked = read_fields(table, reader)
-    direction = asked.get("gravity")
+    values = read_fields(table, reader)
+    direction = values.get("gravity")
     in_space = isinstance(direction, tuple) and len(direction) == len(DOWN)
     if frame is None and (in_space or any(table.has(name) for name in PLANE)):
         frame = _plane(reader, table)
-    return _spec(table, curve, frame, asked)
+    return _spec(table, curve, frame, values)
 
 
-def _spec(table: Table, curve: PlaneCurve, frame: Frame | None, asked: Mapping[str, Any]) -> StripSpec:
-    gravity = asked.get("gravity")
+def _spec(table: Table, curve: PlaneCurve, frame: Frame | None, values: Mapping[str, Any]) -> StripSpec:
+    gravity = values.get("gravity")
     if isinstance(gravity, bool):
-        asked = {**asked, "gravity": (DOWN if frame is not None else True) if gravity else None}
+        values = {**values, "gravity": (DOWN if frame is not None else True) if gravity else None}
     with table.naming():
-        return StripSpec(curve, frame=frame, **asked)
+        return StripSpec(curve, frame=frame, **values)
 
 
 PLANE = ("origin", "x_axis", "y_axis")
@@ -186,9 +186,9 @@ PLANE = ("origin", "x_axis", "y_axis")
 
 def _plane(reader: Reader, table: Table) -> Frame:
     axes: Mapping[str, Any] = {
-        one.name: reader.value(one.kind, table, one.name) if table.has(one.name) else one.default
-        for one in fields_of(StripKeys)
-        if one.name in PLANE
+        entry.name: reader.value(entry.kind, table, entry.name) if table.has(entry.name) else entry.default
+        for entry in fields_of(StripKeys)
+        if entry.name in PLANE
     }
     with table.naming():
         return Frame(**axes)

@@ -82,8 +82,8 @@ class Formula:
     def names(self) -> frozenset[str]:
         """Names that must be given."""
         calls = {node.func for node in ast.walk(self._tree) if isinstance(node, ast.Call)}
-        found = {n.id for n in self._parsed[1] if n not in calls}
-        return frozenset(found - set(CONSTANTS))
+        variables = {n.id for n in self._parsed[1] if n not in calls}
+        return frozenset(variables - set(CONSTANTS))
 
     @property
     def _tree(self) -> ast.expr:
@@ -265,11 +265,11 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
             given=quoted(value),
         )
     if not -LARGEST_NUMBER <= value <= LARGEST_NUMBER:
-        told = f"{value:.3g}" if isinstance(value, float) else "a whole number of many digits"
+        shown_value = f"{value:.3g}" if isinstance(value, float) else "a whole number of many digits"
         raise InputError(
             "{place} is {told}: give a finite number of at most {largest_number:g}",
             place=where,
-            told=told,
+            told=shown_value,
             largest_number=LARGEST_NUMBER,
         )
     return float(value)
@@ -277,11 +277,11 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
 
 def merged(table: Mapping[str, Any], others: Mapping[str, Any]) -> dict[str, Any]:
     """Return a table updated with the values of another table, recursively."""
-    found = dict(table)
+    result = dict(table)
     for key, value in others.items():
-        inner = found.get(key)
-        found[key] = merged(inner, value) if isinstance(inner, dict) and isinstance(value, dict) else value
-    return found
+        inner = result.get(key)
+        result[key] = merged(inner, value) if isinstance(inner, dict) and isinstance(value, dict) else value
+    return result
 
 
 class Slips:
@@ -305,16 +305,16 @@ class Slips:
     @property
     def text(self) -> str:
         """Sentences for the first errors and the number of further errors; empty without errors."""
-        told: list[str] = []
+        listed: list[str] = []
         for sentence in list(self._said.values())[:MOST_TOLD]:
-            if told and sum(map(len, [*told, sentence])) > LONGEST_TOLD:
+            if listed and sum(map(len, [*listed, sentence])) > LONGEST_TOLD:
                 break
-            told.append(sentence)
-        told = told or [""]
-        if (left := len(self._said) - len(told)) > 0:
-            told.append(note("{left} more; mend these first", left=left))
-        *others, last = told
-        ended = (one if one.endswith((".", "?")) else sentences([one], end=".") for one in others)
+            listed.append(sentence)
+        listed = listed or [""]
+        if (left := len(self._said) - len(listed)) > 0:
+            listed.append(note("{left} more; mend these first", left=left))
+        *others, last = listed
+        ended = (part if part.endswith((".", "?")) else sentences([part], end=".") for part in others)
         return sentences([*ended, last], " Also: ")
 
     def tell(self) -> None:
@@ -441,8 +441,8 @@ class Table:
                 size=size,
             )
         return tuple(
-            _compute_number(one, f"{self.place(key)}[{i}]", self.scope)
-            for i, one in enumerate(value, start=1)
+            _compute_number(item, f"{self.place(key)}[{i}]", self.scope)
+            for i, item in enumerate(value, start=1)
         )
 
     def row(self, key: str) -> tuple[float, ...]:
@@ -503,7 +503,7 @@ class Table:
             raise InputError(
                 "{key} must be a list of tables, not {given}", key=self.place(key), given=quoted(value)
             )
-        return [Table(one, f"{self.place(key)}[{i}]", self.scope) for i, one in enumerate(value, start=1)]
+        return [Table(row, f"{self.place(key)}[{i}]", self.scope) for i, row in enumerate(value, start=1)]
 
     def within(self, let: object) -> dict[str, Value]:
         """Return the scope with further names; each value may use the names before it."""

@@ -23,20 +23,20 @@ def toml_text(table: Mapping[str, Any]) -> str:
     file = "a.dxf"
     <BLANKLINE>
     """
-    text = "".join(_line(key, one) for key, one in table.items() if not is_tables(one))
+    text = "".join(_line(key, value) for key, value in table.items() if not is_tables(value))
     for name, rows in table.items():
         for row in rows if is_tables(rows) else ():
             text += f"\n[[{name}]]\n"
-            text += "".join(_line(key, one) for key, one in row.items() if not isinstance(one, Mapping))
-            for key, one in row.items():
-                if isinstance(one, Mapping):
-                    text += f"\n[{name}.{_key(key)}]\n" + "".join(_line(*pair) for pair in one.items())
+            text += "".join(_line(key, value) for key, value in row.items() if not isinstance(value, Mapping))
+            for key, value in row.items():
+                if isinstance(value, Mapping):
+                    text += f"\n[{name}.{_key(key)}]\n" + "".join(_line(*pair) for pair in value.items())
     return text
 
 
 def is_tables(value: Any) -> bool:
     """Return True for a list of tables."""
-    return isinstance(value, list) and bool(value) and all(isinstance(one, Mapping) for one in value)
+    return isinstance(value, list) and bool(value) and all(isinstance(row, Mapping) for row in value)
 
 
 def _line(key: str, value: Any) -> str:
@@ -50,9 +50,9 @@ def _key(key: str) -> str:
 def _value(value: Any) -> str:
     """Return a value as TOML, which agrees with JSON except for tables."""
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{_key(key)} = {_value(one)}" for key, one in value.items()) + " }"
+        return "{ " + ", ".join(f"{_key(key)} = {_value(item)}" for key, item in value.items()) + " }"
     if isinstance(value, list | tuple):
-        return "[" + ", ".join(_value(one) for one in value) + "]"
+        return "[" + ", ".join(_value(item) for item in value) + "]"
     return json.dumps(value, ensure_ascii=False)
 
 

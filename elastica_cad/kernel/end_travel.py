@@ -115,10 +115,10 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
 def _normals(places: FloatArray, corners: IntArray) -> FloatArray:
     """Return the normal at every corner, averaged over its triangles by area."""
     a, b, c = (places[corners[:, i]] for i in range(3))
-    found = np.zeros_like(places)
+    normals = np.zeros_like(places)
     for i in range(3):
-        np.add.at(found, corners[:, i], np.cross(b - a, c - a))
-    return np.asarray(found / np.maximum(np.linalg.norm(found, axis=1), 1e-30)[:, None])
+        np.add.at(normals, corners[:, i], np.cross(b - a, c - a))
+    return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-30)[:, None])
 
 
 STATIONS = 24
@@ -242,8 +242,10 @@ class Travel:
         """Return the shape at a position on the path, mm or degrees."""
         share = position / self.length if is_number(position) else np.nan
         if not -1e-9 <= share <= 1 + 1e-9:
-            told = f"{position:g}" if is_number(position) else repr(position)
-            raise InputError(f"position is {told} {self.unit}: the travel goes from 0 to {self.length:.4g}")
+            requested = f"{position:g}" if is_number(position) else repr(position)
+            raise InputError(
+                f"position is {requested} {self.unit}: the travel goes from 0 to {self.length:.4g}"
+            )
         return bend(self._stations[round(share * STATIONS)], **self._ends(share))
 
     def write_glb(

@@ -96,20 +96,20 @@ def _with_few_faces(shape: Shape) -> Shape:
 
 def _only_solid(shape: Shape) -> Shape:
     """Return the only solid in a compound."""
-    found = sub_shapes(shape, kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
-    if len(found) != 1:
-        raise InputError(f"the prisms of a body leave {len(found)} pieces: they must make one")
-    return found[0]
+    solids = sub_shapes(shape, kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
+    if len(solids) != 1:
+        raise InputError(f"the prisms of a body leave {len(solids)} pieces: they must make one")
+    return solids[0]
 
 
 def sub_shapes(shape: Shape, *kinds: Any) -> list[Shape]:
     """Return sub-shapes of the first kind, in order, without those inside sub-shapes of the second kind."""
     explorer = kernel().TopExp_Explorer(shape, *kinds)
-    found = []
+    shapes = []
     while explorer.More():
-        found.append(explorer.Current())
+        shapes.append(explorer.Current())
         explorer.Next()
-    return found
+    return shapes
 
 
 def make_location(frame: Frame) -> Any:

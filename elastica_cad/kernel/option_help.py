@@ -41,11 +41,11 @@ def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
         keys: dict[str, Any] = dict(DRAWN) if drawn else {}
         for option in options:
             for name, hint in option.__annotations__.items():
-                kind, said = get_args(hint)
-                keys.setdefault(name, (kind.__forward_arg__, said))
+                kind, description = get_args(hint)
+                keys.setdefault(name, (kind.__forward_arg__, description))
         rows = (
-            f"{name} : {kind}\n    {said}"
-            for name, (kind, said) in keys.items()
+            f"{name} : {kind}\n    {description}"
+            for name, (kind, description) in keys.items()
             if not re.search(rf"^(.*, )?{name}(,.*)? :", text, re.MULTILINE)
         )
         thing.__doc__ = "\n".join([text, "", "Options", "-------", *rows, ""])

@@ -118,7 +118,7 @@ def _thinned(points: FloatArray) -> FloatArray:
     kept = np.unique(np.searchsorted(s, np.linspace(0.0, s[-1], MOST // 2)).clip(0, len(s) - 1))
     kept[0] = 0
     todo = list(zip(kept[:-1].tolist(), kept[1:].tolist(), strict=True))
-    found = set(kept.tolist())
+    indices = set(kept.tolist())
     while todo:
         a, b = todo.pop()
         if b - a < 2:
@@ -129,6 +129,6 @@ def _thinned(points: FloatArray) -> FloatArray:
         worst = int(gaps.argmax())
         if gaps[worst] > BETWEEN:
             middle = a + 1 + worst
-            found.add(middle)
+            indices.add(middle)
             todo += [(a, middle), (middle, b)]
-    return points[sorted(found)]
+    return points[sorted(indices)]

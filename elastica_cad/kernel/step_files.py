@@ -125,7 +125,7 @@ def _with_wires_apart(shape: Shape) -> Shape:
     wires that share a vertex are copied.
     """
     k = kernel()
-    context, found = k.ShapeBuild_ReShape(), False
+    context, is_changed = k.ShapeBuild_ReShape(), False
     for face in sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE):
         wires = sub_shapes(face, k.TopAbs_ShapeEnum.TopAbs_WIRE)
         touching = _touching(wires)
@@ -137,8 +137,8 @@ def _with_wires_apart(shape: Shape) -> Shape:
         split.SetContext(context)
         split.Init(few)
         split.Perform()
-        found = True
-    return context.Apply(shape) if found else shape
+        is_changed = True
+    return context.Apply(shape) if is_changed else shape
 
 
 def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
@@ -346,9 +346,10 @@ def read_step_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
     """
     chains, skipped = free_chains(read_step_shape(file))
     if not chains:
-        found = f" (found {list_things(skipped)})" if skipped else ""
+        left_out = f" (found {list_things(skipped)})" if skipped else ""
         raise InputError(
-            "the file holds no free edges or wires: export the curves themselves, not solids or faces" + found
+            "the file holds no free edges or wires: export the curves themselves, not solids or faces"
+            + left_out
         )
     scale = look_up_unit(unit or "mm")
     curves = [

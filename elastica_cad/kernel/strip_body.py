@@ -80,8 +80,8 @@ def clamped_wire(
 ) -> tuple[ElasticaBetween, Shape]:
     """Return the shape of `elastica_between` for angles in degrees, and its curve as a TopoDS_Wire."""
     mode = whole_number(buckling, "buckling", 1)
-    found = elastica_between(start, end, length, angles=end_angles(angles), mode=mode, **others)
-    return found, make_wire(Path([Spline(found.curve)]))
+    rod = elastica_between(start, end, length, angles=end_angles(angles), mode=mode, **others)
+    return rod, make_wire(Path([Spline(rod.curve)]))
 
 
 def warn(text: str) -> None:

@@ -70,7 +70,7 @@ class BlockOptions(FixtureSizes, total=False):
 
 
 def make_strip_on(
-    path: Any, sheet: Sheet | str | None = None, *, workplane: Any = None, **asked: Any
+    path: Any, sheet: Sheet | str | None = None, *, workplane: Any = None, **options: Any
 ) -> MadeStrip:
     """Return the strip that `StripSpec` makes from a path; equal requests share it.
 
@@ -96,11 +96,11 @@ def make_strip_on(
 
     drawn = getattr(path, "line", None)
     path = path if drawn is None or callable(drawn) else drawn  # a line builder is replaced by its line
-    asked = {name: value for name, value in asked.items() if value is not None}
-    _refuse_unknown(asked)
-    frame = _frame_of(asked.pop("plane")) if "plane" in asked else None
+    options = {name: value for name, value in options.items() if value is not None}
+    _refuse_unknown(options)
+    frame = _frame_of(options.pop("plane")) if "plane" in options else None
     if isinstance(path, Strip | StripBody):
-        late = [*(("sheet",) if sheet is not None else ()), *asked]
+        late = [*(("sheet",) if sheet is not None else ()), *options]
         if late:
             raise InputError(
                 f"{', '.join(late)} cannot be given for a strip that is made: leave out, or give the curve"
@@ -116,21 +116,21 @@ def make_strip_on(
         raise InputError(
             'a curve needs a sheet to be cut from: give a Sheet or the name of one, like "mdf-3"'
         )
-    if _is_vector(asked.get("gravity")):
-        asked["gravity"] = numbers_of(asked["gravity"])
+    if _is_vector(options.get("gravity")):
+        options["gravity"] = numbers_of(options["gravity"])
     if isinstance(path, PlaneCurve):
         curve, frame = path, frame or Frame()
     else:
         drawn_on = None if workplane is None else _frame_of(workplane).axes.T
         curve, frame = plane_curve(path, frame, turned=drawn_on)
-    width = asked.get("max_width")
+    width = options.get("max_width")
     if curve.length < SHORTEST_MM and isinstance(width, int | float) and width > curve.length:
         raise InputError(
             "the curve is {length:.3g} long: draw it in millimetres (in metres it would be {metres:.3g})",
             length=Length(curve.length),
             metres=Length(1000 * curve.length),
         )
-    spec = StripSpec(curve, sheet, frame, **asked)
+    spec = StripSpec(curve, sheet, frame, **options)
     with told_in_python(spec.curve, spec.may_change):
         strip, deviation = _made(spec)
     warn_of_strip(strip)
@@ -150,18 +150,18 @@ def make_fixture_on(
     floor: Any = None,
     engrave: str | None = None,
     workplane: Any = None,
-    **asked: Any,
+    **options: Any,
 ) -> "tuple[MadeStrip, EndFixture]":
     """Return the block that holds an end of the strip made by `make_strip_on`, and the strip.
 
-    `floor` and `workplane` are planes of any library, and `asked` are `FixtureOptions`. Errors are as for
+    `floor` and `workplane` are planes of any library, and `options` are `FixtureOptions`. Errors are as for
     `EndFixture` and `make_strip_on`.
     """
     from elastica_cad.model.fixtures import EndFixture
 
-    sizes = {name: asked.pop(name) for name in FIXTURE_SIZES if name in asked}
-    _refuse_unknown(asked, FIXTURE_SIZES)
-    made = make_strip_on(path, sheet, workplane=workplane, **asked)
+    sizes = {name: options.pop(name) for name in FIXTURE_SIZES if name in options}
+    _refuse_unknown(options, FIXTURE_SIZES)
+    made = make_strip_on(path, sheet, workplane=workplane, **options)
     ground = None if floor is None else _frame_of(floor)
     engrave = None if engrave is None else str(engrave)
     return made, EndFixture.of(made.strip, end, made.frame, floor=ground, engrave=engrave, **sizes)
@@ -192,8 +192,8 @@ def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sec
     curves, reports = planes.curves(shape_surface(bare(body)))
     for text in reports:
         warn(text)
-    found: tuple[SectionCurve, ...] = curves
-    return found
+    section_curves: tuple[SectionCurve, ...] = curves
+    return section_curves
 
 
 def section_requests(
@@ -202,8 +202,8 @@ def section_requests(
     """Cut a body by planes; return each curve with the options of its strip: its plane, a numbered label."""
     called = options.get("label") or "strip"
     return [
-        (one.curve, {**options, "plane": one.frame, "label": f"{called}-{number}"})
-        for number, one in enumerate(_curves_on_body(body, planes, half=half), start=1)
+        (section.curve, {**options, "plane": section.frame, "label": f"{called}-{number}"})
+        for number, section in enumerate(_curves_on_body(body, planes, half=half), start=1)
     ]
 
 
@@ -212,20 +212,20 @@ def _made(spec: "StripSpec") -> tuple[Strip, float]:
     """Return the strip and its deviation."""
     from elastica_cad.forming.nearest_record import NearestRod
 
-    found = solve_rod(spec.rod_spec)
-    changed = found.deviation if isinstance(found, NearestRod) else 0.0
-    return spec.make(found), changed + spec.rod_spec.smoothing.moved
+    rod = solve_rod(spec.rod_spec)
+    changed = rod.deviation if isinstance(rod, NearestRod) else 0.0
+    return spec.make(rod), changed + spec.rod_spec.smoothing.moved
 
 
-def _refuse_unknown(asked: Mapping[str, Any], sizes: Sequence[str] = ()) -> None:
+def _refuse_unknown(options: Mapping[str, Any], sizes: Sequence[str] = ()) -> None:
     """Raise InputError for unknown options; for fields of a style, the message has the replacement."""
     from elastica_cad.strip.strip_spec import StripSpec
 
     known = {"plane", *sizes, *(field.name for field in fields(StripSpec))} - {"curve", "sheet", "frame"}
-    for name in asked:
+    for name in options:
         if name in GIVEN_OTHERWISE and name not in known:
             raise UnknownOptionError(f"{name} is no option of a strip: give {GIVEN_OTHERWISE[name]}")
-    refuse_unknown(asked, known, "a fixture" if sizes else "a strip")
+    refuse_unknown(options, known, "a fixture" if sizes else "a strip")
 
 
 def _frame_of(plane: Any) -> Frame:

@@ -84,13 +84,13 @@ class StripResult:
         """Stability of the rest shape."""
         return stability(self.strip.rod)
 
-    def kit(self, asked: StripFiles) -> Kit:
+    def kit(self, request: StripFiles) -> Kit:
         """Return the report and all requested files that the installed packages can write.
 
         The description of a file is its kind; "backing dxf" is a layer that is glued on.
         """
-        strip, name, cutting, files = self.strip, self.name, asked.cutting, list[File]()
-        pictures, looked_at = asked.pictures and can_draw(), cutting.service and can_draw()
+        strip, name, cutting, files = self.strip, self.name, request.cutting, list[File]()
+        pictures, looked_at = request.pictures and can_draw(), cutting.service and can_draw()
         for number, (layer, pattern) in enumerate(zip(strip.layers, self.patterns, strict=True)):
             for place, file in enumerate(cutting_files(pattern, pattern.name, cutting, layer.sheet)):
                 words = (layer.name, str(1 + place // 2) if place > 1 else "", ("dxf", "svg")[place % 2])
@@ -98,20 +98,20 @@ class StripResult:
             if number == 0:
                 files.append(File(f"{name}.json", lambda path: write_json(path, report), "json"))
         if not strip.is_closed:
-            files += self._drawn("holding", holding_template, asked, pdf=bool(asked.paper) or looked_at)
+            files += self._drawn("holding", holding_template, request, pdf=bool(request.paper) or looked_at)
         if strip.layout.size is not None:
             from elastica_cad.model.batten import bench_csv, bench_drawing
 
             files.append(
                 File(f"{name}-bench.csv", lambda path: write_text(path, bench_csv(strip)), "bench csv")
             )
-            files += self._drawn("side", bench_drawing, asked, pdf=pictures or looked_at)
+            files += self._drawn("side", bench_drawing, request, pdf=pictures or looked_at)
         more: dict[str, tuple[object, Callable[[Path], object]]] = {
             "png": (pictures, self._picture()),
-            "pdf": (asked.paper, partial(self._write_drawing, self._template, "pdf", asked)),
-            "step": (asked.step and not step_trouble(), self._write_step),
-            "stl": (asked.stl, self._write_stl),
-            "glb": (asked.glb, self._write_glb),
+            "pdf": (request.paper, partial(self._write_drawing, self._template, "pdf", request)),
+            "step": (request.step and not step_trouble(), self._write_step),
+            "stl": (request.stl, self._write_stl),
+            "glb": (request.glb, self._write_glb),
         }
         files += [File(f"{name}.{kind}", write, kind) for kind, (wanted, write) in more.items() if wanted]
         report = report_strip(
@@ -127,15 +127,15 @@ class StripResult:
         return Kit(tuple(files), report)
 
     def _drawn(
-        self, name: str, made: Callable[[Strip], Drawing], asked: StripFiles, *, pdf: bool
+        self, name: str, made: Callable[[Strip], Drawing], request: StripFiles, *, pdf: bool
     ) -> list[File]:
         """Return the files of a drawing beside the cut pattern, for each requested format."""
-        cutting = asked.cutting
+        cutting = request.cutting
         kinds = (*(() if cutting.service else ("dxf", "svg")), *(("pdf",) if pdf else ()))
         return [
             File(
                 cutting.file_name(f"{self.name}-{name}", kind),
-                partial(self._write_drawing, made, kind, asked),
+                partial(self._write_drawing, made, kind, request),
                 f"{name} {kind}",
             )
             for kind in kinds
@@ -161,15 +161,15 @@ class StripResult:
         return tuple(replace(drawing, name=layer.called(self.name)) for drawing, layer in named)
 
     def _write_drawing(
-        self, made: Callable[[Strip], Drawing], kind: str, asked: StripFiles, path: Path
+        self, made: Callable[[Strip], Drawing], kind: str, request: StripFiles, path: Path
     ) -> None:
         drawing = replace(made(self.strip), name=path.stem)
         if kind == "pdf":
             from elastica_cad.plot.template_pages import save_template
 
-            save_template(drawing, path, paper=asked.paper or "A4")
+            save_template(drawing, path, paper=request.paper or "A4")
         else:
-            version = {"version": asked.cutting.version} if kind == "dxf" else {}
+            version = {"version": request.cutting.version} if kind == "dxf" else {}
             save(drawing, path, **version)
 
     def _picture(self) -> Callable[[Path], object]:

@@ -638,8 +638,8 @@ class Flexure:
             "in its first state": self.states[0],
             "in its second state": self.states[1],
         }
-        found = {name: self._gap(line) for name, line in lines.items()}
-        return {name: gap for name, gap in found.items() if gap < LEAST_GAP_MM}
+        gaps = {name: self._gap(line) for name, line in lines.items()}
+        return {name: gap for name, gap in gaps.items() if gap < LEAST_GAP_MM}
 
     def _gap(self, line: "CentreLine") -> float:
         """Return the least gap between stretches of part and pads that are not neighbours, mm."""
@@ -699,37 +699,39 @@ class Flexure:
     @cached_property
     def warnings(self) -> tuple[Refusal, ...]:
         """Warnings about the part."""
-        found = [note("{fault}", severity="warning", fault=str(one)) for one in self._faults()] \
+        messages = [note("{fault}", severity="warning", fault=str(fault)) for fault in self._faults()] \
             if self.ignore_limits else []  # fmt: skip
         worst = max(self.strain)
         verdict = judge_strain(self.sheet, worst)
         if not verdict.allowed and not verdict.refused:
-            found.append(note("strained by {worst:.2g} %, {percent} % of what {sheet} bears for long: {outcome}",
+            messages.append(note("strained by {worst:.2g} %, {percent} % of what {sheet} bears for long: {outcome}",
                               severity="warning", worst=100 * worst, percent=verdict.percent, sheet=self.sheet.name,
                               outcome=verdict.outcome))  # fmt: skip
         for name, side in zip(STATES, self.sideways, strict=True):
             if side.needs_guiding:
-                found.append(note("the {name} state: {side}", severity="warning", name=name, side=str(side)))
-        found += self.rest_warnings
+                messages.append(
+                    note("the {name} state: {side}", severity="warning", name=name, side=str(side))
+                )
+        messages += self.rest_warnings
         try:
             way = self.travel
         except NotConvergedError as error:
-            found.append(
+            messages.append(
                 note("no way from state to state was found: {error}", severity="warning", error=str(error))
             )
         else:
             most = self.travel_strain
             if not judge_strain(self.sheet, most).allowed and most > worst:
-                found.append(note("on the way from state to state it is strained by {most:.2g} %, and the sheet "
+                messages.append(note("on the way from state to state it is strained by {most:.2g} %, and the sheet "
                                   "bears {limit:.2g} % for long", severity="warning", most=100 * most,
                                   limit=100 * self.sheet.max_strain))  # fmt: skip
             if (gap := self._gap_on_the_way(way)) < LEAST_GAP_MM:
-                found.append(note("on the way from state to state the part comes within {gap} of itself",
+                messages.append(note("on the way from state to state the part comes within {gap} of itself",
                                   severity="warning", gap=Length(max(gap, 0.0))))  # fmt: skip
             if not way.reached and self.bistable == self.pair.bistable:
-                found.append(note("the way taken does not end in the second state: push it at another "
+                messages.append(note("the way taken does not end in the second state: push it at another "
                                   "place, or lead it by hand", severity="warning"))  # fmt: skip
-        return tuple(found)
+        return tuple(messages)
 
     @property
     def rest_warnings(self) -> tuple[Refusal, ...]:
@@ -739,18 +741,19 @@ class Flexure:
                          "{name}; make it thinner ({field}), or bend the curves more",
                          severity="warning", field=FieldName("least_thickness"),
                          name=STATES[int(np.argmin(self.rest_deviations))]),)  # fmt: skip
-        found = []
+        messages = []
         for name, far, stays in zip(STATES, self.rest_deviations, self.pair.stability, strict=True):
             if not stays.stable:
-                found.append(note("the {name} state will not stay: it is in balance, and snaps into another shape, "
-                                  "up to {far} away", severity="warning", name=name, far=Length(far)))  # fmt: skip
+                messages.append(note("the {name} state will not stay: it is in balance, and snaps into another "
+                                     "shape, up to {far} away",
+                                     severity="warning", name=name, far=Length(far)))  # fmt: skip
             elif far > REST_SHARE * self.pair.length:
-                found.append(note("the part rests up to {far} from the {name} curve, {percent:.2g} % of its "
-                                  "length, because its forces stretch it; make it thinner ({field}), or "
-                                  "bend the curves more",
-                                  severity="warning", field=FieldName("least_thickness"), far=Length(far),
-                                  name=name, percent=100 * far / self.pair.length))  # fmt: skip
-        return tuple(found)
+                messages.append(note("the part rests up to {far} from the {name} curve, {percent:.2g} % of its "
+                                     "length, because its forces stretch it; make it thinner ({field}), or "
+                                     "bend the curves more",
+                                     severity="warning", field=FieldName("least_thickness"), far=Length(far),
+                                     name=name, percent=100 * far / self.pair.length))  # fmt: skip
+        return tuple(messages)
 
     def as_dict(self) -> dict[str, Any]:
         """Numbers, texts and lists for a report."""
@@ -769,9 +772,9 @@ class Flexure:
             "strain": list(self.strain),
             "strain_on_the_way": self.travel_strain,
             "max_strain": self.sheet.max_strain,
-            "margin": [one.margin for one in pair.stability],
-            "stable": [one.stable for one in pair.stability],
-            "sideways": [one.word for one in self.sideways],
+            "margin": [verdict.margin for verdict in pair.stability],
+            "stable": [verdict.stable for verdict in pair.stability],
+            "sideways": [verdict.word for verdict in self.sideways],
             "stretch_mm": self.stretch,
             "rest_deviation_mm": list(self.rest_deviations),
             "largest_force_N": way.largest_force,
@@ -779,7 +782,7 @@ class Flexure:
             "snap_travel_mm": way.snap,
             "work_N_mm": way.work,
             "reaches_second_state": way.reached,
-            "reports": [str(one) for one in self.warnings],
+            "reports": [str(message) for message in self.warnings],
         }
         if pair.bistable:
             at, _ = self.pushed

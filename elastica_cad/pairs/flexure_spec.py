@@ -101,7 +101,7 @@ class FlexureSpec:
     @cached_property
     def faired(self) -> tuple[PlaneCurve, PlaneCurve]:
         """Both curves with a smooth curvature, starting at the same end."""
-        first, second = (smooth_curve(one, self.smooth).curve for one in (self.first, self.second))
+        first, second = (smooth_curve(curve, self.smooth).curve for curve in (self.first, self.second))
         return same_way(first, second)
 
     @cached_property

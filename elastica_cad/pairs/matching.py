@@ -72,12 +72,12 @@ def same_way(first: PlaneCurve, second: PlaneCurve) -> tuple[PlaneCurve, PlaneCu
 
     Curves may be drawn from either end, and curves of a drawing that meet are read as a single curve.
     """
-    for one in (first, first.reversed()):
+    for curve in (first, first.reversed()):
         for other in (second, second.reversed()):
-            drawn = _Drawn.of(one), _Drawn.of(other)
+            drawn = _Drawn.of(curve), _Drawn.of(other)
             apart = float(np.hypot(*(drawn[0].clamps[0] - drawn[1].clamps[0])))
             if apart <= ALIKE_SHARE * first.length or _are_alike(*drawn):
-                return one, other
+                return curve, other
     return first, second
 
 
@@ -123,16 +123,16 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
     drawn = _Drawn.of(first), _Drawn.of(second)
     alike = _are_alike(*drawn)
     if alike:
-        chord = sum((one.chord for one in drawn), np.zeros(2)) / 2
-        angles = sum((one.clamps[2] for one in drawn), np.zeros(2)) / 2
-        first_start, second_start = (one.clamps[0] for one in drawn)
+        chord = sum((drawn_curve.chord for drawn_curve in drawn), np.zeros(2)) / 2
+        angles = sum((drawn_curve.clamps[2] for drawn_curve in drawn), np.zeros(2)) / 2
+        first_start, second_start = (drawn_curve.clamps[0] for drawn_curve in drawn)
         drawn = (
             replace(drawn[0], clamps=(first_start, first_start + chord, angles)),
             replace(drawn[1], clamps=(second_start, second_start + chord, angles)),
         )
     lengths = [curve.length for curve in (first, second)]
     length = _least_change(drawn, lengths)
-    changed = [one.of_length(length) for one in drawn]
+    changed = [drawn_curve.of_length(length) for drawn_curve in drawn]
     moved = [_moved(*both) for both in zip((first, second), changed, strict=True)]
     return MatchedPair(changed[0], changed[1], (moved[0], moved[1]), alike)
 
@@ -175,7 +175,7 @@ def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float
         return low
 
     def change(length: float) -> float:
-        return sum(one.change(length) for one in drawn)
+        return sum(curve.change(length) for curve in drawn)
 
     best = minimize_scalar(
         change, bounds=(low, high), method="bounded", options={"xatol": 1e-4 * (high - low)}
@@ -236,7 +236,7 @@ class _Drawn:
         _, weight, angle, _, turns = self._nodes
         start, end, angles = self.clamps
         own = self.curve.at(np.array([0.0, self.curve.length]))
-        found = np.zeros(3)
+        numbers = np.zeros(3)
         steps = max(1, ceil(abs(log(length / self.curve.length)) / LONGEST_STEP))
         for k in range(1, steps + 1):
             share = k / steps
@@ -245,52 +245,52 @@ class _Drawn:
             chord = own.position[1] - own.position[0]
             chord = chord + share * (end - start - chord)
             for _ in range(NEWTON_STEPS):
-                theta = angle + (held[0] - own.angle[0]) + turns[:-1] @ found
+                theta = angle + (held[0] - own.angle[0]) + turns[:-1] @ numbers
                 tangent = np.array([np.cos(theta), np.sin(theta)])
                 normal = np.array([-tangent[1], tangent[0]])
                 missed = np.append(
                     tangent @ weight - chord / size,
-                    turns[-1] @ found - (held[1] - held[0] - own.angle[1] + own.angle[0]),
+                    turns[-1] @ numbers - (held[1] - held[0] - own.angle[1] + own.angle[0]),
                 )
                 if np.abs(missed).max() <= MET:
                     break
                 slope = np.concatenate([(normal * weight) @ turns[:-1], turns[-1:]])
                 try:
-                    found = found - np.linalg.solve(slope, missed)
+                    numbers = numbers - np.linalg.solve(slope, missed)
                 except np.linalg.LinAlgError:
                     return None
-                if not np.abs(turns @ found).max() <= LARGEST_TURN:
+                if not np.abs(turns @ numbers).max() <= LARGEST_TURN:
                     return None
             else:
                 return None
-        return found
+        return numbers
 
     def change(self, length: float) -> float:
         """Integral of the square of the change of curvature times the length; infinite for no small change."""
-        found = self.numbers(length)
-        if found is None:
+        numbers = self.numbers(length)
+        if numbers is None:
             return np.inf
         _, weight, _, functions, _ = self._nodes
-        return float((functions @ found) ** 2 @ weight)
+        return float((functions @ numbers) ** 2 @ weight)
 
     def of_length(self, length: float) -> PlaneCurve:
         """Return the changed curve."""
-        found = self.numbers(length)
-        if found is None:
+        numbers = self.numbers(length)
+        if numbers is None:
             raise NotConvergedError(f"no small change of the curve gives it the length {length}")
         start, _, angles = self.clamps
         curve = self.curve
         own = curve.at(np.array([0.0]))
-        if not found.any() and np.array_equal(start, own.position[0]) and angles[0] == own.angle[0]:
+        if not numbers.any() and np.array_equal(start, own.position[0]) and angles[0] == own.angle[0]:
             return curve
         scale = curve.length / length
         edges, *_, turns = self._nodes
-        turn = PanelFunction.through(turns[:-1].reshape(-1, NODES.size, 3) @ found)
+        turn = PanelFunction.through(turns[:-1].reshape(-1, NODES.size, 3) @ numbers)
 
         def tangent(s: FloatArray) -> FloatArray:
             theta = curve.at(np.minimum(s * scale, curve.length)).angle + (angles[0] - own.angle[0])
             theta = theta + turn.at(*locate_in_panels(edges, s / length))
             return np.column_stack([np.cos(theta), np.sin(theta)])
 
-        breaks = [(one.s / scale, one.continuity - 1) for one in curve.breaks]
+        breaks = [(jump.s / scale, jump.continuity - 1) for jump in curve.breaks]
         return integrate_tangents(tangent, length, start, tolerance=TANGENT_ERROR, breaks=breaks)

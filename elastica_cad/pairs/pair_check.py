@@ -115,9 +115,9 @@ def examine_pair(
     largest = float(np.abs(difference.survey).max())
     if largest <= CONGRUENT_SHARE * float(np.abs(first.survey.curvature).max(initial=1 / first.length)):
         return replace(check, any_stiffness=True), None, None
-    found = difference.zeros
-    flats = tuple((z.s, z.s_end) for z in found if _is_stretch(first, z))
-    zeros = _with_orders(difference, found, largest)
+    crossings = difference.zeros
+    flats = tuple((z.s, z.s_end) for z in crossings if _is_stretch(first, z))
+    zeros = _with_orders(difference, crossings, largest)
     unmet = tuple(z for z in zeros if not _can_be_met(first, z))
     check = replace(check, zeros=zeros, flats=flats, unmet=unmet)
     if flats or unmet:
@@ -185,11 +185,11 @@ def _is_stretch(curve: PlaneCurve, zero: CurvatureZero) -> bool:
 
 
 def _with_orders(
-    difference: ExcessCurvature, found: Sequence[CurvatureZero], largest: float
+    difference: ExcessCurvature, crossings: Sequence[CurvatureZero], largest: float
 ) -> tuple[PairZero, ...]:
     """Return the zeros with their orders; zeros near an end are moved to it, and near pairs are merged."""
     curve, zeros = difference.curve, list[PairZero]()
-    for z in found:
+    for z in crossings:
         if _is_stretch(curve, z):
             continue
         end = min((0.0, curve.length), key=lambda s: abs(s - z.s))
@@ -208,7 +208,7 @@ def _with_orders(
                 continue
         s = (z.s + z.s_end) / 2
         zeros.append(PairZero(s, float(curve.parameter(np.array(s))), order, z.before, z.after))
-    for s in faint_places(difference, largest, found, FAINT_SHARE):
+    for s in faint_places(difference, largest, crossings, FAINT_SHARE):
         t = float(curve.parameter(np.array(s)))
         sign = int(np.sign(difference.at(t)))
         zeros.append(PairZero(s, t, 2, sign, sign))
@@ -331,7 +331,7 @@ class PairedPanels:
         rows = _rows(np.ones(edges[0].shape[:1]), *edges)
         at = np.array([np.abs(panels.edges - z.t).argmin() for z in zeros], dtype=int)
         double = np.array([z.order == 2 for z in zeros], dtype=bool)
-        turns = [_tangents_at(one, panels.edge_s[at]) for one in (first, second)]
+        turns = [_tangents_at(curve, panels.edge_s[at]) for curve in (first, second)]
         conditions = np.concatenate(
             [rows[at], _rows(np.zeros(int(double.sum())), *(turn[double] for turn in turns))]
         )
@@ -346,14 +346,14 @@ class PairedPanels:
         near = np.arange(panels.count) + ~left
         for place, turn in zip(at[double], zip(*(turn[double] for turn in turns), strict=True), strict=True):
             own = (near == place) & (panels.zero_left | panels.zero_right)
-            for one, tangent_there in zip(step, turn, strict=True):  # a double zero: N' vanishes as well
-                one[own] -= far[own, :, None] * tangent_there
+            for row, tangent_there in zip(step, turn, strict=True):  # a double zero: N' vanishes as well
+                row[own] -= far[own, :, None] * tangent_there
         difference_rows = base[:, None, :] + _rows(np.zeros(far.shape), *step)
         nodes = [end[:-1, None] + a / size for end, a in zip(edges, from_left, strict=True)]
-        zero, one = np.zeros((*far.shape, 2)), np.ones((*far.shape, 1))
+        zero, ones = np.zeros((*far.shape, 2)), np.ones((*far.shape, 1))
         moments = (
-            np.concatenate([0 * one, nodes[0], zero, one], axis=-1),
-            np.concatenate([-one, zero, nodes[1], one], axis=-1),
+            np.concatenate([0 * ones, nodes[0], zero, ones], axis=-1),
+            np.concatenate([-ones, zero, nodes[1], ones], axis=-1),
         )
         return cls(check, panels, moments, difference_rows / panels.curvature[..., None], conditions)
 
@@ -414,8 +414,8 @@ class PairedPanels:
         sizes = np.abs(family.dense[0]).sum(axis=1)
         if not sizes.max() < WIDEST_RATIO * sizes.min():
             return None
-        found = least_ratio(family)
-        return None if found is None else found[0]
+        result = least_ratio(family)
+        return None if result is None else result[0]
 
 
 def _rows(number: FloatArray, first: FloatArray, second: FloatArray) -> FloatArray:

@@ -163,12 +163,12 @@ def push_path(
     x = chain.settled(chain.start)
     free = x[chain.pushed, 0]
     steps = numbers(travel, "travel")
-    found = []
+    states = []
     for u in steps:
         x = chain.settled(chain.led(x, free + u - x[chain.pushed, 0]), held=True)
         push = chain.gradient(x)[chain.pushed, 0]
-        found.append((push, chain.energy(x), chain.placed(x), chain.bends(x), chain.stretch(x)))
-    force, energy, position, bend, stretch = (np.array(column) for column in zip(*found, strict=True))
+        states.append((push, chain.energy(x), chain.placed(x), chain.bends(x), chain.stretch(x)))
+    force, energy, position, bend, stretch = (np.array(column) for column in zip(*states, strict=True))
     released = chain.placed(chain.settled(x))
     return PushPath(steps, force, energy, position, bend, stretch, released, chain.s, at, away)
 
@@ -288,8 +288,8 @@ class _Chain:
         shear, pull = moment[:-1] - moment[1:], self.axial * (r / self.edge - 1)
         K, a = self.stiffness / self.weight, n / r[:, None]
 
-        def outer(scale: FloatArray, one: FloatArray, other: FloatArray) -> FloatArray:
-            return np.asarray(scale[:, None, None] * one[:, :, None] * other[:, None, :])
+        def outer(scale: FloatArray, factor: FloatArray, other: FloatArray) -> FloatArray:
+            return np.asarray(scale[:, None, None] * factor[:, :, None] * other[:, None, :])
 
         A = outer(self.axial / self.edge, t, t) + outer(pull / r, n, n) + outer(K[:-1] + K[1:], a, a)
         A -= outer(shear / r**2, n, t) + outer(shear / r**2, t, n)

@@ -228,12 +228,12 @@ def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> Float
         basis = np.concatenate([np.pad(paired.basis, ((0, 1), (0, 0))), paired.idle], axis=1)
         sides = tuple(PanelFunction.through(rows @ basis) for rows in _limit_rows(paired, limits))
         K = PanelFunction.through(_stiffness_rows(paired) @ basis)
-        found = paired.least_ratio(StiffnessFamily(paired.panels, K, sides=sides))
-        if found is None:
+        ratio_numbers = paired.least_ratio(StiffnessFamily(paired.panels, K, sides=sides))
+        if ratio_numbers is None:
             _refuse(
                 paired.check, limits, _rod_of(paired, _least_bend(paired, numbers, None), DEFAULT_SAMPLES)
             )
-        numbers = basis @ found
+        numbers = basis @ ratio_numbers
     return _least_bend(paired, numbers, limits.natural_curvature)
 
 
@@ -279,13 +279,13 @@ def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float |
     bounds = [] if most_natural is None else [
         (sign * step, size * most_natural + sign * (excess - kappa)) for sign in (1.0, -1.0)
     ]  # fmt: skip
-    found = _least_bound(functions, bounds)
+    answer = _least_bound(functions, bounds)
     if idle.shape[1] > 1:
         weight = np.sqrt(panels.stretch * WEIGHTS)
         rows = (step * weight[..., None]).reshape(-1, idle.shape[1])
         middle = np.asarray(np.linalg.lstsq(rows, ((d / 2 - excess) * weight).ravel(), rcond=None)[0])
-        found = _towards(found, middle, functions, bounds)
-    return numbers + idle @ found
+        answer = _towards(answer, middle, functions, bounds)
+    return numbers + idle @ answer
 
 
 Bounded: TypeAlias = "list[tuple[FloatArray, FloatArray]]"
@@ -307,7 +307,10 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
             return np.zeros(none.shape[1])
         z, most = answer
         settled = True
-        for (rows, offset), is_bound in [*((one, False) for one in along), *((one, True) for one in held)]:
+        for (rows, offset), is_bound in [
+            *((condition, False) for condition in along),
+            *((condition, True) for condition in held),
+        ]:
             place = PanelFunction(rows.coefficients @ z + offset.coefficients).extreme_places
             more, beside = rows.at(*place), offset.at(*place)
             values = more @ z + beside
@@ -423,7 +426,7 @@ def _rod_of(paired: PairedPanels, numbers: FloatArray, samples: int) -> TwoState
         realizable=True, reasons=(), warnings=(), length=size, curve=check.first, bent_beforehand=True,
         zeros=tuple(CurvatureZero(z.s, z.t, "crossing", z.s, z.t, z.before, z.after) for z in check.zeros),
     )  # fmt: skip
-    kinks = [(one.s, one.continuity - 2) for one in check.second.breaks if one.continuity < SMOOTH]
+    kinks = [(jump.s, jump.continuity - 2) for jump in check.second.breaks if jump.continuity < SMOOTH]
     force = [numbers[1:3] / size / least, numbers[3:5] / size / least]
     balance = BalancedStiffness(panels, stiffness, moments[0], moments[0], kinks=kinks)
     profile = stiffness_profile(curve_check, balance, 1 / least)
@@ -459,12 +462,12 @@ def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod
 
 def _within(limits: PairLimits, pair: TwoStateRod) -> TwoStateRod:
     """Return the pair, or refuse it if it exceeds a limit."""
-    found = {
+    values = {
         "ratio": pair.ratio,
         "natural_curvature": float(np.abs(pair.natural_curvature).max()),
         "bend": pair.bend,
     }
-    for name, value in found.items():
+    for name, value in values.items():
         most = getattr(limits, name)
         if most is not None and value > most * (1 + MET_SHARE):
             _refuse(pair.check, limits, pair)
@@ -473,12 +476,14 @@ def _within(limits: PairLimits, pair: TwoStateRod) -> TwoStateRod:
 
 def _refuse(check: PairCheck, limits: PairLimits, pair: TwoStateRod | None) -> NoReturn:
     """Raise `NotRealizable` with the values of the nearest rod."""
-    asked = {
+    limits_by_name = {
         "a ratio": limits.ratio,
         "a natural curvature (1/mm)": limits.natural_curvature,
         "a bend (1/mm)": limits.bend,
     }
-    within = ", ".join(f"{name} of {value:.4g} at most" for name, value in asked.items() if value is not None)
+    within = ", ".join(
+        f"{name} of {value:.4g} at most" for name, value in limits_by_name.items() if value is not None
+    )
     reason = f"No strip of both curves keeps within {within or 'bounds'}"
     if pair is None:
         reason += ": allow more, or bring the two curves closer to each other."
