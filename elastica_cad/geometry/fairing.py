@@ -337,12 +337,12 @@ class _Problem:
         return float(np.abs(((self._values(points, 0) - self.data) * self.across).sum(axis=1)).max())
 
 
-def two_sided_distance(one: PlaneCurve, other: PlaneCurve, count: int = 2000) -> float:
+def two_sided_distance(first: PlaneCurve, other: PlaneCurve, count: int = 2000) -> float:
     """Return the largest distance between two curves, mm, sampled at `count` points of each.
 
     Points are taken at equal distances and at all knots.
     """
-    return max(_farthest(_points(one, count), other), _farthest(_points(other, count), one))
+    return max(_farthest(_points(first, count), other), _farthest(_points(other, count), first))
 
 
 def _points(curve: PlaneCurve, count: int) -> FloatArray:

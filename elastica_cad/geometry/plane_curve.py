@@ -383,21 +383,21 @@ class PlaneCurve(NurbsCurve):
     def _curvature_continuous(self) -> BoolArray:
         return self._continuity >= 2
 
-    def _polished(self, found: tuple[zeros.ZeroPlace, ...]) -> tuple[zeros.ZeroPlace, ...]:
+    def _polished(self, zero_places: tuple[zeros.ZeroPlace, ...]) -> tuple[zeros.ZeroPlace, ...]:
         """Refine crossings by a step of Newton's method, because coordinates of short pieces are rounded."""
-        crossing = [i for i, place in enumerate(found) if place.kind == "crossing"]
+        crossing = [i for i, place in enumerate(zero_places) if place.kind == "crossing"]
         if not crossing:
-            return found
-        t, edges = np.array([found[i].t for i in crossing]), self._pieces.edges
+            return zero_places
+        t, edges = np.array([zero_places[i].t for i in crossing]), self._pieces.edges
         index, u = self._pieces.spans.locate(t)
         _, d1, d2, d3 = self._pieces.within(index, u, 3)
         with np.errstate(divide="ignore", invalid="ignore"):
             better = t - curvature(d1, d2) / (curvature_slope(d1, d2, d3) * norm(d1))
         near = np.abs(better - t) < ROUNDED_ZERO_SHARE * (edges[index + 1] - edges[index])
         near &= (edges[index] < better) & (better < edges[index + 1])
-        places = list(found)
+        places = list(zero_places)
         for i, at in zip(np.array(crossing)[near], better[near].tolist(), strict=True):
-            zero = found[i]
+            zero = zero_places[i]
             places[i] = zeros.ZeroPlace(at, at, zero.kind, zero.before, zero.after)
         return tuple(places)
 

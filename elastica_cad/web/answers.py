@@ -106,20 +106,20 @@ def answer(request: Mapping[str, Any], saved: FilePath | None = None) -> Record 
     InputError
         The kind of request is unknown.
     """
-    asked = QUESTIONS.get(str(request.get("do")))
-    if asked is None:
+    answering = QUESTIONS.get(str(request.get("do")))
+    if answering is None:
         raise InputError("the page asked for something unknown: load it again")
     design = request.get("design")
     if design is not None and not isinstance(design, Mapping):
         raise InputError("the design is no table of keys and values")
     try:
-        if asked in OF_THE_FILE:
-            return asked(request, saved)
+        if answering in OF_THE_FILE:
+            return answering(request, saved)
         _refuse_files(design)
-        if asked not in WITH_FILES:
-            return asked(request)
+        if answering not in WITH_FILES:
+            return answering(request)
         with TemporaryDirectory(prefix="elastica-studio-") as folder, read_below(folder):
-            return asked(request, FilePath(folder))
+            return answering(request, FilePath(folder))
     except ElasticaError as problem:
         return refused(problem)
 
@@ -132,11 +132,11 @@ def refused(problem: ElasticaError) -> Record:
 def _refuse_files(value: object, key: str = "") -> None:
     """Refuse whatever names a file: the page reads none but those that are dropped on it."""
     if isinstance(value, Mapping):
-        for name, one in value.items():
-            _refuse_files(one, str(name))
+        for name, item in value.items():
+            _refuse_files(item, str(name))
     elif isinstance(value, list):
-        for one in value:
-            _refuse_files(one, key)
+        for item in value:
+            _refuse_files(item, key)
     elif isinstance(value, str) and (key in (*FILE_KEYS, *CURVE_KEYS) or ".toml" in value):
         raise InputError("the page opens no file by its name: drop {given!r} on the drawing", given=value)
 
@@ -172,20 +172,20 @@ def _strip(request: Mapping[str, Any]) -> Record:
     """Return check, shape, flat part and numbers of a strip; requested at every move of the pointer."""
     spec = _spec(request)
     check = spec.rod_spec.check
-    told: Record = {"theorem": _theorem(check), "text": str(check)}
+    record: Record = {"theorem": _theorem(check), "text": str(check)}
     try:
-        found = solve_rod(spec.rod_spec)
-        made = spec.make(found)
+        rod = solve_rod(spec.rod_spec)
+        made = spec.make(rod)
     except ElasticaError as problem:
-        return told | _drawn(spec) | refused(problem)
-    near = found if isinstance(found, NearestRod) else None
-    told |= _shape(made) | {
+        return record | _drawn(spec) | refused(problem)
+    near = rod if isinstance(rod, NearestRod) else None
+    record |= _shape(made) | {
         "flat": _flat(made.drawings()),
         "length": round(made.rod.length, 2),
         "deviation": None if near is None else round(near.deviation, 3),
         "rows": _rows(strip_rows(made, near, quick=bool(request.get("live")))),
     }
-    return told | (_drawn(spec) if spec.may_change else {})
+    return record | (_drawn(spec) if spec.may_change else {})
 
 
 def _drawn(spec: StripSpec) -> Record:
@@ -340,17 +340,17 @@ def _model(request: Mapping[str, Any]) -> Record:
     """Return every strip in its place, with its holders."""
     design = _design(request)
     kit = kit_contents(design.model(), design.kit, entries=design.entries, effects=True)
-    told = list(dict.fromkeys((*kit.notes, *kit.model.reports)))
-    warnings = [one for one in told if isinstance(one, Refusal) and one.severity == "warning"]
+    messages = list(dict.fromkeys((*kit.notes, *kit.model.reports)))
+    warnings = [message for message in messages if isinstance(message, Refusal) and message.severity == "warning"]
     strips: dict[int, int] = {}
     shapes: list[Record] = []
     places = []
-    for one in kit.model.placed:
-        key = id(one.strip.rod)
+    for member in kit.model.placed:
+        key = id(member.strip.rod)
         if key not in strips:
             strips[key] = len(shapes)
-            shapes.append(_shape(one.strip))
-        places.append([strips[key], _matrix(one.frame)])
+            shapes.append(_shape(member.strip))
+        places.append([strips[key], _matrix(member.frame)])
     solids = [
         solid
         for part in assembly_parts((), (*kit.model.plates, *kit.holders))
@@ -377,7 +377,7 @@ def _model(request: Mapping[str, Any]) -> Record:
             mass=listed.mass,
         ),
         "warnings": warnings,
-        "notes": [one for one in told if one not in warnings],
+        "notes": [message for message in messages if message not in warnings],
     }
 
 
@@ -495,12 +495,12 @@ def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
     return {
         "curves": [
             {
-                "called": f"{name} {one.number} {one.name}".rstrip(),
-                "curve": curve_table(one.curve),
-                "read": str(curves.file.report([one])),
+                "called": f"{name} {curve.number} {curve.name}".rstrip(),
+                "curve": curve_table(curve.curve),
+                "read": str(curves.file.report([curve])),
             }
-            for one in curves.file
-            if not one.problem
+            for curve in curves.file
+            if not curve.problem
         ],
         "notes": list(curves.notes),
     }
@@ -550,10 +550,10 @@ def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
         model_kit(contents).write(folder / name)
         return Download(f"{name}.zip", _zipped(folder))
     strip_spec = _spec(request)
-    found = solve_rod(strip_spec.rod_spec)
+    rod = solve_rod(strip_spec.rod_spec)
     paper = "A4" if kind == "pdf" else None
     wanted = StripFiles(design.kit.cutting, paper, step=kind == "step", pictures=False, stl=kind == "stl")
-    kit = StripResult(strip_spec, found, strip_spec.make(found), name).kit(wanted)
+    kit = StripResult(strip_spec, rod, strip_spec.make(rod), name).kit(wanted)
     paths = zip(kit.files, kit.write(folder), strict=True)
     (path,) = (path for file, path in paths if file.description == kind)
     return Download(path.name, path.read_bytes())
@@ -562,7 +562,7 @@ def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
 def _zipped(folder: FilePath) -> bytes:
     packed = BytesIO()
     with ZipFile(packed, "w", ZIP_DEFLATED) as archive:
-        for path in sorted(one for one in folder.rglob("*") if one.is_file()):
+        for path in sorted(file for file in folder.rglob("*") if file.is_file()):
             archive.writestr(ZipInfo(path.relative_to(folder).as_posix()), path.read_bytes(), ZIP_DEFLATED)
     return packed.getvalue()
 

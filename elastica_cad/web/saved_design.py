@@ -135,7 +135,7 @@ def _update(kept: Any, given: Mapping[str, Any]) -> None:
         if isinstance(value, Mapping) and isinstance(kept.get(key), Mapping):
             _update(kept[key], value)
         elif is_tables(value) and is_tables(kept.get(key)) and len(value) == len(kept[key]):
-            for one, other in zip(kept[key], value, strict=True):
-                _update(one, other)
+            for entry, other in zip(kept[key], value, strict=True):
+                _update(entry, other)
         else:
             kept[key] = value

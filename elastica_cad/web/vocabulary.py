@@ -18,16 +18,16 @@ def page_words() -> dict[str, Any]:
     without = set() if can_draw() else {"pdf"}
     without |= {"step", "stl"} if step_trouble() else set()
     fields = described(SharedKeys)
-    pair_fields = [one for one in described(FlexureSpec) if one["name"] not in ("first", "second")]
+    pair_fields = [entry for entry in described(FlexureSpec) if entry["name"] not in ("first", "second")]
     return {
         "fields": fields,
         "pair_fields": pair_fields,
         "words": {  # without templates, which the page does not fill
-            language: {text: said for text, said in catalogue(name).items() if "{" not in text}
+            language: {text: translation for text, translation in catalogue(name).items() if "{" not in text}
             for language, name in CATALOGUES.items()
         },
         "sheets": [
-            [kind, [[one.name, one.full_name] for one in sheets]] for kind, sheets in sheets_by_kind().items()
+            [kind, [[sheet.name, sheet.full_name] for sheet in sheets]] for kind, sheets in sheets_by_kind().items()
         ],
         "downloads": [kind for kind in DOWNLOADS if kind not in without],
     }

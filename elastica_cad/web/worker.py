@@ -70,18 +70,18 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
     request: dict[str, Any] = {}
     try:
         request = read_question(line)
-        found = answer(request, saved)
+        response = answer(request, saved)
     except ElasticaError as problem:
-        found = refused(problem)
+        response = refused(problem)
     except MemoryError:
-        found = refused(InputError("there is not enough memory for this: ask for less, such as fewer strips"))
+        response = refused(InputError("there is not enough memory for this: ask for less, such as fewer strips"))
     except Exception:  # a page of another version, or nonsense; the next question is answered all the same
         traceback.print_exc()
-        found = refused(InputError("this design cannot be read: its values are of the wrong kind"))
+        response = refused(InputError("this design cannot be read: its values are of the wrong kind"))
     words, head = _PageWords(request.get("language", "en")), head_of(request)
-    if isinstance(found, Download):
-        return b"file", json.dumps(head | {"name": found.name}).encode() + b"\n" + found.content
-    return b"text", json.dumps(head | _worded(found, words), allow_nan=False).encode()
+    if isinstance(response, Download):
+        return b"file", json.dumps(head | {"name": response.name}).encode() + b"\n" + response.content
+    return b"text", json.dumps(head | _worded(response, words), allow_nan=False).encode()
 
 
 class _PageWords(Translated):
@@ -94,9 +94,9 @@ class _PageWords(Translated):
     def field(self, name: str) -> str:
         """Return the label of a field in quotation marks."""
         label = name.rpartition(".")[2].replace("_", " ")
-        said = self.template(f"page|{label}")
-        said = self.template(label) if said.startswith("page|") else said
-        return f"„{said}“" if self.point == "," else f"“{said}”"
+        words = self.template(f"page|{label}")
+        words = self.template(label) if words.startswith("page|") else words
+        return f"„{words}“" if self.point == "," else f"“{words}”"
 
 
 def _worded(value: Any, words: Wording) -> Any:
@@ -104,9 +104,9 @@ def _worded(value: Any, words: Wording) -> Any:
     if isinstance(value, Refusal):
         return words.sentence(value)
     if isinstance(value, dict):
-        return {key: _worded(one, words) for key, one in value.items()}
+        return {key: _worded(item, words) for key, item in value.items()}
     if isinstance(value, list) and value and isinstance(value[0], str | dict):
-        return [_worded(one, words) for one in value]
+        return [_worded(item, words) for item in value]
     return value
 
 

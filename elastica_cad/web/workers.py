@@ -77,8 +77,8 @@ class Workers:
                     await _ended(process)
                     process = None
                     late = isinstance(problem, TimeoutError)
-                    told = f"took longer than {seconds:.0f} s" if late else "needed too much memory"
-                    refusal = InputError(f"this {told}: ask for something smaller")
+                    reason = f"took longer than {seconds:.0f} s" if late else "needed too much memory"
+                    refusal = InputError(f"this {reason}: ask for something smaller")
                     kind, content = b"text", refused_answer(head, refusal)
                 with suppress(Exception):  # the page has gone meanwhile
                     await send(kind, content)

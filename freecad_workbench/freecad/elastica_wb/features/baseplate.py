@@ -18,7 +18,7 @@ from elastica_cad.model.plates import BasePlate, PlateOptions
 from elastica_cad.strip.solids import FlatSolid
 
 NAMES = {"play": "Play", "clearance": "Clearance", "border": "Border", "shape": "Outline"}
-SIZES = {NAMES[one.name]: one for one in declared(PlateOptions) if one.name in NAMES}
+SIZES = {NAMES[option.name]: option for option in declared(PlateOptions) if option.name in NAMES}
 """Options of a plate, by its properties."""
 
 

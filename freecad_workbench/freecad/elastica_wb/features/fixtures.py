@@ -26,7 +26,7 @@ from elastica_cad.model.fixtures import EndFixture, place_tabs
 from elastica_cad.model.held_tabs import holder_plays
 from elastica_cad.model.model import Model
 
-SIZES = {one.name.title().replace("_", ""): one for one in declared(EndFixture)}
+SIZES = {option.name.title().replace("_", ""): option for option in declared(EndFixture)}
 """Options of blocks, by their properties."""
 
 

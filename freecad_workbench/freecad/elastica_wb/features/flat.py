@@ -90,7 +90,7 @@ def _beside(strip: Any) -> App.Placement:
         return App.Placement(App.Vector(0, -GAP_MM - width, 0), App.Rotation())
     y = box.YMin - GAP_MM - width
     left, right = box.XMin - strip.StartTab.Value, box.XMin + source.Shape.Length + strip.EndTab.Value
-    for other in sorted(_lying(strip), key=lambda one: -one.YMax):  # from the back to the front
+    for other in sorted(_lying(strip), key=lambda flat_box: -flat_box.YMax):  # from the back to the front
         if (
             other.XMin < right
             and left < other.XMax

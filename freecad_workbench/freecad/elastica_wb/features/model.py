@@ -42,7 +42,7 @@ _shown: WeakKeyDictionary[Feature, tuple[Part.Shape, App.Placement, Model]] = We
 """Shape, place in the container and model that each proxy shows."""
 
 
-SLOTS = {one.name.title(): one for one in declared(interlock) if one.name != "above"}
+SLOTS = {option.name.title(): option for option in declared(interlock) if option.name != "above"}
 """Options of slots, by their properties. A zero direction means that none is set."""
 
 
@@ -161,9 +161,9 @@ def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
         return None
 
 
-def tell_overlaps(obj: Any, found: tuple[str, ...]) -> None:
+def tell_overlaps(obj: Any, overlaps: tuple[str, ...]) -> None:
     """Write into the results which strips of a model intersect."""
-    messages = _worded(found)
+    messages = _worded(overlaps)
     if messages and obj.Overlaps != messages:
         report_warning(" ".join(messages), obj.Label)
     put(obj, Overlaps=messages)

@@ -56,7 +56,7 @@ REPORTS = result("StringList", "Reports", "What was found on the way")
 FOLLOWED = ("Curve", "Sources", "Strips")
 """Properties with the objects that a feature depends on."""
 
-TOLD = ("Reasons", "Reports", "Overlaps", "LeftOut")
+MESSAGE_PROPERTIES = ("Reasons", "Reports", "Overlaps", "LeftOut")
 """Properties with messages."""
 
 MOST_NAMES = 6  # in one line of the report view
@@ -332,7 +332,7 @@ def telling(obj: Any, name: str) -> list[Any]:
 
 
 def _sentences(obj: Any) -> Iterator[str]:
-    for name in [entry for entry in TOLD if entry in obj.PropertiesList]:
+    for name in [entry for entry in MESSAGE_PROPERTIES if entry in obj.PropertiesList]:
         yield from getattr(obj, name)
     yield str(obj.getStatusString())
 

@@ -57,9 +57,9 @@ class StripFeature(Feature):
 
     def onDocumentRestored(self, obj: Any) -> None:
         """Keep a strip beyond its limits if its file is of a version that only warned of that."""
-        told_only = "Anyway" not in obj.PropertiesList
+        lacks_override = "Anyway" not in obj.PropertiesList
         super().onDocumentRestored(obj)
-        if told_only:
+        if lacks_override:
             obj.Anyway = obj.StrainUse >= 100  # such a strip was not refused then
 
     def onChanged(self, obj: Any, name: str) -> None:

@@ -17,7 +17,7 @@ from elastica_cad._text import printable
 STATUS_MS = 20_000  # long enough to read the message after a look at the view
 MOST_FILES = 12  # that a window lists
 
-_told: list[Any] = []
+_open_boxes: list[Any] = []
 
 
 def tell(sentence: str) -> None:
@@ -54,5 +54,5 @@ def _show(words: str) -> Any:
     box.setStandardButtons(QtWidgets.QMessageBox.Ok)
     box.setModal(False)
     box.show()
-    _told[:] = [box]
+    _open_boxes[:] = [box]
     return box

@@ -70,20 +70,20 @@ def document_lives(document: Any) -> bool:
         return False
 
 
-def sensor(kind: Any, told: Callable[..., None]) -> Any:
+def sensor(kind: Any, callback: Callable[..., None]) -> Any:
     """Return a Coin sensor that calls a method only as long as the method's object is referenced elsewhere.
 
     pivy never releases the function that a sensor calls. A card and its widgets would stay in memory, and PySide
     would reuse their wrappers for new widgets at the same addresses.
     """
-    method = WeakMethod(told)
+    method = WeakMethod(callback)
 
-    def tell(*_: Any) -> None:
+    def call_method(*_: Any) -> None:
         call = method()
         if call is not None:
             call()
 
-    return kind(tell, None)
+    return kind(call_method, None)
 
 
 class Unsaved:

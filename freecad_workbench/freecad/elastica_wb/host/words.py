@@ -75,10 +75,10 @@ def user_language() -> str:
     return translate("Elastica", "en")
 
 
-def worded(said: str, unit: Unit | None = None) -> str:
+def worded(text: str, unit: Unit | None = None) -> str:
     """Return a record in the user's words. Translated texts and the user's names stay as they are."""
     words = Words(user_language(), unit or shown_unit(), decimal_point())
-    return printable(words.sentence(said)) if said else ""
+    return printable(words.sentence(text)) if text else ""
 
 
 def capital(sentence: str) -> str:

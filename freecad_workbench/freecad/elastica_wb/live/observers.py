@@ -75,12 +75,12 @@ class LaterResults:
             self._timer.start(PAUSE_MS)
             return
         del self._waiting[first]
-        is_told = not lives(obj) or self._told(first, obj)
-        if not is_told:
+        is_finished = not lives(obj) or self._told(first, obj)
+        if not is_finished:
             self._waiting.setdefault(first, obj)
-        self._timer.start(0 if is_told else SOUGHT_MS)
+        self._timer.start(0 if is_finished else SOUGHT_MS)
 
-    def _told(self, name: tuple[str, str], obj: Any) -> bool:
+    def _finish(self, name: tuple[str, str], obj: Any) -> bool:
         """Write the results. Return False if they are not computed yet."""
         if is_strip(obj):
             from freecad.elastica_wb.features.strip import tell_held

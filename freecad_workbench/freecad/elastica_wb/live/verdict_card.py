@@ -161,7 +161,7 @@ class VerdictCard(QtCore.QObject):
             wide, tall = size.width() + GAP_PX, size.height() + GAP_PX
             return sum(left - GAP_PX < x < left + wide and top - GAP_PX < y < top + tall for x, y in seen)
 
-        self._corner = min(range(len(corners)), key=lambda one: (hidden(one), one != self._corner))
+        self._corner = min(range(len(corners)), key=lambda corner: (hidden(corner), corner != self._corner))
         return corners[self._corner]
 
 

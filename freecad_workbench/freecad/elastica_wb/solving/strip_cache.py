@@ -80,37 +80,37 @@ def solve_strip(spec: StripSpec) -> Strip:
     return in_background(SEARCHING, _strip, spec.in_plane) if spec.may_change else _strip(spec.in_plane)
 
 
-def find_nearest(asked: RodSpec) -> NearestRod:
+def find_nearest(spec: RodSpec) -> NearestRod:
     """Return the rod nearest to a curve that may change."""
-    return in_background(SEARCHING, _found, asked)
+    return in_background(SEARCHING, _found, spec)
 
 
-def find_nearest_to_draw(asked: RodSpec) -> NearestRod:
+def find_nearest_to_draw(spec: RodSpec) -> NearestRod:
     """Return the nearest rod for a curve to be drawn. Its spline also keeps the limits."""
-    return in_background(SEARCHING, find_nearest_now, asked)
+    return in_background(SEARCHING, find_nearest_now, spec)
 
 
 @remembered
-def find_nearest_now(asked: RodSpec) -> NearestRod:
+def find_nearest_now(spec: RodSpec) -> NearestRod:
     """Return the same as `find_nearest_to_draw`, in this thread and without a progress bar.
 
     The curvature of a spline differs from that of its rod by some thousandths. Therefore the rod keeps the same
     distance from its limits.
     """
-    limits = asked.limits
+    limits = spec.limits
     most = None if limits is None else limits.largest_curvature
     if limits is None or most is None:
-        return _found(asked)
+        return _found(spec)
     share = HEADROOM
     for _ in range(STRICTER):
-        near = _found(replace(asked, limits=limits.tightened(curvature=share, strain=share)))
+        near = _found(replace(spec, limits=limits.tightened(curvature=share, strain=share)))
         if near.found is None or not near.met:
             break
-        used = sharpest_bend(near.curve, asked.natural_curvature)[0] / most
+        used = sharpest_bend(near.curve, spec.natural_curvature)[0] / most
         if used <= 1 + STRAIN_SLACK:
             return near
         share *= 1 + BEYOND * (used - 1)
-    return _found(asked)
+    return _found(spec)
 
 
 ROOMS = (1.1, 1.25, 1.5)  # times stricter limits, tried in turn: a curve with few poles differs from its rod
@@ -118,29 +118,29 @@ FARTHER, NEAR_SHARE = 3, 0.01  # times as far away, or in lengths: so much few p
 SPANS = (8, 12, 16, 20)
 
 
-def find_nearest_to_drag(asked: RodSpec) -> tuple[PlaneCurve, str]:
+def find_nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
     """Return a nearest curve with few enough poles to drag, and a message on its extra deviation.
 
     If few poles cannot keep the limits, return the nearest curve with all its poles.
     """
-    return in_background(SEARCHING, _nearest_to_drag, asked)
+    return in_background(SEARCHING, _nearest_to_drag, spec)
 
 
 @remembered
-def _nearest_to_drag(asked: RodSpec) -> tuple[PlaneCurve, str]:
-    nearest = find_nearest_now(asked)
+def _nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
+    nearest = find_nearest_now(spec)
     if not nearest.met or len(nearest.curve.control_points) <= MOST_DRAGGED:
         return nearest.curve, ""
-    farthest = max(FARTHER * nearest.deviation, NEAR_SHARE * asked.curve.length)
+    farthest = max(FARTHER * nearest.deviation, NEAR_SHARE * spec.curve.length)
     for room in ROOMS:
-        limits = asked.limits.tightened(curvature=room, strain=room)
+        limits = spec.limits.tightened(curvature=room, strain=room)
         near = _found(
-            replace(asked, limits=replace(limits, ratio=limits.ratio and max(1.0, limits.ratio / room)))
+            replace(spec, limits=replace(limits, ratio=limits.ratio and max(1.0, limits.ratio / room)))
         )
         for spans in SPANS if near.met and near.deviation <= farthest else ():
             with suppress(NotConvergedError):
                 curve = coarse_curve(near.rod, spans)
-                if _keeps_limits(replace(asked, curve=curve)):
+                if _keeps_limits(replace(spec, curve=curve)):
                     return curve, note(
                         "Drawn with {count} poles to drag, {far} from the curve before; with {most} poles, too "
                         "many to drag, it would be {near} away.",
@@ -153,17 +153,17 @@ def _nearest_to_drag(asked: RodSpec) -> tuple[PlaneCurve, str]:
     )
 
 
-def _keeps_limits(asked: RodSpec) -> bool:
+def _keeps_limits(spec: RodSpec) -> bool:
     """Return True if the curve itself can be bent within the limits."""
-    most, ratio = asked.limits.largest_curvature, asked.limits.ratio
-    if most is not None and sharpest_bend(asked.curve, asked.natural_curvature)[0] > most * (
+    most, ratio = spec.limits.largest_curvature, spec.limits.ratio
+    if most is not None and sharpest_bend(spec.curve, spec.natural_curvature)[0] > most * (
         1 + STRAIN_SLACK
     ):
         return False
     try:
-        if ratio is not None and _found(replace(asked, limits=None, keep=None)).ratio > ratio:
+        if ratio is not None and _found(replace(spec, limits=None, keep=None)).ratio > ratio:
             return False
-        again = _found(asked)  # the slow search comes last
+        again = _found(spec)  # the slow search comes last
     except ElasticaError:
         return False
     return bool(again.met and again.deviation <= AS_DRAWN_MM)
@@ -220,9 +220,9 @@ def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
 
 
 @remembered
-def _found(asked: RodSpec) -> Any:
+def _found(spec: RodSpec) -> Any:
     """Return the rod, or the nearest rod if the curve may change."""
-    return solve_rod(asked)
+    return solve_rod(spec)
 
 
 @remembered
