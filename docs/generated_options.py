@@ -13,7 +13,7 @@ from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
 from elastica_cad.declared import declared
-from elastica_cad.design.records import told
+from elastica_cad.design.records import help_with_unit
 from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.strip.strip_spec import StripSpec
 
@@ -92,7 +92,7 @@ def text() -> str:
             kind = source.of(hints[one.name])
             if one.name == "gravity":
                 kind = kind.replace("None", "Point | None")
-            help = json.dumps(told(one.help, one.option.unit), ensure_ascii=False)
+            help = json.dumps(help_with_unit(one.help, one.option.unit), ensure_ascii=False)
             rows[record] += f'    {one.name}: Annotated["{kind}", {help}]\n'
     standard = {
         "typing": {"TYPE_CHECKING", "Annotated", "Any", "TypedDict", *source.modules.pop("typing", ())}

@@ -315,17 +315,17 @@ def and_more(found: Sized, noun: str = "") -> str:
     return note(" (and {more})", more=counted(others, f"more {noun}"))
 
 
-def told_apart(one: float, other: float, digits: str) -> tuple[float, float]:
+def distinct_digits(first: float, other: float, digits: str) -> tuple[float, float]:
     """Return two numbers rounded to enough digits to differ, with at least the digits of their format.
 
     Examples
     --------
-    >>> told_apart(2.51, 3.0, ".3g"), told_apart(2.9982, 3.0, ".3g"), told_apart(0.8729, 0.8734, ".2f")
-    ((2.51, 3.0), (2.998, 3.0), (0.8729, 0.8734))
+    >>> distinct_digits(2.51, 3.0, ".3g"), distinct_digits(2.9982, 3.0, ".3g")
+    ((2.51, 3.0), (2.998, 3.0))
     """
     usual, kind = int(digits[1:-1]), digits[-1]
     digits_of = range(usual, usual + MORE_DIGITS)
-    told = [(float(f"{one:.{n}{kind}}"), float(f"{other:.{n}{kind}}")) for n in digits_of]
+    told = [(float(f"{first:.{n}{kind}}"), float(f"{other:.{n}{kind}}")) for n in digits_of]
     return next((pair for pair in told if pair[0] != pair[1]), told[0])
 
 

@@ -314,7 +314,7 @@ class Refusal(str):
         }
 
 
-def is_told(said: str) -> bool:
+def is_reported(said: str) -> bool:
     """Return True for an error or warning; notes are only for verbose output."""
     return not isinstance(said, Refusal) or said.severity != "note"
 

@@ -328,7 +328,7 @@ def _say_shapes(rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability], 
     tips = [k for k, one in enumerate(moved.sideways) if one.needs_guiding]
     if tips:
         k = min(tips, key=lambda k: moved.sideways[k].margin)
-        where = moved.tell_place(moved.path_length[k])
+        where = moved.place_message(moved.path_length[k])
         say_row(Row("Stability", f"at {where}, {moved.sideways[k].meaning}", severity="warning"))
     for warning in moved.warnings:
         say_row(Row("Warning", warning, severity="warning"))
@@ -373,7 +373,7 @@ def _worst(states: Sequence[str], moved: Travel | None) -> Row:
     step = next((k for k, state in enumerate(states) if state != "stable"), None)
     if step is None:
         return Row("Stability", "stable in its plane" + (" at every step" if states[1:] else ""))
-    where = f"step {step + 1}" if moved is None else moved.tell_place(moved.path_length[step])
+    where = f"step {step + 1}" if moved is None else moved.place_message(moved.path_length[step])
     return Row(
         "Stability", f"{states[step]} from {where} on" if states[1:] else states[step], severity="warning"
     )

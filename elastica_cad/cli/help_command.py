@@ -9,7 +9,7 @@ from elastica_cad.cli.strip_options import typed_name
 from elastica_cad.cli.voice import answer, say
 from elastica_cad.declared import REQUIRED, Kind, Record
 from elastica_cad.design.model_tables import DesignKeys
-from elastica_cad.design.records import paths_of, require_path_of, title, told, written
+from elastica_cad.design.records import help_with_unit, paths_of, require_path_of, title, written
 
 
 def _completed(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
@@ -65,7 +65,7 @@ def _explained(path: str, option: str) -> str:
     record: Record = CommandKeys if path in paths_of(CommandKeys) else DesignKeys
     field = require_path_of(path.removeprefix("strips."), record)
     asked = field.option
-    lines = [told(field.help, asked.unit), f"Value: {_in_words(field.kind)}."]
+    lines = [help_with_unit(field.help, asked.unit), f"Value: {_in_words(field.kind)}."]
     if asked.bounds:
         lines.append(f"Bounds: {asked.bounds}.")
     if isinstance(field.default, bool | int | float | str) and field.default != "":
@@ -91,13 +91,13 @@ def _listed() -> str:
     for group in GROUPS:
         lines += ["", f"{group}:"]
         lines += [
-            f"  {path:<24} {told(field.help, field.option.unit)}"
+            f"  {path:<24} {help_with_unit(field.help, field.option.unit)}"
             for path, field in known.items()
             if known[path.partition(".")[0]].option.group == group and path.count(".") <= DEEPEST
         ]
     lines += ["", "whole models, in design files:"]
     lines += [
-        f"  {path:<24} {told(field.help, field.option.unit)}"
+        f"  {path:<24} {help_with_unit(field.help, field.option.unit)}"
         for path, field in paths_of(DesignKeys).items()
         if path.partition(".")[0] not in {*known, "strips"} and path.count(".") <= DEEPEST
     ]

@@ -25,12 +25,12 @@ from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_content
 from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind, model_kit
 from elastica_cad.model.model import Model
 from elastica_cad.plot.drawing_process import DrawingProcess
-from elastica_cad.refusals import Length, Refusal, is_told, note
+from elastica_cad.refusals import Length, Refusal, is_reported, note
 from elastica_cad.report_rows import Row
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.summary import accuracy_row, size_row
 
-MOST_SAID = 6
+MOST_SHOWN = 6
 """Notes that are printed; the report holds all."""
 
 
@@ -215,7 +215,7 @@ def _before_you_cut(contents: KitContents, kit: Kit, output: Path) -> None:
             f"{output} holds files of an earlier run that do not belong to this model "
             f"({old[0]}{' and others' if old[1:] else ''}). Delete them, or choose an empty folder."
         )
-    shown = messages if voice().verbose else list(_one_of_each(messages))[:MOST_SAID]
+    shown = messages if voice().verbose else list(_one_of_each(messages))[:MOST_SHOWN]
     if messages:
         warn("Before you cut:", in_notes=False)
     for text in shown:
@@ -228,7 +228,7 @@ def _warnings(model: Model) -> Iterator[Refusal]:
     """Yield the warnings of all strips, with the names of the strips."""
     for part in model.parts:
         for text in part.strip.warnings:
-            if voice().verbose or is_told(text):
+            if voice().verbose or is_reported(text):
                 warning = text if isinstance(text, Refusal) else note(text, severity="warning")
                 yield warning.at(strip=part.name)
 

@@ -27,7 +27,7 @@ from elastica_cad.cli.voice import answer, say, say_row, say_step, voice, warn, 
 from elastica_cad.declared import kind_of
 from elastica_cad.design.kit_spec import Cutting
 from elastica_cad.design.records import Reader
-from elastica_cad.design.reports import tell_blank
+from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.design.strip_table import PLANE
 from elastica_cad.design.tables import Table
 from elastica_cad.design.toml_text import seen_from, toml_text
@@ -47,7 +47,7 @@ from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.sheets import Sheet, sheet_names
 from elastica_cad.mechanics.theorem1 import outlier_message
 from elastica_cad.plot.drawing_process import DrawingProcess
-from elastica_cad.refusals import is_told
+from elastica_cad.refusals import is_reported
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.makeable_strip import compensate_within
@@ -273,7 +273,7 @@ def _report(result: StripResult, written: Sequence[Path], *, several: bool) -> N
     """Print the report in rows; for one of several strips only its size and warnings."""
     strip = result.strip
     rows = strip_rows(strip, result.near, result.stability)
-    voice().notes.extend(text for text in strip.warnings if not is_told(text))
+    voice().notes.extend(text for text in strip.warnings if not is_reported(text))
     if several and not voice().verbose:
         for row in rows:
             if row.stops:
@@ -281,8 +281,8 @@ def _report(result: StripResult, written: Sequence[Path], *, several: bool) -> N
         say_row(Row(strip.label, size_row(strip).text))
         voice().files += map(str, written)
         return
-    tabs = result.spec.tabs_told
-    more = [tell_blank(strip), tabs]
+    tabs = result.spec.tabs_message
+    more = [pre_bend_message(strip), tabs]
     joined = [
         f"It {end} at the corner {joint}, where the strip of the same number continues."
         for joint, end in zip(result.joints, ("starts", "ends"), strict=True)

@@ -224,7 +224,7 @@ def design_of(
         interlocked = reader.given(interlock, top.table("interlock")) if top.has("interlock") else None
     with slips.gathering():
         kit = read_kit(top, reader)
-    slips.tell()
+    slips.refuse()
     if top.has("pair"):
         raise InputError(
             "{place} holds a part with two rest shapes: `elastica pair` makes it", place=top.where

@@ -5,7 +5,7 @@ from typing import Any, TypeAlias
 
 from elastica_cad.declared import Field, Kind, Record
 from elastica_cad.design.model_tables import DesignKeys
-from elastica_cad.design.records import fields_of, tables_in, title, told, word_of, written
+from elastica_cad.design.records import fields_of, help_with_unit, tables_in, title, word_of, written
 
 SCHEMA_FILE = "elastica.schema.json"
 """Name of the schema file beside a design file, which refers to it in its first line."""
@@ -52,7 +52,7 @@ def _keys(record: Record) -> Keys:
 
 @cache
 def _entry(field: Field) -> tuple[Fragment, str]:
-    return fragment(written(field.kind)), told(field.help, field.option.unit)
+    return fragment(written(field.kind)), help_with_unit(field.help, field.option.unit)
 
 
 def fragment(kind: Kind) -> Fragment:

@@ -516,6 +516,6 @@ def near_path(path: str, known: Iterable[str]) -> str:
     return ends.get(last) or (near[0] if near and near[0] in known else ends.get(near[0], "") if near else "")
 
 
-def told(help: str, unit: str) -> str:
+def help_with_unit(help: str, unit: str) -> str:
     """Return the help of a field followed by its unit."""
     return f"{help.rstrip('.')} ({unit})." if unit else help

@@ -18,9 +18,9 @@ from elastica_cad.strip.held_shape import HeldShape, Reactions
 from elastica_cad.strip.holding_template import (
     distance_between,
     distance_of_tips,
+    ends_message,
     held_ends,
     hole_places,
-    tell_ends,
 )
 from elastica_cad.strip.measuring import Measuring
 from elastica_cad.strip.strip import Strip
@@ -47,7 +47,7 @@ def report_blank(strip: Strip) -> dict[str, Any] | None:
     return {"s": round_numbers(s), "curvature": round_numbers(strip.rod.rest_at(s))}
 
 
-def tell_blank(strip: Strip) -> str:
+def pre_bend_message(strip: Strip) -> str:
     """Return an instruction for pre-bending the strip, without a full stop; empty if it is flat.
 
     The direction refers to the final bend of the strip. Its faces do not define left and right, because equal
@@ -317,7 +317,7 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
     by_end: dict[str, Any] = {
         "distance": round_numbers(distance_between(ends)),
         "tips": round_numbers(distance_of_tips(ends)),
-        "meaning": str(tell_ends(strip)),
+        "meaning": str(ends_message(strip)),
     }
     for name, end, places in zip(("start", "end"), ends, hole_places(ends), strict=True):
         by_end[name] = {

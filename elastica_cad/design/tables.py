@@ -230,10 +230,10 @@ def _value(node: ast.expr, known: Mapping[str, Value]) -> Value:
 MOST = 10_000
 """Largest count in a file: of strips, sections or repeats."""
 
-MOST_TOLD = 5
+MOST_LISTED = 5
 """Number of reported errors of a file; the rest is counted, because a single mistake often causes many errors."""
 
-LONGEST_TOLD = 800
+LONGEST_LIST = 800
 """Number of characters after which no further error is reported."""
 
 LONGEST_KEY = 60
@@ -288,11 +288,11 @@ class Slips:
     """Errors of a file, collected from its parts so that all of them are reported at once."""
 
     def __init__(self) -> None:
-        self._said: dict[str, str] = {}
+        self._texts: dict[str, str] = {}
 
     def add(self, sentence: str, where: str = "") -> None:
         """Add an error, unless another place has the same error."""
-        self._said.setdefault(sentence.removeprefix(where), sentence)
+        self._texts.setdefault(sentence.removeprefix(where), sentence)
 
     @contextmanager
     def gathering(self) -> Iterator[None]:
@@ -306,18 +306,18 @@ class Slips:
     def text(self) -> str:
         """Sentences for the first errors and the number of further errors; empty without errors."""
         listed: list[str] = []
-        for sentence in list(self._said.values())[:MOST_TOLD]:
-            if listed and sum(map(len, [*listed, sentence])) > LONGEST_TOLD:
+        for sentence in list(self._texts.values())[:MOST_LISTED]:
+            if listed and sum(map(len, [*listed, sentence])) > LONGEST_LIST:
                 break
             listed.append(sentence)
         listed = listed or [""]
-        if (left := len(self._said) - len(listed)) > 0:
+        if (left := len(self._texts) - len(listed)) > 0:
             listed.append(note("{left} more; mend these first", left=left))
         *others, last = listed
         ended = (part if part.endswith((".", "?")) else sentences([part], end=".") for part in others)
         return sentences([*ended, last], " Also: ")
 
-    def tell(self) -> None:
+    def refuse(self) -> None:
         """Raise InputError with all errors, if there are any."""
         if self.text:
             raise InputError(self.text)
@@ -366,7 +366,7 @@ class Table:
                     "{place}: unknown key {key!r}; {hint}",
                     place=self.where, key=key[:LONGEST_KEY], hint=hint,
                 ))  # fmt: skip
-        slips.tell()
+        slips.refuse()
         return self
 
     def place(self, key: str) -> str:

@@ -179,7 +179,7 @@ def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
         raise InputError(
             "has path data or attributes that break off or make no sense: export it anew"
         ) from error
-    shapes.tell_left_out()
+    shapes.report_left_out()
 
 
 class _DrawnShape(NamedTuple):
@@ -265,7 +265,7 @@ class _Shapes:
         path = self._paths[mark]
         return [_with_polylines(run) for run in path.runs], path.rounding
 
-    def tell_left_out(self) -> None:
+    def report_left_out(self) -> None:
         """Count hidden and bad shapes among what the tree skips; if all are bad, raise the first error."""
         shapes, skipped = self.tree.shapes, self.tree.skipped
         hidden = {mark for mark, shape in enumerate(shapes) if shape.shown} - self.drawn - self.unpainted

@@ -78,7 +78,7 @@ class StraightEnds:
         return None
 
     @property
-    def told(self) -> Refusal | None:
+    def message(self) -> Refusal | None:
         """Message about the pieces that became tabs, or None."""
         first, last = map(Length, self.lengths)
         if first and last:

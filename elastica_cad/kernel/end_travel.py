@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray, IntArray
-from elastica_cad._values import is_number, require_record, told_apart
+from elastica_cad._values import distinct_digits, is_number, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.formats.animated_glb import MovingMesh, encode_animation
 from elastica_cad.formats.write_files import write_atomically
@@ -174,7 +174,7 @@ class Travel:
             object.__setattr__(self, "end", point)
             apart = float(np.hypot(*(point - self._rod.position[0])))
             if apart > self._rod.length:
-                far, long = told_apart(apart, self._rod.length, ".4g")
+                far, long = distinct_digits(apart, self._rod.length, ".4g")
                 raise InputError(
                     f"the travel ends {far} mm from the start of a strip that is {long} mm long: give a "
                     "nearer point"

@@ -92,7 +92,7 @@ def make_strip_on(
         The edges are not a smooth plane curve or are in another plane; an option is unknown, or cannot change a
         finished strip; also the errors of `StripSpec.make`.
     """
-    from elastica_cad.strip.strip_spec import StripSpec, told_in_python
+    from elastica_cad.strip.strip_spec import StripSpec, changes_suggested_in_python
 
     drawn = getattr(path, "line", None)
     path = path if drawn is None or callable(drawn) else drawn  # a line builder is replaced by its line
@@ -131,7 +131,7 @@ def make_strip_on(
             metres=Length(1000 * curve.length),
         )
     spec = StripSpec(curve, sheet, frame, **options)
-    with told_in_python(spec.curve, spec.may_change):
+    with changes_suggested_in_python(spec.curve, spec.may_change):
         strip, deviation = _made(spec)
     warn_of_strip(strip)
     if deviation > FAR_SHARE * strip.rod.length:

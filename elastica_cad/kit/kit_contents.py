@@ -10,7 +10,7 @@ from elastica_cad._values import and_more, counted
 from elastica_cad.defaults import CLEARANCE
 from elastica_cad.design.kit_spec import KitSpec
 from elastica_cad.design.model_report import report_model
-from elastica_cad.design.reports import tell_blank
+from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.design.strip_table import StripEntry
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.mechanics.sheets import Sheet
@@ -114,10 +114,10 @@ def kit_contents(
     messages += crowded_blocks([holder for holder in holders if isinstance(holder, EndFixture)], model.placed)
     messages += missing_slots(model.placed, model.joints, brief=True)
     unheld = unheld_ends(model, holders) if model.plates or holders else {}
-    messages += _tell_unheld(model, unheld)
+    messages += _unheld_messages(model, unheld)
     held, notes = _held(model, (*model.plates, *holders), unheld) if effects else ({}, ())
     messages += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
-    messages += _tell_no_bar(spec)
+    messages += _bar_messages(spec)
     messages += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
     return KitContents(model, spec, pieces, nests, tuple(holders), tuple(entries), held, tuple(messages))
 
@@ -198,7 +198,7 @@ def _bent_blanks(model: Model) -> list[str]:
     """Return notes on how strips are pre-bent, which no cut pattern shows; equal notes are merged."""
     alike = dict[str, list[str]]()
     for part in model.parts:
-        alike.setdefault(tell_blank(part.strip), []).append(part.name)
+        alike.setdefault(pre_bend_message(part.strip), []).append(part.name)
     alike.pop("", None)
     return [
         note("{name}{more}: {blank}", name=names[0], more=and_more(names), blank=words)
@@ -218,14 +218,14 @@ def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -
     )
 
 
-def _tell_no_bar(spec: KitSpec) -> list[str]:
+def _bar_messages(spec: KitSpec) -> list[str]:
     """Return a note if no reference bar is cut because the files are for a cutting service."""
     if spec.reference_bar is None or not spec.cutting.service:
         return []
     return [note("no reference bar is cut: it checks your own machine, and the files are for a service")]
 
 
-def _tell_unheld(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -> list[str]:
+def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -> list[str]:
     """Return a note on the strips with an end that no plate, ring or block holds."""
     if not unheld:
         return []

@@ -186,7 +186,7 @@ def _joined(profile: Profile, place: float, *, keep_left: bool) -> Profile:
     return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
 
 
-TOLD_MOVE_MM = 1e-3
+REPORTED_MOVE_MM = 1e-3
 """Smallest move of the curve, mm, that is reported."""
 
 _LAW_SAMPLES = 2001  # number of samples along the curve for the moments of a law
@@ -457,7 +457,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
     effective = change if request.law is None else request.law.effective_curvature(change)
     residual = float(np.abs(K * effective - moment).max() / size)
     warnings = check.cautions
-    if check.moved > TOLD_MOVE_MM:
+    if check.moved > REPORTED_MOVE_MM:
         warning = note(
             "The curve was moved by at most {moved} to bring its inflections onto one line."
             if request.gravity is None

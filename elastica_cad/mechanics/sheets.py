@@ -393,7 +393,7 @@ ROWS_INCH = {
 SOLD_AS = 0.02
 """Fraction by which a sheet may be thinner than the first row of its number of plies (0.160 in is sold as 4 mm)."""
 
-TOLD_TO = 0.01
+PRINTED_ACCURACY = 0.01
 """Relative accuracy of a radius: the table has two digits, and the largest strain of a sheet is rounded."""
 
 LEAST_MM, LARGEST_MM = 0.7, 9.6

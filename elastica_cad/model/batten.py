@@ -23,7 +23,7 @@ from elastica_cad.mechanics.stiffness_law import LeavesLaw, RoundLaw, ThicknessL
 from elastica_cad.model.leaf_stack import LeafStack
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.drawing import CUT_OUTER, MARK, Drawing, LayeredPath
-from elastica_cad.strip.holding_template import tell_ends
+from elastica_cad.strip.holding_template import ends_message
 from elastica_cad.strip.lettering import Text, engravable
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip import Strip
@@ -117,7 +117,7 @@ def _label_lines(strip: Strip) -> list[str]:
     wide = f"{stock}, {strip.width.extremes[1]:g} mm wide: plane both faces alike"
     instruction = wide if flat else f"{stock}, round: turn it to the diameters"
     ticks = "full size, seen from the side; at a tick: mm from this tip, and the size there"
-    blocks = strip.label or "batten", instruction, str(tell_ends(strip)), ticks
+    blocks = strip.label or "batten", instruction, str(ends_message(strip)), ticks
     return [engravable(line) for block in blocks for line in wrap(block, LETTERS)]
 
 

@@ -121,10 +121,10 @@ def examine_pair(
     unmet = tuple(z for z in zeros if not _can_be_met(first, z))
     check = replace(check, zeros=zeros, flats=flats, unmet=unmet)
     if flats or unmet:
-        return _refused(check, *_tell_flats(flats), *_tell_unmet(unmet)), None, None
+        return _refused(check, *_flat_messages(flats), *_unmet_messages(unmet)), None, None
     paired = PairedPanels.of(check, difference)
     if paired.family.freedom == 0:
-        return _refused(replace(check, unmet=paired.beyond), _tell_too_many(check, paired)), None, None
+        return _refused(replace(check, unmet=paired.beyond), _too_many_message(check, paired)), None, None
     answer = paired.least_ratio()
     if answer is None:
         against = find_violations(paired.family)
@@ -249,7 +249,7 @@ def _refused(check: PairCheck, *reasons: str) -> PairCheck:
     return replace(check, realizable=False, reasons=reasons)
 
 
-def _tell_flats(flats: Sequence[tuple[float, float]]) -> Iterable[str]:
+def _flat_messages(flats: Sequence[tuple[float, float]]) -> Iterable[str]:
     for start, end in flats:
         yield note(
             "Both curves are bent alike from {start} to {end}: there the moments would be equal too, and beside it "
@@ -260,7 +260,7 @@ def _tell_flats(flats: Sequence[tuple[float, float]]) -> Iterable[str]:
         )
 
 
-def _tell_unmet(unmet: Sequence[PairZero]) -> Iterable[str]:
+def _unmet_messages(unmet: Sequence[PairZero]) -> Iterable[str]:
     what = {
         0: "At {places} which of the two curves is bent further left changes by a jump, and moments do not jump; "
         "smooth the curvature there, as a spline does.",
@@ -275,7 +275,7 @@ def _tell_unmet(unmet: Sequence[PairZero]) -> Iterable[str]:
             yield note(words, places=lengths(at))
 
 
-def _tell_too_many(check: PairCheck, paired: "PairedPanels") -> str:
+def _too_many_message(check: PairCheck, paired: "PairedPanels") -> str:
     return note(
         "Both curves are bent alike at {places}, so the moments of the two states would have to be equal in all of "
         "these places; congruent or mirrored curves meet two as a rule, and these meet none beyond {beyond}: let "

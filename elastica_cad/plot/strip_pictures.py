@@ -112,7 +112,7 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     require_record(strip, Strip, "what is drawn", "a Strip")
     sheet = strip.sheet
     size = strip.breadth() if strip.tapered else f"{sheet.thickness:g} mm thick"
-    facts = f"{sheet.name}, {size}, {strip.mass_told}"
+    facts = f"{sheet.name}, {size}, {strip.mass_text}"
     strain = f"largest strain {100 * strip.max_strain:.2f} %, {100 * strip.strain_limit:.2f} % allowed"
     title = f"{fill(strip.label or 'Strip', 90)}\n{facts}; {strain}"
     ends = () if strip.is_closed else held_ends(strip)
@@ -417,7 +417,7 @@ def travel(moved: Travel) -> Figure:
         _paint_legend(below)
     worst = int(np.argmin(moved.safety))
     told = (
-        f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.tell_place(moved.path_length[worst])}, "
+        f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.place_message(moved.path_length[worst])}, "
         f"safety {moved.safety[worst]:.2g}"
     )
     _entitle(below, told, pad=22 if below.get_legend() else 6)

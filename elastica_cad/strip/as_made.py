@@ -20,7 +20,7 @@ from elastica_cad.refusals import Length, note
 from elastica_cad.strip.held_shape import (
     ANTICLASTIC,
     LEAF_ENDS,
-    LEAST_TOLD_MM,
+    LEAST_REPORTED_MM,
     HeldShape,
     MakingTolerance,
     Seats,
@@ -501,7 +501,7 @@ class StripAsMade:
         made_up_for = tuple(
             cause
             for cause, mm in parts.items()
-            if mm >= LEAST_TOLD_MM
+            if mm >= LEAST_REPORTED_MM
             and ((corrected and cause not in holders) or (self.as_plate and cause == ANTICLASTIC))
         )
         if self.as_plate:

@@ -61,7 +61,7 @@ ANTICLASTIC = "anticlastic bending"
 LEAF_ENDS = "ends of leaves"
 """Name of the cause that the neutral axis of a stack jumps by half a thickness where a glued ply ends."""
 
-LEAST_TOLD_MM = 0.005
+LEAST_REPORTED_MM = 0.005
 """Smallest deviation, mm, that is listed with its cause."""
 
 
@@ -145,7 +145,7 @@ class HeldShape:
         listed = [
             note("{far:.2g} due to {cause}", far=Length(mm), cause=note(cause))
             for cause, mm in sorted(self.parts.items(), key=lambda part: -part[1])
-            if mm >= LEAST_TOLD_MM
+            if mm >= LEAST_REPORTED_MM
         ]
         if listed:
             each = (

@@ -134,7 +134,7 @@ def hole_places(ends: Sequence[HeldEnd]) -> tuple[FloatArray, FloatArray]:
     return start, end
 
 
-def tell_ends(strip: Strip) -> Refusal:
+def ends_message(strip: Strip) -> Refusal:
     """Return a sentence with the positions and directions in which to hold the ends."""
     ends = held_ends(strip)
     far: dict[str, Any] = {"apart": Length(distance_between(ends)), "tips": Length(distance_of_tips(ends))}

@@ -21,7 +21,7 @@ from elastica_cad.mechanics.section_limits import thinner_for
 from elastica_cad.refusals import FieldName, Listed, note, sentences
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
-from elastica_cad.strip.held_shape import LEAST_TOLD_MM, closes, shape_responses, strayed
+from elastica_cad.strip.held_shape import LEAST_REPORTED_MM, closes, shape_responses, strayed
 from elastica_cad.strip.layers import LapPlates, Layer
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.pieces import Piece
@@ -156,7 +156,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
         if gain > LEAST_GAIN:
             break
     gained = np.inf if drawn is None else drawn.strayed - best.strayed
-    return best.strip if gained >= LEAST_TOLD_MM else strip
+    return best.strip if gained >= LEAST_REPORTED_MM else strip
 
 
 class _Held(NamedTuple):

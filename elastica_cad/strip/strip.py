@@ -11,7 +11,7 @@ import numpy as np
 
 from elastica_cad._notebook import rows_table
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import numbers, require_positive, require_record, several, three, told_apart
+from elastica_cad._values import distinct_digits, numbers, require_positive, require_record, several, three
 from elastica_cad.errors import InputError, NotConvergedError, rounded_up
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.measured_points import Provenance
@@ -30,7 +30,13 @@ from elastica_cad.mechanics.section_limits import (
     StrainVerdict,
     judge_strain,
 )
-from elastica_cad.mechanics.sheets import PLYWOOD_SOURCE, TOLD_TO, Sheet, even_shear_ratio, require_printable
+from elastica_cad.mechanics.sheets import (
+    PLYWOOD_SOURCE,
+    PRINTED_ACCURACY,
+    Sheet,
+    even_shear_ratio,
+    require_printable,
+)
 from elastica_cad.mechanics.sideways import (
     SidewaysSection,
     SidewaysStability,
@@ -148,7 +154,7 @@ class Shoulder:
         """Return a sentence on the strain of the tab."""
         judged, bears = self.verdict, self.sheet.max_strain
         peak = judged.used * bears
-        strain, limit = told_apart(100 * peak, 100 * bears, ".2g")
+        strain, limit = distinct_digits(100 * peak, 100 * bears, ".2g")
         place = note(
             "in the corners beside the tab" if peak > self.strain * (1 + STRAIN_SLACK) else "across the tab"
         )
@@ -192,7 +198,7 @@ UNEVEN_JOINT_MM = 0.05
 """Least reported difference between the widths of a closed strip's ends, mm."""
 
 
-def _tell_breadth(width: Profile, tapered: dict[str, Profile], digits: str) -> str:
+def _breadth_message(width: Profile, tapered: dict[str, Profile], digits: str) -> str:
     """Return the width of a strip in words, with the thickness if it varies."""
     spans: dict[str, Any] = {
         name: Span.of(*size.extremes, digits) for name, size in {"width": width, **tapered}.items()
@@ -216,7 +222,7 @@ def _mark_on_backing(curvature: FloatArray) -> str:
     return word if np.all(np.sign(bent) == np.sign(bent[0])) else f"{word} AT START"
 
 
-def _tell_backing(mark: str) -> str:
+def _backing_message(mark: str) -> str:
     """Return a sentence on the side of the bend with the backing; empty for a straight strip."""
     if not mark:
         return ""
@@ -235,7 +241,7 @@ def _tell_backing(mark: str) -> str:
     return note(texts[mark], mark=mark)
 
 
-def _tell_joint(lap: float, width: float, held: Reactions, place: str) -> str:
+def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str:
     """Return a sentence on the joint of a closed strip, `width` mm wide, and its load."""
     how = (
         note("glue its tab of {lap}, bent as drawn, behind its start", lap=Length(lap))
@@ -257,8 +263,8 @@ def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[s
         judged = layer.judged(bends.place(at))
         if not judged.allowed:
             bearable = bend[at] * layer.limit / layer.largest
-            strain, limit = told_apart(100 * layer.largest, 100 * layer.limit, ".2g")
-            radius, least = told_apart(1 / bend[at], 1 / bearable, ".3g")
+            strain, limit = distinct_digits(100 * layer.largest, 100 * layer.limit, ".2g")
+            radius, least = distinct_digits(1 / bend[at], 1 / bearable, ".3g")
             yield note(
                 "The strain is {strain:g} % at {at} from the start; {sheet} allows {limit:g} %: {outcome}. "
                 "Use a thinner sheet, or a radius of at least {least:g} there (now {radius:g}).",
@@ -292,7 +298,7 @@ def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], be
     tightest = int(np.argmax(bend))
     for cut, layer in zip(layers, strains, strict=False):
         least = cut.sheet.published_radius
-        if least is not None and layer.judged().allowed and bend[tightest] * least > 1 + TOLD_TO:
+        if least is not None and layer.judged().allowed and bend[tightest] * least > 1 + PRINTED_ACCURACY:
             at = bends.place(tightest)
             yield note(
                 "The radius is {radius} at {at} from the start. Plywood {thickness:g} thick needs at least "
@@ -492,7 +498,7 @@ class Strip:
 
     def breadth(self, digits: str = ".2f") -> str:
         """Return the width in words, with the thickness if it varies: "20.00 mm wide, 2.00 to 3.00 mm thick"."""
-        return _tell_breadth(self.width, self.tapered, digits)
+        return _breadth_message(self.width, self.tapered, digits)
 
     @cached_property
     def layout(self) -> Layout:
@@ -523,7 +529,7 @@ class Strip:
         return self.layers[0].outline
 
     @property
-    def mass_told(self) -> str:
+    def mass_text(self) -> str:
         """Mass in words: in grams, or in kilograms from 1000 g on."""
         heavy = self.mass >= 1000
         return note("{mass:.3g} kg" if heavy else "{mass:.3g} g", mass=self.mass / (1000 if heavy else 1))
@@ -558,7 +564,7 @@ class Strip:
         if not self.is_closed:
             return ""
         start = (self.rod.curve.provenance or Provenance()).shown(self.rod.position[0])
-        return _tell_joint(self.ends[1].length, self.end_widths[1], self.reactions(), start)
+        return _joint_message(self.ends[1].length, self.end_widths[1], self.reactions(), start)
 
     @cached_property
     def end_widths(self) -> tuple[float, float]:
@@ -767,7 +773,7 @@ class Strip:
     @property
     def backing_side(self) -> str:
         """Sentence on the side of the bend with a laminate's backing; empty for other strips."""
-        return _tell_backing(self._backing_mark)
+        return _backing_message(self._backing_mark)
 
     @property
     def _backing_mark(self) -> str:

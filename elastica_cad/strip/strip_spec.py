@@ -278,7 +278,7 @@ def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Fab
 
 
 @contextmanager
-def told_in_python(curve: PlaneCurve, may_change: bool) -> Iterator[None]:
+def changes_suggested_in_python(curve: PlaneCurve, may_change: bool) -> Iterator[None]:
     """Add a note to a refusal of the curve, with the argument that allows changing it.
 
     The change is not tried, because a search may take longer than the program can wait.
@@ -630,9 +630,9 @@ class StripSpec(EqualByValue):
         return first, last
 
     @property
-    def tabs_told(self) -> Refusal | None:
+    def tabs_message(self) -> Refusal | None:
         """Note on straight ends that became tabs, and on circles on them; None without straight ends."""
-        message = self.run_ins.told
+        message = self.run_ins.message
         drilled = sum(
             len(tab.holes) - len(requested.holes) for tab, requested in zip(self.tabs, self.ends, strict=True)
         )
@@ -744,7 +744,7 @@ class StripSpec(EqualByValue):
             rod = replace(rod, section=self._width_law)
         if isinstance(self.style, Laminated):  # the style computes the section for the stiffness of the rod
             rod = replace(rod, section=None)
-        tabs_note = self.tabs_told
+        tabs_note = self.tabs_message
         notes = (*([] if tabs_note is None else [tabs_note]), *self.rod_spec.smoothing.notes)
         strip = Strip(
             replace(rod, warnings=(*rod.warnings, *notes)) if notes else rod,
@@ -824,5 +824,5 @@ def make_strip(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Strip:
     """
     refuse_unknown(fields, {option.name for option in fields_of(StripSpec)} - {"curve", "sheet"}, "a strip")
     spec = StripSpec(curve, sheet, **fields)
-    with told_in_python(spec.curve, spec.may_change):
+    with changes_suggested_in_python(spec.curve, spec.may_change):
         return spec.make()

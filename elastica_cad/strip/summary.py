@@ -9,7 +9,7 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.mechanics.stability import SAFE_MARGIN, Stability, stability
-from elastica_cad.refusals import Length, is_told, note
+from elastica_cad.refusals import Length, is_reported, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import MOST, HeldShape, about
 from elastica_cad.strip.holding_template import distance_between, distance_of_tips, held_ends
@@ -61,7 +61,7 @@ def strip_rows(
             rows += [Row(note("Creep"), str(strip.crept))] if strip.crept is not None else []
     reported = {*strip.strain_warnings, *([near.status.value] if near is not None else [])}
     others = [text for text in strip.warnings if text not in reported]
-    rows += [Row(note("Warning" if is_told(text) else "Note"), text, (), getattr(text, "severity", "warning"))
+    rows += [Row(note("Warning" if is_reported(text) else "Note"), text, (), getattr(text, "severity", "warning"))
              for text in others]  # fmt: skip
     return in_order(rows)
 
@@ -81,7 +81,7 @@ def size_row(strip: Strip) -> Row:
         note("Size"),
         note(
             text, length=Length(length), whole=Length(length + tabs), breadth=strip.breadth(".1f"),
-            mass=strip.mass_told,
+            mass=strip.mass_text,
         ),
         (ratio, *backing),
     )  # fmt: skip

@@ -124,7 +124,7 @@ class Travel:
         start, end = np.abs(last - first)[[0, -1]] * [held.angle for held in self.rods[-1].supports.ends]
         return self.start_moment if start > end else self.end_moment
 
-    def tell_place(self, at: float) -> Refusal:
+    def place_message(self, at: float) -> Refusal:
         """Return the words for a place on the movement, mm of travel or degrees of turn."""
         at = require_number(at, "the place", "degrees" if self.is_turn else "mm")
         if self.is_turn:
@@ -139,22 +139,22 @@ class Travel:
             warnings.append(note(
                 "the force falls beyond {place}: a driven end stays in place, but an end pushed by a weight "
                 "runs away",
-                place=self.tell_place(self.force_falls_at),
+                place=self.place_message(self.force_falls_at),
             ))  # fmt: skip
         if self.snaps_at is not None:
             warnings.append(
-                note("the strip snaps into another shape at {place}", place=self.tell_place(self.snaps_at))
+                note("the strip snaps into another shape at {place}", place=self.place_message(self.snaps_at))
             )
         if self.crosses_at is not None:
             warnings.append(note(
                 "the strip crosses itself beyond {place}: contact of the strip with itself is not computed",
-                place=self.tell_place(self.crosses_at),
+                place=self.place_message(self.crosses_at),
             ))  # fmt: skip
         if self.strained_at is not None:
             warnings.append(note(
                 "the strain exceeds the limit of the sheet beyond {place} (safety {safety:.2g}): use a "
                 "thinner sheet, a longer strip or less travel",
-                place=self.tell_place(self.strained_at), safety=self.safety.min(),
+                place=self.place_message(self.strained_at), safety=self.safety.min(),
             ))  # fmt: skip
         return tuple(warnings)
 

@@ -7,7 +7,7 @@ from typing import Annotated
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
-from elastica_cad._values import and_more, require_record, told_apart
+from elastica_cad._values import and_more, distinct_digits, require_record
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
 from elastica_cad.geometry.path import Path
@@ -327,7 +327,7 @@ TIMES_AS_LONG = 4.0
 LAP_THICKNESSES = 20
 """Length of the plates that join pieces, in thicknesses; from about 12 on, glue is as strong as the sheet."""
 
-MOST_TOLD = 3  # thin places of a part that are listed; the rest are counted
+MOST_LISTED = 3  # thin places of a part that are listed; the rest are counted
 
 
 @dataclass(frozen=True)
@@ -355,7 +355,7 @@ class Fault:
         return note("{part}: {fault}. {cure}", part=self.part, fault=self.what, cure=self.cure)
 
 
-def _tell_faults(faults: Iterable[Fault]) -> str:
+def _faults_message(faults: Iterable[Fault]) -> str:
     """Return sentences that name each cure once."""
     by_cure: dict[tuple[str, str], list[str]] = {}
     for fault in faults:
@@ -376,7 +376,7 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
         changes = dict.fromkeys(change for fault in faults for change in fault.changes)
         raise InputError(
             "{faults} To make it anyway, set {field}.",
-            faults=_tell_faults(faults),
+            faults=_faults_message(faults),
             field=FieldName("ignore_limits"),
             kind="fault",
             changes=[*changes],
@@ -516,14 +516,14 @@ def _thin_strip(
         for fault in _faults_at(name, free, least, layer.sheet, cure):
             yield replace(fault, changes=changes)
     for place in tabs[:1]:
-        wide, needed = map(Length, told_apart(place.width, least, ".3g"))
+        wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))
         what = note(
             "only {wide:g} wide {at} ({sheet} needs {needed:g})",
             wide=wide, at=_place_on(strip, place), needed=needed, sheet=layer.sheet.name,
         )  # fmt: skip
         yield Fault(name, what, note("Make the tab wider"))
     webs = [place for place in places if place.loops != (0, 0) and place.width < web]
-    for place in webs[:MOST_TOLD]:
+    for place in webs[:MOST_LISTED]:
         yield _thin_web(name, place, _place_on(strip, place), web, layer.sheet)
 
 
@@ -564,7 +564,7 @@ def _place_on(strip: Strip, place: ThinPlace) -> str:
 
 def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) -> Fault:
     """Return the fault of too little material beside a hole, with the distance to move the hole."""
-    wide, needed = map(Length, told_apart(place.width, least, ".3g"))
+    wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))
     shift = Length(rounded_up(least - place.width, 2))
     if 0 in place.loops:
         what = note(
@@ -591,15 +591,15 @@ def _wider(strip: Strip, times: float) -> tuple[Change, ...]:
 def _faults_at(
     name: str, places: Sequence[ThinPlace], least: float, sheet: Sheet, cure: str, loops: Sequence[str] = ()
 ) -> Iterator[Fault]:
-    for k, place in enumerate(places[:MOST_TOLD]):
-        rest = len(places) - MOST_TOLD
-        more = note(" (and {rest} more places)", rest=rest) if k == MOST_TOLD - 1 and rest > 0 else ""
+    for k, place in enumerate(places[:MOST_LISTED]):
+        rest = len(places) - MOST_LISTED
+        more = note(" (and {rest} more places)", rest=rest) if k == MOST_LISTED - 1 and rest > 0 else ""
         at = (
             note("at {s} from the start of the curve", s=Length(place.x))
             if abs(place.y) < 1e-9
             else note("at {place} of the flat part", place=Point((place.x, place.y)))
         )
-        wide, needed = map(Length, told_apart(place.width, least, ".3g"))
+        wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))
         between = Listed(dict.fromkeys(loops[k] for k in sorted(place.loops))) if loops else ()
         what = note(
             "only {wide:g} between {loops} {at}{more} ({sheet} needs {needed:g})" if loops else
@@ -615,7 +615,7 @@ def _too_large(
     long, short = max(length, width), min(length, width)
     if long > stock[0] or short > stock[1]:
         (its_long, long_side), (its_short, short_side) = (
-            told_apart(size, side, ".4g") for size, side in zip((long, short), stock, strict=True)
+            distinct_digits(size, side, ".4g") for size, side in zip((long, short), stock, strict=True)
         )
         what = note(
             "{long:g} x {short:g} is larger than the stock of {stock_long:g} x {stock_short:g} in {sheet}",

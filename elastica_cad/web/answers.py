@@ -341,7 +341,9 @@ def _model(request: Mapping[str, Any]) -> Record:
     design = _design(request)
     kit = kit_contents(design.model(), design.kit, entries=design.entries, effects=True)
     messages = list(dict.fromkeys((*kit.notes, *kit.model.reports)))
-    warnings = [message for message in messages if isinstance(message, Refusal) and message.severity == "warning"]
+    warnings = [
+        message for message in messages if isinstance(message, Refusal) and message.severity == "warning"
+    ]
     strips: dict[int, int] = {}
     shapes: list[Record] = []
     places = []
@@ -495,12 +497,12 @@ def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
     return {
         "curves": [
             {
-                "called": f"{name} {curve.number} {curve.name}".rstrip(),
-                "curve": curve_table(curve.curve),
-                "read": str(curves.file.report([curve])),
+                "called": f"{name} {drawn.number} {drawn.name}".rstrip(),
+                "curve": curve_table(drawn.curve),
+                "read": str(curves.file.report([drawn])),
             }
-            for curve in curves.file
-            if not curve.problem
+            for drawn in curves.file
+            if not drawn.problem
         ],
         "notes": list(curves.notes),
     }

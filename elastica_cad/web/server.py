@@ -159,7 +159,7 @@ class Studio:
             await send(b"text", json.dumps({"design": None} | json.loads(opened) | self._hello).encode())
 
         try:
-            self._workers.ask(page, {"do": "open"}, b'{"do": "open"}', greet)
+            self._workers.request(page, {"do": "open"}, b'{"do": "open"}', greet)
             while True:
                 await self._take(page, await talk.receive_text(), send)
         except (WebSocketDisconnect, KeyError):  # gone; or bytes, which no page of ours sends
@@ -181,7 +181,7 @@ class Studio:
 
         saves = request.get("do") == "save" and not request.get("copy")
         line = text.replace("\n", " ").encode()  # a line feed of JSON is a space, and ends a worker's line
-        if not self._workers.ask(page, head_of(request), line, written if saves else send):
+        if not self._workers.request(page, head_of(request), line, written if saves else send):
             await send(b"text", refused_answer(request, InputError(TOO_MUCH)))
 
 

@@ -27,7 +27,8 @@ def page_words() -> dict[str, Any]:
             for language, name in CATALOGUES.items()
         },
         "sheets": [
-            [kind, [[sheet.name, sheet.full_name] for sheet in sheets]] for kind, sheets in sheets_by_kind().items()
+            [kind, [[sheet.name, sheet.full_name] for sheet in sheets]]
+            for kind, sheets in sheets_by_kind().items()
         ],
         "downloads": [kind for kind in DOWNLOADS if kind not in without],
     }

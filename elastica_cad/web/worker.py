@@ -74,7 +74,9 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
     except ElasticaError as problem:
         response = refused(problem)
     except MemoryError:
-        response = refused(InputError("there is not enough memory for this: ask for less, such as fewer strips"))
+        response = refused(
+            InputError("there is not enough memory for this: ask for less, such as fewer strips")
+        )
     except Exception:  # a page of another version, or nonsense; the next question is answered all the same
         traceback.print_exc()
         response = refused(InputError("this design cannot be read: its values are of the wrong kind"))

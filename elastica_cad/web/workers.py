@@ -43,7 +43,7 @@ class Workers:
             task.cancel()
         await asyncio.gather(*self._tasks, return_exceptions=True)
 
-    def ask(self, page: int, head: dict[str, Any], line: bytes, send: Send) -> bool:
+    def request(self, page: int, head: dict[str, Any], line: bytes, send: Send) -> bool:
         """Queue a request, and drop an equal waiting request from the same page.
 
         Return False if too many other requests from the page are waiting.

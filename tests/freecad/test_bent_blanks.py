@@ -8,7 +8,7 @@ import pytest
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
 from freecad.elastica_wb.cutting_files import write_cutting_files
 from freecad.elastica_wb.features import curves, flat, model, nest, strip
-from freecad.elastica_wb.features.pieces import cuts_of, told_blanks_of
+from freecad.elastica_wb.features.pieces import cuts_of, pre_bend_messages_of
 from freecad.elastica_wb.features.strip_properties import nearest_spec_of
 
 from tests.freecad.features import change, new
@@ -61,7 +61,7 @@ def test_what_is_cut_tells_it(document, bent, drawn, tmp_path):
     straight = strip.create(document, drawn([(x, y + 200) for x, y in [(0, 0), (60, 60), (120, 0)]], 2))
     laid = new(nest.create, document, [bent, straight])
     told = f"{bent.Label}: {EVEN}"
-    assert told_blanks_of(cuts_of([bent, straight])) == laid.Reports == [told]
+    assert pre_bend_messages_of(cuts_of([bent, straight])) == laid.Reports == [told]
     write_cutting_files([bent, straight], tmp_path, kinds=["csv", "dxf"])
     with (tmp_path / "cut-list.csv").open(encoding="utf-8") as file:
         rows = {row["part"]: row for row in csv.DictReader(file)}
@@ -80,13 +80,13 @@ def test_a_model_names_the_strips_that_are_bent_alike(document, bent):
     flatly = document.copyObject(bent)
     flatly.Label, flatly.NaturalCurvature = "Flatly", 0.0
     whole = new(model.create, document, [bent, other, flatly], interlock=False)
-    assert whole.Reports == told_blanks_of(cuts_of([whole])) == [f"One, Other: {EVEN}"]
+    assert whole.Reports == pre_bend_messages_of(cuts_of([whole])) == [f"One, Other: {EVEN}"]
 
 
 def test_both_layers_of_a_laminate_are_told(document, bent):
     bent.Style, bent.Backing, bent.Anyway = "Laminated", bent.Sheet, True  # it is bent beyond its limit
     document.recompute()
-    (told,) = told_blanks_of(cuts_of([bent]))
+    (told,) = pre_bend_messages_of(cuts_of([bent]))
     assert re.match(rf"{bent.Label}\b.*, {bent.Label}.*: bend it beforehand", told)
 
 

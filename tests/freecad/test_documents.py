@@ -25,7 +25,7 @@ from freecad.elastica_wb.curves.sketch_curves import (
 from freecad.elastica_wb.cutting_files import (
     KINDS,
     cutting_of,
-    tell_later_features,
+    later_feature_messages,
     write_cutting_files,
 )
 from freecad.elastica_wb.features import flat, nest, proxy, strip
@@ -138,7 +138,7 @@ def test_what_goes_on_after_a_strip_is_told_before_it_is_exported(document, sket
     body.addObject(sketch)
     feature = strip.create(document, sketch)
     twin = new(flat.create, document, feature)
-    assert tell_later_features(feature) == []
+    assert later_feature_messages(feature) == []
     laid = new(nest.create, document, [feature])
     assert laid.LeftOut == []
     hole = body.newObject("PartDesign::SubtractiveCylinder", "Hole")
@@ -150,13 +150,15 @@ def test_what_goes_on_after_a_strip_is_told_before_it_is_exported(document, sket
     )
     assert hole.State == ["Up-to-date"]
     assert body.Shape.Volume < feature.Shape.Volume - 1, "it takes something away"
-    (said,) = tell_later_features(feature)
+    (said,) = later_feature_messages(feature)
     assert said.startswith("Strip is followed by Hole, which these files leave out: ")
     box = document.addObject("Part::Box", "Box")
     cut, rounded, away = (document.addObject(f"Part::{kind}", kind) for kind in ("Cut", "Chamfer", "Cut"))
     cut.Base, cut.Tool, rounded.Base, away.Base, away.Tool = body, box, twin, box, body
-    assert tell_later_features(feature)[0].startswith("Strip is followed by Hole, Cut, Chamfer, which")
-    nest.tell_left_out(laid)  # as the window does a moment after a recompute: the nest does not hang on them
+    assert later_feature_messages(feature)[0].startswith("Strip is followed by Hole, Cut, Chamfer, which")
+    nest.report_left_out(
+        laid
+    )  # as the window does a moment after a recompute: the nest does not hang on them
     (said,) = laid.LeftOut
     assert said.startswith(
         "Strip is followed by Hole, Cut, Chamfer, which the nest leaves out: make it in the strip"

@@ -72,7 +72,7 @@ def test_interlocked_strips_touch_nowhere(document, crossing):
 
 def overlaps(made):
     """What is told a moment after the recompute."""
-    model.tell_overlaps(made, model.overlaps_sought(made).result())
+    model.show_overlaps(made, model.overlaps_sought(made).result())
     return list(made.Overlaps)
 
 

@@ -283,7 +283,7 @@ def test_a_kernel_that_fails_is_a_sentence(document, sketch, monkeypatch):
 def test_how_far_it_strays_as_made_and_held(document, sketch):
     feature = strip.create(document, sketch)
     change(feature, Slots=["at = 60, width = 1.2", "at = 100, width = 1.2"])
-    strip.tell_held(feature)
+    strip.show_held(feature)
     held = strip.strip_of(feature).held()
     assert feature.HeldDeviation.Value == pytest.approx(held.deviation)
     assert held.deviation > 0.5
@@ -293,7 +293,7 @@ def test_how_far_it_strays_as_made_and_held(document, sketch):
     assert feature.Held == before
     change(feature, MaxWidth=20)
     assert [feature.Held, feature.HeldDeviation.Value] == ["", 0]
-    strip.tell_held(feature)
+    strip.show_held(feature)
     assert feature.Held != before
 
 
@@ -330,7 +330,7 @@ def test_why_it_is_held_in_no_shape(document, sketch, monkeypatch, found, says):
 
     feature = new(strip.create, document, sketch)
     monkeypatch.setattr(strip, "held_shape", held)
-    strip.tell_held(feature)
+    strip.show_held(feature)
     assert says in feature.Held
     assert feature.HeldDeviation.Value == 0
 

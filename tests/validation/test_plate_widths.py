@@ -17,7 +17,7 @@ from elastica_cad import (
     make_strip,
 )
 from elastica_cad.mechanics import ThicknessLaw, anticlastic_factor
-from elastica_cad.strip.held_shape import LEAST_TOLD_MM
+from elastica_cad.strip.held_shape import LEAST_REPORTED_MM
 
 pytestmark = pytest.mark.core
 
@@ -62,7 +62,7 @@ def test_a_strip_takes_its_curve_by_default_where_nu_is_known(name, asked):
     assert held.deviation < STRAYS * LENGTH
     assert held.parts == {}
     beam = make_strip(CURVES[name], CARD, **ASKED[asked], compensate=False)
-    needed = beam.held_deviation > LEAST_TOLD_MM
+    needed = beam.held_deviation > LEAST_REPORTED_MM
     assert held.made_up_for == (("anticlastic bending",) if needed else ())
     assert ("with widths that compensate anticlastic bending" in str(held)) == needed
     narrow, wide = made.width.extremes

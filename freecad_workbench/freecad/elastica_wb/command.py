@@ -66,7 +66,7 @@ class Command:
 
     def Activated(self, _index: int = 0) -> None:
         """Run the command, and show its error if it fails."""
-        from freecad.elastica_wb.host.dialogs import tell
+        from freecad.elastica_wb.host.dialogs import show_message
         from freecad.elastica_wb.host.refusal import FAILURES, explained
 
         step = App.getActiveTransaction()
@@ -75,7 +75,7 @@ class Command:
         except FAILURES as error:
             if App.getActiveTransaction() != step:
                 Gui.doCommand("App.closeActiveTransaction(True)")  # so that a macro also takes it back
-            tell(str(explained(error)))
+            show_message(str(explained(error)))
 
 
 def _toggle() -> None:

@@ -27,7 +27,7 @@ from freecad.elastica_wb.host.words import Unit, Words, user_language
 from freecad.elastica_wb.solving.strip_cache import bent_shape, flat_shape
 
 from elastica_cad.design.kit_spec import Cutting
-from elastica_cad.design.reports import tell_blank
+from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.errors import InputError
 from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.kit.kit import cutting_files
@@ -38,7 +38,7 @@ from elastica_cad.strip.pieces import distinct, file_word
 from elastica_cad.strip.solids import FlatSolid, frame_beside
 
 
-def tell_later_features(obj: Any) -> list[str]:
+def later_feature_messages(obj: Any) -> list[str]:
     """Return a warning if later features, which the files omit, change a strip, a model or a plate."""
     words = translate(
         "Elastica",
@@ -125,7 +125,7 @@ def write_cutting_files(
 def _listed(cuts: Sequence[Cut], files: Mapping[str, str]) -> str:
     """Return the cut list as CSV. A column describes parts that are bent before assembly, if there are any."""
     text = cut_list((cut.piece for cut in cuts), files).csv
-    blanks = ["" if cut.strip is None else tell_blank(cut.strip) for cut in cuts]
+    blanks = ["" if cut.strip is None else pre_bend_message(cut.strip) for cut in cuts]
     if not any(blanks):
         return text
     stream = io.StringIO()

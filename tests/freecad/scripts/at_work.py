@@ -186,7 +186,7 @@ def export():
     for name, words in folders.items():
         from freecad.elastica_wb.host import dialogs
 
-        dialogs._told.clear()
+        dialogs._open_boxes.clear()
         open_panel("Elastica_Export", document.getObject("Strip"))
         typed("folder", words)
         press_button("Ok")
@@ -194,7 +194,7 @@ def export():
             lambda: told() or ":" in panel().form.message.text() or "path" in panel().form.message.text(), 10
         )
         answers[f"export {name}"] = told() or panel().form.message.text()
-        for box in dialogs._told:
+        for box in dialogs._open_boxes:
             box.close()
         if Gui.Control.activeDialog():
             button("Cancel")

@@ -125,7 +125,7 @@ def exported(document):
     type_into(panel().form.folder, str(folder))
     press_button("Ok")
     until(told)
-    for box in dialogs._told:
+    for box in dialogs._open_boxes:
         box.close()
     return sorted(file.name for file in folder.iterdir())
 
@@ -168,7 +168,7 @@ def in_error():
     press("Elastica_Nest")
     until(told, 10)
     found.append(told())
-    for box in dialogs._told:
+    for box in dialogs._open_boxes:
         box.close()
     open_panel("Elastica_Interlock", narrow, document.Strip001)
     found.append(panel().form.message.text())

@@ -48,10 +48,10 @@ answers["trouble"] = []
 def told():
     from freecad.elastica_wb.host import dialogs as base
 
-    words = [box.text() for box in base._told]
-    for box in base._told:
+    words = [box.text() for box in base._open_boxes]
+    for box in base._open_boxes:
         box.close()
-    base._told.clear()
+    base._open_boxes.clear()
     return words
 
 

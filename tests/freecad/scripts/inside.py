@@ -399,7 +399,7 @@ def told():
     """What a window of the workbench says."""
     from freecad.elastica_wb.host import dialogs
 
-    return dialogs._told[0].text() if dialogs._told and dialogs._told[0].isVisible() else ""
+    return dialogs._open_boxes[0].text() if dialogs._open_boxes and dialogs._open_boxes[0].isVisible() else ""
 
 
 def window():

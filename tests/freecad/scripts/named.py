@@ -109,7 +109,7 @@ def exported(document):
     typed("folder", str(folder))
     press_button("Ok")
     until(told)
-    for box in dialogs._told:
+    for box in dialogs._open_boxes:
         box.close()
     step = (folder / "Lamp.step").read_text(encoding="utf-8")
     return re.findall(r"PRODUCT\('([^']*)'", step), sorted(file.name for file in folder.iterdir())

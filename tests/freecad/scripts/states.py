@@ -50,7 +50,7 @@ def put_away():
     """Close what the button opened."""
     from freecad.elastica_wb.host import dialogs
 
-    for box in dialogs._told:
+    for box in dialogs._open_boxes:
         box.close()
     if Gui.Control.activeDialog():
         for kind in ("Cancel", "Close"):

@@ -7,7 +7,7 @@ import pytest
 
 from elastica_cad import PlaneCurve, make_strip, read_curves
 from elastica_cad.design import read_design
-from elastica_cad.design.reports import report_blank, tell_blank
+from elastica_cad.design.reports import pre_bend_message, report_blank
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.kit.model_kit import model_kit
 from elastica_cad.mechanics import RestCurvature
@@ -38,13 +38,13 @@ def made(rest, curve=LEFT):
 
 def test_a_flat_blank_is_not_told():
     assert report_blank(made(0.0)) is None
-    assert tell_blank(made(0.0)) == ""
+    assert pre_bend_message(made(0.0)) == ""
 
 
 @pytest.mark.parametrize(("rest", "way"), [(0.004, ", the way it"), (-0.004, ", the other way than it")])
 def test_an_even_blank_is_told_by_its_radius_and_by_how_the_strip_stands(rest, way):
     assert report_blank(made(rest)) == {"s": [0.0, 100.0], "curvature": [rest, rest]}
-    told = tell_blank(made(rest))
+    told = pre_bend_message(made(rest))
     assert "to a radius of 250 mm all along" in told
     assert way in told
 
@@ -57,7 +57,7 @@ def test_a_blank_that_varies_is_listed_along_the_strip():
     )
     assert (
         "125 mm at its sharpest, 50 mm from its start, the other way than it stands bent there"
-        in tell_blank(found)
+        in pre_bend_message(found)
     )
 
 

@@ -41,7 +41,7 @@ from elastica_cad.model import (
 from elastica_cad.model.plate_pairs import end_plates
 from elastica_cad.strip import TabSeat, compensate_widths
 from elastica_cad.strip.as_made import stiffness_shares
-from elastica_cad.strip.held_shape import LEAST_TOLD_MM
+from elastica_cad.strip.held_shape import LEAST_REPORTED_MM
 from elastica_cad.strip.tab_seats import lean_against, rest_in_seats
 
 pytestmark = pytest.mark.core
@@ -488,13 +488,13 @@ def test_only_causes_that_the_correction_changes_are_named(rod):
     strip = Strip(rod, replace(PLY, poisson_ratio=0.0), max_width=30.0, slots=SLOTS)
     narrower = replace(strip, ends=tuple(Tab(10, width=width - 0.2) for width in strip.end_widths))
     held = compensate_widths(narrower).held(start=TabSeat.pocket(10.0, 0.8, 0.1))
-    assert 0 < held.parts["narrow tabs"] < LEAST_TOLD_MM < held.parts["start: pocket"]
+    assert 0 < held.parts["narrow tabs"] < LEAST_REPORTED_MM < held.parts["start: pocket"]
     assert held.made_up_for == ("slots",)
 
 
 def test_a_correction_that_changes_nothing_is_left_out(rod):
     strip = Strip(rod, replace(CARD, poisson_ratio=0.05), max_width=30.0)
-    assert 0 < strip.held_deviation < LEAST_TOLD_MM
+    assert 0 < strip.held_deviation < LEAST_REPORTED_MM
     better = compensate_widths(strip)
     assert better is strip
     assert better.held().made_up_for == ()

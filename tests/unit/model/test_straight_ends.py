@@ -12,7 +12,7 @@ from elastica_cad.design.kit_spec import HolderSpec, KitSpec
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.kit.model_kit import model_kit
 from elastica_cad.model.assembly import list_assembly_steps
-from elastica_cad.strip.holding_template import held_ends, holding_template, tell_ends
+from elastica_cad.strip.holding_template import ends_message, held_ends, holding_template
 
 BENT = [(60, 0), (110, 0), (160, 120), (250, 150), (340, 120), (390, 0), (440, 0)]
 
@@ -74,7 +74,7 @@ def test_the_holding_template_shows_where_the_ends_and_the_screws_are(arch):
     first, last = held_ends(strip)
     assert first.position == pytest.approx([60, 0], abs=1e-9)
     assert last.tip == pytest.approx([500, 0], abs=1e-9)
-    assert "ends 380.0 mm apart where the bend begins (500.0 mm from tip to tip)," in tell_ends(strip)
+    assert "ends 380.0 mm apart where the bend begins (500.0 mm from tip to tip)," in ends_message(strip)
     drawing = holding_template(strip)
     curve_drawn = drawing.on("ENGRAVE")[0]
     assert np.abs(curve_drawn.points(0.01)[:, 1].max() - strip.rod.position[:, 1].max()) < 0.02

@@ -180,10 +180,10 @@ def test_plates_take_the_name_of_a_sheet():
 
 
 def test_a_mass_is_told_as_people_say_it():
-    assert strip().mass_told == f"{strip().mass:.3g} g"
+    assert strip().mass_text == f"{strip().mass:.3g} g"
     heavy = Strip(Rod.straight(2500), Sheet.named("birch-plywood-6"), max_width=150, label="B")
     assert heavy.mass > 1000
-    assert heavy.mass_told == f"{heavy.mass / 1000:.3g} kg"
+    assert heavy.mass_text == f"{heavy.mass / 1000:.3g} kg"
 
 
 def test_the_least_published_radius_itself_is_no_fault():

@@ -19,7 +19,7 @@ from freecad.elastica_wb.commands.selection import (
 from freecad.elastica_wb.curves.plane_sections import chosen_bodies, is_path
 from freecad.elastica_wb.features import curves, flat, model, nest
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.dialogs import tell
+from freecad.elastica_wb.host.dialogs import show_message
 from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.live import observers
 from freecad.elastica_wb.live.sketches import edited_sketch
@@ -191,6 +191,6 @@ def make_nest() -> None:
         raise
     record_end_of_step(document)
     if "Invalid" in feature.State:  # keep it, because the parts may fit on other sheets
-        tell(feature.getStatusString())
+        show_message(feature.getStatusString())
     elif feature.LeftOut or feature.Reports:
-        tell("\n".join([*feature.LeftOut, *feature.Reports]))
+        show_message("\n".join([*feature.LeftOut, *feature.Reports]))

@@ -125,7 +125,9 @@ def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
     for name in names:
         places = [vertex.Point for vertex in edge_called(source, name).Vertexes]
         chain: tuple[list[str], list[Any]] = ([name], places)
-        for other in [joined for joined in chains if any(p.isEqual(q, JOIN_MM) for p in places for q in joined[1])]:
+        for other in [
+            joined for joined in chains if any(p.isEqual(q, JOIN_MM) for p in places for q in joined[1])
+        ]:
             chains.remove(other)
             chain = (other[0] + chain[0], other[1] + chain[1])
         chains.append(chain)

@@ -8,7 +8,7 @@ from typing import Any
 
 import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import container, link_target
-from freecad.elastica_wb.host.refusal import is_broken_link, told_of_broken_link
+from freecad.elastica_wb.host.refusal import broken_link_message, is_broken_link
 
 from elastica_cad.errors import InputError
 
@@ -99,7 +99,7 @@ def _copies(obj: Any, place: App.Matrix) -> Iterator[Shown]:
     parts = _parts(obj)
     if parts is None:
         if is_broken_link(obj):
-            raise InputError(told_of_broken_link(obj))
+            raise InputError(broken_link_message(obj))
         yield obj, place
         return
     if _size(obj) != SAME:

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import frame_of
-from freecad.elastica_wb.features.fixtures import source_model, tell_plays
+from freecad.elastica_wb.features.fixtures import show_plays, source_model
 from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
 from freecad.elastica_wb.host.property_table import Property, declared_property, values_of
 from freecad.elastica_wb.host.sheet_store import sheet_called
@@ -42,7 +42,7 @@ class BasePlateFeature(Feature):
         solid = plate.solid
         lowered = Frame().shifted(z=-solid.thickness)
         obj.Shape = make_solid(FlatSolid(solid.outline, solid.holes, solid.thickness, lowered))
-        tell_plays(obj, source_model(obj.Sources), [plate])
+        show_plays(obj, source_model(obj.Sources), [plate])
 
 
 def create(document: Any, sources: list[Any]) -> Any:

@@ -52,7 +52,7 @@ class FixturesFeature(Feature):
         for block in shapes:
             block.Placement = inner * block.Placement
         obj.Shape = Part.Compound(shapes)
-        tell_plays(obj, model, blocks)
+        show_plays(obj, model, blocks)
 
 
 def _blocks(obj: Any, model: Model) -> tuple[EndFixture, ...]:
@@ -90,7 +90,7 @@ def create(document: Any, sources: list[Any]) -> Any:
     return added(document, "Fixtures", FixturesFeature, sources, Sources=sources)
 
 
-def tell_plays(obj: Any, model: Model, holders: Iterable[object]) -> None:
+def show_plays(obj: Any, model: Model, holders: Iterable[object]) -> None:
     """Write into the results of a fixture how far tabs can shift and turn in it."""
     put(obj, Reports=[worded(line) for line in holder_plays(model.placed, holders)])
 

@@ -24,7 +24,7 @@ from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
 from freecad.elastica_wb.host.words import report_warning, worded
 from freecad.elastica_wb.solving.strip_cache import bent_shape, remembered
-from freecad.elastica_wb.solving.verdicts import told_blanks
+from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
 from elastica_cad.declared import declared
 from elastica_cad.errors import ElasticaError, InputError
@@ -81,11 +81,11 @@ class ModelFeature(Feature):
         put(
             obj,
             Joints=len(model.joints),
-            Reports=[*told_blanks(named), *_worded(model.reports)],
+            Reports=[*pre_bend_messages(named), *_worded(model.reports)],
             Overlaps=_worded(known.result()) if known is not None and known.done() else [],
         )
 
-    def tell_error(self, obj: Any, error: ElasticaError) -> None:
+    def show_error(self, obj: Any, error: ElasticaError) -> None:
         """Replace the results by the error."""
         put(obj, Joints=0, Reports=[worded(str(error))], Overlaps=[])
 
@@ -161,7 +161,7 @@ def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
         return None
 
 
-def tell_overlaps(obj: Any, overlaps: tuple[str, ...]) -> None:
+def show_overlaps(obj: Any, overlaps: tuple[str, ...]) -> None:
     """Write into the results which strips of a model intersect."""
     messages = _worded(overlaps)
     if messages and obj.Overlaps != messages:

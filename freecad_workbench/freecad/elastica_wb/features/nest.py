@@ -10,7 +10,7 @@ import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.part_shapes import is_bounded, make_wire
 from freecad.elastica_wb.curves.sketch_curves import container
-from freecad.elastica_wb.features.pieces import counted, cuts_of, later_features, told_blanks_of
+from freecad.elastica_wb.features.pieces import counted, cuts_of, later_features, pre_bend_messages_of
 from freecad.elastica_wb.features.proxy import REPORTS, Feature, added
 from freecad.elastica_wb.host.property_table import Property, put, result
 from freecad.elastica_wb.host.refusal import FAILURES
@@ -48,11 +48,11 @@ class NestFeature(Feature):
                 wire.translate(App.Vector(i * (size[0] + SHEET_GAP_MM), 0, 0))
             wires += drawn
         obj.Shape = Part.Compound(wires)
-        put(obj, Sheets=len(sheets), Reports=told_blanks_of(cuts))
-        tell_left_out(obj)
+        put(obj, Sheets=len(sheets), Reports=pre_bend_messages_of(cuts))
+        report_left_out(obj)
 
 
-def tell_left_out(obj: Any) -> None:
+def report_left_out(obj: Any) -> None:
     """Write which features come after the nested pieces. The nest does not include them."""
     words = translate(
         "Elastica",

@@ -18,7 +18,7 @@ from freecad.elastica_wb.features.model import model_of
 from freecad.elastica_wb.features.proxy import why_left_out
 from freecad.elastica_wb.features.strip import shown_strips, strip_of
 from freecad.elastica_wb.host.objects import is_base_plate, is_flat, is_model, is_strip
-from freecad.elastica_wb.solving.verdicts import told_blanks
+from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
 from elastica_cad.errors import InputError
 from elastica_cad.strip.pieces import Piece, distinct
@@ -49,9 +49,9 @@ class Cut:
     strip: Strip | None = None
 
 
-def told_blanks_of(cuts: Iterable[Cut]) -> list[str]:
+def pre_bend_messages_of(cuts: Iterable[Cut]) -> list[str]:
     """Return how the pieces are bent before assembly, with one message for all pieces that are bent alike."""
-    return told_blanks((cut.piece.name, cut.strip) for cut in cuts if cut.strip is not None)
+    return pre_bend_messages((cut.piece.name, cut.strip) for cut in cuts if cut.strip is not None)
 
 
 def cuts_of(sources: Iterable[Any]) -> list[Cut]:

@@ -167,10 +167,10 @@ class Feature(Unsaved):
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
         """Write the error into the results, and hide the last good shape."""
-        self.tell_error(obj, error)
+        self.show_error(obj, error)
         hide(obj)
 
-    def tell_error(self, obj: Any, error: ElasticaError) -> None:
+    def show_error(self, obj: Any, error: ElasticaError) -> None:
         """Write the error into the results, if the feature has any."""
 
     def covered(self, _obj: Any) -> list[Any]:
@@ -228,7 +228,7 @@ def give_up(document: Any) -> None:
             )
             report_error(message, names)
         for feature in ours:
-            feature.Proxy.tell_error(feature, InputError(message))
+            feature.Proxy.show_error(feature, InputError(message))
         hide(source)
 
 

@@ -30,7 +30,7 @@ from freecad.elastica_wb.solving.strip_cache import (
 )
 from freecad.elastica_wb.solving.verdicts import is_bent_beforehand, strip_faults
 
-from elastica_cad.design.reports import tell_blank
+from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.errors import ElasticaError, InputError, StrainError
 from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import NotRealizable
@@ -91,16 +91,16 @@ class StripFeature(Feature):
                 Held="",
             )
         changed = find_nearest(spec.rod_spec).deviation if spec.may_change else None
-        _tell_results(obj, strip, changed, spec.rod_spec.smoothing.moved)
+        _show_results(obj, strip, changed, spec.rod_spec.smoothing.moved)
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
         """Write the error into the results. Hide nothing while the sketch is open."""
         if is_edited(obj):
-            self.tell_error(obj, error)
+            self.show_error(obj, error)
         else:
             super().failed(obj, error)
 
-    def tell_error(self, obj: Any, error: ElasticaError) -> None:
+    def show_error(self, obj: Any, error: ElasticaError) -> None:
         """Replace the results by the error."""
         reasons, verdict = [str(error)], "There is no strip."
         if isinstance(error, NotRealizable):
@@ -203,7 +203,7 @@ def shown_strip(obj: Any) -> Strip:
     return _shown.get(obj.MadeFrom) or strip_of(obj)
 
 
-def tell_held(obj: Any) -> None:
+def show_held(obj: Any) -> None:
     """Write into the results how far a strip as made and held is from its curve.
 
     It takes as long as all other results together, so no recompute waits for it.
@@ -250,13 +250,13 @@ def _solids(body: Any) -> bool:
     return shape is not None and not shape.isNull() and bool(shape.Solids)
 
 
-def _tell_results(obj: Any, strip: Strip, changed: float | None, smoothed: float) -> None:
+def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float) -> None:
     """Write the results. `changed` and `smoothed` are how far the search and smoothing moved the curve, mm."""
     rod, stability, sideways = strip.rod, judged(strip.rod), strip.sideways
     faults, bent, refused = list(strip_faults(strip)), is_bent_beforehand(strip), strip.strain_verdict.refused
     notes = [
         *(fault.sentence for fault in faults),
-        *filter(None, [tell_blank(strip), strip.backing_side]),
+        *filter(None, [pre_bend_message(strip), strip.backing_side]),
         *strip.warnings,
         *([] if sideways.word == "ample" else [str(sideways)]),
     ]

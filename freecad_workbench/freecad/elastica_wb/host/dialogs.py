@@ -20,7 +20,7 @@ MOST_FILES = 12  # that a window lists
 _open_boxes: list[Any] = []
 
 
-def tell(sentence: str) -> None:
+def show_message(sentence: str) -> None:
     """Show a sentence in the report view, in the status bar and in a window that does not block."""
     sentence = worded(sentence)
     report_error(sentence)
@@ -28,7 +28,7 @@ def tell(sentence: str) -> None:
     _show(sentence)
 
 
-def tell_files(files: list[Path], notes: Sequence[str] = ()) -> None:
+def show_files(files: list[Path], notes: Sequence[str] = ()) -> None:
     """Show the written files and notes on them, with a button that opens their folder."""
     folder = files[0].parent
     names = [file.name for file in files[:MOST_FILES]] + ["..."] * (len(files) > MOST_FILES)

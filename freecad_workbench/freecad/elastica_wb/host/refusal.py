@@ -133,7 +133,7 @@ def is_broken_link(obj: Any) -> bool:
     return bool(obj.TypeId.startswith("App::Link")) and getattr(obj, "LinkedObject", obj) is None
 
 
-def told_of_broken_link(obj: Any) -> str:
+def broken_link_message(obj: Any) -> str:
     """Return the problem of a broken link, with advice."""
     lost = LOST_LINK.search(str(obj.getStatusString()))
     if lost:
@@ -153,7 +153,7 @@ def _why_not_made_by_others(obj: Any) -> str:
     """Return a message for an object of FreeCAD. FreeCAD's text is written for programmers."""
     status = str(obj.getStatusString())
     if is_broken_link(obj) or LOST_LINK.search(status):
-        return told_of_broken_link(obj)
+        return broken_link_message(obj)
     file = getattr(obj, "FileName", "")
     if isinstance(file, str) and file and not os.path.exists(file):
         return note(

@@ -75,7 +75,7 @@ class LaterResults:
             self._timer.start(PAUSE_MS)
             return
         del self._waiting[first]
-        is_finished = not lives(obj) or self._told(first, obj)
+        is_finished = not lives(obj) or self._finish(first, obj)
         if not is_finished:
             self._waiting.setdefault(first, obj)
         self._timer.start(0 if is_finished else SOUGHT_MS)
@@ -83,23 +83,23 @@ class LaterResults:
     def _finish(self, name: tuple[str, str], obj: Any) -> bool:
         """Write the results. Return False if they are not computed yet."""
         if is_strip(obj):
-            from freecad.elastica_wb.features.strip import tell_held
+            from freecad.elastica_wb.features.strip import show_held
 
-            tell_held(obj)
+            show_held(obj)
             return True
         if feature_kind(obj) == "Nest":
-            from freecad.elastica_wb.features.nest import tell_left_out
+            from freecad.elastica_wb.features.nest import report_left_out
 
-            tell_left_out(obj)
+            report_left_out(obj)
             return True
-        from freecad.elastica_wb.features.model import overlaps_sought, tell_overlaps
+        from freecad.elastica_wb.features.model import overlaps_sought, show_overlaps
 
         future = self._sought.pop(name, None) or overlaps_sought(obj)
         if future is not None and not future.done():
             self._sought[name] = future
             return False
         if future is not None:
-            tell_overlaps(obj, future.result())
+            show_overlaps(obj, future.result())
         return True
 
 

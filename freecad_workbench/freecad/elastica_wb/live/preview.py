@@ -178,14 +178,14 @@ class Handles:
         if self._held is None:
             return False
         self._soon.stop()
-        self._tell()
+        self._notify()
         self._held = None
         self._color.rgb = REST
         if self._let_go is not None:
             self._let_go()
         return True
 
-    def _tell(self) -> None:
+    def _notify(self) -> None:
         if self._held is not None:
             x, y = self.places[self._held]
             self._moved(self._held, (float(x), float(y)))

@@ -114,7 +114,7 @@ class Session:
         try:
             curve, self._cost = find_nearest_to_drag(replace(self._allows, curve=self._curve))
         except FAILURES as error:  # the user stopped it
-            self._say(replace(self.card.answer, sentence=str(explained(error))))
+            self._show_answer(replace(self.card.answer, sentence=str(explained(error))))
             return
         self._placed = curve.control_points
         record_step(document, translate("Elastica", "Use the nearest curve"))
@@ -178,12 +178,12 @@ class Session:
             answer = refusal_answer(explained(error))
             if is_blank(self.sketch):
                 answer = Answer(Verdict.NOTHING, translate("Elastica", "no curve yet"), answer.sentence)
-            self._say(answer)
+            self._show_answer(answer)
             return
         self.overlay.show(picture)
         if picture.realizable is False:
             self.overlay.show_width(())
-        self._say(picture.answer)
+        self._show_answer(picture.answer)
         self.times.append(time.thread_time() - began)
         self._rest.start()
 
@@ -198,17 +198,17 @@ class Session:
             strip = solve_strip(spec)
         except FAILURES as error:
             self.overlay.show_width(())
-            self._say_read(refusal_answer(explained(error)))
+            self._show_read(refusal_answer(explained(error)))
             if preferences.get("LiveNearest"):
-                self._ask()
+                self._request()
             return
         self.overlay.show_width(width_lines(strip))
         answer = strip_answer(strip)
-        self._say_read(answer)
+        self._show_read(answer)
         if answer.verdict is not Verdict.CAN and answer.curve_helps and preferences.get("LiveNearest"):
-            self._ask()
+            self._request()
 
-    def _ask(self) -> None:
+    def _request(self) -> None:
         """Start the search for the nearest curve in another thread. Results for older curves are ignored."""
         if self._asked is None or self._asked.done():
             self._asked_for = self._curve
@@ -234,7 +234,9 @@ class Session:
             self.overlay.show_nearest(near.rod.position)
             message = note("The nearest curve is {far} away.", far=Length(near.deviation))
             self.card.offer(translate("Elastica", "Use the nearest curve"))
-        self._say(replace(self.card.answer, sentence=sentences([self.card.answer.sentence, message], "\n")))
+        self._show_answer(
+            replace(self.card.answer, sentence=sentences([self.card.answer.sentence, message], "\n"))
+        )
 
     def _spec(self) -> StripSpec:
         """Return the request for the strip of this sketch. It cannot change during a drag."""
@@ -247,12 +249,12 @@ class Session:
             self._asks, self._allows = asks, allows
         return self._asks
 
-    def _say_read(self, answer: Answer) -> None:
+    def _show_read(self, answer: Answer) -> None:
         """Show an answer and how the sketch was read."""
         read = read_line((self.sketch, ()), self._geometry)
-        self._say(replace(answer, sentence=sentences([answer.sentence, read], "\n")))
+        self._show_answer(replace(answer, sentence=sentences([answer.sentence, read], "\n")))
 
-    def _say(self, answer: Answer) -> None:
+    def _show_answer(self, answer: Answer) -> None:
         poles = NO_POLES if self._curve is None else self._curve.control_points
         cost = self._cost if poles.shape == self._placed.shape and np.allclose(poles, self._placed) else ""
         self.sentence = worded(sentences([answer.sentence, cost], "\n"))
@@ -287,7 +289,7 @@ def start(sketch: Any) -> Session | None:
     if view is None or not hasattr(view, "getSceneGraph"):
         return None
     _session = Session(sketch, view)
-    _tell_listeners(True)
+    _notify_listeners(True)
     return _session
 
 
@@ -297,9 +299,9 @@ def stop() -> None:
     if _session is not None:
         _session.close()
         _session = None
-        _tell_listeners(False)
+        _notify_listeners(False)
 
 
-def _tell_listeners(on: bool) -> None:
+def _notify_listeners(on: bool) -> None:
     for listener in sketches.listeners:
         listener(on)

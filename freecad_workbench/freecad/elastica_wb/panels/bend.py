@@ -44,7 +44,7 @@ class BendPanel(Panel):
             set_value(getattr(self.form, name), getattr(feature, name).Value)
         self.watch(*MOVES)
         self.form.play.clicked.connect(self.play)
-        self.tell(
+        self.show_message(
             translate(
                 "Elastica", "Move or turn an end: type numbers, or drag one of the handles in the view."
             )
@@ -106,7 +106,7 @@ class BendPanel(Panel):
         tips = strip_sideways(rod, self.strip.layout)
         if tips.needs_guiding:
             fresh.append(str(tips))
-        self.tell(sentences([words, *fresh], " "))
+        self.show_message(sentences([words, *fresh], " "))
 
     def _draw(self, rod: Rod) -> None:
         if self.preview is None:

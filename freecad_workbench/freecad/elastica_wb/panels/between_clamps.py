@@ -109,10 +109,10 @@ class BetweenClamps:
         angles = (None, None) if self.angles is None else (self.angles[0], self.angles[1])
         try:
             self.found = elastica_between(*self.ends, self.length, angles=angles, side=self.side)
-            self.card.tell(str(self.found), good=True)
+            self.card.show_message(str(self.found), good=True)
         except ElasticaError as error:
             self.found = None
-            self.card.tell(str(error), good=False)
+            self.card.show_message(str(error), good=False)
         shown = np.zeros((0, 2)) if self.found is None else self.found.rod.position
         order = [2, 0, 1, 3]  # from handle to handle through both ends
         self.preview.show(np.zeros((0, 2)), shown, None if self.angles is None else self._places()[order])
@@ -253,7 +253,7 @@ class LengthCard(QtCore.QObject):
         self.frame.move(GAP_PX, GAP_PX)
         self.frame.show()
 
-    def tell(self, sentence: str, *, good: bool) -> None:
+    def show_message(self, sentence: str, *, good: bool) -> None:
         """Describe the curve, or explain why there is none. Lengths are in mm."""
         self.heading.setStyleSheet(heading_style(Verdict.CAN if good else Verdict.CANNOT))
         words = worded(sentence)

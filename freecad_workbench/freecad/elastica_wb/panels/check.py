@@ -32,9 +32,9 @@ class CheckPanel(Panel):
             spec = default_spec(curve)
             self.check = spec.rod_spec.check
         except FAILURES as error:
-            self.tell(str(explained(error)))
+            self.show_message(str(explained(error)))
             return
-        words = [str(self.check), *filter(None, [spec.tabs_told]), *spec.rod_spec.smoothing.notes]
+        words = [str(self.check), *filter(None, [spec.tabs_message]), *spec.rod_spec.smoothing.notes]
         if self.check.realizable:
             try:
                 answer = strip_answer(solve_strip(spec))
@@ -42,6 +42,6 @@ class CheckPanel(Panel):
                 words = [answer.sentence] if answer.verdict is Verdict.BREAKS else [*words, answer.sentence]
             except ElasticaError as error:
                 words.append(str(error))
-        self.tell(sentences([read, *words], "\n\n"))
+        self.show_message(sentences([read, *words], "\n\n"))
         if is_sketch(source) and not edges:
             live.start(source)

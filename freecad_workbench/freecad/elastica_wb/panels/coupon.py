@@ -69,7 +69,7 @@ class CouponPanel(Panel):
                 reading_error=self.value("error"),
             )
             words.append(str(self.calibration))
-        self.tell(sentences(words, "\n"))
+        self.show_message(sentences(words, "\n"))
 
     def _pressed(self, button: Callable[[], None], *_: Any) -> None:
         """Call a button's function and show its error in the panel."""
@@ -89,7 +89,7 @@ class CouponPanel(Panel):
         path, _ = QtWidgets.QFileDialog.getSaveFileName(Gui.getMainWindow(), title, usual, kinds)
         if path:
             written = save(replace(drawing, name=Path(path).stem), path, force=True, **cutting.options(sheet))
-            self.tell(f"{translate('Elastica', 'wrote')} {written}")
+            self.show_message(f"{translate('Elastica', 'wrote')} {written}")
 
     def keep(self) -> None:
         """Save the calibrated sheet as one of the user's sheets."""
@@ -112,7 +112,7 @@ class CouponPanel(Panel):
         )
         save_own_sheets((own_sheets() | {name: sheet}).values())
         keep_sheets()
-        self.tell(f"{translate('Elastica', 'kept as')} {name}")
+        self.show_message(f"{translate('Elastica', 'kept as')} {name}")
 
 
 def add_coupon(document: Any, sheet_name: str) -> Any:

@@ -12,13 +12,13 @@ import FreeCADGui as Gui
 from freecad.elastica_wb.cutting_files import (
     KINDS,
     cutting_of,
-    tell_later_features,
+    later_feature_messages,
     write_cutting_files,
 )
 from freecad.elastica_wb.features.model import overlaps_of
-from freecad.elastica_wb.features.pieces import counted, cuts_of, told_blanks_of
+from freecad.elastica_wb.features.pieces import counted, cuts_of, pre_bend_messages_of
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.dialogs import tell_files
+from freecad.elastica_wb.host.dialogs import show_files
 from freecad.elastica_wb.host.fields import put_choices, set_value
 from freecad.elastica_wb.host.objects import is_model
 from freecad.elastica_wb.host.progress import progress
@@ -59,9 +59,9 @@ class ExportPanel(Panel):
         form.folder.setText(_usual_folder(strips[0].Document))
         form.browse.clicked.connect(self.browse)
         cut = counted(strips)
-        words = [message for obj in cut for message in tell_later_features(obj)]
+        words = [message for obj in cut for message in later_feature_messages(obj)]
         words += [message for obj in cut if is_model(obj) for message in overlaps_of(obj)]
-        words += told_blanks_of(cuts)
+        words += pre_bend_messages_of(cuts)
         words += map(_listed, self.pieces)
         if find_spec("ezdxf") is None:
             words.append(
@@ -72,7 +72,7 @@ class ExportPanel(Panel):
             )
             for name in ("version", "label_1_DXFversion"):
                 getattr(form, name).hide()
-        self.tell(sentences(words, "\n"))
+        self.show_message(sentences(words, "\n"))
 
     def browse(self, *_: Any) -> None:
         """Let the user choose the folder."""
@@ -128,7 +128,7 @@ class ExportPanel(Panel):
             )
         preferences.put("ExportFolder", str(folder))
         if self.written:
-            tell_files(self.written, told_blanks_of(cuts_of(self.strips)))
+            show_files(self.written, pre_bend_messages_of(cuts_of(self.strips)))
 
 
 def _usual_folder(document: Any) -> str:

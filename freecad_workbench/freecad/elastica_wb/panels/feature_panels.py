@@ -29,7 +29,7 @@ from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel
 from freecad.elastica_wb.solving.strip_cache import held_shape, judged
-from freecad.elastica_wb.solving.verdicts import told_blanks
+from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
 from elastica_cad.refusals import Length, note
 from elastica_cad.report_rows import Row, in_order
@@ -58,7 +58,7 @@ def _accuracy(obj: Any, strip: Strip) -> Row:
 
 def _flat_footnote(obj: Any) -> str:
     """Return how the strip is bent before assembly, which the flat part does not show."""
-    return "\n".join(told_blanks([(obj.Strip.Label, shown_strip(obj.Strip))]))
+    return "\n".join(pre_bend_messages([(obj.Strip.Label, shown_strip(obj.Strip))]))
 
 
 def _where(name: str, *values: object) -> Callable[[Any], bool]:

@@ -71,7 +71,7 @@ class Panel:
             self._all_there()
             self.finished()
         except FAILURES as error:
-            self.tell(str(explained(error)))
+            self.show_message(str(explained(error)))
             into_sight(self.form.message)
             return False
         if self.document is not None:
@@ -128,7 +128,7 @@ class Panel:
     def let_go(self) -> None:
         """Release all references to the document, which is about to be closed."""
 
-    def tell(self, sentence: str) -> None:
+    def show_message(self, sentence: str) -> None:
         """Show a message in the panel, with lengths in mm."""
         self.form.message.setText(printable(worded(sentence)))
 
@@ -138,7 +138,7 @@ class Panel:
         try:
             yield
         except FAILURES as error:
-            self.tell(str(explained(error)))
+            self.show_message(str(explained(error)))
 
     def watch(self, *names: str) -> None:
         """Call `changed` after the user touches one of these widgets."""

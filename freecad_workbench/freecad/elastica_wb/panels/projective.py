@@ -73,9 +73,11 @@ class ProjectivePanel(Panel):
         self._typed()
         self.pull()
         try:
-            self.tell(sentences([strip_answer(solve_strip(self._spec())).sentence, self._warning()], ""))
+            self.show_message(
+                sentences([strip_answer(solve_strip(self._spec())).sentence, self._warning()], "")
+            )
         except ElasticaError as error:
-            self.tell(sentences([sentence_of(error), self._warning()], ""))
+            self.show_message(sentences([sentence_of(error), self._warning()], ""))
 
     def pull(self) -> None:
         """Transform the curve by the handles and show whether it can be bent."""
@@ -85,7 +87,7 @@ class ProjectivePanel(Panel):
         self.curve = pulled
         self._draw()
         answer = curve_picture(self.curve, self._spec()).answer
-        self.tell(sentences([answer.sentence, self._warning()], ""))
+        self.show_message(sentences([answer.sentence, self._warning()], ""))
 
     def finished(self) -> None:
         """Write the curve into the sketch."""

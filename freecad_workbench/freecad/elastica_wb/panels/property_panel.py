@@ -250,7 +250,7 @@ class PropertyPanel(Panel):
             failed and getattr(obj, "Follow", "") == "Exactly" and could_follow_another(obj)
         )
         self.form.footnote.setText("" if failed else layout.footnote(obj))
-        self.tell(self._words())
+        self.show_message(self._words())
         if layout.source:
             source, edges = getattr(obj, layout.source) or (None, ())
             self.form.source.setText(

@@ -46,7 +46,7 @@ class SheetsPanel(Panel):
         for field in NUMBERS:
             set_value(getattr(self.form, field), getattr(sheet, field) or 0.0)
         self.filled = {field: self.value(field) for field in NUMBERS}
-        self.tell(note(
+        self.show_message(note(
             "{radius_name} {radius}, {length_name} {length}",
             radius_name=translate("Elastica", "least radius"), radius=Length(sheet.least_radius),
             length_name=translate("Elastica", "elasto-gravity length"),
@@ -56,7 +56,7 @@ class SheetsPanel(Panel):
     def remove(self, *_: Any) -> None:
         """Remove one of the user's sheets."""
         if self.own.pop(self.form.sheets.currentText(), None) is None:
-            self.tell(translate("Elastica", "Built-in sheets stay: keep yours under another name."))
+            self.show_message(translate("Elastica", "Built-in sheets stay: keep yours under another name."))
             return
         self._list()
 

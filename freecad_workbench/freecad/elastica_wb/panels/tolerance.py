@@ -30,7 +30,7 @@ class TolerancePanel(Panel):
         super().__init__()
         self.study: ToleranceStudy | None = None
         self.form.run.clicked.connect(self.run)
-        self.tell(translate("Elastica", "Ranges are those of the sheet."))
+        self.show_message(translate("Elastica", "Ranges are those of the sheet."))
 
     def run(self, *_: Any) -> None:
         """Bend all samples and show their deviations."""
@@ -43,10 +43,10 @@ class TolerancePanel(Panel):
                 executor=Watched("Bending varied strips"),
             )
         except Stopped:
-            self.tell(translate("Elastica", "Stopped."))
+            self.show_message(translate("Elastica", "Stopped."))
             return
         except ElasticaError as error:
-            self.tell(str(error))
+            self.show_message(str(error))
             return
         effects, unit = (*self.study.effects, self.study.combined), shown_unit()
         names = [translate("Elastica", effect.name) for effect in effects]
@@ -67,7 +67,7 @@ class TolerancePanel(Panel):
         self.form.table.setText(f"<table>{rows}</table>")
         bars = zip(names, effects, strict=True)
         self.form.plot.setPixmap(bar_chart([(name, e.percentile_95, e.worst) for name, e in bars]))
-        self.tell("")
+        self.show_message("")
 
 
 class Stopped(Exception):  # noqa: N818 - not an error, but a decision of the user

@@ -156,9 +156,7 @@ def _nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
 def _keeps_limits(spec: RodSpec) -> bool:
     """Return True if the curve itself can be bent within the limits."""
     most, ratio = spec.limits.largest_curvature, spec.limits.ratio
-    if most is not None and sharpest_bend(spec.curve, spec.natural_curvature)[0] > most * (
-        1 + STRAIN_SLACK
-    ):
+    if most is not None and sharpest_bend(spec.curve, spec.natural_curvature)[0] > most * (1 + STRAIN_SLACK):
         return False
     try:
         if ratio is not None and _found(replace(spec, limits=None, keep=None)).ratio > ratio:

@@ -12,7 +12,7 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import together, worded
 from freecad.elastica_wb.solving.strip_cache import judged, sharpest_bend
 
-from elastica_cad.design.reports import tell_blank
+from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.errors import ElasticaError, StrainError
 from elastica_cad.forming.fairing_request import outline_steps
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
@@ -95,9 +95,9 @@ def is_bent_beforehand(strip: Strip) -> bool:
     return bool(np.any(strip.rod.natural_curvature))
 
 
-def told_blanks(named: Iterable[tuple[str, Strip]]) -> list[str]:
+def pre_bend_messages(named: Iterable[tuple[str, Strip]]) -> list[str]:
     """Return how named strips are bent before assembly, with one message for strips that are bent alike."""
-    return together((name, worded(tell_blank(strip))) for name, strip in named)
+    return together((name, worded(pre_bend_message(strip))) for name, strip in named)
 
 
 class Verdict(Enum):
