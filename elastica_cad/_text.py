@@ -39,8 +39,8 @@ def html_text(text: object) -> str:
     return escape(printable(str(text)))
 
 
-def _shown(found: re.Match[str]) -> str:
-    sign = found[0]
+def _shown(match: re.Match[str]) -> str:
+    sign = match[0]
     if sign.isprintable():
         return sign
     pair = sign.encode("utf-16-be", "surrogatepass").hex()
@@ -71,7 +71,7 @@ def quote_words(words: Iterable[str], *, windows: bool = os.name == "nt") -> str
         return shlex.join(words)
     # cmd takes & and the like for its own outside of quotes, which `list2cmdline` sets around blanks alone
     lines = (subprocess.list2cmdline([word]) for word in words)
-    return " ".join(one if one[0] == '"' or _PLAIN.fullmatch(one) else f'"{one}"' for one in lines)
+    return " ".join(word if word[0] == '"' or _PLAIN.fullmatch(word) else f'"{word}"' for word in lines)
 
 
 def command_of_drawings(words: Iterable[str], *, windows: bool = os.name == "nt") -> str:

@@ -25,7 +25,7 @@ def parse_toml(text: str) -> dict[str, Any]:
     >>> parse_toml("limits.ratio = 3.5")
     {'limits': {'ratio': 3.5}}
     """
-    if found := _TOO_DEEP.search(text):
-        line = text.count("\n", 0, found.start()) + 1
+    if match := _TOO_DEEP.search(text):
+        line = text.count("\n", 0, match.start()) + 1
         raise tomllib.TOMLDecodeError(f"Key of more than {DEEPEST_KEY} parts (at line {line}, column 1)")
     return tomllib.loads(text)

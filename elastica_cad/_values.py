@@ -53,12 +53,12 @@ def require_positive(value: object, what: str, unit: str = "mm") -> None:
         `what` names the value.
     """
     if not (is_number(value) and value > 0):
-        told = repr(value) if isinstance(value, str) else value
+        shown_value = repr(value) if isinstance(value, str) else value
         wanted = "positive" if is_number(value) else "a number above 0"
         raise InputError(
             "{what} is {told}: it must be {wanted}, in {unit}",
             what=what,
-            told=told,
+            told=shown_value,
             wanted=wanted,
             unit=unit,
             where={"field": what},
@@ -74,9 +74,12 @@ def require_number(value: object, what: str, unit: str = "") -> float:
         `what` names the value.
     """
     if not is_number(value):
-        told = quoted(value) if isinstance(value, str) else value
+        shown_value = quoted(value) if isinstance(value, str) else value
         raise InputError(
-            "{what} is {told}: give a finite number{unit}", what=what, told=told, unit=unit and f", in {unit}"
+            "{what} is {told}: give a finite number{unit}",
+            what=what,
+            told=shown_value,
+            unit=unit and f", in {unit}",
         )
     return float(value)
 
@@ -116,10 +119,10 @@ def pair(value: object, what: str) -> FloatArray:
     InputError
         `what` names the value.
     """
-    found = None if value is None else as_floats(value)
-    if found is None or found.shape != (2,) or not np.isfinite(found).all():
+    point = None if value is None else as_floats(value)
+    if point is None or point.shape != (2,) or not np.isfinite(point).all():
         raise InputError(f"{what} must be two finite numbers, not {quoted(value)}")
-    return found
+    return point
 
 
 def three(values: object, what: str) -> FloatArray:
@@ -222,11 +225,11 @@ def several(
         An item has another type.
     """
     many = is_series(values) and not isinstance(values, record)
-    found: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
-    for one in found:
-        if not isinstance(one, record):
-            raise InputError(f"{name} hold {quoted(one)}: give {kind} records{cure and f', {cure}'}")
-    return found
+    items: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
+    for item in items:
+        if not isinstance(item, record):
+            raise InputError(f"{name} hold {quoted(item)}: give {kind} records{cure and f', {cure}'}")
+    return items
 
 
 _KEPT = "_value_key"  # in a record's own dictionary
@@ -261,7 +264,7 @@ def value_key(value: Any) -> Any:
     if _compared(kind) is not None:
         return _record_key(value)
     if isinstance(value, tuple | list):
-        return tuple(value_key(one) for one in value)
+        return tuple(value_key(item) for item in value)
     return value
 
 
@@ -299,7 +302,7 @@ def counted(count: int, noun: str) -> str:
     return note(f"{{count}} {noun}{'' if count == 1 else 's'}", count=count)
 
 
-def and_more(found: Sized, noun: str = "") -> str:
+def and_more(items: Sized, noun: str = "") -> str:
     """Return a text with the number of items after the first, or an empty text for a single item.
 
     Examples
@@ -307,7 +310,7 @@ def and_more(found: Sized, noun: str = "") -> str:
     >>> and_more("a", "pair"), and_more("abc", "pair"), and_more("abc")
     ('', ' (and 2 more pairs)', ' (and 2 more)')
     """
-    others = len(found) - 1
+    others = len(items) - 1
     if others < 1:
         return ""
     if not noun:
@@ -325,8 +328,8 @@ def distinct_digits(first: float, other: float, digits: str) -> tuple[float, flo
     """
     usual, kind = int(digits[1:-1]), digits[-1]
     digits_of = range(usual, usual + MORE_DIGITS)
-    told = [(float(f"{first:.{n}{kind}}"), float(f"{other:.{n}{kind}}")) for n in digits_of]
-    return next((pair for pair in told if pair[0] != pair[1]), told[0])
+    rounded = [(float(f"{first:.{n}{kind}}"), float(f"{other:.{n}{kind}}")) for n in digits_of]
+    return next((pair for pair in rounded if pair[0] != pair[1]), rounded[0])
 
 
 def round_numbers(value: Any) -> Any:

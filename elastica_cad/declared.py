@@ -1,6 +1,6 @@
 """Declared options: a field is declared once, on its record, and read by every front end.
 
-A field, or a parameter of a function, is declared by its annotation:
+A field, or a parameter of a function, is declared by its mark:
 `ratio: Annotated[float | None, Option("Largest stiffness ratio.", least=1, common=True)] = None`.
 """
 
@@ -71,8 +71,14 @@ class Option:
     @property
     def bounds(self) -> str:
         """The bounds in words; empty for none."""
-        said = {"from {bound:g}": self.least, "above {bound:g}": self.above, "up to {bound:g}": self.most}
-        return sentences((note(text, bound=bound) for text, bound in said.items() if bound is not None), " ")
+        templates = {
+            "from {bound:g}": self.least,
+            "above {bound:g}": self.above,
+            "up to {bound:g}": self.most,
+        }
+        return sentences(
+            (note(text, bound=bound) for text, bound in templates.items() if bound is not None), " "
+        )
 
     def holds(self, value: float) -> bool:
         """Return True if a number is within the bounds."""
@@ -150,14 +156,14 @@ def declared(record: Record) -> tuple[Field, ...]:
     [('at', 'number', 'mm')]
     """
     hints = get_type_hints(record, include_extras=True)
-    found = []
+    entries = []
     for name, default in _defaults(record):
         hint = hints.get(name)
-        option = next((one for one in getattr(hint, "__metadata__", ()) if isinstance(one, Option)), None)
+        option = next((mark for mark in getattr(hint, "__metadata__", ()) if isinstance(mark, Option)), None)
         if option is not None:
             written = get_args(hint)[0] if option.written is None else option.written
-            found.append(Field(name, kind_of(written), option, default))
-    return tuple(found)
+            entries.append(Field(name, kind_of(written), option, default))
+    return tuple(entries)
 
 
 def require_declared(record: Record, values: Mapping[str, Any], whose: str = "") -> None:
@@ -177,15 +183,19 @@ def require_declared(record: Record, values: Mapping[str, Any], whose: str = "")
     Traceback (most recent call last):
     elastica_cad.errors.InputError: mass at is -3: it must be a number from 0, in mm
     """
-    for one in declared(record):
-        value = values.get(one.name, one.default)
-        if one.option.written is None and value is not one.default and not _fits(value, one.kind, one.option):
+    for entry in declared(record):
+        value = values.get(entry.name, entry.default)
+        if (
+            entry.option.written is None
+            and value is not entry.default
+            and not _fits(value, entry.kind, entry.option)
+        ):
             raise _refusal(
-                one, value, f"{whose} {one.name}".strip(), where=None if whose else {"field": one.name}
+                entry, value, f"{whose} {entry.name}".strip(), where=None if whose else {"field": entry.name}
             )
 
 
-def require_bounds(one: Field, value: Any, place: str) -> None:
+def require_bounds(entry: Field, value: Any, place: str) -> None:
     """Refuse a number, text or list of a declared field that is out of its bounds.
 
     Raises
@@ -193,23 +203,23 @@ def require_bounds(one: Field, value: Any, place: str) -> None:
     InputError
         `place` is where the value is written.
     """
-    for kind in one.kind.alternatives:
+    for kind in entry.kind.alternatives:
         numbers = [value] if kind.name in ("number", "count") else []
         if kind.name == "list" and kind.of[0].name == "number" and isinstance(value, tuple):
             numbers = list(value)
-        outside = any(is_number(number) and not one.option.holds(number) for number in numbers)
+        outside = any(is_number(number) and not entry.option.holds(number) for number in numbers)
         misfit = (kind.name == "text" and isinstance(value, str)) or (
             kind.name == "list" and kind.size is None
         )
-        if outside or (misfit and not _fits(value, kind, one.option)):
-            raise _refusal(replace(one, kind=kind), value, place)
+        if outside or (misfit and not _fits(value, kind, entry.option)):
+            raise _refusal(replace(entry, kind=kind), value, place)
 
 
-def _refusal(one: Field, value: Any, place: str, **where: Any) -> InputError:
+def _refusal(entry: Field, value: Any, place: str, **where: Any) -> InputError:
     """Return why a value is not valid for a declared field."""
     return InputError(
         "{field} is {given}: it must be {wanted}",
-        field=place, given=quoted(value), wanted=_wanted(one.kind, one.option), **where,
+        field=place, given=quoted(value), wanted=_wanted(entry.kind, entry.option), **where,
     )  # fmt: skip
 
 
@@ -226,7 +236,7 @@ def _fits(value: Any, kind: Kind, option: Option) -> bool:
             return is_one_of(value, kind.choices)
         case "list" if kind.size is not None:
             several = tuple(value) if is_series(value) else ()
-            return len(several) == kind.size and all(_fits(one, kind.of[0], option) for one in several)
+            return len(several) == kind.size and all(_fits(item, kind.of[0], option) for item in several)
         case "list":
             return not (is_series(value) and isinstance(value, Sized)) or len(value) <= option.many
         case "table":
@@ -246,20 +256,23 @@ def _wanted(kind: Kind, option: Option) -> str:
     if kind.name == "list" and kind.size is None:
         return note("a list of at most {most} elements", most=option.many)
     words = {"number": "a number", "count": "a whole number", "flag": "True or False"}
-    said = sentences((note(words.get(kind.name, "{size} numbers"), size=kind.size), option.bounds), " ")
-    return sentences((said, option.unit and note("in {unit}", unit=option.unit)), ", ")
+    text = sentences((note(words.get(kind.name, "{size} numbers"), size=kind.size), option.bounds), " ")
+    return sentences((text, option.unit and note("in {unit}", unit=option.unit)), ", ")
 
 
 def _defaults(record: Record) -> list[tuple[str, Any]]:
     """Names in order, with their defaults."""
     if is_dataclass(record):
         return [
-            (one.name, one.default if one.default_factory is MISSING else one.default_factory())
-            for one in fields(record)
-            if one.init
+            (field.name, field.default if field.default_factory is MISSING else field.default_factory())
+            for field in fields(record)
+            if field.init
         ]
     parameters = inspect.signature(record).parameters.values()
-    return [(one.name, REQUIRED if one.default is one.empty else one.default) for one in parameters]
+    return [
+        (parameter.name, REQUIRED if parameter.default is parameter.empty else parameter.default)
+        for parameter in parameters
+    ]
 
 
 def kind_of(hint: Any) -> Kind:
@@ -274,7 +287,7 @@ def kind_of(hint: Any) -> Kind:
         hint = get_args(hint)[0]
     origin, inner = get_origin(hint), get_args(hint)
     if origin in (Union, UnionType):
-        kinds = tuple(dict.fromkeys(kind_of(one) for one in inner if one is not NoneType))
+        kinds = tuple(dict.fromkeys(kind_of(part) for part in inner if part is not NoneType))
         return kinds[0] if len(kinds) == 1 else Kind("either", kinds)
     if origin is Literal:
         return Kind("choice", choices=inner)

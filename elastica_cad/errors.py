@@ -116,9 +116,9 @@ class ElasticaError(Exception):
         return self
 
 
-def _restored(kind: type[ElasticaError], said: str) -> ElasticaError:
+def _restored(kind: type[ElasticaError], message: str) -> ElasticaError:
     """Return a pickled error, for any signature of its class."""
-    return kind.__new__(kind, said)
+    return kind.__new__(kind, message)
 
 
 class InputError(ElasticaError, ValueError):
@@ -176,9 +176,9 @@ def toml_slip(text: str, error: Exception) -> str:
     >>> toml_slip("max_width = 2,5", ValueError("Expected newline (at line 1, column 14)"))
     'write decimals with a point, 2.5'
     """
-    found = re.search(r"at line (\d+)", str(error))
+    match = re.search(r"at line (\d+)", str(error))
     lines = text.splitlines()
-    line = lines[int(found[1]) - 1] if found and int(found[1]) <= len(lines) else ""
+    line = lines[int(match[1]) - 1] if match and int(match[1]) <= len(lines) else ""
     if "\\" in line:
         return "write / in place of \\ in paths"
     if comma := re.search(r"=\s*[+-]?(\d+),(\d+)", line):
@@ -224,13 +224,13 @@ def installed_version(package: str) -> str | None:
         return None
 
 
-def refuse_unknown(asked: Iterable[str], known: Iterable[str], what: str) -> None:
+def refuse_unknown(options: Iterable[str], known: Iterable[str], what: str) -> None:
     """Raise an error for unknown names of options.
 
     Parameters
     ----------
-    asked, known : iterable of str
-        The given names, and the known names.
+    options, known : iterable of str
+        The names to check, and the known names.
     what : str
         Name, in the message, of the object with these options.
 
@@ -246,7 +246,7 @@ def refuse_unknown(asked: Iterable[str], known: Iterable[str], what: str) -> Non
     elastica_cad.errors.UnknownOptionError: widht is no option of a plate: did you mean width?
     """
     names = sorted(known)
-    for name in asked:
+    for name in options:
         if name not in names:
             near = near_names(name, names)
             hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(names)}"
@@ -262,7 +262,7 @@ def near_names(name: str, known: Iterable[str], *, cutoff: float = 0.6) -> list[
     return get_close_matches(name, list(known), n=1, cutoff=cutoff)
 
 
-def refuse_options_unlike(asked: Iterable[str], function: Callable[..., object], what: str) -> None:
+def refuse_options_unlike(names: Iterable[str], function: Callable[..., object], what: str) -> None:
     """Raise an error for the first option that is not a keyword of the function.
 
     Raises
@@ -270,14 +270,18 @@ def refuse_options_unlike(asked: Iterable[str], function: Callable[..., object],
     UnknownOptionError
         An option is not a keyword.
     """
-    refuse_unknown(asked, _keywords(function), what)
+    refuse_unknown(names, _keywords(function), what)
 
 
 @cache
 def _keywords(function: Callable[..., object]) -> tuple[str, ...]:
     from inspect import signature
 
-    return tuple(name for name, one in signature(function).parameters.items() if one.kind is one.KEYWORD_ONLY)
+    return tuple(
+        name
+        for name, parameter in signature(function).parameters.items()
+        if parameter.kind is parameter.KEYWORD_ONLY
+    )
 
 
 def rounded_up(value: float, figures: int = 4) -> float:

@@ -138,12 +138,12 @@ class Wording(Formatter):
         """Return the template in the reader's language."""
         return text
 
-    def sentence(self, said: str) -> str:
+    def sentence(self, message: str) -> str:
         """Return the sentence of a record for the reader; a plain text is its own template."""
-        if not isinstance(said, Refusal):
-            return self.template(said)
-        text = self.template(said.text)
-        return _with_places(self.vformat(text, (), said.values) if said.values else text, said.where)
+        if not isinstance(message, Refusal):
+            return self.template(message)
+        text = self.template(message.text)
+        return _with_places(self.vformat(text, (), message.values) if message.values else text, message.where)
 
     def field(self, name: str) -> str:
         """Return a field's name in the spelling of the front end."""
@@ -159,7 +159,7 @@ class Wording(Formatter):
             case Length():
                 return f"{self._in_unit(value, spec)} {self.unit}"
             case Point():
-                inside = self._separator.join(self._in_unit(one, spec or ".4g") for one in value)
+                inside = self._separator.join(self._in_unit(item, spec or ".4g") for item in value)
                 return f"({inside}) {self.unit}"
             case Listed():
                 return self._joined(value, spec) + (f" {self.unit}" if _are_lengths(value) else "")
@@ -188,25 +188,27 @@ class Wording(Formatter):
     def _joined(self, items: Listed, spec: str) -> str:
         """Without the unit, where all are lengths."""
         lengths = _are_lengths(items)
-        said = [
-            self._joined(one, spec) if lengths and isinstance(one, Listed) else
-            self._in_unit(one, spec) if lengths else
-            self.format_field(one, spec)
-            for one in items
+        texts = [
+            self._joined(item, spec) if lengths and isinstance(item, Listed) else
+            self._in_unit(item, spec) if lengths else
+            self.format_field(item, spec)
+            for item in items
         ]  # fmt: skip
         separator = self._separator if lengths else ", "
-        if (more := len(said) - _MOST_LISTED) > 0:
+        if (more := len(texts) - _MOST_LISTED) > 0:
             return self.template("{some} and {more} more").format(
-                some=separator.join(said[:_MOST_LISTED]), more=more
+                some=separator.join(texts[:_MOST_LISTED]), more=more
             )
-        if len(said) < 2:
-            return "".join(said)
-        return self.template(items.LAST).format(some=separator.join(said[:-1]), last=said[-1])
+        if len(texts) < 2:
+            return "".join(texts)
+        return self.template(items.LAST).format(some=separator.join(texts[:-1]), last=texts[-1])
 
 
 def _are_lengths(items: Iterable[Any]) -> bool:
-    found = [_are_lengths(one) if isinstance(one, Listed) else isinstance(one, Length) for one in items]
-    return bool(found) and all(found)
+    verdicts = [
+        _are_lengths(item) if isinstance(item, Listed) else isinstance(item, Length) for item in items
+    ]
+    return bool(verdicts) and all(verdicts)
 
 
 ENGLISH = Wording()
@@ -277,10 +279,10 @@ class Refusal(str):
     ) -> "Refusal":
         """Return a new record with its formatted text."""
         values, where = dict(values or {}), dict(where or {})
-        said = ENGLISH.template(text)
-        said = ENGLISH.vformat(said, (), values) if values else said
+        sentence = ENGLISH.template(text)
+        sentence = ENGLISH.vformat(sentence, (), values) if values else sentence
         # a traceback shows it on a terminal
-        record = super().__new__(cls, printable(_with_places(said, where)))
+        record = super().__new__(cls, printable(_with_places(sentence, where)))
         record.kind, record.text, record.severity = kind, text, severity
         record.values, record.where, record.changes = values, where, tuple(changes)
         return record
@@ -297,8 +299,8 @@ class Refusal(str):
     @property
     def all_changes(self) -> tuple[Change, ...]:
         """Changes of this record and of the records in its values."""
-        inside = (one for one in self.values.values() if isinstance(one, Refusal))
-        return (*self.changes, *(change for one in inside for change in one.all_changes))
+        inside = (inner for inner in self.values.values() if isinstance(inner, Refusal))
+        return (*self.changes, *(change for inner in inside for change in inner.all_changes))
 
     @property
     def record(self) -> dict[str, Any]:
@@ -309,14 +311,14 @@ class Refusal(str):
             "text": self.text,
             "values": {name: _plain(value) for name, value in self.values.items()},
             "where": {name: _plain(value) for name, value in self.where.items()},
-            "changes": [{"field": one.field, "value": _plain(one.value)} for one in self.changes],
+            "changes": [{"field": change.field, "value": _plain(change.value)} for change in self.changes],
             "message": str(self),
         }
 
 
-def is_reported(said: str) -> bool:
+def is_reported(message: str) -> bool:
     """Return True for an error or warning; notes are only for verbose output."""
-    return not isinstance(said, Refusal) or said.severity != "note"
+    return not isinstance(message, Refusal) or message.severity != "note"
 
 
 def note(
@@ -351,10 +353,10 @@ def sentences(parts: Iterable[str], between: str = "; ", end: str = "") -> str:
     )
 
 
-def _with_places(said: str, where: Mapping[str, Any]) -> str:
+def _with_places(text: str, where: Mapping[str, Any]) -> str:
     for name in (str(where[place]) for place in reversed(PLACES) if where.get(place)):
-        said = said if said.startswith(name) else f"{name}: {said}"
-    return said
+        text = text if text.startswith(name) else f"{name}: {text}"
+    return text
 
 
 def _plain(value: Any) -> Any:
@@ -364,7 +366,7 @@ def _plain(value: Any) -> Any:
     if isinstance(value, int | float):
         return value if isfinite(value) else str(value)
     if isinstance(value, Mapping):
-        return {str(name): _plain(one) for name, one in value.items()}
+        return {str(name): _plain(item) for name, item in value.items()}
     if isinstance(value, Sequence | Set):
-        return [_plain(one) for one in value]
+        return [_plain(item) for item in value]
     return _plain(value.tolist()) if hasattr(value, "tolist") else str(value)

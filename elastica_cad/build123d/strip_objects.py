@@ -84,15 +84,15 @@ class _Made(StripBody):
         """The bodies that several `Locations` made, each with its own joints; itself where it was made once."""
         body: Any = self
         parts = self._parts
-        found = bd.ShapeList([] if parts else [self])
+        shapes = bd.ShapeList([] if parts else [self])
         names = [name for name in body.joints if _numbered(name, 2) in body.joints]
         for number, part in enumerate(parts, start=1):
-            one = copy(body)
-            one.wrapped, one.joints = part.wrapped, {}
+            other_body = copy(body)
+            other_body.wrapped, other_body.joints = part.wrapped, {}
             for name in names:
-                bd.RigidJoint(name, one, body.joints[_numbered(name, number)].location)
-            found.append(one)
-        return found
+                bd.RigidJoint(name, other_body, body.joints[_numbered(name, number)].location)
+            shapes.append(other_body)
+        return shapes
 
     def _publish_to_context(self, object_scope: Any) -> None:
         """As in build123d; where several `Locations` make copies, each has joints, numbered from the second on."""
@@ -135,12 +135,12 @@ class _Made(StripBody):
     @property
     def layers(self) -> tuple[bd.Solid, ...]:
         """Sheets of the bent strip, the base first, with names and colours."""
-        found = []
+        solids = []
         for shape, name, sheet in self._layers():
             solid = bd.Solid(shape)
             solid.label, solid.color = name, bd.Color(*sheet_color(sheet))
-            found.append(solid)
-        return tuple(found)
+            solids.append(solid)
+        return tuple(solids)
 
     @property
     def assembly(self) -> bd.Compound:

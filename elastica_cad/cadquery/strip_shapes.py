@@ -101,12 +101,12 @@ class _Made(StripBody, cq.Shape):
     @property
     def layers(self) -> tuple[cq.Solid, ...]:
         """Sheets of the bent strip, the base first, with labels."""
-        found = []
+        solids = []
         for shape, name, _ in self._layers():
             solid: cq.Solid = cq.Solid(shape)
             solid.label = name
-            found.append(solid)
-        return tuple(found)
+            solids.append(solid)
+        return tuple(solids)
 
     @property
     def assembly(self) -> cq.Assembly:
@@ -301,8 +301,8 @@ class Sheets(cq.Compound):
     """
 
     def _bool_op(self, args: Iterable[cq.Shape], *others: Any) -> cq.Shape:
-        found: cq.Shape = super()._bool_op((self,) if args is self else args, *others)
-        return Sheets(found.wrapped) if isinstance(found, cq.Compound) else found
+        result: cq.Shape = super()._bool_op((self,) if args is self else args, *others)
+        return Sheets(result.wrapped) if isinstance(result, cq.Compound) else result
 
     def fuse(self, *toFuse: cq.Shape, **options: Any) -> cq.Compound:
         """As `Compound.fuse`."""

@@ -250,14 +250,14 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Join
     return partners
 
 
-def _goes_on(runs: Sequence[Run], one: tuple[int, int], other: tuple[int, int]) -> bool:
+def _goes_on(runs: Sequence[Run], first: tuple[int, int], other: tuple[int, int]) -> bool:
     """Return True if the direction turns by at most 1 degree between two ends (run, side)."""
-    return bool(_onward(runs, one, other) > _STRAIGHT_ON)
+    return bool(_onward(runs, first, other) > _STRAIGHT_ON)
 
 
-def _onward(runs: Sequence[Run], one: tuple[int, int], other: tuple[int, int]) -> float:
+def _onward(runs: Sequence[Run], first: tuple[int, int], other: tuple[int, int]) -> float:
     """Return the cosine of the turn between two ends (run, side)."""
-    out, into = (_outward(reverse_run(runs[i]) if side == 0 else runs[i]) for i, side in (one, other))
+    out, into = (_outward(reverse_run(runs[i]) if side == 0 else runs[i]) for i, side in (first, other))
     return float(-out @ into)
 
 
@@ -378,12 +378,12 @@ def _part(run: Run, first: _Place, last: _Place) -> Run:
 
 def _on_run(points: FloatArray, run: Run, tolerance: float) -> BoolArray:
     """Return which points (n, d) are within `tolerance` mm of the run."""
-    found = np.zeros(len(points), dtype=bool)
+    is_near = np.zeros(len(points), dtype=bool)
     for edge in run:
         low, high = edge.points.min(axis=0) - tolerance, edge.points.max(axis=0) + tolerance
-        near = np.flatnonzero(~found & np.all((points >= low) & (points <= high), axis=1))
-        found[near] = _nearest(edge, points[near])[0] <= tolerance
-    return found
+        near = np.flatnonzero(~is_near & np.all((points >= low) & (points <= high), axis=1))
+        is_near[near] = _nearest(edge, points[near])[0] <= tolerance
+    return is_near
 
 
 def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -263,7 +263,7 @@ def _opened(path: Path) -> "Drawing":
     guessed = [entry for entry in audit.errors if entry.code == AuditError.INVALID_FLOATING_POINT_VALUE]
     if guessed:
         message = re.sub(
-            '"(.*)"(?= near line)', lambda found: quoted(found[1]), guessed[0].message, flags=re.DOTALL
+            '"(.*)"(?= near line)', lambda match: quoted(match[1]), guessed[0].message, flags=re.DOTALL
         )
         raise InputError("is damaged ({said}): export it anew", said=message)
     return document

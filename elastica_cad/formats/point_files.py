@@ -327,10 +327,10 @@ def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
     return [], rows
 
 
-def _units(said: Sequence[str], titles: Sequence[str]) -> list[str]:
+def _units(names: Sequence[str], titles: Sequence[str]) -> list[str]:
     """Return the units named in the heading, or else in titles and remarks."""
     stated = [match for title in titles for match in _STATED.finditer(title)]
-    words = [word for word in said if word not in NOTHING] or [
+    words = [word for word in names if word not in NOTHING] or [
         match[1] or match[2] for match in stated if match[1] or read_unit(match[2])
     ]
     for word in words:

@@ -94,7 +94,7 @@ def _apply_styles(root: Element) -> list[str]:
             for rule in matching
             for name, value, important in rule.declared
         ]
-        for _, _, name, value in sorted(ranked, key=lambda one: one[:2]):
+        for _, _, name, value in sorted(ranked, key=lambda rule: rule[:2]):
             element.set(name, value)
         for name in _PROPERTIES & element.attrib.keys():
             if element.attrib[name].strip().lower() in _OF_PARENT:
@@ -171,7 +171,7 @@ def _key(part: re.Match[str]) -> str:
 
 
 def _unescaped(text: str) -> str:
-    return _ESCAPE.sub(lambda one: chr(min(int(one[1], 16), 0x10FFFF)) if one[1] else one[2], text)
+    return _ESCAPE.sub(lambda match: chr(min(int(match[1], 16), 0x10FFFF)) if match[1] else match[2], text)
 
 
 class _Tree:
@@ -201,9 +201,9 @@ class _Tree:
         return bool(elements)
 
     @staticmethod
-    def _reached(found: set[Element], way: dict[Element, Element], *, once: bool) -> Iterator[Element]:
+    def _reached(elements: set[Element], way: dict[Element, Element], *, once: bool) -> Iterator[Element]:
         seen = set[Element]()
-        for element in found:
+        for element in elements:
             here = way.get(element)
             while here is not None and here not in seen:
                 seen.add(here)
@@ -375,13 +375,13 @@ def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) 
     return scales[0], scales[1], moved[0], moved[1]
 
 
-def _over(asked: Fit, own: Fit, target: ElementTree.Element) -> Fit:
-    """Return the transform that changes the drawing's fit `own` to the fit `asked` of its clone."""
+def _over(requested: Fit, own: Fit, target: ElementTree.Element) -> Fit:
+    """Return the transform that changes the drawing's fit `own` to the fit `requested` of its clone."""
     if not (own[0] and own[1]):
         return 0.0, 0.0, 0.0, 0.0
     start = [_size(target.get(axis), 0.0, default=0.0) for axis in "xy"]
-    scales = asked[0] / own[0], asked[1] / own[1]
-    x, y = (asked[k + 2] + start[k] - scales[k] * own[k + 2] for k in range(2))
+    scales = requested[0] / own[0], requested[1] / own[1]
+    x, y = (requested[k + 2] + start[k] - scales[k] * own[k + 2] for k in range(2))
     return scales[0], scales[1], x, y
 
 

@@ -222,6 +222,8 @@ def _require_executor(executor: object) -> None:
         raise InputError(f"executor is {executor!r}: give a concurrent.futures.Executor, or None")
 
 
-def _require_options(asked_of: str, options: dict[str, Any]) -> None:
+def _require_options(function_name: str, options: dict[str, Any]) -> None:
     if unknown := set(options) - _OPTIONS:
-        raise InputError(f"{asked_of} knows no option {min(unknown)!r}: use {', '.join(sorted(_OPTIONS))}")
+        raise InputError(
+            f"{function_name} knows no option {min(unknown)!r}: use {', '.join(sorted(_OPTIONS))}"
+        )

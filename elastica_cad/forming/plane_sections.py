@@ -162,13 +162,15 @@ def _areas(points: FloatArray, rows: IntArray) -> FloatArray:
     return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2)
 
 
-def _complaint(points: FloatArray, rows: IntArray, total: int, one: str, many: str, then: str) -> list[str]:
+def _complaint(
+    points: FloatArray, rows: IntArray, total: int, singular: str, many: str, then: str
+) -> list[str]:
     if not len(rows):
         return []
     return [
         note(
             "{count} of {total} triangles {what}{then} (the first at {place:.6g})",
-            count=len(rows), total=total, what=one if len(rows) == 1 else many, then=then,
+            count=len(rows), total=total, what=singular if len(rows) == 1 else many, then=then,
             place=Point(points[rows[0]].mean(axis=0).round(6) + 0.0),
         )
     ]  # fmt: skip

@@ -103,9 +103,9 @@ class RodProblem(NonlinearProgram[MappedRod]):
         z[u.stiffness], z[u.length] = 1.0, 1.0
         return self.grid.shoot(self._inside(z))
 
-    def apart(self, one: MappedRod, other: MappedRod) -> float:
+    def apart(self, first: MappedRod, other: MappedRod) -> float:
         """Mean square distance of the nodes."""
-        return float(np.mean((one.position - other.position) ** 2))
+        return float(np.mean((first.position - other.position) ** 2))
 
     def for_open_points(self) -> "RodProblem":
         """Return the problem without the constraints that make no sense far from balance."""

@@ -77,7 +77,7 @@ def _too_narrow(widths: WidthRange, error: OverloadError) -> InputError:
     )
 
 
-def accepted_rod(found: Rod | NearestRod) -> Rod:
+def accepted_rod(result: Rod | NearestRod) -> Rod:
     """Return the rod of a result, with the warning of the search if there is one.
 
     Raises
@@ -85,11 +85,11 @@ def accepted_rod(found: Rod | NearestRod) -> Rod:
     NotMetError
         No rod near the curve meets the limits; the message has suggestions.
     """
-    if isinstance(found, Rod):
-        return found
-    require_record(found, NearestRod, "what was found", "a Rod or NearestRod")
-    if not found.met:
-        raise NotMetError(str(found))
-    if found.status is Status.MET:
-        return found.rod
-    return replace(found.rod, warnings=(*found.rod.warnings, found.status.value))
+    if isinstance(result, Rod):
+        return result
+    require_record(result, NearestRod, "what was found", "a Rod or NearestRod")
+    if not result.met:
+        raise NotMetError(str(result))
+    if result.status is Status.MET:
+        return result.rod
+    return replace(result.rod, warnings=(*result.rod.warnings, result.status.value))

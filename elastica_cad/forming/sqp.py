@@ -230,7 +230,7 @@ class NonlinearProgram(ABC, Generic[Point]):
         """Return the number to minimise."""
 
     @abstractmethod
-    def apart(self, one: Point, other: Point) -> float:
+    def apart(self, first: Point, other: Point) -> float:
         """Mean square distance of two points, in the unit of the objective."""
 
     @abstractmethod

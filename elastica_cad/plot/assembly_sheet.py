@@ -126,7 +126,7 @@ def _tables(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> I
 
 def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     """Strips spread out, holders drawn off their tabs, a line from every tab to where it goes."""
-    bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])
+    bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
     middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
     toward = look_from(ELEVATION_DEG, AZIMUTH_DEG)
     screen = screen_of(ELEVATION_DEG, AZIMUTH_DEG)
@@ -134,10 +134,10 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     axes = figure.add_axes((0.03, 0.03, 0.94, 0.87))
     shown: list[tuple[FloatArray, FloatArray]] = []
     spread = []
-    for one in model.placed:
-        center = one.frame.point(one.strip.rod.position).mean(axis=0)
+    for member in model.placed:
+        center = member.frame.point(member.strip.rod.position).mean(axis=0)
         out = SPREAD * (center - middle)
-        spread.append(Placed(one.strip, one.origin + out, one.x_axis, one.y_axis))
+        spread.append(Placed(member.strip, member.origin + out, member.x_axis, member.y_axis))
         shown.append(rule_strip(spread[-1]))
     far = APART * extent
     patches, colors = (np.concatenate(part) for part in zip(*shown, strict=True))

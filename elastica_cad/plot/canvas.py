@@ -176,16 +176,16 @@ def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axe
             return stream.getvalue()
 
     headed = 2 * TITLE_INCHES + TITLE_LINE_INCHES * (title.count("\n") + 1) if title else 0.0
-    height = headed + sum(one.above + one.height + one.below for one in panels)
+    height = headed + sum(panel.above + panel.height + panel.below for panel in panels)
     figure = Page(figsize=(WIDTH_INCHES, height))
     if title:
         top = 1 - TITLE_INCHES / height
         figure.suptitle(title, y=top, va="top", fontsize=TITLE_POINTS, color=INK)
     stacked, low = [], height - headed
-    for one in panels:
-        low -= one.above + one.height
-        wide = WIDTH_INCHES - one.left - one.right
-        place = (one.left / WIDTH_INCHES, low / height, wide / WIDTH_INCHES, one.height / height)
+    for panel in panels:
+        low -= panel.above + panel.height
+        wide = WIDTH_INCHES - panel.left - panel.right
+        place = (panel.left / WIDTH_INCHES, low / height, wide / WIDTH_INCHES, panel.height / height)
         stacked.append(figure.add_axes(place))
-        low -= one.below
+        low -= panel.below
     return figure, stacked

@@ -56,14 +56,14 @@ def check(check: EquilibriumCheck) -> Figure:
     tips, extent = comb_tips(nodes), float(np.ptp(nodes.position, axis=0).max())
     box = box_about(np.concatenate([nodes.position, tips]))
     width, height = 1.1 * np.maximum(box[1] - box[0], 0.3 * extent)
-    told = fill(
+    title = fill(
         " ".join((*check.points_message, *check.reasons))
         if check.reasons and check.undecided is None
         else str(check),
         LETTERS,
     )
     panel = NUMBERED._replace(height=float(np.clip(WIDE * height / width, 2.2, 5.2)))
-    figure, (axes,) = new_page([panel], told)
+    figure, (axes,) = new_page([panel], title)
     paint_comb(axes, nodes.position, tips)
     axes.plot(
         *nodes.position.T, color=GOOD if check.realizable and not check.undecided else INK, linewidth=2.2

@@ -141,18 +141,18 @@ def _patches(
     stations = np.linspace(low[0], high[0], int(np.ceil((high[0] - low[0]) / size)) + 1)
     flat = [part for slab in trapezoids(loops, stations, size) for part in _split(slab, size)]
     corners = np.array([[(a[0], a[1]), (b[0], b[1]), (b[0], b[2]), (a[0], a[2])] for a, b in flat])
-    found = []
+    parts = []
     for z in (0.0, solid.thickness):
         level = np.concatenate([corners, np.full((*corners.shape[:2], 1), z)], axis=2)
-        found.append(solid.frame.point(level.reshape(-1, 3)).reshape(-1, 4, 3))
+        parts.append(solid.frame.point(level.reshape(-1, 3)).reshape(-1, 4, 3))
     for loop in loops:
         points = _fine_polygon(_polygon_of(loop, size), size)
         under, over = (
             solid.frame.point(np.column_stack([points, np.full(len(points), z)]))
             for z in (0.0, solid.thickness)
         )
-        found.append(np.stack([under, np.roll(under, -1, axis=0), np.roll(over, -1, axis=0), over], axis=1))
-    patches = np.concatenate(found)
+        parts.append(np.stack([under, np.roll(under, -1, axis=0), np.roll(over, -1, axis=0), over], axis=1))
+    patches = np.concatenate(parts)
     return patches, np.tile(np.asarray(color, dtype=float), (len(patches), 1))
 
 
@@ -166,11 +166,11 @@ def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
 
 def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
     """Return a closed polygon with no side longer than `size`."""
-    found = []
+    pieces = []
     for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
         count = max(1, int(np.ceil(np.hypot(*(b - a)) / size)))
-        found.append(a + (b - a) * (np.arange(count) / count)[:, None])
-    return np.concatenate(found)
+        pieces.append(a + (b - a) * (np.arange(count) / count)[:, None])
+    return np.concatenate(pieces)
 
 
 RIM_SHARE, MODEL_RIM_SHARE = 0.035, 0.0015
@@ -211,7 +211,7 @@ def model(
         raise InputError(f"flat is {flat!r}: give a whole number of parts to show, 0 for none")
     held_by = (*model.plates, *several("holders", holders, Holder, HOLDERS))
     faces = _plate_faces(held_by)
-    bent = np.concatenate([one.frame.point(one.strip.rod.position) for one in model.placed])
+    bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
     rim = MODEL_RIM_SHARE * float(np.ptp(bent, axis=0).max())
     strips = [rule_strip(placed, rim, faces) for placed in model.placed]
     size = HOLDER_PATCH_SHARE * float(np.ptp(bent, axis=0).max())

@@ -24,7 +24,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     lines = [part.line_through(rest.position) for rest in part.rests]
     drawn = [
         part.outline.points(chord),
-        np.concatenate([part.outline_along(one).points(chord) for one in lines]),
+        np.concatenate([part.outline_along(edge).points(chord) for edge in lines]),
     ]
     tall = [float(np.clip((WIDTH_INCHES - 0.4) * np.ptp(p[:, 1]) / np.ptp(p[:, 0]), 0.6, 3.2)) for p in drawn]
     panels = [Panel(tall[0], 0.3, 0.1), Panel(tall[1], 0.35, 0.1), Panel(1.8, 0.35, 0.5, 0.7, 0.2)]

@@ -175,9 +175,9 @@ def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[He
     tabs = [np.array([end.position, end.tip]) for end in ends]
     for end, tab in zip(ends, tabs, strict=True):
         axes.plot(*tab.T, color=FAINT, linewidth=2.2)
-        told = f"{end.tilt:.1f}°" if end.support.angle else "free to turn"
+        angle_text = f"{end.tilt:.1f}°" if end.support.angle else "free to turn"
         below = {"xytext": (0, -6), "textcoords": "offset points", "ha": "center", "va": "top"}
-        axes.annotate(told, tuple(end.position), fontsize=9, color=INK, **below)
+        axes.annotate(angle_text, tuple(end.position), fontsize=9, color=INK, **below)
     low, high = box_about(np.concatenate([position, tips, *wished, *tabs, turns]))
     at_rest, shown = _inflection_line(rod), [low, high]
     if at_rest is not None:

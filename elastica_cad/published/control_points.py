@@ -416,8 +416,8 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
 def _peaks(values: FloatArray, above: float = -np.inf) -> IntArray:
     """Return the eight highest local maxima of values (n,) above a level."""
     padded = np.concatenate([[-np.inf], values, [-np.inf]])
-    found = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]) & (values > above))
-    return np.asarray(found[np.argsort(-values[found], kind="stable")[:8]])
+    peaks = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]) & (values > above))
+    return np.asarray(peaks[np.argsort(-values[peaks], kind="stable")[:8]])
 
 
 @dataclass(frozen=True, eq=False)
