@@ -182,7 +182,7 @@ class _Request:
         told = report_check(found)
         told["advice"] = " ".join([*outcome, told["advice"]])
         of_curve = (one for one in smoothing.notes if one not in smoothing.noise)  # which the check reports
-        told["notes"] = [*outcome, *([ends.told] if ends else []), *of_curve]
+        told["notes"] = [*outcome, *([ends.message] if ends else []), *of_curve]
         if found.realizable and self.alone:
             told |= _told_sheets(smoothing.curve, self.supports, self.natural_curvature)
         return told
