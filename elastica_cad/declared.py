@@ -1,6 +1,6 @@
 """Declared options: a field is declared once, on its record, and read by every front end.
 
-A field, or a parameter of a function, is declared by its mark:
+A field, or a parameter of a function, is declared by its annotation:
 `ratio: Annotated[float | None, Option("Largest stiffness ratio.", least=1, common=True)] = None`.
 """
 
@@ -101,7 +101,7 @@ class Kind:
     of : tuple of Kind
         Kinds of the elements of a list, of the values of names (a single kind), or the alternatives of "either".
     size : int or None
-        Size of a list; None for any size.
+        Size of a list, or None for any size.
     choices : tuple of str
         Values of a choice.
     source : callable, str or None

@@ -328,8 +328,8 @@ def note(
 
     Examples
     --------
-    >>> said = note("it rests {far} away", far=Length(1.234))
-    >>> print(said, said.values["far"] + 0.0)
+    >>> message = note("it rests {far} away", far=Length(1.234))
+    >>> print(message, message.values["far"] + 0.0)
     it rests 1.23 mm away 1.234
     """
     return Refusal("note", text, values, changes=changes, severity=severity)

@@ -92,7 +92,7 @@ def sensitivities(
 def lowest_mode(
     diagonal: FloatArray, off: FloatArray, lengths: FloatArray, rows: FloatArray, polynomials: FloatArray
 ) -> tuple[float, FloatArray, FloatArray] | None:
-    """`mechanics.rod.banded_matrices.lowest_weighted`: value, mode and multipliers; None where it is not smooth."""
+    """`mechanics.rod.banded_matrices.lowest_weighted`: value, mode, multipliers, or None where it is not smooth."""
     mode, multipliers = np.empty(diagonal.size), np.empty(len(rows))
     given = map(_plain, (diagonal, off, lengths, rows, polynomials))
     sizes = diagonal.size, len(rows), polynomials.shape[1]

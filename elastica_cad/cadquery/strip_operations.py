@@ -57,7 +57,7 @@ def elastica(
     length : float
         Length of the strip, mm, more than the distance between its ends.
     angles : pair of float or None
-        Directions of the tangents at start and end, degrees, without whole turns; None for an end that can rotate.
+        Directions of the tangents at start and end, degrees, without whole turns, or None for an end that rotates.
     stiffness : float, sequence or Profile
         Widths of a tapered strip at equally spaced stations, in any unit.
     gravity : Gravity, optional

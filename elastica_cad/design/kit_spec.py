@@ -36,7 +36,7 @@ class Cutting:
     """Options of cutting files.
 
     `kerf` is in mm, or None for the kerf of each sheet. `curves` None means splines, or arcs for a service. Without
-    `holding` there are no holding tabs.
+    `holding` the parts have no holding tabs.
     """
 
     FIELDS: ClassVar[Callable[[], Mapping[str, Field]]] = staticmethod(cutting_keys)
@@ -64,7 +64,7 @@ class Cutting:
     curves: Annotated[
         str | None,
         Option(
-            "What curved edges are written as; spline by default, arc for a service.",
+            "Type of curve for curved edges: spline by default, arc for a service.",
             group="files",
             written=Literal["spline", "bezier", "arc", "polyline"],
         ),
@@ -153,7 +153,7 @@ class HolderSpec:
     kind : "base", "rings", "frame", "fixtures" or "stand"
         One plate, a plate for each end, two rails with ribs, printed blocks, or the simplest of these.
     sheet : Sheet or None
-        Sheet of plates; None for blocks.
+        Sheet of plates, or None for blocks.
     options : mapping
         Options of `base_plate`, `end_plates`, `slotted_frame` or `end_fixtures`.
     nesting : Nesting

@@ -139,11 +139,11 @@ def compose_start_page(
     name : str
         Of the model.
     lines : sequence of str
-        What was made, in a few sentences.
+        Summary of the model, in a few sentences.
     notes : sequence of str
-        What a maker should know before cutting.
+        Messages to read before cutting.
     files : mapping
-        What each file is, by its name with / between folders; pictures are shown.
+        Description of each file, by its name with / between folders; pictures are shown.
 
     Examples
     --------

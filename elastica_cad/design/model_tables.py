@@ -53,7 +53,7 @@ class Stand(_Holder):
 class NamedStand(Stand):
     """The simplest of the other holders that holds all tabs."""
 
-    name: Annotated[str | None, Option("What its plates are called.")] = None
+    name: Annotated[str | None, Option("Name of its plates.")] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -132,7 +132,7 @@ PATTERNS: dict[str, Record] = {"mirror": mirror, "rotate": rotate, "repeat": rep
 
 @dataclass(frozen=True)
 class Extras:
-    """What is cut besides."""
+    """Additional parts to cut."""
 
     coupon: Annotated[bool, Option("A coupon of every sheet.")] = False
     reference_bar: Annotated[
@@ -188,7 +188,7 @@ class DesignKeys(SharedKeys):
     ] = None
     nest: Annotated[Nesting | None, Option("The sheets that parts are laid on.")] = None
     cut: Annotated[Cutting | None, Option("How cutting files are written.")] = None
-    extras: Annotated[Extras | None, Option("What is cut besides.")] = None
+    extras: Annotated[Extras | None, Option("Additional parts to cut.")] = None
 
 
 def read_kit(top: Table, reader: Reader) -> KitSpec:

@@ -71,7 +71,7 @@ def write_curves(
     Raises
     ------
     InputError
-        There are no curves, the suffix is unknown, or the file can't be written.
+        The list of curves is empty, the suffix is unknown, or the file can't be written.
     MissingDependencyError
         DXF without ezdxf.
 

@@ -345,7 +345,7 @@ class DrawnFile:
         Raises
         ------
         InputError, NotConvergedError
-            There is no valid curve; the error is that of the first curve.
+            No curve is valid; the error is that of the first curve.
         """
         good = [curve for curve in self.curves if not curve.problem]
         with name_source(self.path):
@@ -455,7 +455,7 @@ def collect_curves(
     Raises
     ------
     InputError
-        There is no curve, or the tolerances are not positive.
+        The file has no curve, or the tolerances are not positive.
     """
     check_tolerance(fit_tolerance, "tolerance for fitting")
     runs = list(runs)

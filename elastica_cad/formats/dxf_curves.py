@@ -502,7 +502,7 @@ def _through(points: FloatArray, ends: Any) -> Edge:
 
 
 def _polyline(rows: list[tuple[float, float, float, float]], *, closed: bool, to_world: Any) -> Run:
-    """Return a single polyline edge if there are no bulges, else a line or arc for each side."""
+    """Return a single polyline edge without bulges, else a line or arc for each side."""
     if closed and len(rows) > 1:
         rows = [*rows, rows[0]]
     if len(rows) < 2:

@@ -69,7 +69,7 @@ def encode_dxf(
     tolerance : float
         Largest distance, mm, of a replaced curve from the true one.
     version : str
-        One of `DXF_VERSIONS`. R12 has no units in its header; a comment says mm. It is written without ezdxf.
+        One of `DXF_VERSIONS`. R12 has no units in its header; a comment states mm. It is written without ezdxf.
     layers : mapping, optional
         Names and colours, see `style_layers`.
 

@@ -117,8 +117,8 @@ def placed_curve(
     Raises
     ------
     InputError
-        There are no edges, or they are not plane, have no length, do not meet, meet at a corner, or are not in
-        the plane `plane`.
+        The list of edges is empty, or the edges are not plane, have no length, do not meet, meet at a corner, or
+        are not in the plane `plane`.
     """
     if not edges:
         raise InputError("no edge was given: give at least one edge or wire for the strip to follow")

@@ -16,7 +16,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.refusals import FieldName, Length
 
 FileMark: TypeAlias = tuple[int, int, int] | None
-"""Fingerprint of a file: modification time, size and number on the disk; None if there is no file."""
+"""Fingerprint of a file: modification time, size and number on the disk, or None for a missing file."""
 
 _read: ContextVar[dict[Path, FileMark] | None] = ContextVar("files read", default=None)
 

@@ -93,7 +93,7 @@ def write_atomically(
     Raises
     ------
     InputError
-        As `check_target`, or there is no permission or no free space.
+        As `check_target`, or permission or free space is missing.
 
     Examples
     --------

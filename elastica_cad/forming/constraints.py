@@ -331,7 +331,7 @@ class MarginLimit(Constraint):
         return _all_rows(row[None] / self.scale)
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Convert derivatives by dM/dkappa (n+1,) to derivatives by K and by M (n+1,); None if M has no effect."""
+        """Convert derivatives by dM/dkappa (n+1,) to derivatives by K and, if M has an effect, by M (n+1,)."""
         _ = rod
         return by_tangent.copy(), None
 

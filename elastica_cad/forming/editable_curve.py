@@ -31,7 +31,7 @@ def editable_curve(rod: Rod) -> PlaneCurve:
 
     The error of a rod with n edges is O(1/n^2), which would be visible in the curvature near inflections. So the
     continuous rod with the same stiffness and ends is computed first. The spline fits its position and curvature.
-    At the inflections it interpolates the rod exactly, so they are on one line if there is no weight (Theorem 1).
+    At the inflections it interpolates the rod exactly, so they are on one line without weight (Theorem 1).
 
     Parameters
     ----------

@@ -113,7 +113,7 @@ def _bounds_along_strip(
 
 @dataclass(frozen=True, eq=False)
 class Limits:
-    """Hard limits of material, machine and space; None for no limit.
+    """Hard limits of material, machine and space, or None for no limit.
 
     Parameters
     ----------

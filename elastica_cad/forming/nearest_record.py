@@ -76,7 +76,7 @@ class NearestRod:
     Attributes
     ----------
     found : Rod or None
-        See `rod`; None if nothing could be computed.
+        See `rod`, or None if nothing could be computed.
     target : PlaneCurve
         The drawn curve.
     status : Status

@@ -516,7 +516,7 @@ def nearest_rod(
     InputError
         Limits that contradict each other or the curve.
     NotConvergedError
-        There is no first rod, because the curve bends too much or the weight is far too large for the stiffness.
+        The search has no first rod: the curve bends too much, or the weight is far too large for the stiffness.
 
     References
     ----------

@@ -404,8 +404,8 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     """Return the `smooth`, mm, rounded to one digit, with which `round_corners` removes all corners.
 
     For a spline, it is at least the default smoothing distance, and at most a thousandth of the length. For a
-    polyline, it is at most a tenth of the size. The result is None if there are no corners to remove, or if they
-    cannot be removed within that limit.
+    polyline, it is at most a tenth of the size. The result is None if the curve has no corners, or if
+    they cannot be removed within that limit.
 
     Examples
     --------

@@ -163,7 +163,7 @@ class Path:
     Raises
     ------
     InputError
-        There are no segments, or their ends do not meet.
+        The list of segments is empty, or their ends do not meet.
 
     Examples
     --------

@@ -212,7 +212,7 @@ def write_step(
     Raises
     ------
     InputError
-        There are no parts, the file exists (without `force`), or the folder is not writable.
+        The list of parts is empty, the file exists (without `force`), or the folder is not writable.
     """
     if not parts:
         raise InputError("there is nothing to write: give one part or more")

@@ -177,7 +177,7 @@ class MadeStrip:
     deviation : float
         Distance by which limits moved the strip from the drawn curve, mm.
     home : Frame or None
-        Original joint "start" of a bent body; None for other bodies.
+        Original joint "start" of a bent body, or None for other bodies.
     """
 
     strip: Strip

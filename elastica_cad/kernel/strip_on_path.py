@@ -83,7 +83,7 @@ def make_strip_on(
         None with a strip, which has a sheet.
     workplane : Frame, or a plane of build123d or CadQuery, optional
         Plane of the drawing, which determines the side of a path that is in it or parallel to it.
-    **asked
+    **options
         `StripOptions`, and `max_width`.
 
     Raises

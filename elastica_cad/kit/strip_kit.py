@@ -35,7 +35,7 @@ class StripFiles:
     cutting : Cutting
         Options of the cut pattern's files.
     paper : str or None
-        Size of a template's pages, such as "A4"; None for no template.
+        Size of a template's pages, such as "A4", or None for no template.
     glb, stl : bool
         Write the bent strip for browsers and phones, and for 3D printing.
     step, pictures : bool

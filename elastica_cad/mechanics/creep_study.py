@@ -125,7 +125,7 @@ def creep(rod: Rod, factor: float) -> Creep:
     InputError
         The factor is negative or not finite.
     NotConvergedError
-        The strip collapses as it creeps: there is no equilibrium near the first shape.
+        The strip collapses as it creeps, without an equilibrium near the first shape.
 
     Examples
     --------

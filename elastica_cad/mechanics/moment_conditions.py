@@ -113,7 +113,7 @@ def moment_rows(panels: Panels, load: LineLoad | None = None) -> MomentRows:
     panels : Panels
         The curve, cut at its zeros.
     load : LineLoad, optional
-        Weight along the curve; by default there is no weight.
+        Weight along the curve; none by default.
 
     Returns
     -------

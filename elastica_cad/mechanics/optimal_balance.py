@@ -507,7 +507,7 @@ def extrapolated(first: float, second: float, third: float) -> float:
 
 
 def _deciding(law: BoundedLaw) -> float:
-    """Return the limit that decides the scale: the largest size, or the least if there is no largest."""
+    """Return the limit that decides the scale: the largest size, or the least if the largest is unlimited."""
     least, largest = law.limits
     return largest if np.isfinite(largest) else least
 

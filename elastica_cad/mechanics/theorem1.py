@@ -145,7 +145,7 @@ class EquilibriumCheck:
     inflections : tuple of float
         Arc lengths, mm, where kappa - kappa_0 changes sign.
     line : InflectionLine or None
-        Inflection line; for a single inflection, the middle of the admissible lines; None if no line is needed.
+        Inflection line; for a single inflection, the middle of the admissible lines, or None if no line is needed.
     off_line : tuple of (float, float)
         Arc length of every point that the line must pass, and its distance from the line, mm.
     crossings, touches : tuple of float

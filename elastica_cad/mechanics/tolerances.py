@@ -26,7 +26,7 @@ ROUNDED_SHARE = 1e-9
 
 @dataclass(frozen=True)
 class Imperfection:
-    """Difference of a real strip from its design; by default there is no difference.
+    """Difference of a real strip from its design; none by default.
 
     Attributes
     ----------
@@ -389,7 +389,7 @@ def tolerance_study(
     Raises
     ------
     InputError
-        There are no samples, or the loss of width exceeds the least width.
+        The number of samples is zero, or the loss of width exceeds the least width.
 
     Examples
     --------

@@ -226,7 +226,7 @@ class Model:
     Raises
     ------
     InputError
-        There are no strips.
+        The model has no strips.
     """
 
     placed: tuple[Placed, ...]
@@ -379,7 +379,7 @@ LARGEST = 0.15
 WIDENED, GENTLER = 1.1, 0.7
 """Largest widening of a strip in one round to keep its joints, and factor on its largest change of width otherwise.
 
-A much wider strip is no improvement, because its shoulders beside the tabs are wider too."""
+A much wider strip does not help, because its shoulders beside the tabs are wider too."""
 
 ROUNDS, MOST_ROUNDS = 2, 10
 """Usual and largest number of rounds; more are needed if joints are lost."""

@@ -131,8 +131,8 @@ def nest_pieces(
     margin : float
         Least distance between pieces, and to the edge of the sheet, mm.
     kerf : float or None
-        Kerf for which the written drawings will be compensated (`compensate_kerf`), mm; None for the kerf of each
-        sheet. The margin is kept between the paths of the tool.
+        Kerf for which the written drawings will be compensated (`compensate_kerf`), mm, or None for the kerf of
+        each sheet. The margin is kept between the paths of the tool.
     name : str
         First part of the names of the drawings, before the material and the number.
 

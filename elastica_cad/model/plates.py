@@ -121,7 +121,7 @@ class TabSlot:
     through : float
         Thickness of the tab, mm.
     tab : PlacedTab or None
-        Tab in the slot; None for a tongue of another plate.
+        Tab in the slot, or None for a tongue of another plate.
     """
 
     corners: FloatArray
@@ -317,7 +317,7 @@ def plate_with(
 
 
 def _round(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[Path, Path | None]:
-    """Return rim and opening around loops (4, 2) with a border, mm; None for an opening that is too small."""
+    """Return rim and opening around loops (4, 2) with a border, mm, or None for an opening that is too small."""
     inner, outer = around(loops, center, border)
     opening = Path.circle(center, inner) if inner > LEAST_OPENING_SHARE * outer else None
     return Path.circle(center, outer), opening

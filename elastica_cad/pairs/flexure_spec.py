@@ -60,9 +60,7 @@ class FlexureSpec:
         float | None,
         Option("Move the curves so far to make their curvature smooth.", "mm", least=0, common=True),
     ] = None
-    limits: Annotated[PairLimits, Option("What the strip may have at most.")] = field(
-        default_factory=PairLimits
-    )
+    limits: Annotated[PairLimits, Option("Upper limits of the strip.")] = field(default_factory=PairLimits)
     free: Annotated[State | None, Option("The state that needs no holding.", common=True)] = None
     objective: Annotated[
         Objective, Option("The thickest part that the strain allows, or the most even one.", common=True)
@@ -76,7 +74,7 @@ class FlexureSpec:
             common=True,
         ),
     ] = None
-    pad: Annotated[Pad, Option("What holds both ends.")] = field(default_factory=Pad)
+    pad: Annotated[Pad, Option("Pads that hold both ends.")] = field(default_factory=Pad)
     fillet: Annotated[float, Option("Radius at the roots of the pads.", "mm", least=0, common=True)] = 1.0
     push_at: Annotated[
         float | None,

@@ -48,7 +48,7 @@ THICKNESS_SAMPLES = 301
 
 @dataclass(frozen=True)
 class PairLimits:
-    """Upper limits for a rod with two states; None for no limit.
+    """Upper limits for a rod with two states, or None for no limit.
 
     Attributes
     ----------

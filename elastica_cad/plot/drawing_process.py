@@ -1,6 +1,6 @@
 """Drawing of pictures in a second process, which imports matplotlib while the command computes.
 
-Importing matplotlib takes as long as computing a strip. If there is no second process, or if it ends early, the
+Importing matplotlib takes as long as computing a strip. Without a second process, or if it ends early, the
 pictures are drawn in this process.
 """
 

@@ -182,7 +182,7 @@ def stiffness_shares(
     layout : Layout
     slots : sequence of Slot
     tab_widths : pair of float or None
-        mm; None for a tab as wide as the strip's end.
+        mm, or None for a tab as wide as the strip's end.
     """
     width, nu = layout.width, min(layout.sheet.poisson_ratio, 0.5)
     grain = float(np.sqrt(even_shear_ratio(nu) / layout.sheet.shear_ratio))

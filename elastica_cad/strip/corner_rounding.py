@@ -61,7 +61,7 @@ def too_small_for(radius: float, path: Path) -> InputError:
 
 
 def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | None]:
-    """Return paths with rounded corners; None for each path that the radius does not fit.
+    """Return paths with rounded corners, or None for each path that the radius does not fit.
 
     A side too short for the arcs at both its ends is left out if an arc fits the sides before and after it. So the
     blunt end of a hole that is cut off near its tip is rounded as the tip would be.

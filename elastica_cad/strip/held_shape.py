@@ -354,7 +354,7 @@ def sheet_effects(
         Design on the same nodes, from whose shape distances are measured.
     sheet : Sheet
     breadth : (n,) array or None
-        Width at the nodes of each part cut side by side, mm; None if nothing is cut to width.
+        Width at the nodes of each part cut side by side, mm, or None if nothing is cut to width.
     tolerance : MakingTolerance
     """
     n, M = made.s.size, made.moment

@@ -351,8 +351,8 @@ class Perforated:
     >>> strip = Strip(Rod.straight(120.0, [1, 2, 1]), Sheet.named("card-200gsm"), style=style)
     >>> len(strip.holes)  # four rows of two, five of three
     23
-    >>> left, asked = strip.layers[0].material([13.7, 60.0]), strip.layout.material([13.7, 60.0])
-    >>> bool(abs(left / asked - 1).max() < 1e-4)
+    >>> left, needed = strip.layers[0].material([13.7, 60.0]), strip.layout.material([13.7, 60.0])
+    >>> bool(abs(left / needed - 1).max() < 1e-4)
     True
     """
 

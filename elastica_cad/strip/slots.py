@@ -525,7 +525,7 @@ def end_numbers(
 def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, float] | None = None) -> Text:
     """Return the label on the strip's middle line, as near to the middle as possible and clear of all cuts.
 
-    It is smaller if necessary, and in the middle if there is no free place. `span` is the allowed range, mm along
+    It is smaller if necessary, and in the middle without a free place. `span` is the allowed range, mm along
     the strip; by default the whole free part.
     """
     low, high = span or (0.0, width.length)
@@ -549,7 +549,7 @@ def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, fl
 def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: Cuts) -> Text:
     """Return the label across one of the `tabs` (start x, end x and width), clear of all cuts.
 
-    It is smaller or beside the middle if necessary, and in the middle of the first tab if there is no free place.
+    It is smaller or beside the middle if necessary, and in the middle of the first tab without a free place.
     """
 
     def text(tab: tuple[float, float, float], share: float, place: float, side: float) -> Text:

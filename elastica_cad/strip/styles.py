@@ -141,7 +141,7 @@ class Layout:
     warnings : tuple of str
         Warnings for the maker.
     section : BoundedLaw or None
-        Law of the stiffness; None if the width is proportional to the stiffness with E.
+        Law of the stiffness, or None if the width is proportional to the stiffness with E.
     size : Profile or None
         Thickness or diameter of the section along the free part, mm, if it varies.
     """
@@ -164,7 +164,7 @@ class Layout:
 
     @property
     def worked_size(self) -> Profile | None:
-        """Thickness or diameter, mm, after planing or turning; None for strips that are cut, and for plies."""
+        """Thickness or diameter, mm, after planing or turning, or None for strips that are cut, and for plies."""
         return self.size if self.stack is None else None
 
     def hole_paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:

@@ -327,7 +327,7 @@ def rest_in_seats(
     design : Rod
         Rod with the designed positions of the ends.
     seats : pair of TabSeat or None
-        Seats at start and end; None for an end that its support holds without play.
+        Seats at start and end, or None for an end that its support holds without play.
     tab_stiffness : pair of float
         E I of the tabs over the rod's B; infinite for tabs that do not bend.
 

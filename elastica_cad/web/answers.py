@@ -155,7 +155,7 @@ def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
     Raises
     ------
     InputError
-        There is no such strip, or the request is invalid.
+        The strip does not exist, or the request is invalid.
     """
     strips = design.get("strips")
     if not isinstance(strips, list) or not isinstance(k, int) or not 0 <= k < len(strips):

@@ -22,7 +22,7 @@ def catalogue(language: str) -> dict[str, str]:
 
 
 class Translated(Wording):
-    """Sentences in one of the languages; what its catalogue does not hold is said in English.
+    """Sentences in one of the languages; a sentence that is not in its catalogue is in English.
 
     Parameters
     ----------

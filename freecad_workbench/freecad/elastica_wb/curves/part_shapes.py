@@ -115,7 +115,7 @@ def plane_curve(drawn: Iterable[Any]) -> tuple[PlaneCurve, Frame]:
     Raises
     ------
     InputError
-        There is no curve, or there are several curves, corners, or edges that are not plane.
+        The edges form no curve or several curves, or have corners, or edges that are not plane.
     """
     return placed_curve(_drawn_edges(drawn))
 

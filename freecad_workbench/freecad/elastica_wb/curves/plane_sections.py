@@ -120,7 +120,7 @@ def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
     Raises
     ------
     InputError
-        There is no such object.
+        The object does not exist.
     """
     bodies = [obj for obj in objects if _has_triangles(obj) or _has_faces(obj)]
     if not bodies:
@@ -140,7 +140,7 @@ def path_points(source: Any, names: Iterable[str] = ()) -> FloatArray:
     Raises
     ------
     InputError
-        There are no edges, several chains of edges, or infinite edges.
+        The object has no edges, several chains of edges, or infinite edges.
     """
     shape = _shape(source)
     edges = [shape.getElement(name) for name in names] or shape.Edges

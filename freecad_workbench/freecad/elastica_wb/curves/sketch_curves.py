@@ -45,7 +45,7 @@ def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
     Raises
     ------
     InputError
-        The link is empty, there is no curve in it, or as `shapes.plane_curve`.
+        The link is empty or has no curve, or as `shapes.plane_curve`.
     """
     source, names = link if isinstance(link, tuple) else (link, ())
     if source is None:
@@ -132,7 +132,7 @@ def edge_called(source: Any, name: str) -> Any:
     Raises
     ------
     InputError
-        There is no such element.
+        The element does not exist.
     """
     try:
         path = "." in name

@@ -151,7 +151,7 @@ def overlaps_of(obj: Any) -> list[str]:
 
 
 def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
-    """Start the search for strips of a model that intersect. Return None if there is no model.
+    """Start the search for strips of a model that intersect. Return None without a model.
 
     The search takes about as long as the model, so it runs in another thread and no recompute waits.
     """

@@ -391,7 +391,7 @@ def _limits(obj: Any) -> dict[str, Any]:
 
 
 def _range(obj: Any, kind: str) -> list[float] | None:
-    """Return the smallest and largest value, mm, or None if there is no largest value."""
+    """Return the smallest and largest value, mm, or None without a largest value."""
     least, most = getattr(obj, f"Least{kind}").Value, getattr(obj, f"Most{kind}").Value
     if not most:
         return None

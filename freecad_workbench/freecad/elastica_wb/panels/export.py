@@ -104,7 +104,7 @@ class ExportPanel(Panel):
             self.browse()
         if not self.form.folder.text().strip():
             raise InputError(translate("Elastica", "choose a folder for the files"))
-        # ~ stays if there is no such home folder
+        # ~ stays if the home folder does not exist
         folder = Path(os.path.expanduser(self.form.folder.text().strip()))
         if not folder.is_absolute():  # users do not know FreeCAD's working directory
             raise InputError(translate("Elastica", "write the whole path of the folder, or press Browse"))
