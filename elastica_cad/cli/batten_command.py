@@ -33,28 +33,35 @@ MOST_STATIONS = 1000
 
 _STOCK = (
     sheet_options(required=True),
-    click.option("--length", type=LENGTH, required=True, metavar="MM", help="Of the batten."),
-    click.option("--camber", type=float, required=True, metavar="PERCENT", help="Depth, of the chord."),
+    click.option("--length", type=LENGTH, required=True, metavar="MM", help="Length of the batten."),
+    click.option("--camber", type=float, required=True, metavar="PERCENT", help=("Depth of the camber, in % of the "
+                                                                                 "chord.")),
     click.option("--at", type=float, default=50.0, show_default=True, metavar="PERCENT",
-                 help="Where along the chord it is deepest, from the start."),
-    click.option("--stock", type=POINT, metavar="WIDTH THICKNESS", help="A strip to be planed in thickness."),
-    click.option("--rod", type=LENGTH, metavar="DIAMETER", help="A round rod instead, to be turned or sanded."),
-    click.option("--bore", type=float, default=0.0, metavar="SHARE", help="Of a tube: inner over outer diameter."),
+                 help="Position of the deepest point, in % of the chord from the start."),
+    click.option("--stock", type=POINT, metavar="WIDTH THICKNESS", help=("Width and thickness of the strip, "
+                                                                         "which is planed in thickness.")),
+    click.option("--rod", type=LENGTH, metavar="DIAMETER", help=("Diameter of a round rod instead of a strip; "
+                                                                 "it is turned or sanded.")),
+    click.option("--bore", type=float, default=0.0, metavar="SHARE", help=("For a tube: inner diameter divided "
+                                                                           "by outer diameter.")),
     click.option("--least", type=LENGTH, metavar="MM",
-                 help="Thinnest place that is allowed  [default: a quarter of the stock]."),
+                 help="Least thickness  [default: a quarter of the stock]."),
     click.option("--full", type=float, default=0.0, show_default=True, metavar="PERCENT",
-                 help="Of the length, at the thick end, that keeps the full size; the rest is tapered."),
+                 help="Part of the length at the thick end that keeps the full size, in %; the rest is tapered."),
     click.option("--lying", type=click.Choice(["up", "down"]),
-                 help="Design it under its own weight, lying with its chord level and bulging this way."),
-    click.option("--weight", is_flag=True, help="Tell the camber under its own weight too, lying level."),
+                 help="Include the weight in the design, for a level chord and a bulge in this direction."),
+    click.option("--weight", is_flag=True, help=("Report also the camber under its own weight with a level "
+                                                 "chord.")),
     click.option("--leaves", type=click.IntRange(2, MOST_LEAVES), metavar="N",
-                 help="Glue the strip of N equal leaves instead of planing it: where they end is told."),
+                 help=("Glue the strip from N equal plies instead of planing it; the report lists where each "
+                       "ply ends.")),
     click.option("--stations", type=click.IntRange(2, MOST_STATIONS), default=11, show_default=True, metavar="N",
-                 help="Rows of the table, evenly from end to end."),
-    click.option("--every", type=LENGTH, metavar="MM", help="A row for this distance instead."),
-    click.option("--name", default="batten", show_default=True, help="Of its files."),
+                 help="Number of rows of the table, evenly spaced."),
+    click.option("--every", type=LENGTH, metavar="MM", help=("Distance between rows of the table, instead of "
+                                                             "their number.")),
+    click.option("--name", default="batten", show_default=True, help="Name of the files."),
     click.option("--paper", type=click.Choice(["A4", "A3", "A2", "A1", "A0", "letter", "tabloid"]), default="A4",
-                 show_default=True, help="Of the print at full size."),
+                 show_default=True, help="Paper of the print at full size."),
     output_options,
 )  # fmt: skip
 
@@ -62,20 +69,20 @@ _STOCK = (
 @click.command()
 @join_options(*_STOCK)
 def batten(**chosen: Any) -> None:
-    """Taper a batten so that its pressed ends bring the camber where the sail wants it.
+    """Taper a batten so that it bends to the wanted camber when its ends are pressed together.
 
-    The ends turn freely and are pressed together until the camber is as deep as asked. Writes NAME.csv (sizes in mm
-    and inch, strain, safety), NAME.svg and NAME.dxf (the side view at full size), NAME.json, NAME.pdf (the same on
-    paper, in tiles; needs matplotlib) and NAME.step (flat and bent; needs build123d or CadQuery). With --leaves the
-    drawings and bodies are those of the leaves, and NAME.csv is their cut list. A batten for a curve of your own is
-    a strip: elastica strip sheer.csv --set 'law = {kind = "thickness", limits = [4, 18], width = 30}'.
+    The ends are pinned and pressed together until the camber is reached. Writes NAME.csv (sizes in mm and inch,
+    strain, safety), NAME.svg and NAME.dxf (the side view at full size), NAME.json, NAME.pdf (the same on pages;
+    needs matplotlib) and NAME.step (flat and bent; needs build123d or CadQuery). With --leaves drawings and bodies
+    show the plies, and NAME.csv is their cut list. A batten for a drawn curve is a strip:
+    elastica strip sheer.csv --set 'law = {kind = "thickness", limits = [4, 18], width = 30}'.
 
     \b
       elastica batten --sheet pom-1 --length 2400 --camber 10 --at 40 --stock 25 8 --least 3 -o out
     """
     name = chosen["name"]
     if "/" in name or "\\" in name:
-        raise InputError("the name {name!r} is to name files: leave out / and \\", name=name)
+        raise InputError("The name {name!r} is also the name of files. Leave out / and \\.", name=name)
     spec = BattenSpec(
         chosen["length"],
         chosen["camber"] / 100,
@@ -156,17 +163,17 @@ def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
     sheet, strip, rod = requested_sheet(chosen), chosen["stock"], chosen["rod"]
     if (strip is None) == (rod is None):
         raise InputError(
-            "say what the batten is made of: --stock WIDTH THICKNESS for a strip, or --rod DIAMETER"
+            "The material of the batten is missing. Add --stock WIDTH THICKNESS for a strip, or --rod DIAMETER."
         )
     largest = rod if strip is None else strip[1]
     least = LEAST_SHARE * largest if chosen["least"] is None else chosen["least"]
     if chosen["leaves"] is not None:
         if strip is None:
-            raise InputError("--leaves are of a strip: give --stock WIDTH THICKNESS instead of --rod")
+            raise InputError("--leaves applies to strips only. Use --stock WIDTH THICKNESS instead of --rod.")
         least = max(least, largest / chosen["leaves"])
     if strip is not None:
         if chosen["bore"]:
-            raise InputError("--bore is of a tube: give --rod DIAMETER, or leave it out")
+            raise InputError("--bore applies to tubes only. Add --rod DIAMETER, or leave out --bore.")
         return ThicknessLaw(sheet, least, largest, width=strip[0])
     return RoundLaw(sheet, least, largest, bore=chosen["bore"])
 
@@ -177,7 +184,7 @@ def _stations(chosen: dict[str, Any]) -> FloatArray:
         return np.linspace(0.0, length, chosen["stations"])
     if not length / MOST_STATIONS <= every <= length:
         raise InputError(
-            "--every is {every:g}: give {least:g} to the batten's {length:g}",
+            "--every is {every:g} mm. Choose {least:g} mm to {length:g} mm, the length of the batten.",
             every=Length(every),
             least=Length(rounded_up(length / MOST_STATIONS, 3)),
             length=Length(length),

@@ -60,56 +60,64 @@ OF_A_CURVE = {
 @click.command("bend")
 @curve_argument(required=False)
 @click.option(
-    "--straight", type=LENGTH, metavar="MM", help="A straight strip of even width instead of CURVE."
+    "--straight",
+    type=LENGTH,
+    metavar="MM",
+    help=("Length of a straight strip of constant width, instead of CURVE."),
 )
 @which_options
 @smooth_option
-@click.option("--nearest", is_flag=True, help="Where no strip takes CURVE, bend that of the nearest curve.")
+@click.option(
+    "--nearest",
+    is_flag=True,
+    help=("If no strip can take CURVE, bend the strip of the nearest possible curve."),
+)
 @unit_option
 @sheet_options(required=False, use="Material, for weight and forces")
 @click.option(
     "--max-width",
     type=LENGTH,
     metavar="MM",
-    help="Width of the widest place: with --sheet it tells newtons, strain and safety.",
+    help="Largest width; with --sheet it gives forces in newtons, strain and safety.",
 )
 @set_option(BentKeys)
-@click.option("--gravity", is_flag=True, help="The strip feels its weight (needs --sheet).")
+@click.option("--gravity", is_flag=True, help="Include the weight of the strip (needs --sheet).")
 @click.option("--down", type=(float, float), metavar="X Y",
-              help="The direction in which things fall.  [default: 0 -1]")  # fmt: skip
-@click.option("--from", "start", type=POINT, metavar="X Y", help="Move the start there, mm, y up.")
-@click.option("--to", "end", type=POINT, metavar="X Y", help="Move the end there, mm, y up.")
-@click.option("--start-angle", type=float, metavar="DEG", help="Turn the start to this direction.")
+              help="Direction of gravity  [default: 0 -1].")  # fmt: skip
+@click.option("--from", "start", type=POINT, metavar="X Y", help="New position of the start, mm, y up.")
+@click.option("--to", "end", type=POINT, metavar="X Y", help="New position of the end, mm, y up.")
+@click.option("--start-angle", type=float, metavar="DEG", help="New direction of the start.")
 @click.option(
-    "--end-angle", type=float, metavar="DEG", help="Turn the end to this direction, counted along the strip."
+    "--end-angle", type=float, metavar="DEG", help="New direction of the end, measured along the strip."
 )
 @click.option("--hold-start", type=click.Choice(END_NAMES),
-              help="What holds the start.  [default: clamped, or as in the report]")  # fmt: skip
+              help="Support of the start  [default: clamped, or as in the report].")  # fmt: skip
 @click.option("--hold-end", type=click.Choice(END_NAMES),
-              help="What holds the end.  [default: clamped, or as in the report]")  # fmt: skip
+              help="Support of the end  [default: clamped, or as in the report].")  # fmt: skip
 @click.option("--steps", type=click.IntRange(1, 200), default=1, show_default=True,
-              help="Shapes on the way, the ends moving evenly.")  # fmt: skip
-@click.option("--side", type=click.Choice(["left", "right"]), help="To which side a straight strip bulges.")
+              help="Number of shapes between the first and the last position, evenly spaced.")  # fmt: skip
+@click.option("--side", type=click.Choice(["left", "right"]), help="Side to which a straight strip bulges.")
 @output_options
 def bend_command(curve: Path | None, **chosen: Any) -> None:
-    """Bend the strip that was made for CURVE, or a straight one, to other ends, and tell where it comes to rest.
+    """Bend the strip for CURVE, or a straight strip, to other ends, and compute its shape and forces.
 
     \b
-      elastica bend arch.dxf --to 350 0                        the arch with its feet 50 mm closer
-      elastica bend out/arch.json --to 350 0                   the same, of the report that `elastica strip` wrote
+      elastica bend arch.dxf --to 350 0                        the arch with its ends 50 mm closer
+      elastica bend out/arch.json --to 350 0                   the same from the report of `elastica strip`
       elastica bend --straight 300 --to 200 0 --hold-end pinned --hold-start pinned
 
       elastica bend --straight 120 --sheet spring-steel-0.5 --max-width 10 --to 60 0 --steps 20   a spring's force
 
-    Writes NAME-bent.csv (points, angle, curvature and stiffness along the strip), NAME-bent.json (the curves, which
-    `elastica` reads again) and NAME-bent.png; with --sheet and --max-width NAME-travel.csv and NAME-travel.png too:
-    forces and moments at the ends, energy, strain, stress and safety at every step, and all shapes. The strip of
-    CURVE is then the one that `elastica strip` makes, and --set gives it any other key of a strip, as
-    --set style.kind=perforated. Of a report, the strip has the sheet, the law, the widths and the supports of the
-    report; every option replaces one of them.
+    Writes NAME-bent.csv (points, angle, curvature and stiffness along the strip), NAME-bent.json (the curves, for
+    `elastica`) and NAME-bent.png. With --sheet and --max-width it also writes NAME-travel.csv and NAME-travel.png:
+    forces and moments at the ends, energy, strain, stress and safety at every step, and all shapes. The strip is
+    then that of `elastica strip`; --set sets its other keys, such as --set style.kind=perforated. A report sets
+    sheet, law, widths and supports, and options replace them.
     """
     if (curve is None) == (chosen["straight"] is None):
-        raise InputError("name a CURVE, or give the length of a straight strip with --straight MM")
+        raise InputError(
+            "The strip is missing. Name a CURVE, or set the length of a straight strip with --straight MM."
+        )
     if chosen["straight"] is not None:
         idle = [
             option
@@ -118,22 +126,22 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         ]
         if idle:
             raise InputError(
-                "{idle} is of a drawn CURVE, and --straight has none: leave it out", idle=idle[0]
+                "{idle} applies to a drawn CURVE only, not to --straight. Leave out {idle}.", idle=idle[0]
             )
     finished = None if curve is None else _finished(curve, chosen)
     named = chosen["sheet"] is not None or finished is not None
     if chosen["gravity"] and not named:
-        raise InputError("--gravity needs to know the material: add --sheet NAME")
+        raise InputError("--gravity needs a material. Add --sheet NAME.")
     heavy = finished is not None and finished.spec.gravity
     if chosen["down"] is not None and not (chosen["gravity"] or heavy):
         raise InputError(IDLE_DOWN)
     if chosen["thickness"] is not None and not named:
-        raise InputError("--thickness is of a material: add --sheet NAME")
+        raise InputError("--thickness needs a material. Add --sheet NAME.")
     if chosen["max_width"] is not None and not named:
-        raise InputError("--max-width tells newtons of a material: add --sheet NAME")
+        raise InputError("--max-width needs a material. Add --sheet NAME.")
     settings = parsed_settings(chosen["settings"], BentKeys)
     if settings and (curve is None or not named):
-        raise InputError("--set changes the strip that is made of a CURVE: name one, and its --sheet")
+        raise InputError("--set applies to the strip of a CURVE only. Name a CURVE and add --sheet NAME.")
     strip = (
         _strip(curve, chosen, settings) if finished is None else _changed(finished, chosen, settings).make()
     )
@@ -181,7 +189,8 @@ def _finished(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None:
 def _refuse_settled(idle: set[str]) -> None:
     for name in sorted(idle):
         raise InputError(
-            "{name} is of a drawn CURVE, and the strip of a report is finished: leave it out", name=name
+            "{name} applies to a drawn CURVE only, not to the finished strip of a report. Leave out {name}.",
+            name=name,
         )
 
 

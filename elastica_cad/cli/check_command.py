@@ -1,4 +1,4 @@
-"""`elastica check`: can this curve be bent from a flat strip?"""
+"""`elastica check`: check whether a flat strip can take a curve."""
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
@@ -73,9 +73,9 @@ WIDE_MM = 40.0
     "--picture",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Draw the curve with its inflections, their line and what is wrong where (PNG, SVG or PDF).",
+    help="Draw the curve with its inflections, their line and the faults in place (PNG, SVG or PDF).",
 )
-@click.option("--force", is_flag=True, help="Overwrite that file.")
+@click.option("--force", is_flag=True, help="Overwrite the picture if it exists.")
 @click.pass_context
 def check(
     ctx: click.Context,
@@ -91,11 +91,11 @@ def check(
     picture: Path | None,
     force: bool,
 ) -> None:
-    """Tell whether the curves in CURVE can be bent from a flat strip, and if not, where and why.
+    """Check whether flat strips can be bent into the curves in CURVE, and report where and why not.
 
-    A curve can be bent when one straight line meets it exactly in its inflections and is tangent to it in none
-    of them. Every curve is judged for itself. Exit code 1 when any cannot be bent, or when the points of a curve
-    do not decide it; 2 when any is no open, smooth curve.
+    A strip can take a curve if a straight line meets the curve exactly in its inflections and is not tangent to it
+    there. Every curve is checked separately. Exit code 1 if no strip can take a curve, or if its points do not
+    decide it; 2 if a curve is not open and smooth.
     """
     asked = requested_curves(curve, unit, number, layer, every=True, split=split_corners)
     bent, several = natural_curvature_of(natural_curvature), len(asked) > 1
@@ -105,7 +105,8 @@ def check(
     if picture is not None:
         if several:
             raise InputError(
-                "a picture is of one curve, there are {count}: choose one with --curve", count=len(asked)
+                "A picture shows a single curve, but the file has {count}. Choose a curve with --curve.",
+                count=len(asked),
             )
         _draw(request.examined(asked[0])[2], picture, force=force)
     for rows, alike in groupby(
@@ -131,7 +132,7 @@ def check(
         worst = max(worst, 0 if good else BAD_INPUT if "problem" in answered else NOT_REALIZABLE)
         answers.extend(found)
     if bad > MOST_REFUSALS:
-        warn(f"{bad} of {len(asked)} curves are no open, smooth curves{first_told(bad)}")
+        warn(f"{bad} of {len(asked)} curves are not open and smooth{first_told(bad)}.")
     answer([one | {"notes": [*of_file, *one.get("notes", ())]} for one in answers])
     if worst:
         ctx.exit(worst)
@@ -196,8 +197,9 @@ class _Request:
         with suppress(ElasticaError):
             fair = replace(self, smooth=points.reach).examined(asked)[2].realizable
         return (note(
-            "Smoothed within {reach} a strip can take this curve; as its points are, none can." if fair else
-            "Even smoothed within {reach} no strip can take this curve.",
+            ("No strip can take this curve with its points as they are. If it is smoothed within {reach}, a "
+             "strip can.") if fair else
+            "No strip can take this curve, even if it is smoothed within {reach}.",
             reach=Length(points.reach),
         ),)  # fmt: skip
 

@@ -54,18 +54,18 @@ ALIKE = {"name": "label"}
 """Options of a command, by the name of the same option in other commands."""
 
 FILES = {
-    "curve": "give the file that it is drawn in (DXF, SVG, CSV, JSON, STEP), or - for standard input",
-    "first": "give the file in which the first rest shape is drawn, or a design file with a table [pair]",
-    "design": "give a design file; `elastica new pavilion` writes one to start from",
-    "mesh": "give the file of a mesh (OBJ, STL, PLY) or of a STEP body",
+    "curve": "name the file with the curve (DXF, SVG, CSV, JSON, STEP), or - for standard input",
+    "first": "name the file with the first rest shape, or a design file with a table [pair]",
+    "design": "name a design file; `elastica new pavilion` writes an example",
+    "mesh": "name the file of a mesh (OBJ, STL, PLY) or of a STEP body",
 }
 """Instructions for missing input files, by the name of the argument."""
 
 EXIT_CODES: dict[type[ElasticaError], tuple[str, int]] = {
-    NotRealizable: ("Not realizable", NOT_REALIZABLE),
-    StrainError: ("Would break", NOT_REALIZABLE),
-    NotMetError: ("Not within these limits", NOT_REALIZABLE),
-    ElasticaError: ("Error", BAD_INPUT),
+    NotRealizable: ("Not realizable: ", NOT_REALIZABLE),
+    StrainError: ("Would break: ", NOT_REALIZABLE),
+    NotMetError: ("Not within these limits: ", NOT_REALIZABLE),
+    ElasticaError: ("", BAD_INPUT),
 }
 """Beginning of an error message and exit code by class of error; the first match counts."""
 
@@ -215,15 +215,15 @@ def _what_to_give(param: click.Parameter | None) -> str:
               help="Show the version and exit.")  # fmt: skip
 @click.option("-q", "--quiet", is_flag=True, help="Print errors only.")
 @click.option("--units", type=click.Choice(list(UNITS)), default="mm", show_default=True,
-              help="Of lengths in options; one may name its own: 1.5in.")  # fmt: skip
-@click.option("--watch", is_flag=True, help="Run again whenever a file that was read is saved, until Ctrl-C.")
+              help="Unit of lengths in options; a length may have its own unit: 1.5in.")  # fmt: skip
+@click.option("--watch", is_flag=True, help="Run again when an input file is saved; stop with Ctrl-C.")
 def elastica(quiet: bool, units: str, watch: bool) -> None:
-    """Draw a curve, cut a flat strip, bend it: it takes exactly that curve.
+    """Design flat strips that bend exactly into a drawn curve.
 
     \b
     A first session:
-      elastica check arch.dxf                       can it be bent at all, and if not, why?
-      elastica sheets                               materials we know
+      elastica check arch.dxf                       check whether a strip can take the curve
+      elastica sheets                               list the known materials
       elastica strip arch.dxf --sheet birch-plywood-0.8 --max-width 40 -o out
       elastica new pavilion                         a commented design file to start from
       elastica model pavilion.toml -o out           many strips: slots, base, nested sheets, cut list
@@ -231,17 +231,17 @@ def elastica(quiet: bool, units: str, watch: bool) -> None:
       elastica sections pot.obj --radial 16         curves for strips along a mesh or a STEP body
 
     Curves come from DXF, SVG, CSV, JSON, text files of control points, and STEP with a CAD kernel installed.
-    Lengths are mm, or as they say: 1.5in, 4cm. Every command knows --json and -v, and the options below, which may
-    stand anywhere. `elastica help` lists all that can be asked of a strip, `elastica help KEY` explains one. Exit
-    code: 0 done, 1 not realizable (or too much strain with --set files.strict=true), 2 bad input,
-    130 ended by Ctrl-C, 141 its output was closed.
+    Lengths are in mm, or in their own unit: 1.5in, 4cm. Every command has --json and -v, and the options below in
+    any position. `elastica help` lists all keys of a strip, `elastica help KEY` explains a key. Exit codes: 0 done,
+    1 not realizable (or too much strain with --set files.strict=true), 2 bad input, 130 stopped by Ctrl-C,
+    141 the output was closed.
     """
 
 
 def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
-    """The command with what all have: `--json` and `-v`, and how it heeds the options of `elastica` itself.
+    """Return the command with `--json` and `-v`, and with the options of `elastica` applied.
 
-    With `huge` it has sentences of its own for numbers that no drawing holds.
+    With `huge` the command itself rejects numbers that are too large for a drawing.
     """
     run, own = command.callback, {param.name for param in command.params}
     assert run is not None
@@ -258,7 +258,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
         watched = bool(asked.get("watch"))
         voice().quiet = bool(asked.get("quiet"))
         if watched and not reads:
-            raise InputError("--watch is of commands that read files: leave it out")
+            raise InputError("--watch applies only to commands that read files. Leave out --watch.")
         in_mm = [] if asked.get("units", "mm") == "mm" else _told_in_mm()
         _check_numbers(chosen, huge=huge)
         if not watched:
@@ -290,13 +290,11 @@ def _check_numbers(chosen: Mapping[str, Any], *, huge: bool) -> None:
         most, what = (LARGEST_SIZE, "a length") if is_length else (LARGEST_NUMBER, "a number")
         for number in _numbers(chosen.get(str(option.name))):
             if not np.isfinite(number):
-                raise InputError(
-                    "{opts} is given as nan or infinite: give finite numbers", opts=option.opts[0]
-                )
+                raise InputError("{opts} is not finite. Use finite numbers.", opts=option.opts[0])
             if abs(number) > most and not huge:
                 unit = " mm" if is_length else ""
                 raise InputError(
-                    "{opts} is {number:.3g}{unit}: give {what} of at most {most:g}{unit}",
+                    "{opts} is {number:.3g}{unit}, above the limit. Use {what} of at most {most:g}{unit}.",
                     opts=option.opts[0],
                     number=number,
                     unit=unit,
@@ -330,8 +328,8 @@ def _told_in_mm() -> list[str]:
     """Return sentences on the given options that `--units` does not change."""
     context = click.get_current_context()
     sentences = {
-        MM_IN_KEYS: 'lengths are mm, as in design files; 5 inches are "5*inch"',
-        PER_MM: "in 1/mm, of which 1/inch is 0.03937",
+        MM_IN_KEYS: 'lengths are in mm, as in design files, and not in --units; 5 inches are "5*inch"',
+        PER_MM: "the value is in 1/mm, not in --units; 1/inch is 0.03937",
     }
     told = []
     for names, sentence in sentences.items():
@@ -341,12 +339,12 @@ def _told_in_mm() -> list[str]:
             if option.name in names
             and context.get_parameter_source(option.name) is click.core.ParameterSource.COMMANDLINE
         ]
-        told += [f"Note: {' and '.join(typed)}: {sentence}, whatever --units says"] if typed else []
+        told += [f"Note: {' and '.join(typed)}: {sentence}"] if typed else []
     return told
 
 
 def _once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
-    """The command's own work, and its record at the end, whatever its exit code."""
+    """Run the command, and print its record at the end with any exit code."""
     voice().begin()
     for told in in_mm:
         warn(told)
@@ -356,7 +354,7 @@ def _once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
             run(**chosen)
     except MemoryError:
         raise ElasticaError(
-            "there is not enough memory for this: ask for less at a time, such as fewer strips or samples"
+            "There is not enough memory. Request less at a time, such as fewer strips or samples."
         ) from None
     except click.exceptions.Exit:
         voice().conclude()
@@ -365,12 +363,12 @@ def _once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
 
 
 def _refuse(problem: ElasticaError) -> int:
-    """Say what is wrong, then what would work, and give the exit code."""
+    """Print an error and a suggestion, and return the exit code."""
     if (process := click.get_current_context().find_object(DrawingProcess)) is not None:
         process.end()
     begins, code = next((told for kind, told in EXIT_CODES.items() if isinstance(problem, kind)))
-    said, option = f"{begins}: {problem}", problem.refusal.where.get("option", "")
-    unnamed = [one for one in option.split(", ") if one and one not in said]
-    said += f" ({', '.join(unnamed)})" if unnamed else ""
-    voice().refuse(said, problem, code, partial(suggestion_below, problem))
+    text, option = f"{begins}{problem}", problem.refusal.where.get("option", "")
+    unnamed = [one for one in option.split(", ") if one and one not in text]
+    text += f" ({', '.join(unnamed)})" if unnamed else ""
+    voice().refuse(text, problem, code, partial(suggestion_below, problem))
     return code

@@ -1,4 +1,4 @@
-"""`elastica compare`: what was measured on a bent strip, beside what its report expects."""
+"""`elastica compare`: compare measurements of a bent strip with its report."""
 
 from functools import partial
 from pathlib import Path
@@ -16,10 +16,10 @@ from elastica_cad.formats.write_files import File, write_files, write_text
 @click.argument("measured", type=click.Path(path_type=Path, exists=True, dir_okay=False), required=False)
 @click.option("--force", is_flag=True, help="Overwrite files.")
 def compare(report: Path, measured: Path | None, force: bool) -> None:
-    """Tell what the readings in MEASURED say of the strip whose REPORT (NAME.json) `elastica strip` wrote.
+    """Compare the measurements in MEASURED with the REPORT of a strip (NAME.json by `elastica strip`).
 
-    Without readings it writes a page beside the report, NAME-measure.svg, that says where to measure, what is
-    expected and what differences mean, and NAME-measured.toml to fill in.
+    Without MEASURED it writes two files beside the report: the page NAME-measure.svg (places to measure, expected
+    values, meaning of differences), and NAME-measured.toml to fill in.
 
     \b
       elastica compare out/arch.json

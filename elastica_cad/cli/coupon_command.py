@@ -11,13 +11,14 @@ import click
 from elastica_cad._text import quote_words
 from elastica_cad.cli.options import LENGTH, POINT, given_of, option_name, output_options
 from elastica_cad.cli.suggestions import name_program
-from elastica_cad.cli.voice import answer, say, warn, wrote
+from elastica_cad.cli.voice import answer, say, say_row, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
 from elastica_cad.mechanics.section_limits import OUTCOMES
 from elastica_cad.mechanics.sheets import Sheet, library_folders, plausible_number
+from elastica_cad.report_rows import Row
 from elastica_cad.strip.coupon import coupon_drawing, coupon_overhang
 
 GUESSED_MPA, GUESSED_STRAIN = 4000.0, 0.004
@@ -32,53 +33,56 @@ SIGMAS, LEAST_CONTRADICTION = 3.0, 0.1
 
 @click.command()
 @click.option("--sheet", metavar="NAME|FILE",
-              help="The material, or the one most like it; of others give --thickness and --density.")  # fmt: skip
-@click.option("--overhang", type=LENGTH, metavar="MM", help="Longest free length [default: by the sheet].")
+              help="The material, or a similar one; for others use --thickness and --density.")  # fmt: skip
+@click.option("--overhang", type=LENGTH, metavar="MM", help="Longest free length [default: from the sheet].")
 @click.option(
     "--width", type=LENGTH, default=20.0, show_default=True, metavar="MM", help="Width of the coupon."
 )
 @click.option(
-    "--clamp", type=LENGTH, default=40.0, show_default=True, metavar="MM", help="Length to be clamped."
+    "--clamp", type=LENGTH, default=40.0, show_default=True, metavar="MM", help="Length of the clamped part."
 )
 @click.option("--measured", type=POINT, multiple=True, metavar="OVERHANG DROOP",
-              help="A reading, mm: free length, how far its end hangs below the clamp; repeatable.")  # fmt: skip
+              help=("A measurement in mm: the free length, and how far its end hangs below the clamp; "
+                    "repeatable."))  # fmt: skip
 @click.option("--reading-error", type=LENGTH, default=0.5, show_default=True, metavar="MM",
-              help="How exactly both were read (standard deviation).")  # fmt: skip
-@click.option("--thickness", type=LENGTH, metavar="MM", help="Measured thickness [default: the sheet's].")
-@click.option("--density", type=float, metavar="KG/M3", help="Measured density [default: the sheet's].")
+              help="Standard deviation of both measurements.")  # fmt: skip
+@click.option("--thickness", type=LENGTH, metavar="MM", help="Measured thickness [default: from the sheet].")
+@click.option("--density", type=float, metavar="KG/M3", help="Measured density [default: from the sheet].")
 @click.option("--least-radius", type=LENGTH, metavar="MM",
-              help="Least radius that left no lasting bend [default: by the sheet's largest strain].")  # fmt: skip
+              help="Least radius that left no permanent bend [default: from the largest strain].")  # fmt: skip
 @click.option("--grain", type=click.Choice(["along", "across", "none"]),
-              help="How the coupon lies to the grain [default: as the sheet's].")  # fmt: skip
+              help="Direction of the coupon relative to the grain [default: from the sheet].")  # fmt: skip
 @click.option("--kind", type=click.Choice(list(OUTCOMES)),
-              help="What it is made of, which says how it breaks [default: as the sheet's].")  # fmt: skip
-@click.option("--kerf", type=LENGTH, metavar="MM", help="Width of the cut, measured [default: the sheet's].")
-@click.option("--name", help="What to call the measured sheet [default: my-NAME].")
-@click.option("--keep", is_flag=True, help="Write the measured sheet into the library, for every command.")
+              help="Kind of material, which determines how it breaks [default: from the sheet].")  # fmt: skip
+@click.option(
+    "--kerf", type=LENGTH, metavar="MM", help="Measured width of the cut [default: from the sheet]."
+)
+@click.option("--name", help="Name of the measured sheet [default: my-NAME].")
+@click.option("--keep", is_flag=True, help="Save the measured sheet in the library for all commands.")
 @output_options
 def coupon(**chosen: Any) -> None:
-    """Write a coupon of a sheet as DXF and SVG, or tell with --measured what its droop says.
+    """Write a coupon of a sheet as DXF and SVG, or compute the stiffness from its droop (--measured).
 
-    Cut the coupon, clamp it level at the edge of a table up to one of its ticks, let the rest hang, and read how
-    far its end drops. Turn it over and read again: the mean cancels its own curl. Then
+    Cut the coupon, clamp it level at the edge of a table up to one of its ticks, let the rest hang, and measure how
+    far its end drops. Turn it over and measure again, because the mean cancels its curl. Then
 
     \b
       elastica coupon --sheet card-200gsm --measured 160 74 --measured 160 71
-      elastica coupon --thickness 1.1 --density 720 --name felt          a sheet that is in no list
+      elastica coupon --thickness 1.1 --density 720 --name felt          an unlisted sheet
 
-    prints the stiffness and writes the sheet as NAME.toml, which every command takes: --sheet NAME.toml; with
-    --keep it joins the library, and --sheet NAME is enough.
+    prints the stiffness and writes the sheet as NAME.toml, which all commands read by --sheet NAME.toml. With
+    --keep the sheet is saved in the library, and its name is enough: --sheet NAME.
     """
     known, name = _known(chosen), chosen["name"]
     if name and ("/" in name or "\\" in name):
-        raise InputError("the name {name!r} is to name a file too: leave out / and \\", name=name)
+        raise InputError("The name {name!r} is also the name of a file. Leave out / and \\.", name=name)
     if chosen["measured"]:
         _calibrate(known, chosen)
         return
     for option in ("least_radius", "kerf", "grain", "kind", "keep"):
         if chosen[option] is not None and chosen[option] is not False:
             raise InputError(
-                "{option} belongs to a measurement: give --measured OVERHANG DROOP too",
+                "{option} belongs to a measurement. Add --measured OVERHANG DROOP.",
                 option=option_name(option),
             )
     overhang = chosen["overhang"]
@@ -95,22 +99,27 @@ def coupon(**chosen: Any) -> None:
         f"--{option} {quote_words([value]) if isinstance(value, str) else f'{value:g}'}"
         for option, value in given.items()
     )
-    say(f"next: cut it, hang {free:g} mm of it over an edge, read the droop of its end in mm, and")
-    say(f"  {name_program()} coupon {typed} --measured {free:g} DROOP")
+    say_row(
+        Row(
+            "Next", f"cut it, let {free:g} mm hang over an edge, and measure the droop of its end in mm; then"
+        )
+    )
+    say_row(Row("", f"{name_program()} coupon {typed} --measured {free:g} DROOP"))
 
 
 _GRAIN = {"along": "along its grain", "across": "across its grain", "none": "without a grain"}
 
 
 def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Calibration) -> None:
-    """Tell of two readings that differ by more than errors of reading explain."""
+    """Warn of two measurements that differ by more than their errors explain."""
     found = sorted(zip(result.readings, result.reading_uncertainties, measured, strict=True))
     (low, low_error, near), (high, high_error, far) = found[0], found[-1]
     if high - low > max(SIGMAS * hypot(low_error, high_error), LEAST_CONTRADICTION * low):
-        warn(
-            f"two readings contradict each other: a droop of {near[1]:g} mm over {near[0]:g} mm makes the "
-            f"elasto-gravity length {low:.4g} mm, one of {far[1]:g} mm over {far[0]:g} mm makes it {high:.4g} mm: "
-            "measure again, with the other face up where the sheet is curved"
+        _warn_row(
+            "Readings",
+            f"Two measurements contradict each other: a droop of {near[1]:g} mm over {near[0]:g} mm gives an "
+            f"elasto-gravity length of {low:.4g} mm, a droop of {far[1]:g} mm over {far[0]:g} mm gives "
+            f"{high:.4g} mm. Measure again; turn a curved sheet over.",
         )
 
 
@@ -126,8 +135,8 @@ def _known(chosen: dict[str, Any]) -> Sheet:
     if chosen["sheet"] is None:
         if thickness is None or density is None:
             raise InputError(
-                "name the material most like yours with --sheet NAME, or give --thickness MM and --density KG/M3 "
-                "of one that is in no list"
+                "The material is missing. Name the most similar one with --sheet NAME, or set --thickness MM "
+                "and --density KG/M3."
             )
         return Sheet(
             chosen["name"] or "my-sheet",
@@ -147,12 +156,14 @@ def _kept() -> Path:
     places = library_folders()
     if not places:
         raise InputError(
-            "--keep needs a place for settings, and there is no home folder: name a folder in the variable "
-            "ELASTICA_SHEETS, or leave out --keep"
+            "--keep needs a folder for settings, but there is no home folder. Set the variable "
+            "ELASTICA_SHEETS to a folder, or leave out --keep."
         )
     folder = next((place for place in places if place.suffix != ".toml"), None)
     if folder is None:
-        raise InputError("--keep needs a folder: the variable ELASTICA_SHEETS names files only")
+        raise InputError(
+            "--keep needs a folder, but the variable ELASTICA_SHEETS names only files. Add a folder to it."
+        )
     return folder
 
 
@@ -176,30 +187,39 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
     file = File(f"{name}.toml", lambda path: write_text(path, found.toml()))
     (written,) = write_files([file], output, force=chosen["force"])
     answer({"sheet": found, "measured": result})
-    say(str(result))
+    for line in str(result).split("\n"):
+        say_row(Row("Measured", line))
     _warn_of_contradiction(measured, result)
     if (least := min(abs(droop) for _, droop in measured)) < LEAST_DROOP_MM:
-        warn(
-            f"a droop of {least:g} mm says little of the stiffness: hang more of it, so that it droops "
-            f"{LEAST_DROOP_MM:g} mm at least"
+        _warn_row(
+            "Readings",
+            f"A droop of {least:g} mm is too small for an accurate stiffness. Let more of the coupon hang, until "
+            f"it droops at least {LEAST_DROOP_MM:g} mm.",
         )
     if listed and least_radius is None and found.grain != sheet.grain:
-        warn(
-            f"the largest strain, {100 * sheet.max_strain:.2g} %, is that of {sheet.name}, which is bent "
-            f"{_GRAIN[sheet.grain]}: measure how tightly yours bends, then --least-radius MM"
+        _warn_row(
+            "Strain",
+            f"The largest strain, {100 * sheet.max_strain:.2g} %, is from {sheet.name}, which is bent "
+            f"{_GRAIN[sheet.grain]}. Measure how tightly your sheet bends, and add --least-radius MM.",
         )
     if listed:
-        say(f"(in the list: {sheet.elasto_gravity_length:.2f} mm, E {sheet.youngs_modulus:.0f} MPa)")
+        listed_values = f"{sheet.elasto_gravity_length:.2f} mm, E {sheet.youngs_modulus:.0f} MPa"
+        say_row(Row("Listed", f"elasto-gravity length {listed_values}"))
     elif least_radius is None:
-        say(
-            f"largest strain {100 * sheet.max_strain:.2g} %: a guess; measure how tightly it bends, then "
-            "--least-radius MM"
+        _warn_row(
+            "Strain",
+            f"The largest strain, {100 * sheet.max_strain:.2g} %, is a guess. Measure how tightly the sheet bends, "
+            "and add --least-radius MM.",
         )
     say("")
     say(found.toml())
     wrote([written])
     known_as = name if output in library_folders() else written
-    say(f"every command takes it: --sheet {quote_words([str(known_as)])}")
+    say_row(Row("Next", f"use the sheet in any command: --sheet {quote_words([str(known_as)])}"))
+
+
+def _warn_row(label: str, text: str) -> None:
+    say_row(Row(label, text, severity="warning"))
 
 
 def _as_readings_tell(sheet: Sheet) -> Sheet:

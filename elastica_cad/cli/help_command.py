@@ -21,9 +21,9 @@ def _completed(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
 @click.command("help")
 @click.argument("key", required=False, shell_complete=_completed)
 def help_command(key: str | None) -> None:
-    """Explain KEY of a strip or a design file, such as limits.ratio; without KEY list all.
+    """Explain KEY of a strip or a design file, such as limits.ratio; without KEY list all keys.
 
-    A key is given by its option where `elastica strip --help` shows one, by `--set KEY=VALUE`, or in a design file.
+    Set a key by its option, if `elastica strip --help` has one, by `--set KEY=VALUE`, or in a design file.
     """
     text = _listed() if key is None else _explained(key, typed_name(key))
     answer({"key": key, "text": text})
@@ -64,10 +64,10 @@ def _explained(path: str, option: str) -> str:
     """
     record: Record = CommandKeys if path in paths_of(CommandKeys) else DesignKeys
     field = require_path_of(path.removeprefix("strips."), record)
-    asked = field.option
-    lines = [help_with_unit(field.help, asked.unit), f"Value: {_in_words(field.kind)}."]
-    if asked.bounds:
-        lines.append(f"Bounds: {asked.bounds}.")
+    declaration = field.option
+    lines = [help_with_unit(field.help, declaration.unit), f"Value: {_in_words(field.kind)}."]
+    if declaration.bounds:
+        lines.append(f"Bounds: {declaration.bounds}.")
     if isinstance(field.default, bool | int | float | str) and field.default != "":
         lines.append(
             f"Default: {field.default}.".lower()
@@ -75,7 +75,7 @@ def _explained(path: str, option: str) -> str:
             else f"Default: {field.default}."
         )
     elif field.default is REQUIRED:
-        lines.append("It must be given.")
+        lines.append("Required.")
     inner = [one.rpartition(".")[2] for one in paths_of(record) if one.rpartition(".")[0] == path]
     if inner:
         lines.append(f"Keys below it: {', '.join(inner)}.")

@@ -40,27 +40,31 @@ MOST_SHOWN = 6
 @click.option(
     "--pictures/--no-pictures", default=True, help="Draw the model and the sheets (needs matplotlib)."
 )
-@click.option("--parts/--no-parts", default=True, help="Draw every part in files of its own, too.")
+@click.option("--parts/--no-parts", default=True, help="Also draw every part in separate files.")
 @click.option(
     "--zip",
     "archives",
     is_flag=True,
-    help="Pack two ZIP files, too: what is cut or printed, and what is looked at.",
+    help="Also write two ZIP files: one to cut or print, one to view.",
 )
 @click.option(
     "--effects/--no-effects",
     default=True,
-    help="Bend every strip again with its slots, and tell what they do.",
+    help="Compute the shape of every strip with its slots, and report their effect.",
 )
 @set_option(DesignKeys)
-@click.option("--nearest", is_flag=True, help="Let every strip leave its curve, as little as it must.")
-@click.option("--ignore-limits", is_flag=True, help="Write parts that cannot be cut or handled, and say so.")
+@click.option(
+    "--nearest", is_flag=True, help=("Allow every strip to deviate from its curve, as little as possible.")
+)
+@click.option(
+    "--ignore-limits", is_flag=True, help="Write parts that cannot be cut or handled, with a warning."
+)
 @click.option(
     "--below",
     type=click.Path(path_type=Path),
     multiple=True,
     metavar="FOLDER",
-    help="Let the design read files below this folder, besides its own and the working folder.",
+    help="Allow the design to read files in this folder too, besides its own folder and the working folder.",
 )
 @output_options
 def model(
@@ -79,16 +83,15 @@ def model(
 ) -> None:
     """Make a whole model from the design file DESIGN (TOML).
 
-    Writes into one folder: nested sheets, one DXF and SVG per part, the base plate and fixtures where asked for,
-    the cut list (CSV and text), a report (JSON), the assembly (STEP) and pictures. All files appear together when
-    everything has succeeded, or none. The fastest way to the nested sheets alone:
-    --no-parts --no-effects --no-pictures --no-step.
+    Writes into a folder: nested sheets, a DXF and an SVG per part, the requested base plate and fixtures, the cut
+    list (CSV and text), a report (JSON), the assembly (STEP) and pictures. All files are written, or none. For the
+    nested sheets alone, the fastest options are --no-parts --no-effects --no-pictures --no-step.
     """
     changes = parsed_settings(settings, DesignKeys)
     say_step("reading the design")
     read = read_design(design, _read_told, read_surface, below=below, changes=changes)
     if read.kit.cutting.service and not parts:
-        raise InputError("--no-parts leaves nothing to cut, since cut.for is service: leave it out")
+        raise InputError("--no-parts leaves nothing to cut because cut.for is service. Leave out --no-parts.")
     read = read.nearest() if nearest else read
     read = read.with_limits_ignored() if ignore_limits else read
     check_kit_folder(read.name, output, force=force)

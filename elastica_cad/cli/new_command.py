@@ -11,15 +11,14 @@ import numpy as np
 from elastica_cad._text import quote_words
 from elastica_cad.cli.options import output_options
 from elastica_cad.cli.suggestions import name_program
-from elastica_cad.cli.voice import answer, say, wrote
+from elastica_cad.cli.voice import answer, say_row, wrote
 from elastica_cad.design.design_schema import SCHEMA_FILE, design_schema
 from elastica_cad.formats.curve_writer import write_curves
 from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.report_rows import Row
 
 KINDS = ("arch", "lamp", "pavilion", "revolution", "sections", "schema")
-
-"""Drawings that go with a design file."""
 
 ARCH_MM = (
     (0, 0), (40, 5), (80, 40), (125, 160), (200, 175), (275, 160), (320, 40), (360, 5), (400, 0),
@@ -32,14 +31,14 @@ AROUND, UP = 48, 25  # its points
 @click.argument("kind", type=click.Choice(KINDS))
 @output_options
 def new(kind: str, output: Path, force: bool) -> None:
-    """Write KIND.toml, a commented design file that `elastica model` makes as it is.
+    """Write KIND.toml, a commented design file that is ready for `elastica model`.
 
-    arch: the curve arch.dxf as one strip between two printed blocks; lamp: a ring above and below twelve strips;
-    pavilion: strips that lock into each other on a base; revolution: a closed surface of equal strips; sections:
-    strips along the mesh bowl.obj.
+    arch: a strip along arch.dxf between two printed blocks; lamp: twelve strips between two rings; pavilion:
+    interlocking strips on a base; revolution: a closed surface of equal strips; sections: strips along the mesh
+    bowl.obj.
 
-    elastica.schema.json beside it lets editors of TOML complete and check keys; schema: that file alone, for
-    designs you have: let their first line be #:schema elastica.schema.json
+    It also writes elastica.schema.json, with which TOML editors complete and check keys; schema: this file alone,
+    for existing designs. Begin these with the line #:schema elastica.schema.json
     """
     text = json.dumps(design_schema(), indent=1) + "\n"
     schema = File(SCHEMA_FILE, lambda path: write_text(path, text))
@@ -59,7 +58,7 @@ def new(kind: str, output: Path, force: bool) -> None:
     wrote(write_files(new_files, output, force=force))
     typed = quote_words(["model", str(output / f"{kind}.toml"), "-o", str(output / f"{kind}-kit")])
     following = f"{name_program()} {typed}"
-    say(f"next: {following}")
+    say_row(Row("Next", following))
     answer({"kind": kind, "next": following})
 
 

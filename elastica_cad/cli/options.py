@@ -126,8 +126,8 @@ def join_options(*options: Callable[[Any], Any]) -> Callable[[F], F]:
 
 smooth_option = click.option(
     "--smooth", type=LENGTH, metavar="MM",
-    help="Smooth the curve (curvature without jumps) within this distance; 0: exactly as drawn  [default: "
-    "0.1 or 5e-4 of the length where the width would step, 0 for all others]",
+    help="Largest movement of the curve by smoothing, which removes jumps of curvature; 0: exactly as drawn  "
+         "[default: 0.1 mm or 5e-4 of the length if the width would jump, else 0]",
 )  # fmt: skip
 """Option for the largest movement of a curve by smoothing."""
 
@@ -157,9 +157,9 @@ def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
 
     return join_options(
         click.option("--sheet", required=required, metavar="NAME|FILE",
-                     help=f"{use}: a name of `elastica sheets`, or a file of yours, my.toml or my.toml:NAME."),
+                     help=f"{use}: a name of `elastica sheets`, or a sheet file, my.toml or my.toml:NAME."),
         click.option("--thickness", type=LENGTH, metavar="MM",
-                     help="Thickness, where it is not that of the sheet named."),
+                     help="Thickness, if it differs from that of the sheet."),
     )  # fmt: skip
 
 

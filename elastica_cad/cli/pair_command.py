@@ -43,20 +43,22 @@ class PairKeys:
 
     BESIDE: ClassVar[Record] = FlexureSpec
     WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet")
-    cut: Annotated[Cutting, Option("How cutting files are written.", group="files")] = DEFAULT_CUTTING
+    cut: Annotated[Cutting, Option("Settings of cutting files.", group="files")] = DEFAULT_CUTTING
 
 
 _WISHED = [one for one in declared(FlexureSpec) if one.option.common and one.name != "sheet"]
 (_KERF,) = (one for one in declared(Cutting) if one.name == "kerf")
 
 _WISHES = (
-    click.option("--first", "first_curve", metavar="N|ID", help="Which curve of FIRST, where it holds several."),
-    click.option("--second", "second_curve", metavar="N|ID", help="Which curve of SECOND, or the other of FIRST."),
+    click.option("--first", "first_curve", metavar="N|ID", help=("Curve of FIRST, if the file has several: "
+                                                                 "number or id.")),
+    click.option("--second", "second_curve", metavar="N|ID", help=("Curve of SECOND, or the second curve of "
+                                                                   "FIRST: number or id.")),
     unit_option,
     sheet_options(required=False, use="Material, whose thickness is the depth of the part"),
     *(option_of(one, default=one.default if one.kind.name == "choice" else "") for one in _WISHED),
-    click.option("--ratio", type=float, help="Largest ratio of stiffness; 8 is a ratio of 2 in thickness."),
-    click.option("--name", help="What the files are called  [default: as FIRST]."),
+    click.option("--ratio", type=float, help="Largest stiffness ratio; 8 is a ratio of 2 in thickness."),
+    click.option("--name", help="Name of the files  [default: as FIRST]."),
     option_of(_KERF, default=f"{KERF:g}"),
     set_option(PairKeys),
     output_options,
@@ -68,20 +70,21 @@ _WISHES = (
 @click.argument("second", type=FILE, required=False)
 @join_options(*_WISHES)
 def pair(**chosen: Any) -> None:
-    """Make a part from a sheet that rests in the curve of FIRST and in that of SECOND: a clip, a catch, a stand.
+    """Make a part with two rest shapes, the curves of FIRST and SECOND: a clip, a catch, a stand.
 
-    Without SECOND, FIRST draws both curves.
-    The part is cut flat, as it is unloaded, and its thickness in the plane of the sheet varies along it. Where both
-    curves have the same ends, directions there included, it is bistable and snaps from one to the other; else its
-    end has two settings. A second drawing is the plate that holds it. FIRST may be a design file with a table
-    [pair], which says all this.
+    Without SECOND, both curves are in FIRST. The part is cut flat in its unloaded shape, and its thickness in the
+    plane of the sheet varies along it. If the ends of both curves agree in position and direction, the part is
+    bistable and snaps between them; otherwise its end has two settings. A second drawing is the plate that holds
+    the part. FIRST may also be a design file with a table [pair], which sets all of this.
     """
     path: Path = chosen["first"]
     settings = parsed_settings(chosen["settings"], PairKeys)
     cut = settings.pop("cut", {}) | given_of(chosen, ["kerf"])
     if path.suffix == ".toml":
         if chosen["second"] is not None or chosen["sheet"] is not None:
-            raise InputError("a design file names both curves and the sheet: give it alone")
+            raise InputError(
+                "A design file names both curves and the sheet. Leave out the other arguments and options."
+            )
         spec, cutting = read_pair(path, read_curves, settings), read_cutting(path, cut)
     else:
         spec, cutting = _asked(chosen, settings), cutting_of({"cut": cut})
@@ -102,7 +105,7 @@ def pair(**chosen: Any) -> None:
 
 def _asked(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:
     if chosen["sheet"] is None:
-        raise InputError("a part needs a sheet: elastica pair FIRST SECOND --sheet NAME")
+        raise InputError("The sheet is missing. Run elastica pair FIRST SECOND --sheet NAME.")
     table = given_of(chosen, (one.name for one in _WISHED))
     table |= {} if chosen["ratio"] is None else {"limits": {"ratio": chosen["ratio"]}}
     given = Reader().given(PairKeys, Table(with_settings(table, settings), "", {}))
@@ -116,8 +119,8 @@ def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
         drawn = requested_curves(path, unit, None, None, every=True, split=True, corners=False)
         if len(drawn) != 2:
             raise InputError(
-                "a part rests in two curves, and {path} holds {count}: choose them by --first and --second, or "
-                "give two files",
+                "A part has two rest shapes, but {path} has a different number of curves: {count}. Choose them "
+                "with --first and --second, or name two files.",
                 path=path,
                 count=len(drawn),
             )

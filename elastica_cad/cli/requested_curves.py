@@ -53,13 +53,13 @@ def _standard_input(ctx: click.Context) -> Path:
         Standard input is empty or too large.
     """
     if ctx.find_root().params.get("watch"):
-        raise InputError("standard input does not change: give --watch a file")
+        raise InputError("--watch needs a file; standard input cannot be watched. Name a file.")
     data = sys.stdin.buffer.read(LARGEST_FILE + 1)
     if not data.strip():
-        raise InputError("standard input is empty: pipe a drawing into it (cat arch.svg | elastica check -)")
+        raise InputError("Standard input is empty. Pipe a drawing into it (cat arch.svg | elastica check -).")
     if len(data) > LARGEST_FILE:
         raise InputError(
-            "standard input has more than {largest_file} MB: leave out what is no curve",
+            "Standard input has more than {largest_file} MB, the limit. Leave out everything except the curves.",
             largest_file=LARGEST_FILE // 2**20,
         )
     folder = TemporaryDirectory(prefix="elastica-")
@@ -88,14 +88,14 @@ UNIT = click.Choice(["mm", "cm", "m", "in", "px", "pt"])
 
 unit_option = click.option(
     "--unit", type=UNIT,
-    help="Unit of the file's numbers, where the file does not say or says it wrongly.",
+    help="Unit of the numbers in the file, if the file names none or a wrong one.",
 )  # fmt: skip
 
 curve_options = join_options(curve_argument(), unit_option)
 """The CURVE argument and the unit of its file."""
 
 number_option = click.option(
-    "--curve", "number", metavar="N|ID", help="Which curve of the file: its number from 1, or its id."
+    "--curve", "number", metavar="N|ID", help="Curve of the file: its number from 1, or its id."
 )
 
 which_options = join_options(
@@ -104,7 +104,7 @@ which_options = join_options(
 """Options that select a curve of the file."""
 
 split_option = click.option(
-    "--split-corners", is_flag=True, help="Cut curves at their corners; every piece is a curve of its own."
+    "--split-corners", is_flag=True, help="Split curves at their corners into separate curves."
 )
 """Option that splits curves at their corners."""
 
@@ -152,12 +152,12 @@ class RequestedCurve:
 
     @property
     def curve(self) -> PlaneCurve:
-        """The curve as drawn, corners and all.
+        """The curve as drawn, with its corners.
 
         Raises
         ------
         InputError
-            Its numbers make none; file and curve are named.
+            The numbers do not define a curve; the message names file and curve.
         """
         with self._named():
             return self.drawn.curve
@@ -169,7 +169,7 @@ class RequestedCurve:
         Raises
         ------
         InputError
-            It is not; file and curve are named.
+            The curve is not bendable; the message names file and curve.
         """
         with self._named():
             drawn = self.drawn.curve
@@ -178,7 +178,7 @@ class RequestedCurve:
 
     @contextmanager
     def _named(self) -> Iterator[None]:
-        """A complaint names file and curve."""
+        """Add file and curve to errors."""
         try:
             yield
         except InputError as problem:
@@ -328,14 +328,14 @@ class Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class befo
                 return parse_toml(f"blank = {{{value}}}")["blank"]
             except tomllib.TOMLDecodeError as error:
                 raise InputError(
-                    "--natural-curvature: {line} cannot be read: write keys and values, such as "
-                    "stations = [0, 300], curvatures = [0, 0.01]",
+                    "--natural-curvature: {line} cannot be read. Write keys and values, such as stations = "
+                    "[0, 300], curvatures = [0, 0.01].",
                     line=quoted(value),
                 ) from error
         if not Path(value).is_file():
             self.fail(
-                f"{value!r} is no number and no file: give 1/mm, 'stations = [0, 300], curvatures = [0, 0.01]', or "
-                "a drawing of the blank",
+                f"{value!r} is not a number or file. Use 1/mm, 'stations = [0, 300], curvatures = [0, 0.01]', "
+                "or a drawing of the pre-bent strip.",
                 param,
                 ctx,
             )
@@ -349,7 +349,7 @@ support_options = join_options(
         for end in ("start", "end")
     ),
     click.option("--natural-curvature", type=Blank(), default=0.0, metavar="1/MM|KEYS|FILE",
-                 help="Curvature of the strip before bending (0: flat); along it as 'stations = [0, 300], "
-                      "curvatures = [0, 0.01]', or a drawing of the bent blank."),
+                 help="Curvature of the strip before bending (0: flat); variable as 'stations = [0, 300], "
+                      "curvatures = [0, 0.01]', or a drawing of the pre-bent strip."),
 )  # fmt: skip
 """Options for the supports of the ends and for a pre-curved rest shape."""

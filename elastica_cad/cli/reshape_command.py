@@ -1,4 +1,4 @@
-"""`elastica reshape`: a curve pulled by four handles; what can be bent before can be bent after."""
+"""`elastica reshape`: pull a curve by four handles; a strip that can take it before can take it after."""
 
 import warnings
 from collections.abc import Sequence
@@ -11,7 +11,7 @@ import click
 from elastica_cad._types import FloatArray
 from elastica_cad.cli.options import LENGTH, POINT, option_name, output_options
 from elastica_cad.cli.requested_curves import UNIT, curve_argument, drawn_curves, which_options
-from elastica_cad.cli.voice import answer, say, warn, wrote
+from elastica_cad.cli.voice import answer, say, say_row, warn, wrote
 from elastica_cad.design.drawn_curves import CORNERS, map_corners
 from elastica_cad.errors import InputError
 from elastica_cad.formats.curve_writer import FitWarning, write_curves
@@ -21,8 +21,10 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.projective_maps import four_point_map
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.theorem1 import require_bendable
+from elastica_cad.refusals import Severity
+from elastica_cad.report_rows import Row
 
-NO_MAP = "No such map makes a curve that can be bent of one that cannot: redraw it."
+NO_MAP = "A curve that no strip can take stays so under every such map. Redraw the curve."
 
 KINDS = ("dxf", "svg", "json")
 
@@ -30,13 +32,18 @@ KINDS = ("dxf", "svg", "json")
 @click.command()
 @curve_argument()
 @which_options
-@click.option("--unit", type=UNIT, help="Unit of the file's numbers.")
-@click.option("--bottom-left", type=POINT, metavar="X Y", help="Where this corner of the box goes, mm.")
-@click.option("--bottom-right", type=POINT, metavar="X Y", help="The same of that corner.")
-@click.option("--top-right", type=POINT, metavar="X Y", help="The same of that corner.")
-@click.option("--top-left", type=POINT, metavar="X Y", help="The same of that corner.")
+@click.option("--unit", type=UNIT, help="Unit of the numbers in the file.")
+@click.option(
+    "--bottom-left",
+    type=POINT,
+    metavar="X Y",
+    help=("New position of this corner of the curve's bounding box, mm."),
+)
+@click.option("--bottom-right", type=POINT, metavar="X Y", help="New position of that corner, mm.")
+@click.option("--top-right", type=POINT, metavar="X Y", help="New position of that corner, mm.")
+@click.option("--top-left", type=POINT, metavar="X Y", help="New position of that corner, mm.")
 @click.option("--handle", "handles", type=(LENGTH,) * 4, multiple=True, metavar="X Y TO_X TO_Y",
-              help="Instead of corners, four times: a handle and where it goes, mm.")  # fmt: skip
+              help="Instead of corners, four times: position and new position of a handle, mm.")  # fmt: skip
 @output_options
 @click.pass_context
 def reshape(
@@ -51,22 +58,23 @@ def reshape(
     output: Path,
     **corners: tuple[float, float] | None,
 ) -> None:
-    """Pull the curves in CURVE by four handles, the corners of the box around them unless told.
+    """Pull the curves in CURVE by four handles, by default the corners of their bounding box.
 
     \b
       elastica reshape wave.dxf --top-right 265 190 --top-left 20 130
       elastica reshape wave.dxf --handle 0 0 0 0 --handle 300 0 300 0 --handle 300 90 280 120 --handle 0 90 0 90
 
-    The map is projective: lines stay lines, so inflections on one line stay on one line, and a curve that can be
-    bent from a strip still can. Corners that are not named stay. Writes NAME-reshaped.dxf (exact splines with
-    weights), .svg (cubics, within 0.001 mm) and .json (exact). Exit code 1 when a curve cannot be bent; no such
-    map mends that.
+    The map is projective: lines stay lines. So inflections on a line stay on a line, and if a strip can take the
+    curve, a strip can take the new curve. Other corners stay in place. Writes NAME-reshaped.dxf (exact splines with
+    weights), .svg (cubics, within 0.001 mm) and .json (exact). Exit code 1 if no strip can take a curve, which no
+    such map changes.
     """
     drawing = drawn_curves(curve, unit, number, layer)
     chosen = drawing.chosen(number, layer)
     for one in chosen if len(chosen) > 1 else ():
         if one.problem:
-            warn(f"{curve.name}, {one.called} of {len(drawing)} is left out: {one.problem}")
+            text = f"{curve.name}, {one.called} of {len(drawing)} is left out: {one.problem}"
+            say_row(Row("Left out", text, severity="warning"))
     drawn = [one.curve for one in chosen if not one.problem] or [chosen[0].curve]
     matrix = _map(drawn, handles, {name: place for name, place in corners.items() if place is not None})
     changed = [one.transformed(matrix) for one in drawn]
@@ -78,12 +86,13 @@ def reshape(
             say(f"curve {count} of {len(drawn)}:")
         told.append({word: _verdict(one) for word, one in zip(("before", "after"), pair, strict=True)})
         for word, verdict in told[-1].items():
-            say(f"{word}: {_sentence(verdict)}")
+            severity: Severity = "note" if verdict["realizable"] else "error"
+            say_row(Row(word.capitalize(), _sentence(verdict), severity=severity), is_answer=True)
     answer({"map": matrix, "curves": told})
     wrote(written)
     bad = [i for i, one in enumerate(told) if not one["after"]["realizable"]]
     if bad:
-        warn(NO_MAP)
+        say_row(Row("Change", NO_MAP, severity="warning"))
     if bad or len(drawn) < len(chosen):
         ctx.exit(1)
 
@@ -103,19 +112,20 @@ def _map(
 ) -> FloatArray:
     """Return the map of the options."""
     if handles and corners:
-        raise InputError("give corners of the box, or four handles of your own with --handle, not both")
+        raise InputError("Corners of the box and --handle exclude each other. Leave out one of them.")
     if corners:
         return map_corners(curves, corners)
     if not handles:
         options = ", ".join(map(option_name, CORNERS))
         raise InputError(
-            "say where a corner of the box around the curve goes ({options}), or give four --handle",
+            (
+                "No corner moves. Set the new position of a corner of the curve's bounding box ({options}), or "
+                "use --handle four times."
+            ),
             options=options,
         )
     if len(handles) != 4:
-        raise InputError(
-            "--handle is given {count} times: a map of this kind has four handles", count=len(handles)
-        )
+        raise InputError("--handle occurs {count} times. Use it exactly four times.", count=len(handles))
     return four_point_map([one[:2] for one in handles], [one[2:] for one in handles])
 
 
@@ -140,5 +150,5 @@ def _sentence(verdict: dict[str, Any]) -> str:
     at = ", ".join(f"{s:.1f}" for s in verdict["inflections"])
     shape = f"{verdict['length']:.2f} mm long, {f'inflections at {at} mm' if at else 'no inflection'}"
     if not verdict["realizable"]:
-        return f"{shape}, cannot be bent: {verdict['reasons'][0]}"
-    return f"{shape}, can be bent, stiffness ratio {verdict['ratio']:.4g}"
+        return f"{shape}; no strip can take it: {verdict['reasons'][0]}"
+    return f"{shape}; a strip can take it, stiffness ratio {verdict['ratio']:.4g}"

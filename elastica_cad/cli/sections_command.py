@@ -16,7 +16,7 @@ from elastica_cad.cli.options import (
     requested_sheet,
     sheet_options,
 )
-from elastica_cad.cli.voice import answer, say, say_step, warn, wrote
+from elastica_cad.cli.voice import answer, say_row, say_step, wrote
 from elastica_cad.defaults import RATIO
 from elastica_cad.design.sections_table import compose_section_design
 from elastica_cad.design.toml_text import seen_from
@@ -44,6 +44,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.refusals import Refusal
+from elastica_cad.report_rows import Row
 
 ALONG = 10
 """Default number of planes along a path."""
@@ -68,50 +69,54 @@ POSITIVE = click.FloatRange(0, min_open=True)
 @click.command()
 @click.argument("mesh", type=click.Path(path_type=Path))
 @click.option("--unit", type=click.Choice(["mm", "cm", "m", "um", "in", "ft"]),
-              help="What one unit of the file is; meshes do not say.")  # fmt: skip
-@click.option("--scale", type=POSITIVE, help="Factor from the file to the model, besides the unit.")
-@click.option("--radial", type=click.IntRange(1, 1000), metavar="N", help="N half planes about the axis.")
-@click.option("--angle", "angles", type=float, multiple=True, metavar="DEG",
-              help="Half planes about the axis at these angles; repeatable.")  # fmt: skip
-@click.option("--parallel", type=click.IntRange(1, 1000), metavar="N",
-              help="N planes across the axis, through equal slices.")  # fmt: skip
-@click.option("--offset", "offsets", type=LENGTH, multiple=True, metavar="MM",
-              help="Planes across the axis, so far from the point; repeatable.")  # fmt: skip
-@click.option("--along", type=click.Path(path_type=Path), metavar="FILE",
-              help="Planes across a path: rows x, y, z in mm, text or CSV.")  # fmt: skip
-@click.option("--count", type=click.IntRange(1, 1000), metavar="N",
-              help=f"Planes along the path  [default: {ALONG}]")  # fmt: skip
+              help="Unit of the file, because meshes name none.")  # fmt: skip
+@click.option("--scale", type=POSITIVE, help="Scale factor from file to model, in addition to the unit.")
 @click.option(
-    "--point", type=SPACE_POINT, metavar="X Y Z", help="On the axis [default: the middle of the mesh's box]."
+    "--radial", type=click.IntRange(1, 1000), metavar="N", help="Number of half planes around the axis."
+)
+@click.option("--angle", "angles", type=float, multiple=True, metavar="DEG",
+              help="Angle of a half plane around the axis; repeatable.")  # fmt: skip
+@click.option("--parallel", type=click.IntRange(1, 1000), metavar="N",
+              help="Number of planes perpendicular to the axis, through the middles of equal slices.")  # fmt: skip
+@click.option("--offset", "offsets", type=LENGTH, multiple=True, metavar="MM",
+              help="Distance of a plane perpendicular to the axis from the point; repeatable.")  # fmt: skip
+@click.option("--along", type=click.Path(path_type=Path), metavar="FILE",
+              help="Path of perpendicular planes: a text or CSV file with rows x, y, z in mm.")  # fmt: skip
+@click.option("--count", type=click.IntRange(1, 1000), metavar="N",
+              help=f"Number of planes along the path  [default: {ALONG}]")  # fmt: skip
+@click.option(
+    "--point",
+    type=SPACE_POINT,
+    metavar="X Y Z",
+    help=("Point on the axis [default: the middle of the mesh's bounding box]."),
 )
 @click.option("--axis", type=TRIPLE, metavar="X Y Z",
-              help="Direction [default: up; for parallel planes the longest side of the box].")  # fmt: skip
+              help=("Direction of the axis [default: up; for parallel planes the longest side of the bounding "
+                    "box]."))  # fmt: skip
 @click.option(
-    "--zero", type=TRIPLE, metavar="X Y Z", help="Where the angle 0 of half planes points [default: x]."
+    "--zero", type=TRIPLE, metavar="X Y Z", help="Direction of angle 0 of half planes [default: x]."
 )
-@click.option("--up", type=TRIPLE, metavar="X Y Z", help="Upward in the planes [default: z].")
+@click.option("--up", type=TRIPLE, metavar="X Y Z", help="Upward direction in the planes [default: z].")
 @click.option("--split", "splits", type=(*SPACE_POINT, *TRIPLE), multiple=True, metavar="X Y Z NX NY NZ",
-              help="Split sections at a spine: the plane through a point across a normal; repeatable.")  # fmt: skip
+              help="Split sections at the plane through a point with this normal; repeatable.")  # fmt: skip
 @click.option("--split-at", "split_at", type=SPACE_POINT, multiple=True, metavar="X Y Z",
-              help="Split sections at their places nearest to these points; repeatable.")  # fmt: skip
+              help="Split sections at the place nearest to this point; repeatable.")  # fmt: skip
 @click.option("--split-corners", type=click.FloatRange(0, 180, min_open=True, max_open=True), metavar="DEG",
-              help="Split sections where they turn by more than this at a corner.")  # fmt: skip
+              help="Split sections at corners with a larger angle.")  # fmt: skip
 @click.option("--longest", is_flag=True, help="Only the longest line of every section.")
 @click.option("--tolerance", type=Length(positive=True), default=0.3, show_default=True, metavar="MM",
               help="Largest distance of the curves from the sections.")  # fmt: skip
 @click.option("--wavelength", type=Length(positive=True), metavar="MM",
-              help="Smooth away waves shorter than this first.")  # fmt: skip
+              help="Remove waves shorter than this first.")  # fmt: skip
 @sheet_options(required=False, use="Material of the strips, to write a design file for `elastica model`")
 @click.option("--max-width", type=Length(positive=True), default=20.0, show_default=True, metavar="MM",
-              help="Width of the strips' widest place, in the design file.")  # fmt: skip
+              help="Largest width of the strips, in the design file.")  # fmt: skip
 @click.option("--ratio", type=click.FloatRange(1), default=RATIO, show_default=True, metavar="R",
-              help="Largest stiffness ratio, in the design file: curves change as little as it takes.")  # fmt: skip
+              help="Largest stiffness ratio, in the design file; curves change as little as possible.")  # fmt: skip
 @click.option("--margin", type=float, metavar="MU", help="Least stability margin, in the design file.")
-@click.option(
-    "--gravity", is_flag=True, help="Strips carry their weight, falling along -z, in the design file."
-)
+@click.option("--gravity", is_flag=True, help="Include the weight of strips, along -z, in the design file.")
 @click.option("--stand", metavar="NAME", default="hdf-1.5", show_default=True,
-              help="Sheet of what holds the strips, in the design file; `none` for nothing.")  # fmt: skip
+              help="Sheet of plates that hold the strips, in the design file; `none`: no plates.")  # fmt: skip
 @output_options
 def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
     """Cut a MESH (OBJ, STL, PLY) or a CAD body (STEP) by planes, and fit a curve for a strip to each section.
@@ -119,10 +124,10 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
     \b
       elastica sections pot.obj --unit cm --radial 16 --sheet card-200gsm -o out
       elastica sections horse.stl --parallel 20 --axis 1 0 0 --split 0 0 0 0 1 0 --sheet card-200gsm -o out
-      elastica model out/horse-sections.toml -o kit          makes the nearest strips, sheets, cut list
+      elastica model out/horse-sections.toml -o kit          make the nearest strips, sheets and cut list
 
-    Writes NAME-sections.json (the curves, exactly), NAME-sections.dxf (the same side by side) and, with --sheet,
-    NAME-sections.toml, a design file to go on with. A section that gives no curve is named; the others go on.
+    Writes NAME-sections.json (the exact curves), NAME-sections.dxf (the curves side by side) and, with --sheet,
+    NAME-sections.toml, a design file for `elastica model`. A section without a curve is reported and left out.
     """
     if chosen["sheet"] is not None:
         requested_sheet(chosen)
@@ -137,16 +142,16 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
         say_step("cutting the surface and fitting curves")
         curves, reports = spec.curves(surface)
     except InputError as problem:
-        told = str(problem) if str(mesh) in str(problem) else str(problem.at(file=mesh))
-        raise InputError("{told}{option}", told=told, option=_option_for(told, chosen)) from None
+        message = str(problem) if str(mesh) in str(problem) else str(problem.at(file=mesh))
+        raise InputError("{told}{option}", told=message, option=_option_for(message, chosen)) from None
     verdicts = []
     for number, curve in enumerate(curves, start=1):
         say_step(f"judged {curve.name}", number, len(curves))
         verdicts.append(_verdict(curve))
     for one in verdicts:
-        say(f"{one['name']}: {_sentence(one)}")
+        say_row(Row(one["name"], _sentence(one)))
     for text in reports:
-        warn(f"Note: {text}{_option_for(text, chosen)}")
+        say_row(Row("Note", f"{text}{_option_for(text, chosen)}", severity="warning"))
     answer({"sections": verdicts})
     name = f"{mesh.stem}-sections"
     drawn = [curve.curve for curve in curves]
@@ -160,12 +165,14 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
         files.append(File(f"{name}.toml", lambda path: write_text(path, text)))
     wrote(write_files(files, output, force=force))
     if chosen["sheet"] is None:
-        say("for strips along them add --sheet NAME, or give the curves to elastica strip")
+        say_row(
+            Row("Next", "for strips along the curves add --sheet NAME, or run elastica strip with the curves")
+        )
 
 
-def _option_for(said: str, chosen: dict[str, Any]) -> str:
-    """The option that splits at corners, or closed lines in halves, where that would help."""
-    changes = said.all_changes if isinstance(said, Refusal) else ()
+def _option_for(message: str, chosen: dict[str, Any]) -> str:
+    """Return the option that splits at corners, or closed lines in halves, if it solves the problem."""
+    changes = message.all_changes if isinstance(message, Refusal) else ()
     if AT_CORNERS in changes and chosen["split_corners"] is None:
         return " (--split-corners 20)"
     unsplit = not (chosen["splits"] or chosen["split_at"] or chosen["split_corners"])
@@ -180,18 +187,18 @@ def _family_named(chosen: dict[str, Any]) -> str:
     }  # fmt: skip
     given = [option for option, value in families.items() if value]
     if len(given) != 1:
+        selected = f", not {' and '.join(given)}" if given else ""
         raise InputError(
-            f"say by which planes to cut, with one of {', '.join(families)}"
-            + (f", not {' and '.join(given)}" if given else "")
+            f"Exactly one family of planes is needed{selected}. Use one of {', '.join(families)}."
         )
     if chosen["count"] is not None and chosen["along"] is None:
         raise InputError(
-            "--count is of planes along a path, and {given} takes none: leave it out", given=given[0]
+            "--count applies to planes along a path only, not to {given}. Leave out --count.", given=given[0]
         )
     for option in _IDLE[given[0]]:
         if chosen[option] is not None:
             raise InputError(
-                "--{option} says nothing of the planes of {given}: leave it out",
+                "--{option} does not apply to the planes of {given}. Leave it out.",
                 option=option,
                 given=given[0],
             )
@@ -199,7 +206,7 @@ def _family_named(chosen: dict[str, Any]) -> str:
         lost = [option for option in ("margin", "gravity") if chosen[option]]
         if lost:
             raise InputError(
-                "--{lost} is for the design file, which is written with --sheet: add --sheet NAME",
+                "--{lost} applies to the design file, which needs a sheet. Add --sheet NAME.",
                 lost=lost[0],
             )
     return given[0]
@@ -226,7 +233,7 @@ def _cuts(family: str, chosen: dict[str, Any], surface: Surface) -> RadialCuts |
         path = read_path_points(chosen["along"])
         if len(path) < 2:
             raise InputError(
-                "{path} holds {count} points: a path needs two or more, a row x, y, z each",
+                "{path} has {count} points, and a path needs at least 2. Write each point as a row x, y, z.",
                 path=chosen["along"],
                 count=len(path),
             )
@@ -279,16 +286,16 @@ def _verdict(curve: SectionCurve) -> dict[str, Any]:
             return told | {"realizable": True, "ratio": optimal_rod(curve.curve, check=check).ratio}
     except (InputError, NotConvergedError) as problem:
         return told | {"problem": f"no strip: {problem}"}
-    return told | {"problem": f"cannot be bent as it is: {check.reasons[0]}"}
+    return told | {"problem": f"no strip can take it: {check.reasons[0]}"}
 
 
 def _sentence(told: dict[str, Any]) -> str:
-    verdict = told["problem"] or f"can be bent, stiffness ratio {told['ratio']:.4g}"
-    return f"{told['length']:.2f} mm long, {told['deviation']:.2g} mm off the section, {verdict}"
+    verdict = told["problem"] or f"a strip can take it, stiffness ratio {told['ratio']:.4g}"
+    return f"{told['length']:.2f} mm long, {told['deviation']:.2g} mm from the section at most; {verdict}"
 
 
 def _side_by_side(curves: Sequence[PlaneCurve]) -> list[PlaneCurve]:
-    """The curves in a row, apart from each other, so that a drawing shows them all and ends do not meet."""
+    """Return the curves in a row with gaps, so that a drawing shows them all and their ends do not meet."""
     placed, x = [], 0.0
     for curve in curves:
         (left, low), (right, _) = curve.bounds

@@ -26,7 +26,7 @@ class CurveKeys:
 
     layer: Annotated[str | None, Option("Only curves on this layer of the drawing.", group="curve")] = None
     split_corners: Annotated[
-        bool, Option("Cut curves at their corners; every piece is a strip of its own.", group="curve")
+        bool, Option("Split curves at their corners; every piece becomes a strip.", group="curve")
     ] = False
 
 
@@ -37,17 +37,17 @@ class FileKeys:
     paper: Annotated[
         Literal["A4", "A3", "A2", "A1", "A0", "letter", "tabloid"] | None,
         Option(
-            "Write NAME.pdf too: full size on this paper, tiles with marks to join them by.", group="files"
+            "Also write NAME.pdf: full size on this paper, in pages with marks for joining.", group="files"
         ),
     ] = None
     glb: Annotated[
         bool,
         Option(
-            "Write NAME.glb too: the bent strip for browsers and phones (needs build123d).", group="files"
+            "Also write NAME.glb: the bent strip for browsers and phones (needs build123d).", group="files"
         ),
     ] = False
     strict: Annotated[
-        bool, Option("Exit with 1 when the strain is beyond what the sheet bears.", group="files")
+        bool, Option("Exit with code 1 if the strain exceeds the limit of the sheet.", group="files")
     ] = False
 
 
@@ -56,11 +56,11 @@ class CommandKeys(StripKeys):
     """All keys of `elastica strip`: the keys of a strip in a design file, and the selection of files."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = ("count", "let", "sections")
-    curve: Annotated[CurveKeys, Option("Which curve of the file.", group="curve")] = CurveKeys()
-    cut: Annotated[Cutting, Option("How cutting files are written.", group="files", common=True)] = (
+    curve: Annotated[CurveKeys, Option("Curve of the file.", group="curve")] = CurveKeys()
+    cut: Annotated[Cutting, Option("Settings of cutting files.", group="files", common=True)] = (
         DEFAULT_CUTTING
     )
-    files: Annotated[FileKeys, Option("Which files are written.", group="files")] = FileKeys()
+    files: Annotated[FileKeys, Option("Files to write.", group="files")] = FileKeys()
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,7 @@ def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
         path, between, value = (part.strip() for part in text.partition("="))
         if not between:
             raise InputError(
-                "--set {text} has no value: write KEY=VALUE, such as limits.ratio=3", text=quoted(text)
+                "--set {text} has no value. Write KEY=VALUE, such as limits.ratio=3.", text=quoted(text)
             )
         require_path_of(path, record)
         put(table, path, _value(value))
@@ -104,8 +104,8 @@ def _value(text: str) -> Any:
     except (tomllib.TOMLDecodeError, RecursionError):
         if text[:1] in "[{\"'" or "\n" in text:
             raise InputError(
-                "{text} cannot be read: write the value as in a design file, such as [1, 2] or "
-                "[{{ at = 40, width = 1.2 }}]",
+                "{text} cannot be read. Write the value as in a design file, such as [1, 2] or [{{ at = 40, "
+                "width = 1.2 }}].",
                 text=quoted(text),
             ) from None
         return text
@@ -147,7 +147,7 @@ def set_option(record: Record) -> Callable[[F], F]:
     """Return a decorator that adds `--set KEY=VALUE` for the keys of a record."""
     return click.option(
         "--set", "settings", metavar="KEY=VALUE", multiple=True, type=Setting(record),
-        help="Any other key, as in a design file: `elastica help` lists them. Repeatable.",
+        help="Any other key, as in a design file; `elastica help` lists all. Repeatable.",
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""`elastica sheets`: the materials that elastica_cad knows."""
+"""`elastica sheets`: list the known materials."""
 
 import click
 
@@ -17,11 +17,11 @@ from elastica_cad.mechanics.sheets import (
 @click.command()
 @click.argument("name", required=False)
 def sheets(name: str | None) -> None:
-    """List all sheets, or all that is known of the sheet NAME (or of a file, my.toml), with its source.
+    """List all sheets, or all properties of the sheet NAME (or of a file, my.toml) with their source.
 
-    Materials vary: cut a coupon and measure your own before a large job. Sheets of your own are TOML files as
-    `elastica coupon` writes them: name one with --sheet my.toml, or put it into the library, a folder that the list
-    names (or that the environment variable ELASTICA_SHEETS does), and call it by its name.
+    Materials vary. Measure a coupon of your sheet before a large job. `elastica coupon` writes your sheets as TOML
+    files. Use such a file as --sheet my.toml, or copy it into the library and use its name. The library is the
+    folder below the list, or the folder in the environment variable ELASTICA_SHEETS.
     """
     if name is None:
         answer({"sheets": [Sheet.named(known) for known in sheet_names()]})
@@ -41,7 +41,7 @@ def sheets(name: str | None) -> None:
                     f"{100 * one.max_strain:8.2f} {one.least_radius:9.1f} {kerf:>5}"
                 )
         say(
-            "\nradius: the least advisable bending radius; kerf -: not known. All of one: elastica sheets NAME"
+            "\nradius: least advisable bending radius; kerf -: not known. All properties: elastica sheets NAME"
         )
         say(f"library: {', '.join(map(str, library_folders()))} ({len(library_sheets()[0])} sheets)")
         for problem in library_sheets()[1]:

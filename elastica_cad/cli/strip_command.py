@@ -100,15 +100,16 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     """Make the strip that bends into the curve in CURVE, and write its cutting files.
 
     Writes NAME.dxf and NAME.svg (the cut pattern), NAME.json (the report), NAME.png (the picture; needs
-    matplotlib) and NAME.step (flat and bent strip; needs build123d or CadQuery); NAME is that of the file read.
-    NAME-backing.dxf and .svg are what is glued on a laminate.
+    matplotlib) and NAME.step (flat and bent strip; needs build123d or CadQuery); NAME is the name of CURVE.
+    NAME-backing.dxf and .svg are the backing of a laminate.
 
-    The curve is taken exactly as drawn, or refused; only a curve whose curvature jumps, so that the width would
-    step, is smoothed within 0.1 mm, which is told (--smooth 0 leaves it alone). With --nearest, --ratio,
-    --stable, --margin, --keep-strain or another limit the strip may leave it, as little as it must.
+    The strip takes the curve exactly as drawn, or there is an error. Only where the curvature jumps, so that the
+    width would jump, the curve is smoothed within 0.1 mm and a note is printed (--smooth 0: no smoothing). With
+    --nearest, --ratio, --stable, --margin, --keep-strain or another limit the strip may deviate from the curve, as
+    little as possible.
 
-    All other keys of a design file are given by --set KEY=VALUE, as --set limits.curvature=0.02; `elastica help`
-    lists them, `elastica help KEY` explains one.
+    Set all other keys of a design file with --set KEY=VALUE, such as --set limits.curvature=0.02. `elastica help`
+    lists the keys, `elastica help KEY` explains a key.
     """
     table = table_of(chosen)
     files, which = _files(chosen, table), table.get("curve", {})
@@ -136,7 +137,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             places = (chosen["output"] / file.name for file in kit.files)
             if any(os.path.exists(path) and path.samefile(asked.path) for path in places):
                 raise InputError(
-                    "{kept} holds the drawn curve and is kept: name another folder, e.g. -o out",
+                    "{kept} has the drawn curve and is not overwritten. Choose another folder, such as -o out.",
                     kept=asked.path,
                 )
             process = ctx.find_object(DrawingProcess)
@@ -164,7 +165,9 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     if wrong:
         if len(curves) > 1:
             less = f"; {chosen['save_design']} leaves them out" if refused and chosen["save_design"] else ""
-            warn(f"{wrong} of {len(curves)} curves made no strip as asked{first_told(refused)}{less}")
+            warn(
+                f"{wrong} of {len(curves)} curves have no strip with these options{first_told(refused)}{less}."
+            )
         ctx.exit(1)
 
 
@@ -265,7 +268,7 @@ def _compensated(result: StripResult) -> Iterator[Row]:
             if better.correction is not None and better.held_deviation < strip.held_deviation / 2:
                 yield Row(
                     "Change",
-                    f"--compensate corrects the widths: about {about(better.held().expected)} remain",
+                    f"use --compensate to correct the widths: about {about(better.held().expected)} remain",
                 )
 
 
@@ -289,7 +292,7 @@ def _report(result: StripResult, written: Sequence[Path], *, several: bool) -> N
         if joint
     ]
     if not result.stability.stable:
-        rows = (*rows, Row("Change", "--stable finds the nearest stable curve"))
+        rows = (*rows, Row("Change", "use --stable for the nearest stable curve"))
     ends = [Row("Ends", text) for text in (*more, *joined) if text]
     other = [row for row in rows if row.text != tabs]
     for row in in_order([*other, *ends, *([] if several else _compensated(result))]):

@@ -104,10 +104,10 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
     "curve": (
         unit_option,
         number_option,
-        click.option("--all", "every", is_flag=True, help="A strip for every curve of the file, each for itself."),
+        click.option("--all", "every", is_flag=True, help="Make a separate strip of every curve of the file."),
         click.option("--natural-curvature", type=Blank(), metavar="1/MM|KEYS|FILE",
-                     help="Curvature of the strip before bending; along it as 'stations = [0, 300], curvatures = "
-                          "[0, 0.01]', or a drawing of the bent blank  [default: 0]"),
+                     help="Curvature of the strip before bending; variable as 'stations = [0, 300], "
+                          "curvatures = [0, 0.01]', or a drawing of the pre-bent strip  [default: 0]"),
     ),
     "ends": tuple(
         click.option(f"--{end}", type=click.Choice(END_NAMES),
@@ -115,24 +115,24 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
         for end in ("start", "end")
     ),
     "limits": (
-        click.option("--nearest", is_flag=True, help="Change the curve, as little as it takes."),
-        click.option("--stable", is_flag=True, help=f"Make sure that it stays put (a margin of {SAFE_MARGIN:g})."),
-        click.option("--keep-strain", is_flag=True, help="Keep within the strain that the sheet bears."),
+        click.option("--nearest", is_flag=True, help="Change the curve as little as possible."),
+        click.option("--stable", is_flag=True, help=f"Keep the strip stable (a margin of {SAFE_MARGIN:g})."),
+        click.option("--keep-strain", is_flag=True, help="Keep the strain within the limit of the sheet."),
         click.option("--keep-tangents", is_flag=True, help="Keep the tangents of both ends."),
         click.option("--keep-ends", type=click.Choice(list(BOTH_ENDS)),
-                     help="Which ends of a curve that may change stay  [default: both]"),
+                     help="Ends that stay in place when the curve changes  [default: both]"),
     ),
     "weight": (
-        click.option("--gravity", is_flag=True, help="Let the strip carry its own weight."),
+        click.option("--gravity", is_flag=True, help="Include the weight of the strip."),
         click.option("--down", type=POINT, metavar="X Y",
-                     help="The direction in which things fall, in the drawing  [default: 0 -1]"),
+                     help="Direction of gravity in the drawing  [default: 0 -1]"),
     ),
     "files": (
         click.option("--step/--no-step", default=True,
                      help="Write NAME.step: the flat and the bent strip (needs a CAD kernel)."),
         click.option("--pictures/--no-pictures", default=True, help="Draw NAME.png (needs matplotlib)."),
         click.option("--save-design", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
-                     help="Write what is asked for as a design file, which `elastica model` makes."),
+                     help="Write the request as a design file for `elastica model`."),
         output_options,
     ),
 }  # fmt: skip
@@ -196,7 +196,7 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
         table["natural_curvature"] = chosen["natural_curvature"]
     table = with_settings(table, parsed_settings(chosen["settings"], CommandKeys))
     if "keep" in table and "limits" not in table:
-        raise InputError("what a curve keeps is asked of one that may change: add --nearest")
+        raise InputError("The keys of keep apply to a curve that may change only. Add --nearest.")
     return table
 
 
@@ -210,7 +210,7 @@ def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict
     """
     for path in twice(table, settings):
         raise InputError(
-            "{option} and --set {path} say the same: leave one of them out",
+            "{option} and --set {path} set the same value. Leave out one of them.",
             option=typed_name(path) or option_name(path),
             path=path,
         )

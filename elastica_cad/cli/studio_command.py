@@ -1,4 +1,4 @@
-"""`elastica studio`: the web page for drawing curves, which shows the strip at once."""
+"""`elastica studio`: a web page for drawing curves, which shows the strip immediately."""
 
 import webbrowser
 from importlib.util import find_spec
@@ -14,20 +14,21 @@ NEEDED = ("starlette", "uvicorn", "websockets", "tomlkit")
 
 @click.command()
 @click.argument("design", type=click.Path(path_type=Path), required=False)
-@click.option("--port", type=click.IntRange(0, 65535), default=0, show_default="any free one",
+@click.option("--port", type=click.IntRange(0, 65535), default=0, show_default="a free port",
               help="Port on this computer.")  # fmt: skip
-@click.option("--no-browser", is_flag=True, help="Print the address only.")
+@click.option("--no-browser", is_flag=True, help="Print the address without opening a browser.")
 def studio(design: Path | None, port: int, no_browser: bool) -> None:
-    """Open a page to draw a curve, see the strip bend into it, and take its files; DESIGN is read and saved.
+    """Open a page to draw a curve, see the bent strip, and download its files; DESIGN is read and saved.
 
-    The first line is the address of the page, for a browser on this computer. Ctrl-C ends it. The page reads
-    and writes no other file than DESIGN; what is made there comes as downloads. Without DESIGN the address in the
-    browser holds what is drawn.
+    The first line is the address of the page, for a browser on this computer. Stop with Ctrl-C. The page reads
+    and writes only DESIGN; other files are downloads. Without DESIGN the drawing is stored in the address of the
+    page.
     """
     missing = [name for name in NEEDED if find_spec(name) is None]
     if missing:
         raise MissingDependencyError(
-            'the page needs {missing}: install it with pip install "elastica-cad[studio]"', missing=missing[0]
+            'The page needs {missing}. Install it with pip install "elastica-cad[studio]".',
+            missing=missing[0],
         )
     from elastica_cad.web.server import Entrance, Studio, bound_socket, serve
 

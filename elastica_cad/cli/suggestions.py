@@ -60,7 +60,7 @@ def first_told(refused: int) -> str:
     """Return a text on which of many rejected curves are printed."""
     if refused <= MOST_REFUSALS:
         return ""
-    return f", of which the first {MOST_REFUSALS} are told: -v tells all"
+    return f"; the first {MOST_REFUSALS} are listed, all with -v"
 
 
 MOST_TRIED = 3
@@ -113,7 +113,7 @@ def first_that_holds(candidates: Iterable[Candidate], nearest: Iterable[Candidat
         for message, requests in nearest:
             if held := _held(requests):
                 found.append(f"{message} ({held})")
-    return f"Nearest to working: {'; or '.join(found)}." if found else ""
+    return f"Possible with a larger change: {'; or '.join(found)}." if found else ""
 
 
 def _held(requests: Callable[[], Sequence["StripSpec"]]) -> str:
@@ -139,4 +139,4 @@ def _held(requests: Callable[[], Sequence["StripSpec"]]) -> str:
     except ElasticaError:
         return ""
     near = f"within {farthest:.2g} mm of the drawn curve" if farthest else "the curve as drawn"
-    return f"{near}, {used} % of the strain that {name} bears" if name else ""
+    return f"{near}, {used} % of the allowed strain of {name}" if name else ""

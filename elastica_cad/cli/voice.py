@@ -71,17 +71,17 @@ class Voice:
             told = {"notes": self.notes, "files": self.files}
             _print_json({"schema": self.schema, **read, **self.record, **told})
 
-    def refuse(self, said: str, problem: ElasticaError, code: int, suggest: Callable[[], str]) -> None:
+    def refuse(self, text: str, problem: ElasticaError, code: int, suggest: Callable[[], str]) -> None:
         """Print the error, then a suggestion; Ctrl-C ends the search for a suggestion."""
         _clear_step()
         suggestion = ""
-        echo(said, err=True)
+        _print_row(Row("Error", text, severity="error"), err=True)
         with suppress(KeyboardInterrupt):
             suggestion = "" if self.quiet else suggest()
         if suggestion:
-            echo(suggestion, err=True)
+            _print_row(Row("Change", suggestion), err=True)
         if self.as_json:
-            record = problem.refusal.record | {"message": said}
+            record = problem.refusal.record | {"message": text}
             found = {"suggestion": suggestion} if suggestion else {}
             _print_json(
                 {
@@ -137,11 +137,15 @@ def say_row(row: Row, *, is_answer: bool = False) -> None:
     if speaker.quiet or (speaker.as_json and not warns):
         return
     _clear_step()
-    label, text = printed_row(row)[:LABEL_WIDTH], printed_row(row)[LABEL_WIDTH:]
-    colour = "red" if row.stops else None  # click drops it where the output is no terminal
-    click.echo(click.style(printable(label), fg=colour) + printable(text), err=warns)
+    _print_row(row, err=warns)
     for detail in row.details if speaker.verbose else ():
         echo(f"{'':<{LABEL_WIDTH}} {detail}", err=warns)
+
+
+def _print_row(row: Row, *, err: bool) -> None:
+    label, text = printed_row(row)[:LABEL_WIDTH], printed_row(row)[LABEL_WIDTH:]
+    colour = "red" if row.stops else None  # click drops it if the output is not a terminal
+    click.echo(click.style(printable(label), fg=colour) + printable(text), err=err)
 
 
 def say_table(columns: Mapping[str, Sequence[str]]) -> None:
@@ -192,7 +196,7 @@ def progress_shown() -> Iterator[None]:
     def show() -> None:
         while screen is not None and not ended.wait(PATIENCE_S):
             text = printable(
-                f"{speaker.step} ... {time.perf_counter() - speaker.since:.0f} s, Ctrl-C ends it"
+                f"{speaker.step} ... {time.perf_counter() - speaker.since:.0f} s, stop with Ctrl-C"
             )
             with suppress(OSError, ValueError):  # a closed stderr
                 screen.write(f"\r\x1b[2K{text}" if screen.isatty() else f"{text}\n")
@@ -264,11 +268,11 @@ def remake_on_change(make: Callable[[], None], tell: Callable[[str], None]) -> N
             with note_reads() as read:
                 make()
             if not read:
-                raise InputError("there is nothing to watch: no file was read")
-            tell(f"watching {', '.join(path.name for path in read)}: save to run again, Ctrl-C to end")
+                raise InputError("--watch found no file to watch because none was read. Leave out --watch.")
+            tell(f"watching {', '.join(path.name for path in read)}; save to run again, stop with Ctrl-C")
             _wait_for_change(read)
     except KeyboardInterrupt:
-        tell("no longer watching")
+        tell("stopped watching")
 
 
 def _wait_for_change(read: dict[Path, FileMark]) -> None:

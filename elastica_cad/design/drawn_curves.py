@@ -114,7 +114,7 @@ class CurveOfFile(_Curve):
     """Table of a curve in a file; `number`, `id` or `layer` selects one of several curves."""
 
     file: Annotated[str, Option("File beside the design: DXF, SVG, CSV, JSON, STEP.")]
-    number: Annotated[int | None, Option("Which curve of the file.", least=1)] = None
+    number: Annotated[int | None, Option("Curve of the file.", least=1)] = None
     id: Annotated[str | None, Option("Which curve, by its name in the file.")] = None
     layer: Annotated[str | None, Option("Which curve, by its layer.")] = None
     unit: Annotated[str | None, Option("Unit of the file, where it does not say.")] = None

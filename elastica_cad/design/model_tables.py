@@ -187,7 +187,7 @@ class DesignKeys(SharedKeys):
         Any, Option("The simplest of these that holds all tabs.", written=NamedStand | tuple[NamedStand, ...])
     ] = None
     nest: Annotated[Nesting | None, Option("The sheets that parts are laid on.")] = None
-    cut: Annotated[Cutting | None, Option("How cutting files are written.")] = None
+    cut: Annotated[Cutting | None, Option("Settings of cutting files.")] = None
     extras: Annotated[Extras | None, Option("Additional parts to cut.")] = None
 
 

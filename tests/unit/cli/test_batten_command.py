@@ -232,7 +232,7 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
         (("--stock", 25, 8, "--least", 6, "--at", 70), r"move the camber to at most \d\d\.\d % of the chord"),
         (("--stock", 25, 8, "--bore", 0.5), "--bore is of a tube"),
         (("--stock", 25, 8, "--every", 0.1), "--every is 0.1 mm"),
-        (("--stock", 25, 8, "--name", "a/b"), "leave out /"),
+        (("--stock", 25, 8, "--name", "a/b"), "Leave out /"),
         (("--rod", 8, "--leaves", 4), "--leaves are of a strip"),
         (("--stock", 25, 8, "--full", 95), "95 % of the batten is to keep its full size: give 0 to 80"),
         (("--stock", 25, 8, "--leaves", 1), "2<=x<=50"),

@@ -46,12 +46,12 @@ def test_a_straight_strip_buckles_to_the_side_asked_for(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ((), "name a CURVE"),
+        ((), "Name a CURVE"),
         (("--straight", 100, "--to", 200, 0), "the ends are 200 mm apart"),
-        (("--straight", 100, "--to", 80, 0, "--curve", 2), "--curve is of a drawn CURVE"),
-        (("--straight", 100, "--to", 80, 0, "--smooth", 0), "--smooth is of a drawn CURVE"),
-        (("--straight", 100, "--to", 80, 0, "--nearest"), "--nearest is of a drawn CURVE"),
-        (("--straight", 100, "--gravity"), "--gravity needs to know the material"),
+        (("--straight", 100, "--to", 80, 0, "--curve", 2), "--curve applies to a drawn CURVE"),
+        (("--straight", 100, "--to", 80, 0, "--smooth", 0), "--smooth applies to a drawn CURVE"),
+        (("--straight", 100, "--to", 80, 0, "--nearest"), "--nearest applies to a drawn CURVE"),
+        (("--straight", 100, "--gravity"), "--gravity needs a material"),
         (("--straight", 100, "--hold-start", "free", "--hold-end", "free"), "the rod is free to move along"),
         (("--straight", -1), "rod length is -1"),
         (("none.dxf",), "cannot be read"),

@@ -56,7 +56,7 @@ def test_where_it_snaps_and_where_its_strain_is_too_much_is_told_between_steps(t
 
 def test_a_width_without_a_material(tmp_path):
     made = run("bend --straight 60 --max-width 10 --to 30 0", cwd=tmp_path, code=2)
-    assert "add --sheet" in made.stderr
+    assert "Add --sheet" in made.stderr
 
 
 def test_a_wide_spring_pushes_as_the_plate_that_it_becomes(tmp_path, wide_strips):
@@ -97,8 +97,11 @@ def test_other_keys_of_the_strip_are_set(tmp_path):
 @pytest.mark.parametrize(
     ("words", "says"),
     [
-        ("--set samples=301", "name one, and its --sheet"),
-        ("--sheet pom-1 --max-width 10 --set max_width=12", "--max-width and --set max_width say the same"),
+        ("--set samples=301", "Name a CURVE and add --sheet"),
+        (
+            "--sheet pom-1 --max-width 10 --set max_width=12",
+            "--max-width and --set max_width set the same value",
+        ),
         ("--sheet pom-1 --set max_widht=12", "did you mean max_width?"),
         (
             "--sheet pom-1 --ratio 3",

@@ -174,7 +174,7 @@ def test_what_a_finished_strip_has_no_use_for_is_refused(tmp_path):
     report(StripSpec(SINE, "pom-0.5", max_width=30), tmp_path / "sine.json")
     for idle in ("nearest", "smooth 0.1", "set limits.margin=5", "set keep.length=true"):
         made = run(f"bend sine.json --{idle}", cwd=tmp_path, code=2)
-        assert "the strip of a report is finished" in made.stderr
+        assert "the finished strip of a report" in made.stderr
     data = json.loads((tmp_path / "sine.json").read_text())
     data["request"]["sheet"] = {"record": "os"}
     (tmp_path / "bad.json").write_text(json.dumps(data))

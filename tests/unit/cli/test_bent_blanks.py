@@ -51,8 +51,8 @@ def test_a_design_file_draws_the_blank(drawn):
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        ("nowhere.dxf", "is no number and no file"),
-        ("nan", "nan or infinite"),
+        ("nowhere.dxf", "is not a number or file"),
+        ("nan", "not finite"),
         ("stations = [0, 100], curvatures = [0, 0]", "the pre-bent strip is 100 mm long"),
         ("stations = [0, 202]", "curvatures is missing"),
         ("stations = [5, 202], curvatures = [0, 0]", "Begin at 0 mm"),

@@ -40,18 +40,18 @@ def test_a_measured_coupon_becomes_a_sheet(tmp_path):
     assert sheet.least_radius == pytest.approx(22)
     assert (sheet.thickness, sheet.density, sheet.grain) == (0.22, 900, "along")
     assert "elasto-gravity length 96.05 +-" in result.output
-    assert "(in the list: " in result.output
+    assert "Listed      elasto-gravity length " in result.output
     assert "a guess" not in result.output
 
 
 def test_what_nobody_measured_is_told(tmp_path):
     words = ("coupon", "--thickness", 1.1, "--density", 720, "--name", "felt", "--measured", 150, 41)
     guessed = run(*words, "-o", tmp_path / "guessed").output
-    assert "largest strain 0.4 %: a guess" in guessed
-    assert "in the list" not in guessed
+    assert "The largest strain, 0.4 %, is a guess" in guessed
+    assert "Listed" not in guessed
     bent = run(*words, "--least-radius", 60, "--kind", "wood", "--measured", 60, 2, "-o", tmp_path / "bent")
     assert "a guess" not in bent.output
-    assert "a droop of 2 mm says little of the stiffness" in bent.stderr
+    assert "A droop of 2 mm is too small for an accurate stiffness" in bent.stderr
     assert ec.Sheet.named(str(tmp_path / "bent" / "felt.toml")).kind == "wood"
     (written,) = ec.load_sheets(tmp_path / "guessed" / "felt.toml").values()
     assert len(f"{written.youngs_modulus!r}") <= 7  # as many digits as readings can tell
@@ -62,7 +62,7 @@ def test_a_strain_of_the_other_grain_is_told(tmp_path, grain):
     """Plywood across its face grain bears two thirds more: a strip along it would break at that."""
     words = ("coupon", "--sheet", "finnish-birch-plywood-across-3.6", "--measured", 300, 20, "--grain", grain)
     result = run(*words, "-o", tmp_path / "own")
-    other = "the largest strain, 0.82 %, is that of finnish-birch-plywood-across-3.6, which is bent across"
+    other = "The largest strain, 0.82 %, is from finnish-birch-plywood-across-3.6, which is bent across"
     assert (other in result.stderr) == (grain == "along")
     assert not run(*words, "--least-radius", 300, "-o", tmp_path / "bent").stderr
 
@@ -73,11 +73,11 @@ def test_a_strain_of_the_other_grain_is_told(tmp_path, grain):
         (("--sheet", "paper"), "unknown sheet 'paper'"),
         (("--sheet", "card-200gsm", "--kerf", 0.1), "--kerf belongs to a measurement"),
         (("--sheet", "card-200gsm", "--grain", "none"), "--grain belongs to a measurement"),
-        ((), "give --thickness MM and --density KG/M3 of one that is in no list"),
+        ((), "set --thickness MM and --density KG/M3"),
         (("--sheet", "card-200gsm", "--measured", 100, 120), "a droop of 120 mm is more than"),
         (("--sheet", "card-200gsm", "--measured", 160, 74, "--density", 0), "density is 0"),
         (("--sheet", "card-200gsm", "--measured", 160, 74, "--thickness", 0), "thickness is 0"),
-        (("--sheet", "card-200gsm", "--measured", 160, 74, "--name", "a/b"), "leave out /"),
+        (("--sheet", "card-200gsm", "--measured", 160, 74, "--name", "a/b"), "Leave out /"),
         (("--sheet", "card-200gsm", "--width", 2), "too narrow"),
     ],
 )
@@ -103,8 +103,12 @@ def test_what_is_typed_next_keeps_what_was_measured(tmp_path, monkeypatch):
 def test_a_name_with_spaces_is_told_as_it_is_typed(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     made = run("coupon --sheet birch-plywood-0.8 --measured 300 38 --name", "my ply", "-o", "o m")
-    (told,) = (line for line in made.output.splitlines() if line.startswith("every command takes it: "))
-    words = shlex.split(told.removeprefix("every command takes it: "))
+    (told,) = (
+        line
+        for line in made.output.splitlines()
+        if line.startswith("Next        use the sheet in any command: ")
+    )
+    words = shlex.split(told.removeprefix("Next        use the sheet in any command: "))
     assert words == ["--sheet", "o m/my ply.toml"]
     run("sheets", words[1])
 
@@ -124,7 +128,7 @@ def test_from_an_unknown_board_to_a_sheet_that_every_command_takes(tmp_path, mon
     library.mkdir()
     for kept, name in ((), "felt.toml"), (("--keep",), "felt"):
         made = run(*words, *kept)
-        assert f"every command takes it: --sheet {name}\n" in made.output
+        assert f"Next        use the sheet in any command: --sheet {name}\n" in made.output
         told = run("sheets", name).output
         assert "0.2 mm" in told
         assert "across" in told
@@ -173,7 +177,7 @@ def test_readings_that_contradict_each_other_are_told(tmp_path, droops, contradi
 def test_a_sheet_is_not_kept_where_there_is_no_place_for_settings(monkeypatch, tmp_path):
     monkeypatch.setattr("elastica_cad.cli.coupon_command.library_folders", tuple)
     words = ("coupon", "--thickness", 1, "--density", 700, "--measured", 160, 74, "--keep")
-    assert "--keep needs a place for settings, and there is no home folder" in run(*words, code=2).stderr
+    assert "--keep needs a folder for settings, but there is no home folder" in run(*words, code=2).stderr
     (tmp_path / "file").write_text("")  # a folder that cannot be made
     monkeypatch.setattr(
         "elastica_cad.cli.coupon_command.library_folders", lambda: (tmp_path / "file" / "sheets",)

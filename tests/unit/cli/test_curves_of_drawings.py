@@ -32,8 +32,8 @@ def test_every_curve_is_judged_for_itself(drawing):
     done = run("check", drawing, code=2)
     said, told = done.stdout, done.stderr
     assert done.exit_code == 2
-    assert "curve 1 (arch, layer Cut) of 3:\nA flat strip can take this curve" in said
-    assert "curve 3 (bow, layer Notes) of 3:\nA flat strip can take this curve" in said
+    assert "curve 1 (arch, layer Cut) of 3:\nVerdict     A flat strip can take this curve" in said
+    assert "curve 3 (bow, layer Notes) of 3:\nVerdict     A flat strip can take this curve" in said
     assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in told
     assert "(30, 20) mm" in told  # y down, as in the drawing
     assert "left out, for they are no curves: 1 text" in told
@@ -80,7 +80,7 @@ def test_a_choice_that_is_not_there_is_told_with_those_that_are(drawing):
 def test_a_drawing_comes_through_a_pipe(drawing):
     done = run("check", "-", "--curve", "bow", input=drawing.read_text())
     assert "can take this curve" in done.stdout
-    assert "standard input is empty" in run("check", "-", input="", code=2).stderr
+    assert "Standard input is empty" in run("check", "-", input="", code=2).stderr
     points = "0, 0\n10, 8\n20, 12\n30, 13\n40, 12\n50, 8\n60, 0\n"
     run("check", "-", input=points)
 
@@ -93,7 +93,7 @@ def test_a_strip_for_every_curve_and_none_spoils_the_others(drawing, tmp_path):
     assert {"drawn-arch.dxf", "drawn-bow.dxf"} <= {path.name for path in out.iterdir()}
     assert not (out / "drawn-corner.dxf").exists()
     assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in done.stderr
-    assert "1 of 3 curves made no strip" in done.stderr
+    assert "1 of 3 curves have no strip" in done.stderr
 
 
 def test_a_saved_design_knows_curves_by_name_and_leaves_out_what_was_refused(drawing, tmp_path):
@@ -102,7 +102,7 @@ def test_a_saved_design_knows_curves_by_name_and_leaves_out_what_was_refused(dra
     design = tmp_path / "class.toml"
     wishes = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "--no-pictures", "--no-step")
     done = run("strip", drawing, "--all", *wishes, "--save-design", design, "-o", tmp_path / "out", code=1)
-    assert f"1 of 3 curves made no strip as asked; {design} leaves them out" in done.stderr
+    assert f"1 of 3 curves have no strip with these options; {design} leaves them out" in done.stderr
     saved = tomllib.loads(design.read_text())["strips"]
     assert [(one["label"], one["curve"]["id"]) for one in saved] == [("arch", "arch"), ("Bow", "Böw")]
     before = lengths_of(design, tmp_path / "before")
@@ -128,7 +128,7 @@ def test_a_column_that_makes_no_curve_spoils_no_other(tmp_path):
     wishes = ("--sheet", "card-200gsm", "--max-width", 2, "--no-pictures", "--no-step")
     done = run("strip", tmp_path / "lines.csv", "--all", *wishes, "-o", tmp_path / "out", code=1)
     assert "curve 1 (A) of 2: a curve needs two different points" in done.stderr
-    assert "1 of 2 curves made no strip as asked" in done.stderr
+    assert "1 of 2 curves have no strip with these options" in done.stderr
     assert "nan" not in done.stderr
     assert (tmp_path / "out" / "lines-B.dxf").exists()
 
@@ -170,7 +170,7 @@ def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path)
         if smooth == 0:
             assert moved == 0
             assert "The width of the strip jumps" in done.stderr
-            assert "--smooth 0.1" in done.stderr
+            assert "set --smooth to 0.1 mm" in done.stderr
         else:
             assert 0 < moved <= (smooth or 0.1)
             assert report["smoothing"]["ratio_as_drawn"] == pytest.approx(ratios.get(0, 1.557), rel=1e-3)
@@ -183,7 +183,7 @@ def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path)
     (("--max-width", "1e200"), "--max-width is 1e+200"),
     (("--max-width", "30", "--set", "smooth=-1"), "smooth is -1"),
     (("--max-width", "30", "--set", "smooth=nan"), "smooth is nan: give a finite number"),
-    (("--max-width", "inf"), "nan or infinite"),
+    (("--max-width", "inf"), "not finite"),
     (("--max-width", "30", "--set", "samples=" + "9" * 20), "at most 1e+09"),
 ])  # fmt: skip
 def test_numbers_at_the_edge_are_refused_in_a_sentence(drawing, words, sentence):
@@ -225,5 +225,5 @@ def test_of_many_refusals_the_first_are_told_and_the_others_counted(tmp_path):
     )
     told = run("check", path, code=2).stderr.splitlines()
     assert len(told) <= 10
-    assert told[-1].startswith("30 of 30 curves are no open, smooth curves, of which the first 7 are told")
+    assert told[-1].startswith("30 of 30 curves are not open and smooth; the first 7 are listed")
     assert len(run("check", path, "-v", code=2).stderr.splitlines()) > 30

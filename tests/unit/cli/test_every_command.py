@@ -91,7 +91,7 @@ def test_a_refusal_is_a_record_too(folder):
     assert set(record) == KEYS["error"] | {"schema"}
     assert record["exit_code"] == done.exit_code == 2
     told = record["error"]
-    assert told["message"] == done.stderr.strip()
+    assert f"! Error     {told['message']}" == done.stderr.strip()
     assert set(told) == {"kind", "severity", "text", "values", "where", "changes", "message"}
 
 
@@ -163,7 +163,7 @@ def test_lengths_without_sense_are_refused(folder):
 def test_hints_name_the_program_that_runs(folder):
     words = command("new", "lamp", "-o", "out")
     done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
-    assert f"next: {sys.executable} -m elastica_cad model" in done.stdout
+    assert f"Next        {sys.executable} -m elastica_cad model" in done.stdout
 
 
 @pytest.mark.campaign
@@ -203,7 +203,7 @@ def test_watching_remakes_what_changes_and_survives_mistakes(folder):
             first = length()
             (folder / "bow.txt").write_text("no curve")
             wait_for(lambda: log.read_text().count("save to run again") == 2, process)
-            assert "Error: " in log.read_text()
+            assert "! Error " in log.read_text()
             assert length() == first
             (folder / "new.txt").write_text(BOW.replace("130", "150"))
             (folder / "new.txt").replace(folder / "bow.txt")  # as careful editors save
@@ -242,7 +242,7 @@ def test_what_does_not_change_cannot_be_watched(folder):
         command("check", "-", "--watch"), input=b"0 0\n", cwd=folder, capture_output=True, check=False
     )
     assert done.returncode == 2
-    assert b"standard input does not change: give --watch a file" in done.stderr
+    assert b"--watch needs a file; standard input cannot be watched" in done.stderr
 
 
 LONG = "n" * 300
@@ -267,6 +267,6 @@ def test_names_that_no_disk_takes_are_told(folder, words):
     """Looking whether such a file is there had ended in a traceback."""
     run = subprocess.run(command(*words), cwd=folder, capture_output=True, text=True, check=False)
     assert run.returncode == 2, run.stderr
-    assert re.search(r"^Error: .*File name too long; (choose|name) ", run.stderr, re.MULTILINE)
+    assert re.search(r"^! Error .*File name too long; (choose|name) ", run.stderr, re.MULTILINE)
     assert "Traceback" not in run.stderr
     assert not list(folder.glob("n*"))

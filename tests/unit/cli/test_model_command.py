@@ -164,7 +164,7 @@ def test_a_design_that_cannot_be_bent_exits_with_1(design):
     ellipse = next(line for line in DESIGN.splitlines() if line.startswith("curve.ellipse"))
     design.write_text(DESIGN.replace(ellipse, f"curve = {wave}"))
     result = run("model", design, code=1)
-    assert result.stderr.startswith("Not realizable: K1: ")
+    assert result.stderr.startswith("! Error     Not realizable: K1: ")
 
 
 @pytest.mark.campaign
@@ -323,7 +323,7 @@ def test_what_cannot_be_cut_is_made_anyway_only(design, tmp_path):
         "--no-pictures",
         "--no-step",
     )
-    assert "Note: Made anyway: K1: only" in written.stderr
+    assert "! Note      Made anyway: K1: only" in written.stderr
     reports = json.loads((tmp_path / "out" / "kit.json").read_text())["reports"]
     assert sum(text.startswith("Made anyway: K1: only") for text in reports) == 1
 

@@ -19,7 +19,7 @@ def test_written_and_made(kind, tmp_path):
     command = [sys.executable, "-m", "elastica_cad", "new", kind]
     wrote = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert wrote.returncode == 0, wrote.stderr
-    command = shlex.split(wrote.stdout.splitlines()[-1].removeprefix("next: "))
+    command = shlex.split(wrote.stdout.splitlines()[-1].removeprefix("Next        "))
     command += ["--no-step", "--no-pictures", "--no-effects"]
     made = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert made.returncode == 0, made.stderr
@@ -41,7 +41,7 @@ def test_the_material_it_speaks_of_is_that_of_its_sheet(kind, tmp_path):
 
 def test_the_command_that_comes_next_can_be_typed_as_told(tmp_path):
     wrote = run("new", "arch", "-o", "my lamp's files", cwd=tmp_path)
-    told = wrote.stdout.splitlines()[-1].removeprefix("next: ")
+    told = wrote.stdout.splitlines()[-1].removeprefix("Next        ")
     words = shlex.split(told)
     assert words[-4:] == ["model", "my lamp's files/arch.toml", "-o", "my lamp's files/arch-kit"]
 
@@ -61,7 +61,7 @@ def test_the_schema_comes_beside_and_alone(tmp_path):
     (tmp_path / "elastica.schema.json").write_text("mine")
     assert "exists already" in run("new", "schema", cwd=tmp_path, code=2).stderr
     assert "exists already" in run("new", "pavilion", cwd=tmp_path, code=2).stderr
-    assert run("new", "schema", "--force", cwd=tmp_path).stdout == "wrote elastica.schema.json\n"
+    assert run("new", "schema", "--force", cwd=tmp_path).stdout == "Files       elastica.schema.json\n"
     keys = json.loads((tmp_path / "elastica.schema.json").read_text())["properties"]
     assert keys["max_width"]["description"].endswith("(mm).")
 

@@ -137,11 +137,11 @@ def test_a_printed_stand_has_two_settings(tmp_path):
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (("clip.svg",), "needs a sheet"),
-        (("up.svg", "--sheet", "pom-3"), "up.svg holds 1"),
+        (("clip.svg",), "The sheet is missing"),
+        (("up.svg", "--sheet", "pom-3"), "up.svg has a different number of curves: 1"),
         (("clip.svg", "clip.svg", "--sheet", "pom-3"), "--first 1 .. --first 2"),
         (("clip.svg", "--sheet", "pom-3", "--fillet", "12"), "does not fit"),
-        (("clip.toml", "clip.svg", "--sheet", "pom-3"), "give it alone"),
+        (("clip.toml", "clip.svg", "--sheet", "pom-3"), "Leave out the other arguments"),
         (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "pom-3", "--match", "none"),
          "--match ends"),
         (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "mdf-3"), "times as large"),

@@ -62,10 +62,12 @@ def test_a_neck_is_written_anyway_and_said(tmp_path):
 
 
 @pytest.mark.campaign
-def test_the_margin_comes_with_a_word(tmp_path):
+def test_stability_is_a_word_and_its_margin_a_detail(tmp_path):
     write_curves([ec.PlaneCurve.spline(CURVES["tall"], degree=4)], tmp_path / "tall.dxf")
-    made = run("strip", "tall.dxf", "--sheet", "pom-0.5", "--max-width", "30", "-o", "out", cwd=tmp_path)
-    assert re.search(r"(stable|close to snapping) \(margin [0-9.]+\): it keeps", made.stdout)
+    words = ("strip", "tall.dxf", "--sheet", "pom-0.5", "--max-width", "30", "-o", "out", "-v")
+    made = run(*words, cwd=tmp_path)
+    assert re.search(r"^Stability   stable, in its plane and sideways$", made.stdout, re.MULTILINE)
+    assert re.search(r"^ +The stability margin is [0-9.]+; 5 is safe\.$", made.stdout, re.MULTILINE)
 
 
 @pytest.mark.campaign
@@ -132,7 +134,7 @@ def test_a_suggestion_is_made_as_it_is_printed(words, code, told, desk, monkeypa
     monkeypatch.chdir(desk)
     refused = run(words, code=code)
     *_, last = refused.output.splitlines()
-    (command,) = re.findall(r"^This works: `.*?elastica(?:_cad)? ([^`]*)` \(", last)
+    (command,) = re.findall(r"^Change +This works: `.*?elastica(?:_cad)? ([^`]*)` \(", last)
     assert told in command
     made = run(*shlex.split(command))
     shutil.rmtree(desk / "out", ignore_errors=True)
@@ -147,8 +149,8 @@ def test_what_is_nearest_to_working_is_told_where_no_change_of_the_request_works
     refused = run("strip", "arc.json", "--sheet", "oak-3", "--max-width", "12", "-o", "out", code=1)
     *_, last = refused.output.splitlines()
     sheet, scale = re.fullmatch(
-        r"Nearest to working: `.*?elastica(?:_cad)? ([^`]*)` \(.*\); or oak-3 on the same curve drawn ([0-9.]+) "
-        r"times as large \(.*\)\.",
+        r"Change +Possible with a larger change: `.*?elastica(?:_cad)? ([^`]*)` \(.*\); or oak-3 on the same "
+        r"curve drawn ([0-9.]+) times as large \(.*\)\.",
         last,
     ).groups()
     run(*shlex.split(sheet), "--no-step", "--no-pictures")
@@ -252,7 +254,10 @@ def test_an_option_is_no_folder(tmp_path):
 
 @pytest.mark.parametrize(
     ("width", "told"),
-    [("2e7", "is 20000000 mm: give a length of at most 1000000 mm"), ("9e5", "is larger than the stock of")],
+    [
+        ("2e7", "is 20000000 mm, above the limit. Use a length of at most 1000000 mm"),
+        ("9e5", "is larger than the stock of"),
+    ],
 )
 def test_an_absurd_width_is_told_at_once(width, told, desk):
     asked = ["strip", "wide.dxf", "--sheet", "birch-plywood-0.8", "--max-width", width]
@@ -283,7 +288,7 @@ def test_handles_of_a_curve_that_is_not_there_are_refused(tmp_path):
         "--curve",
     ]
     refused = run(*words, "point = [0, 0], normal = [0, 1]", "-o", "out", cwd=tmp_path, code=2)
-    assert refused.stderr.startswith(("Error: ", "Usage: "))
+    assert refused.stderr.startswith(("! Error ", "Usage: "))
 
 
 def test_no_command_is_told_where_the_folder_reads_as_an_option(tmp_path):
@@ -312,7 +317,7 @@ label = "B"
 def test_limits_that_two_strips_miss_are_named_with_those_to_relax(tmp_path):
     (tmp_path / "pair.toml").write_text(FLATTER_THAN_THEY_CAN_BE)
     refused = run("model", "pair.toml", "-o", "out", cwd=tmp_path, code=1)
-    assert refused.stderr.startswith("Not within these limits: A: The limits cannot be met")
+    assert refused.stderr.startswith("! Error     Not within these limits: A: The limits cannot be met")
     assert re.search(
         r"Missed: the end position, by \d+(\.\d+)? mm\. .*Relax .*the curvature limit", refused.stderr
     )
@@ -322,11 +327,11 @@ def test_limits_that_two_strips_miss_are_named_with_those_to_relax(tmp_path):
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        ("check", "Missing argument 'CURVE': give the file that it is drawn in (DXF, SVG, CSV, JSON, STEP), or"),
-        ("model", "Missing argument 'DESIGN': give a design file; `elastica new pavilion` writes one"),
-        ("sections", "Missing argument 'MESH': give the file of a mesh (OBJ, STL, PLY) or of a STEP body."),
+        ("check", "Missing argument 'CURVE': name the file with the curve (DXF, SVG, CSV, JSON, STEP), or"),
+        ("model", "Missing argument 'DESIGN': name a design file; `elastica new pavilion` writes an example"),
+        ("sections", "Missing argument 'MESH': name the file of a mesh (OBJ, STL, PLY) or of a STEP body."),
         ("strip arch.dxf", "Missing option '--sheet': give --sheet NAME. Material: the name of a sheet"),
-        ("batten --sheet pom-1", "Missing option '--length': give --length MM. Of the batten."),
+        ("batten --sheet pom-1", "Missing option '--length': give --length MM. Length of the batten."),
     ],
 )  # fmt: skip
 def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
@@ -371,7 +376,7 @@ def test_points_that_waver_are_smoothed_first(count, words, tmp_path, monkeypatc
     refused = run(words, code=None)
     assert refused.exit_code in (1, 2)
     *_, last = refused.output.splitlines()
-    (command,) = re.findall(r"^This works: `.*?elastica(?:_cad)? ([^`]*)` \(", last)
+    (command,) = re.findall(r"^Change +This works: `.*?elastica(?:_cad)? ([^`]*)` \(", last)
     assert "smooth" in command
     made = run(*shlex.split(command), "--no-step", "--no-pictures", "--json")
     assert json.loads(made.stdout)["strips"][0]["ratio"] < 2
@@ -393,7 +398,7 @@ def test_a_mistyped_offset_is_named_once(smooth, code, length, tmp_path, monkeyp
     for one in (told, made):
         said = one.stderr if one is made else one.stdout
         assert re.match(
-            r"(Read  .*\n|bad\.csv: its .*\n)?(! )?(Not realizable:|Verdict|Warning) +The point at \(2134",
+            r"(Read  .*\n|bad\.csv: its .*\n)?(! )?(Error +Not realizable:|Verdict|Warning) +The point at \(2134",
             said,
         ), said
         assert "This works" not in one.output
@@ -401,9 +406,9 @@ def test_a_mistyped_offset_is_named_once(smooth, code, length, tmp_path, monkeyp
 
 
 @pytest.mark.parametrize(("noise", "first"), [
-    (0.4, "Smoothed within 0.98 mm a strip can take this curve; as its points are, none can."),
+    (0.4, "No strip can take this curve with its points as they are. If it is smoothed within 0.98 mm"),
     (0.0, "A flat strip can take this curve"),
-    (8.0, "Even smoothed within"),
+    (8.0, "No strip can take this curve, even if it is smoothed within"),
 ])  # fmt: skip
 def test_a_check_says_first_whether_points_are_fair_but_for_their_noise(noise, first, tmp_path):
     x = np.linspace(0.0, 400.0, 30)

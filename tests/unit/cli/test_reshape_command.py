@@ -23,10 +23,12 @@ def test_there_and_back(wave, tmp_path):
     back = [word for x, y, u, v in pulled for word in ("--handle", u, v, x, y)]
     result = run("reshape", wave, *there, "-o", tmp_path)
     assert (
-        "before: 456.84 mm long, inflections at 259.8 mm, can be bent, stiffness ratio 9.867" in result.output
+        "Before      456.84 mm long, inflections at 259.8 mm; a strip can take it, stiffness ratio 9.867"
+        in result.output
     )
     assert (
-        "after: 448.66 mm long, inflections at 223.3 mm, can be bent, stiffness ratio 16.71" in result.output
+        "After       448.66 mm long, inflections at 223.3 mm; a strip can take it, stiffness ratio 16.71"
+        in result.output
     )
     (changed,) = ec.read_curves(tmp_path / "wave-reshaped.json")
     assert changed.is_rational
@@ -72,19 +74,19 @@ def test_what_cannot_be_bent_stays_so(tmp_path):
     drawn = ec.PlaneCurve.fit(np.column_stack([50 * t, 40 * np.sin(t) + 6 * t**1.6]))
     file = ec.write_curves([drawn], tmp_path / "bad.json")
     result = run("reshape", file, "--top-left", 0, 200, "-o", tmp_path, code=1)
-    assert result.output.count("cannot be bent: ") == 2
+    assert result.output.count("no strip can take it: ") == 2
 
 
 @pytest.mark.parametrize(
     ("options", "sentence"),
     [
-        ((), "say where a corner of the box around the curve goes (--bottom-left"),
-        (("--handle", 0, 0, 1, 1), "--handle is given 1 times"),
-        (("--handle", 0, 0, 1, 1, "--top-left", 3, 4), "not both"),
+        ((), "Set the new position of a corner of the curve's bounding box (--bottom-left"),
+        (("--handle", 0, 0, 1, 1), "--handle occurs 1 times"),
+        (("--handle", 0, 0, 1, 1, "--top-left", 3, 4), "exclude each other"),
         (("--top-right", 100, 0, "--top-left", 200, 0), "lie in one line, through"),
         (("--top-right", 60, 40), "through infinity, near ("),
-        (("--top-right", "nan", 40), "--top-right is given as nan or infinite"),
-        (("--handle", 0, 0, 1, "inf"), "--handle is given as nan or infinite"),
+        (("--top-right", "nan", 40), "--top-right is not finite"),
+        (("--handle", 0, 0, 1, "inf"), "--handle is not finite"),
     ],
 )
 def test_sentences(wave, tmp_path, options, sentence):
