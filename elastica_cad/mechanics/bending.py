@@ -112,7 +112,7 @@ def bend(
     """
     if not isinstance(rod, Rod):
         raise InputError(
-            f"bend needs a Rod, as optimal_rod or Rod.straight makes one, not {type(rod).__name__}"
+            f"bend needs a Rod, such as optimal_rod or Rod.straight returns, not {type(rod).__name__}"
         )
     rod = rod.following()
     ends = rod.position[0], rod.position[-1]
@@ -141,8 +141,8 @@ def bend(
     snapped = relax(reached.state)
     if snapped is None:
         raise NotConvergedError(
-            "no rest shape found: {fraction:.1%} of the way from the present shape was possible; "
-            "move the ends in smaller steps, or give a guess nearer to the answer",
+            "the rod was followed over {fraction:.1%} of the path from its present shape, then no rest shape "
+            "was found. Move the ends in smaller steps, or give a guess closer to the result",
             fraction=reached.fraction,
         )
     warnings = (_snap_warning(100 * reached.fraction), *_too_coarse(snapped))
@@ -151,7 +151,7 @@ def bend(
 
 def _snap_warning(percent: float) -> Refusal:
     return note(
-        "the rod snaps {percent:.3g} % of the way from its present shape; here it comes to rest",
+        "the rod snaps after {percent:.3g} % of the path from its present shape; this is its new rest shape",
         percent=percent,
         severity="warning",
     )
@@ -168,7 +168,10 @@ def _too_coarse(state: RodState) -> tuple[str, ...]:
         return ()
     return (
         note(
-            "the rod turns by {turn:.0f} degrees between two nodes: its shape is rough, use more samples",
+            (
+                "the rod turns by {turn:.0f} degrees between two nodes, so its shape is inaccurate: use more "
+                "samples"
+            ),
             turn=turn,
             severity="warning",
         ),
@@ -283,7 +286,7 @@ def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, 
         return steps
     points = as_floats(path)
     if points is None:
-        raise InputError("a path is a row of (x, y) of the end, or of mappings with keywords of bend")
+        raise InputError("a path is a sequence of end positions (x, y), or of mappings with keywords of bend")
     if points.ndim != 2 or points.shape[1] != 2 or not np.all(np.isfinite(points)):
         raise InputError(f"a path of end positions must be finite with shape (k, 2), got {points.shape}")
     return [{"end": point} for point in points]
@@ -313,8 +316,8 @@ def system_of(
     apart = float(np.linalg.norm(system.chord))
     if apart > system.length * (1 + 1e-12):
         raise InputError(
-            "the ends are {apart:.6g} apart, but the rod is only {length:.6g} long: bring them "
-            "closer or use a longer rod",
+            "the ends are {apart:.6g} apart, but the rod is only {length:.6g} long: bring the ends closer "
+            "together, or use a longer rod",
             apart=Length(apart),
             length=Length(system.length),
         )
@@ -341,9 +344,8 @@ def reach(state: RodState, side: int | None, mode: int) -> Reached:
         taut = stretch(state)
         if not is_balanced(taut):
             raise InputError(
-                "the ends are as far apart as the rod is long ({length:.6g}), so it must be "
-                "straight, which its end angles or its weight do not allow: bring the ends closer "
-                "together",
+                "the ends are as far apart as the rod is long ({length:.6g}), so the rod must be straight, "
+                "but its end angles or its weight bend it. Bring the ends closer together",
                 length=Length(system.length),
             )
         return Reached(taut, 1.0, 0)
@@ -388,7 +390,7 @@ def _end_angles(
             continue
         if not support.angle:
             raise InputError(
-                f"an angle is given at the {name}, but its support leaves the angle free: give None"
+                f"an angle is given at the {name}, but the support there leaves the angle free: give None"
             )
         end_angles[i] = float(value)
     if not np.all(np.isfinite(end_angles)):
@@ -405,7 +407,7 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
         if np.any(both & (given != 0)):
             axis = "xy"[int(np.argmax(both & (given != 0)))]
             raise InputError(
-                "a force along {axis} does nothing: both ends hold {axis}; free one end along {axis}",
+                "a force along {axis} has no effect, because both ends hold {axis}: free one end along {axis}",
                 axis=axis,
             )
         return given
@@ -432,7 +434,9 @@ def _end_moments(moment: float | tuple[float, float] | None, supports: Supports,
     given = as_floats(moment)
     if given is not None and given.shape == ():
         if free == [True, True]:
-            raise InputError("both ends turn freely: give the moments of both, (start, end)")
+            raise InputError(
+                "both ends turn freely, so each has its own moment: give both moments, (start, end)"
+            )
         moments[free.index(True) if True in free else 0] = float(given)
     elif given is not None and given.shape == (2,):
         moments[:] = given
@@ -441,7 +445,10 @@ def _end_moments(moment: float | tuple[float, float] | None, supports: Supports,
     for k, name in enumerate(("start", "end")):
         if moments[k] != 0 and not free[k]:
             raise InputError(
-                "a moment at the {name} does nothing: its support holds the angle; free the angle there",
+                (
+                    "a moment at the {name} has no effect, because the support holds the angle there: free the "
+                    "angle"
+                ),
                 name=name,
             )
     if not np.all(np.isfinite(moments)):

@@ -136,14 +136,18 @@ def elastica_between(
     """
     first, (near, far) = _point(start, "start"), _pair_of_angles(angles)
     if not (is_number(length) or isinstance(length, float)):
-        raise InputError(f"length must be a number, mm, more than the distance of the ends, got {length!r}")
+        raise InputError(
+            f"length must be a number in mm, larger than the distance of the ends, got {length!r}"
+        )
     if not is_one_of(side, (1, -1)):
-        raise InputError(f"side is {side!r}: give 1 for left of the way from start to end, -1 for right")
+        raise InputError(
+            f"side is {side!r}: give 1 for a bulge left of the line from start to end, -1 for right"
+        )
     if end is None:
         require_positive(length, "length")
         if near is None:
             raise InputError(
-                "a strip whose end is free turns about its start: give the angle of a clamp there"
+                "a strip with a free end would turn about its start: give the angle of a clamp at the start"
             )
         bent = _led_by_loads(
             Rod.straight(
@@ -154,14 +158,14 @@ def elastica_between(
         )  # fmt: skip
         return ElasticaBetween(bent, _side(bent), mode)
     if force is not None:
-        raise InputError("a force moves a free end, and this one is held: give None for the end, or no force")
+        raise InputError("a force needs a free end, but the end is held: give None for the end, or no force")
     last = _point(end, "end")
     chord = last - first
     distance = float(np.hypot(*chord))
     if not (is_number(length) and length > distance > 0):
         raise InputError(
-            "a strip of {length:.6g} does not bend between ends {distance:.6g} apart: make it "
-            "longer, and the ends two places",
+            "a strip of {length:.6g} does not bend between ends that are {distance:.6g} apart: make the "
+            "strip longer than this distance, which must not be 0",
             length=Length(length),
             distance=Length(distance),
         )
@@ -221,7 +225,7 @@ def _load_shares(load: float) -> list[float]:
 def _point(point: object, name: str) -> FloatArray:
     place = _pair(point)
     if place is None:
-        raise InputError(f"{name} must be a point of the plane without z, two numbers, mm, got {point!r}")
+        raise InputError(f"{name} must be a point (x, y), two numbers in mm, got {point!r}")
     return place
 
 
@@ -247,7 +251,7 @@ def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
     """
     near, far = _pair_of_angles(angles)
     if any(angle is not None and abs(angle) > 360 for angle in (near, far)):
-        raise InputError(f"angles are in degrees, a whole turn (360) at most: got {angles!r}")
+        raise InputError(f"angles must be in degrees, from -360 to 360, got {angles!r}")
     return None if near is None else radians(near), None if far is None else radians(far)
 
 
@@ -255,7 +259,7 @@ def _pair_of_angles(angles: object) -> tuple[float | None, float | None]:
     pair = tuple(angles) if isinstance(angles, Sequence | np.ndarray) and is_series(angles) else ()
     if len(pair) != 2 or not all(angle is None or is_number(angle) for angle in pair):
         raise InputError(
-            f"angles must be two, at start and end, None where the strip turns freely, got {angles!r}"
+            f"angles must be two numbers, for start and end, or None for an end that turns freely, got {angles!r}"
         )
     near, far = pair
     return near, far

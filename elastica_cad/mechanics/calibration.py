@@ -89,10 +89,12 @@ class Calibration:
         """
         if self.youngs_modulus is None or self.thickness is None or self.density is None:
             raise InputError(
-                "a sheet needs its thickness (mm) and density (kg/m3): give both to the calibration"
+                "a calibration needs the thickness (mm) and the density (kg/m3) of the sheet: give both"
             )
         if (max_strain is None) == (least_radius is None):
-            raise InputError("give either max_strain or least_radius: how far the sheet can be bent")
+            raise InputError(
+                "the calibration needs the limit of bending: give either max_strain or least_radius"
+            )
         if least_radius is not None:
             require_positive(least_radius, "least radius", "mm")
             max_strain = self.thickness / (2 * least_radius)
@@ -197,7 +199,7 @@ def calibrate_cantilever(
     errors = {"reading": reading_error, "thickness": thickness_error, "density": density_error}
     for name, value in errors.items():
         if not (is_number(value) and value >= 0):
-            raise InputError(f"{name} error is {value!r}: it can't be negative")
+            raise InputError(f"{name} error is {value!r}: give 0 or more")
     for number, name, unit in ((thickness, "thickness", "mm"), (density, "density", "kg/m3")):
         if number is not None:
             require_positive(number, name, unit)
@@ -226,7 +228,7 @@ def _readings(overhang: ArrayLike, droop: ArrayLike) -> tuple[FloatArray, FloatA
     lengths, drops = np.atleast_1d(numbers(overhang, "overhangs"), numbers(droop, "droops"))
     if lengths.shape != drops.shape or lengths.ndim != 1 or lengths.size == 0:
         raise InputError(
-            "{size} overhangs and {size_2} droops: give one droop for each overhang",
+            "there are {size} overhangs, but {size_2} droops: give a droop for each overhang",
             size=lengths.size,
             size_2=drops.size,
         )
@@ -235,22 +237,21 @@ def _readings(overhang: ArrayLike, droop: ArrayLike) -> tuple[FloatArray, FloatA
         require_positive(d, "droop", "mm")
         if d >= L:
             raise InputError(
-                "a droop of {d:g} is more than an overhang of {l:g} allows: measure the drop of the "
-                "free end below the clamp, and the free length along the strip",
+                "an overhang of {l:g} cannot droop by {d:g}. Measure the drop of the free end below the "
+                "clamp, and the free length along the strip",
                 d=Length(d),
                 l=Length(L),
             )
         if d > _STEEPEST_DROOP * L:
             raise InputError(
-                "a droop of {d:g} on an overhang of {l:g}: the strip hangs like a rope, which tells "
-                "nothing about its stiffness; use a shorter overhang (a droop near half of it is "
-                "best)",
+                "a droop of {d:g} on an overhang of {l:g} does not depend on the stiffness, because the "
+                "strip hangs like a rope. Use a shorter overhang; a droop of about half the overhang is best",
                 d=Length(d),
                 l=Length(L),
             )
         if d < _FLATTEST_DROOP * L:
             raise InputError(
-                "a droop of {d:g} on an overhang of {l:g} is too small to be read; use a longer overhang",
+                "a droop of {d:g} on an overhang of {l:g} is too small to measure: use a longer overhang",
                 d=Length(d),
                 l=Length(L),
             )

@@ -81,24 +81,23 @@ class Creep:
     def __str__(self) -> str:
         """Return a summary of one or two sentences."""
         summary = note(
-            "In the long run (exactly, for a linear homogeneous sheet), with a creep factor of {factor:g}: "
-            "it sags by {sag}, keeps {force:.0f} % of its stiffness, and let go it keeps {bend:.0f} % of "
-            "its bend at first."
+            "In the long run (exact for a linear homogeneous sheet), with a creep factor of {factor:g}, the "
+            "strip sags by {sag} and keeps {force:.0f} % of its stiffness. When released, it keeps "
+            "{bend:.0f} % of its bend at first."
             if self.exact else
-            "In the long run (about, by the effective modulus), with a creep factor of {factor:g}: it sags "
-            "by {sag}, keeps {force:.0f} % of its stiffness, and let go it keeps {bend:.0f} % of its bend "
-            "at first.",
+            "In the long run (approximately, by the effective modulus), with a creep factor of {factor:g}, "
+            "the strip sags by {sag} and keeps {force:.0f} % of its stiffness. When released, it keeps "
+            "{bend:.0f} % of its bend at first.",
             factor=self.factor, sag=Length(self.sag), force=100 * self.force_share, bend=100 * self.kept_share,
         )  # fmt: skip
         after = self.stability
         if not self.stays:
-            snaps = note(
-                "Then it no longer stays: it snaps over under its load. Take a stiffer sheet or support it."
-            )
+            snaps = note("It then snaps over under its load. Use a stiffer sheet, or support the strip.")
             return sentences([summary, snaps], " ")
         if after.margin < SAFE_MARGIN <= stability(self.rod).margin:
             return sentences(
-                [summary, note("Its margin falls to {margin:.3g} (low).", margin=after.margin)], " "
+                [summary, note("It is then close to snapping (margin {margin:.3g}).", margin=after.margin)],
+                " ",
             )
         return summary
 
@@ -137,7 +136,7 @@ def creep(rod: Rod, factor: float) -> Creep:
     (True, 0.556)
     """
     if not isinstance(rod, Rod):
-        raise InputError(f"creep needs a Rod, as optimal_rod or bend makes one, not {type(rod).__name__}")
+        raise InputError(f"creep needs a Rod, such as optimal_rod or bend returns, not {type(rod).__name__}")
     phi = require_creep(factor)
     first = later = rod
     if phi > 0 and feels_modulus(rod):
@@ -165,7 +164,7 @@ def require_creep(factor: object) -> float:
         raise InputError(f"creep is {factor!r}: give the creep factor, a number of 0 or more, such as 0.8")
     if factor < 0:
         raise InputError(
-            "creep is {factor:g}: it must be 0 or more; plywood indoors has 0.8 (Eurocode 5)", factor=factor
+            "creep is {factor:g}: give 0 or more; for plywood indoors 0.8 (Eurocode 5)", factor=factor
         )
     return float(factor)
 

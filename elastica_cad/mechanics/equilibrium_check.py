@@ -305,8 +305,8 @@ _TANGENT_RAD = 1e-6
 _AT_ZERO_SHARE = 1e-4  # nearer to a zero of the curvature, in lengths, K is a quotient of two small numbers
 _LINES = {
     "": ("one line", "The line through its inflections"),
-    "vertical": ("one vertical line", "The vertical line that the supports ask for"),
-    "horizontal": ("one horizontal line", "The horizontal line that the supports ask for"),
+    "vertical": ("one vertical line", "The vertical line that the supports require"),
+    "horizontal": ("one horizontal line", "The horizontal line that the supports require"),
 }
 _TURNS = 67  # of a line about the only inflection, tried
 
@@ -346,8 +346,8 @@ def _check_line(
     force_x, force_y = supports.transmits_force
     if not (force_x or force_y):
         reason = note(
-            "No force can act between its ends, so the moment is constant and the curve must bend one way "
-            "only; its bending changes at {places}: hold both ends in x or in y.",
+            "No force can act between the ends, so the moment is constant and the curve must bend to one "
+            "side only. Its bending changes sides at {places}. Hold both ends in x or in y.",
             places=lengths(z.s for z in check.zeros),
         )
         return _refused(check, reason)
@@ -366,8 +366,9 @@ def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature)
         return _off_the_border(checked, natural_curvature, (np.pi - lines.spread) / 2)
     near = tuple(s for s in lines.places if abs(s - zero.s) > AT_END_SHARE * check.length)
     reason = note(
-        "Every line through the inflection at {s} meets the curve again or touches it there (the curve is "
-        "in the way near {places}): wind the curve less, or support the strip between.",
+        "Every line through the inflection at {s} meets the curve again (near {places}), or is tangent to it "
+        "at the inflection. The stiffness would have to be 0 or negative there. Wind the curve less, or "
+        "support the strip in between.",
         s=Length(zero.s), places=lengths(near),
     )  # fmt: skip
     return _refused(replace(checked, crossings=near), reason)
@@ -403,11 +404,11 @@ def _with_line(
     meetings_of = (
         ("crosses the curve at {places}", crossings),
         ("touches the curve at {places}", touches),
-        ("is tangent to the curve in the inflection at {places}", tangents),
+        ("is tangent to the curve at the inflection at {places}", tangents),
     )
     reason = note(
-        "{line} {meets}, where the moment would vanish or change sign and the curvature does not: move the "
-        "curve off the line there, or support the strip between there and the inflections beside it.",
+        "{line} {meets}. The stiffness would have to be 0 or negative there. Move the curve off the line "
+        "there, or support the strip between there and the adjacent inflections.",
         line=note(_LINES[_kind_of(normal)][1]),
         meets=Listed(note(text, places=lengths(s)) for text, s in meetings_of if s),
     )  # fmt: skip
@@ -444,8 +445,8 @@ def _off_the_border(
     if at is None:
         return check
     reason = note(
-        "The curve is on the border of what a strip can take: near {s} the stiffness would have to be more "
-        "than {ratio:.0f} times that of other places. Move the curve farther from the line through its "
+        "A strip can hardly take the curve, because its stiffness near {s} would have to be more than "
+        "{ratio:.0f} times the stiffness at other places. Move the curve farther from the line through its "
         "inflections, or bend it more clearly there.",
         s=Length(round(at, 6)), ratio=_WIDEST_RATIO,
     )  # fmt: skip
@@ -454,13 +455,13 @@ def _off_the_border(
 
 def _off_line_reason(check: EquilibriumCheck, normal: FloatArray | None, allowed: float) -> str:
     small = (
-        note(" (at most {allowed:.2g} is put right without asking)", allowed=Length(allowed))
+        note(" (at most {allowed:.2g} is corrected automatically)", allowed=Length(allowed))
         if allowed
         else ""
     )
     return note(
-        "Its inflections do not lie on {one_line}: those at {places} are {off} off the nearest one{small}. "
-        "Move them onto one line, or support the strip between them.",
+        "The inflections are not on {one_line}: the inflections at {places} are {off} away from the nearest "
+        "line{small}. Move them onto one line, or support the strip between them.",
         one_line=note(_LINES[_kind_of(normal)][0]), places=lengths(s for s, _ in check.off_line),
         off=Listed(Length(abs(d)) for _, d in check.off_line), small=small,
     )  # fmt: skip

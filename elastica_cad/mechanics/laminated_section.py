@@ -199,7 +199,7 @@ class LaminatedSection:
         """
         w1 = positive(base_width, "base width")
         if not (is_number(least_backing) and least_backing >= 0):
-            raise InputError(f"least backing width is {least_backing!r}: it can't be negative, in mm")
+            raise InputError(f"least backing width is {least_backing!r}: give 0 or more, in mm")
         return ScaleRange.of(
             self._stiffness(w1, np.minimum(least_backing, w1)), self._stiffness(w1, w1), stiffness
         )
@@ -229,8 +229,8 @@ class LaminatedSection:
             return float("inf")
         if not feasible(low):
             raise InputError(
-                "no backing thickness would do: a least backing of {least_backing:g} is too wide for "
-                "a base of {least:.4g} and a stiffness ratio of {given:.4g}",
+                "a least backing width of {least_backing:g} is too wide for a base of {least:.4g} and a "
+                "stiffness ratio of {given:.4g}, at any thickness: reduce least_backing",
                 least_backing=Length(least_backing),
                 least=Length(w1.min()),
                 given=K.max() / K.min(),
@@ -263,7 +263,7 @@ class LaminatedSection:
         if not np.all((w2 >= 0) & (w2 <= w1 * (1 + LIMIT_SLACK))):
             i = int(np.argmin((w2 >= 0) & (w2 <= w1 * (1 + LIMIT_SLACK))))
             raise InputError(
-                "backing width at station {i} is {flat:.6g}: it must lie between 0 and the base's "
+                "backing width at station {i} is {flat:.6g}: give a width from 0 to the width of the base, "
                 "{flat_2:.6g}",
                 i=i,
                 flat=Length(w2.flat[i]),
@@ -358,7 +358,7 @@ def stack_stiffness(layers: Sequence[tuple[Sheet, ArrayLike]]) -> FloatArray:
 def _refuse_stations(bad: NDArray[np.bool_], bending_stiffness: FloatArray, text: str) -> None:
     if bad.any():
         i = int(np.argmax(bad))
-        raise InputError(f"station {i} asks for E I = {bending_stiffness.flat[i]:.4g} N mm2, {text}")
+        raise InputError(f"station {i} needs E I = {bending_stiffness.flat[i]:.4g} N mm2, {text}")
 
 
 PIECES = 8

@@ -284,8 +284,7 @@ def optimal_rod(
     _check_stiffness("least_stiffness", least_stiffness, weight)
     if section is None and bending_stiffness is not None and largest_stiffness is not None:
         raise InputError(
-            "bending_stiffness settles how stiff the rod is, and leaves largest_stiffness nothing to bound: "
-            "leave one of them out"
+            "bending_stiffness fixes the stiffness, so largest_stiffness has no effect: give only one of them"
         )
     if section is None and least_stiffness is not None and largest_stiffness is None:
         raise InputError(
@@ -323,8 +322,8 @@ def _check_section(request: RodRequest, section: BoundedLaw) -> None:
     weight = request.weight
     if isinstance(section, LeavesLaw):
         raise InputError(
-            "glued leaves go in steps, so no stack follows a drawn curve exactly: ask for the "
-            "nearest curve ({field}), and the nearest stack is found",
+            "glued plies change the stiffness in steps, so no stack follows a drawn curve exactly: use the "
+            "nearest curve ({field})",
             field=FieldName("limits"),
         )
     missing = [name for name in ("limits", "bent", "bending_stiffness") if not hasattr(section, name)]
@@ -338,8 +337,8 @@ def _check_section(request: RodRequest, section: BoundedLaw) -> None:
     )
     if settled or not alone:
         raise InputError(
-            "a section settles its own stiffness and weight: leave out bending_stiffness, largest_stiffness "
-            "and law, and give masses only, as Weight(masses=..., own=True)"
+            "a section fixes stiffness and weight: remove bending_stiffness, largest_stiffness and law, and "
+            "give only masses, such as Weight(masses=..., own=True)"
         )
 
 
@@ -349,9 +348,7 @@ def _check_options(gravity: Gravity | None, samples: int | None, weight: Weight 
     if weight is not None:
         require_record(weight, Weight, "weight", "a Weight record, or None")
     if weight is not None and gravity is None:
-        raise InputError(
-            "a weight in newtons needs {field} too, for its direction", field=FieldName("gravity")
-        )
+        raise InputError("a weight in newtons needs a direction: set {field} too", field=FieldName("gravity"))
 
 
 def _check_stiffness(name: str, value: float | None, weight: Weight | None) -> None:
@@ -376,11 +373,10 @@ def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weigh
         if support.x or support.y or support.angle or hung:
             continue
         reason = note(
-            "The {end} (at {s}) is free and carries the weight of the strip only, so moment and force run "
-            "out together: the curvature would have to vanish there with its slope, and grow just as this "
-            "sheet's weight asks (kappa = cos(angle) u^2 / (2 l^3) at the distance u, l being the gravity's "
-            "length), which no drawn curve does. nearest_rod finds the nearest curve that hangs so; "
-            "bend(Rod.straight(...)) shows how a given strip hangs; or hang a mass on this end.",
+            "The {end} (at {s}) is free and carries only the weight of the strip, so moment and force are 0 "
+            "there. At a distance u from it, the curvature must be cos(angle) u^2 / (2 l^3), where l is the "
+            "gravity length. A drawn curve is never so exact. Use nearest_rod for the nearest curve of a "
+            "hanging strip, bend(Rod.straight(...)) for a given strip, or hang a mass on this end.",
             end=note(name), s=Length(s),
         )  # fmt: skip
         raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
@@ -419,12 +415,12 @@ def _unbent_rod(request: RodRequest) -> Rod:
     chord = nodes.position[-1] - nodes.position[0]
     sideways = abs(chord[0] * down[1] - chord[1] * down[0]) / np.hypot(*chord)
     if request.natural_curvature or sideways > 1e-9:
-        reason = "Under its weight an unbent strip sags, unless it is upright: draw the shape it may hang in."
+        reason = "Under its weight a straight strip sags, unless it is vertical. Draw its sagging shape."
         refused = replace(check, realizable=False, any_stiffness=False, reasons=(reason,))
         raise NotRealizable(refused)
     if rod.weight is not None and rod.bending_stiffness is None:
         raise InputError(
-            "an upright straight strip takes any stiffness: give bending_stiffness for its weight"
+            "a vertical straight strip can have any stiffness: give bending_stiffness for its weight"
         )
     # lambda grows by the load; the end that holds the strip upright carries all
     load = rod.nodal_load
@@ -461,7 +457,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
         warning = note(
             "The curve was moved by at most {moved} to bring its inflections onto one line."
             if request.gravity is None
-            else "The curve was moved by at most {moved} to take the last bend out of its ends.",
+            else "The curve was moved by at most {moved} to remove the remaining curvature at its ends.",
             moved=Length(check.moved),
             severity="warning",
         )
@@ -608,7 +604,10 @@ def laminate_of_request(request: RodRequest, layers: LaminateLayers) -> Laminate
     base_width, s_end = layers.base_width, request.curve.length
     if isinstance(base_width, Profile) and not np.isclose(base_width.length, s_end, rtol=1e-6):
         raise InputError(
-            "the base width is given over {length:.6g}, the curve is {s_end:.6g} long",
+            (
+                "the base width is given over {length:.6g}, but the curve is {s_end:.6g} long: give the width "
+                "along the whole curve"
+            ),
             length=Length(base_width.length),
             s_end=Length(s_end),
         )
@@ -622,8 +621,8 @@ def laminate_of_request(request: RodRequest, layers: LaminateLayers) -> Laminate
         return laminate
     if isinstance(base_width, Profile):
         raise NotConvergedError(
-            "weight and stiffness of the laminate do not settle (the stiffness still moves by "
-            f"{change:.2g}): give the base one width all along, which is searched for more closely, "
+            "weight and stiffness of the laminate did not converge (the stiffness still changes by "
+            f"{change:.2g}): give the base a constant width, for which the search is more exact, "
             "or use stiffer or lighter sheets"
         )
     rod = _by_short_steps(request, layers.section, float(base_width))
@@ -669,9 +668,9 @@ class _Base:
         if not scales.feasible:
             ratio = section.thickness_ratio(self.at_places, stiffness, least_backing=least)
             raise InputError(
-                "the laminate cannot be as soft in one place and as stiff in another as the curve needs: "
-                f"with the backing {rounded_up(1 / ratio, 3):g} times as thick as the base (now "
-                f"{section.backing.thickness / section.base.thickness:.3g} times) or more it could"
+                "the stiffness of the laminate cannot vary as much as the curve requires: make the backing "
+                f"{rounded_up(1 / ratio, 3):g} times as thick as the base, or thicker (now "
+                f"{section.backing.thickness / section.base.thickness:.3g} times)"
             )
         return scales.scale
 
@@ -725,8 +724,8 @@ def _by_short_steps(request: RodRequest, section: LaminatedSection, base_width: 
         rod = rod_of_request(replace(request, section=law, weight=weight))
     except InputError as error:
         raise InputError(
-            "the laminate cannot be as soft in one place and as stiff in another as the curve needs under "
-            "this weight: use a thicker backing, or lighter sheets"
+            "the stiffness of the laminate cannot vary as much as the curve requires under this weight: use "
+            "a thicker backing, or lighter sheets"
         ) from error
     return replace(rod, section=None)
 

@@ -125,7 +125,7 @@ def start_rows(count: int) -> list[int]:
 def unsettled(ratio: float) -> NotConvergedError:
     """Return the error for rows that are generated without end."""
     return NotConvergedError(
-        f"the linear program for the stiffness ratio did not settle in {METHOD.most_rounds} "
+        f"the linear program for the stiffness ratio did not converge in {METHOD.most_rounds} "
         f"rounds (ratio {ratio:.6g}): the curve has almost straight places; move its control "
         "points a little"
     )
@@ -273,8 +273,8 @@ def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
     if infeasible:
         return None
     raise NotConvergedError(
-        "the linear program for the stiffness ratio comes to no answer: stiff and soft places would be too far "
-        "apart; use a lighter or stiffer sheet, support the strip, or change the curve"
+        "the linear program for the stiffness ratio has no solution, because the ratio would be too large. "
+        "Use a lighter or stiffer sheet, support the strip, or change the curve"
     )
 
 

@@ -713,21 +713,20 @@ class ConditionedRows:
         """Raise `NotRealizable` with the reason and the places."""
         if family is None or (family.freedom == 0 and family.offset is None):
             reason = note(
-                "With this weight and these supports the moment cannot vanish in all places without "
-                "curvature (at {places}) at once: move the inflections (the nearest curve does), or hold "
-                "more at the ends.",
+                "With this weight and these supports, the moment cannot be 0 at all places of zero curvature "
+                "(at {places}). Use the nearest curve, move the inflections, or hold more at the ends.",
                 places=Listed(Length(z.s) for z in self.check.zeros),
             )
         else:
             wrong = find_violations(family)
             near = stretches(wrong, self.check.length)
             reason = note(
-                "With this weight and these supports the moment would have to act against the curvature "
-                "near {stretches}, so no positive stiffness balances the curve: use a lighter or stiffer "
-                "sheet, support the strip there, or change the curve." if near else
-                "With this weight and these supports the moment would have to act against the curvature, so "
-                "no positive stiffness balances the curve: use a lighter or stiffer sheet, support the "
-                "strip there, or change the curve.",
+                "With this weight and these supports, the moment would have to act against the curvature "
+                "near {stretches}, which no positive stiffness allows. Use a lighter or stiffer sheet, "
+                "support the strip there, or change the curve." if near else
+                "With this weight and these supports, the moment would have to act against the curvature, "
+                "which no positive stiffness allows. Use a lighter or stiffer sheet, support the strip, or "
+                "change the curve.",
                 stretches=near,
             )  # fmt: skip
         raise NotRealizable(replace(self.check, realizable=False, reasons=(*self.check.reasons, reason)))

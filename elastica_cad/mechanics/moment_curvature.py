@@ -65,9 +65,9 @@ class MaterialLaw(ABC):
         limit = self.injective_limit
         if largest_curvature > limit * (1 + _ROUNDING_SHARE):
             raise InputError(
-                "the material law is not injective: its moment stops growing at a curvature of "
-                "{limit:.4g} 1/mm (radius {limit_2:.4g}), but {largest_curvature:.4g} 1/mm occurs; "
-                "draw a gentler curve or use a thinner sheet",
+                "the moment of the material law stops increasing at a curvature of {limit:.4g} 1/mm (radius "
+                "{limit_2:.4g}), but the curve reaches {largest_curvature:.4g} 1/mm. Draw a gentler curve, "
+                "or use a thinner sheet",
                 limit=limit,
                 limit_2=Length(1 / limit),
                 largest_curvature=largest_curvature,
@@ -318,8 +318,8 @@ class TabulatedLaw(MaterialLaw):
             object.__setattr__(self, name, array)
         if self.curvatures.shape != self.moments.shape:
             raise InputError(
-                f"the law has {self.curvatures.size} curvatures and {self.moments.size} moments: give one "
-                "for each"
+                f"the law has {self.curvatures.size} curvatures and {self.moments.size} moments: give "
+                "as many moments as curvatures"
             )
         if np.any(np.diff(self.curvatures) <= 0):
             i = int(np.argmin(np.diff(self.curvatures)))

@@ -152,8 +152,8 @@ class WeightedPanels:
 def far_too_heavy(gravity: Gravity, length: float) -> str:
     """Return the message for a curve of `length` mm whose weight is far too large for its stiffness."""
     return note(
-        "The weight is far too much for the stiffness (a gravity length of {gravity_length} on a curve of "
-        "{length}): use a lighter or stiffer sheet, or look at the units (200 gsm card: 96 mm).",
+        "The weight is far too large for the stiffness (a gravity length of {gravity_length} on a curve of "
+        "{length}). Use a lighter or stiffer sheet, or check the units (200 gsm card: 96 mm).",
         gravity_length=Length(gravity.length), length=Length(length),
     )  # fmt: skip
 
@@ -183,12 +183,12 @@ def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
     if problem.scale.size == 3:
         if weight.masses:
             raise InputError(
-                "what is hung on the rod bends it nowhere (a held end carries it, or its mass is 0): hang it "
-                "between the ends, or leave it out"
+                "the masses do not bend the rod, because a held end carries them or they are 0: hang them "
+                "between the ends, or remove them"
             )
         raise InputError(
-            "the weight is proportional to the stiffness, so every bending stiffness will do: leave "
-            "`weight` out, or give bending_stiffness"
+            "the weight is proportional to the stiffness, so any bending stiffness is possible: remove "
+            "`weight`, or give bending_stiffness"
         )
 
 
@@ -249,7 +249,7 @@ def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tupl
         before, (state, tau) = tau, stiffest
         if not weight.beta or abs(tau / before - 1) < SETTLED_SHARE:
             return problem.balance(state), tau
-    raise NotConvergedError("weight and stiffness do not settle: give bending_stiffness")
+    raise NotConvergedError("the iteration of weight and stiffness did not converge: give bending_stiffness")
 
 
 def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most: float) -> OverloadError:
@@ -480,10 +480,12 @@ def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
 
 
 def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
-    moves = note(" (the stiffness still moves by {change:.2g})", change=change) if np.isfinite(change) else ""
+    moves = (
+        note(" (the stiffness still changes by {change:.2g})", change=change) if np.isfinite(change) else ""
+    )
     return NotConvergedError(
-        "weight and {quantity} do not settle{moves}: the rod is too heavy for this curve; "
-        "use a stiffer or lighter material, or support it",
+        "the iteration of weight and {quantity} did not converge{moves}, because the rod is too heavy for "
+        "this curve. Use a stiffer or lighter material, or support the rod",
         quantity=law.quantity,
         moves=moves,
     )
@@ -535,9 +537,9 @@ def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiff
         sizes = law.parameter(EI)
         s = float(balance.panels.s.flat[int(sizes.argmin())])
         raise InputError(
-            "the curve asks for a {quantity} of {given:.4g} at {s:.4g} where its largest is "
-            "{largest:g}: the limits allow {least:g} at least; widen them, or ask for the "
-            "nearest curve ({field})",
+            "the curve requires a {quantity} of {given:.4g} at {s:.4g} if its largest value is {largest:g}, "
+            "but the limits allow no less than {least:g}. Widen the limits, or use the nearest curve "
+            "({field})",
             field=FieldName("limits"),
             quantity=law.quantity,
             given=Length(float(sizes.min())),

@@ -433,8 +433,7 @@ def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]
     for mass in weight.masses:
         if not (np.isfinite(mass.mass) and 0 <= mass.at <= length):
             raise InputError(
-                "the point mass of {mass:.6g} g at {at:g} does not lie on the curve: give a place from 0 to "
-                "{length}",
+                "the point mass of {mass:.6g} g at {at:g} is not on the curve: give a place from 0 to {length}",
                 mass=mass.mass,
                 at=Length(mass.at),
                 length=Length(length),
@@ -444,7 +443,10 @@ def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]
         if isinstance(part, Profile):
             if not np.isclose(part.length, length, rtol=1e-6):
                 raise InputError(
-                    "a weight profile is {length:.6g} long, the curve {length_2:.6g}",
+                    (
+                        "a weight profile is {length:.6g} long, but the curve is {length_2:.6g} long: give the "
+                        "weight along the whole curve"
+                    ),
                     length=Length(part.length),
                     length_2=Length(length),
                 )

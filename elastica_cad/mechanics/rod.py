@@ -153,7 +153,7 @@ def _stiffness_profile_of(
     given = as_floats(stiffness)
     values = np.array([]) if given is None else np.atleast_1d(given)
     if not values.size or values.ndim != 1 or not np.all(np.isfinite(values)) or np.any(values <= 0):
-        raise InputError("stiffness must be positive, finite numbers: one, or one a node")
+        raise InputError("stiffness must be a positive finite number, or such a number for each node")
     n = samples or (values.size if values.size > 1 else DEFAULT_SAMPLES)
     if values.size == 1:
         values = np.full(2, values[0])
@@ -422,9 +422,7 @@ class Rod:
             object.__setattr__(self, name, array)
         rest = numbers(self.natural_curvature, "natural curvature")
         if rest.size not in (1, n) or not np.isfinite(rest).all():
-            raise InputError(
-                f"natural curvature must be one finite number, or one for each of the {n} nodes, 1/mm"
-            )
+            raise InputError(f"natural curvature must be a finite number, or {n} numbers for the nodes, 1/mm")
         if (self.stiffness <= 0).any():
             at = float(self.s[int(np.argmin(self.stiffness))])
             raise InputError(

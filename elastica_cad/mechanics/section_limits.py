@@ -203,7 +203,7 @@ class ScaleRange:
             numbers(least, "least bending stiffness"), numbers(most, "most bending stiffness"), K
         )
         if not K.size:
-            raise InputError("there is no station to find a scale for: give one stiffness or more")
+            raise InputError("there is no station to scale: give at least one stiffness")
         c_min, c_max = low_EI / K, high_EI / K
         low, high = int(np.argmax(c_min)), int(np.argmin(c_max))
         return cls(float(c_min.flat[low]), float(c_max.flat[high]), low, high)
@@ -239,7 +239,7 @@ def matched(*rows: FloatArray) -> tuple[FloatArray, ...]:
     except ValueError:
         sizes = " and ".join(str(row.size) for row in rows)
         raise InputError(
-            f"there are {sizes} finite values: give one a station, as many in each, or one for all"
+            f"there are {sizes} finite values: give a value for each station, or one value for all stations"
         ) from None
 
 

@@ -205,7 +205,7 @@ class SheetCurl:
 def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:
     require_positive(thickness, "thickness")
     if not (is_number(poisson_ratio) and 0 <= poisson_ratio < 1):
-        raise InputError(f"Poisson's ratio is {poisson_ratio}: it must lie between 0 and 1")
+        raise InputError(f"Poisson's ratio is {poisson_ratio}: it must be between 0 and 1")
     return float(thickness), float(poisson_ratio)
 
 
@@ -260,7 +260,7 @@ def crack_energy(poisson_ratio: float, grain: float = 1.0) -> float:
     """
     nu = require_number(poisson_ratio, "Poisson's ratio")
     if not 0 <= nu <= 0.5:
-        raise InputError(f"Poisson's ratio is {poisson_ratio}: it must lie between 0 and 0.5")
+        raise InputError(f"Poisson's ratio is {poisson_ratio}: it must be between 0 and 0.5")
     require_positive(grain, "grain")
     twist = (1 + nu) * grain
     return float(np.pi / 2 * twist * np.sqrt(2 * (twist + 1 - nu)) / (twist + 2))
@@ -385,7 +385,7 @@ class PerforatedSection(PlainSection):
                 f"a perforated strip has {self.ligaments!r} ligaments: give a whole number from 1"
             )
         if not (is_number(self.least_ligament) and self.least_ligament >= 0):
-            raise InputError(f"least ligament is {self.least_ligament!r}: it can't be negative, in mm")
+            raise InputError(f"least ligament is {self.least_ligament!r}: give 0 or more, in mm")
 
     def scale_range(self, outer_width: ArrayLike, stiffness: ArrayLike) -> ScaleRange:
         """Return scales for which the ligaments fit the outer width (n,), mm, and are wide enough; K is (n,)."""

@@ -122,7 +122,7 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     margin = state.discrete.margin
     if margin.value <= 0:
         raise InputError(
-            f"the rod is unstable from the start of the path (margin {margin.value:.3g}): start from "
+            f"the rod is unstable at the start of the path (margin {margin.value:.3g}): start from "
             "a stable shape"
         )
     visited = [(t, margin.value)]
@@ -215,7 +215,7 @@ def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, Rod
         reached = reach(state_of(rod, course.system(t)), side if t > 0 else None, 1)
         if not reached.arrived:
             raise NotConvergedError(
-                f"the start of the path was not reached: {reached.fraction:.1%} of the way"
+                f"the start of the path was not reached: the rod snaps after {reached.fraction:.1%} of the way"
             )
         if (
             not is_straight(reached.state)
@@ -314,7 +314,7 @@ def _present(rod: Rod, names: set[str]) -> dict[str, Any]:
     """Return the present values of the quantities that a path changes, by name."""
     system = system_of(rod, rod)
     if "load" in names and not (np.any(system.load) or np.any(system.force) or np.any(system.moments)):
-        raise InputError("a path of load factors needs a rod that carries weight, a dead force or a moment")
+        raise InputError("a path of load factors needs a load on the rod: a weight, a dead force or a moment")
     present: dict[str, Any] = {
         "start": system.start, "end": system.end, "gravity": rod.gravity, "force": system.force,
         "angles": system.held_angles,

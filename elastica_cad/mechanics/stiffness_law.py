@@ -134,7 +134,7 @@ class ThicknessLaw(_PowerLaw):
     def __post_init__(self) -> None:
         super().__post_init__()
         if not require_number(self.width, "width") > 0:
-            raise InputError("width is {width:g}: it must be positive, in mm", width=self.width)
+            raise InputError("width is {width:g}: give a positive width, in mm", width=self.width)
 
     @property
     def quantity(self) -> str:
@@ -172,7 +172,7 @@ class RoundLaw(_PowerLaw):
         super().__post_init__()
         if not 0 <= require_number(self.bore, "bore") < 1:
             raise InputError(
-                f"bore is {self.bore:g}: give the inner over the outer diameter, from 0 (a rod) to below 1"
+                f"bore is {self.bore:g}: give the ratio of inner to outer diameter, from 0 (a solid rod) to below 1"
             )
 
     @property
@@ -217,11 +217,11 @@ class LeavesLaw(FixedLaw):
 
     def __post_init__(self) -> None:
         if not isinstance(self.sheet, Sheet):
-            raise InputError(f"a Sheet is needed for the leaves, not {self.sheet!r}")
+            raise InputError(f"a Sheet is needed for the plies, not {self.sheet!r}")
         if not is_whole(self.leaves) or not 2 <= self.leaves <= MOST_LEAVES:
             raise InputError(f"leaves is {self.leaves!r}: give a whole number from 2 to {MOST_LEAVES}")
         if not is_whole(self.fewest) or not 1 <= self.fewest <= self.leaves:
-            raise InputError(f"fewest is {self.fewest!r}: give a whole number of leaves, 1 to {self.leaves}")
+            raise InputError(f"fewest is {self.fewest!r}: give a whole number of plies, 1 to {self.leaves}")
         _ = self.relaxed  # refuses an invalid width
 
     @property

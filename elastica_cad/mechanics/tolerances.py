@@ -112,14 +112,13 @@ def feels_modulus(rod: Rod) -> bool:
 def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
     """Return the least width, mm; refuse a `loss` that is as large."""
     if max_width is None:
-        raise InputError("a loss of width needs max_width, the width of the widest place, mm")
+        raise InputError("a loss of width needs max_width, the largest width in mm")
     require_positive(max_width, "max_width")
     plate = _plate_of(rod.following())
     least = max_width / float(np.max(rod.stiffness)) if plate is None else float(plate[1].width.min())
     if loss >= least:
         raise InputError(
-            "a loss of {loss:g} leaves nothing of the narrowest place, {least:.4g} wide: use a "
-            "larger max_width",
+            "a loss of {loss:g} is more than the narrowest width of {least:.4g}: use a larger max_width",
             loss=Length(loss),
             least=Length(least),
         )
@@ -327,8 +326,7 @@ class ToleranceStudy:
             if effect.name == name:
                 return effect
         raise InputError(
-            f"no effect is called {name!r}: use one of "
-            f"{', '.join(e.name for e in (*self.effects, self.combined))}"
+            f"unknown effect {name!r}: use one of {', '.join(e.name for e in (*self.effects, self.combined))}"
         )
 
     @property
@@ -407,7 +405,7 @@ def tolerance_study(
     if not (ranges is None or isinstance(ranges, ToleranceRanges)):
         raise InputError(f"ranges are {quoted(ranges)}: give a ToleranceRanges record, or None")
     if not (executor is None or callable(getattr(executor, "map", None))):
-        raise InputError(f"executor is {quoted(executor)}: give one of concurrent.futures, or None")
+        raise InputError(f"executor is {quoted(executor)}: give a concurrent.futures.Executor, or None")
     if not (is_whole(seed) and seed >= 0):
         raise InputError(f"seed is {seed!r}: give a whole number from 0")
     varied = ranges or (ToleranceRanges.of(sheet) if sheet is not None else ToleranceRanges())

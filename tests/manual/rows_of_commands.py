@@ -314,8 +314,8 @@ MAKE = ("strip", "arch.svg", *PLY, "-o", "o")
 NEAR = ("strip", "s.svg", *PLY, "--nearest", "-o", "o")
 PROVOKED = {
     "can take this curve": (r"can take this curve", "check", "arch.svg"),
-    "its inflections do not lie on one line": (
-        r"Its inflections do not lie on one line",
+    "the inflections are not on one line": (
+        r"The inflections are not on one line",
         "check",
         "bumps.svg",
     ),

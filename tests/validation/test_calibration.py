@@ -104,12 +104,12 @@ def test_modulus_and_sheet_entry(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"overhang": 100.0, "droop": 120.0}, "droop of 120 mm is more than an overhang of 100 mm allows"),
+        ({"overhang": 100.0, "droop": 120.0}, "overhang of 100 mm cannot droop by 120 mm"),
         ({"overhang": 100.0, "droop": 97.0}, "hangs like a rope"),
-        ({"overhang": 100.0, "droop": 0.001}, "too small to be read"),
+        ({"overhang": 100.0, "droop": 0.001}, "too small to measure"),
         ({"overhang": 0.0, "droop": 1.0}, "overhang is 0.0: it must be positive"),
         ({"overhang": 100.0, "droop": -3.0}, r"droop is -3\.0"),
-        ({"overhang": [100.0, 120.0], "droop": 10.0}, "2 overhangs and 1 droops"),
+        ({"overhang": [100.0, 120.0], "droop": 10.0}, "2 overhangs, but 1 droops"),
         ({"overhang": 100.0, "droop": 40.0, "reading_error": -1.0}, "reading error is -1.0"),
         ({"overhang": 100.0, "droop": 40.0, "thickness": 0.0, "density": 1.0}, "thickness is 0.0"),
     ],

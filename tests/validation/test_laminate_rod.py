@@ -116,9 +116,7 @@ def test_a_base_of_varying_width_that_does_not_settle_is_found_with_one_width():
     )
     section = LaminatedSection(base, backing)
     varying = Profile.interpolate([0.0, curve.length / 2, curve.length], [19.6, 20.4, 19.6])
-    with pytest.raises(
-        NotConvergedError, match=r"do not settle .*: give the base one width all along, which"
-    ):
+    with pytest.raises(NotConvergedError, match=r"did not converge .*: give the base a constant width, for"):
         optimal_laminate(curve, section, varying, direction=(0, -1))
     laminate = optimal_laminate(curve, section, 20.0, direction=(0, -1))
     assert laminate.base_width == pytest.approx(20.0)
@@ -142,7 +140,7 @@ test_bad_laminates = refusal_test(
                 LaminatedSection(BASE, Sheet("foil", 0.01, 2000.0, density=800.0, max_strain=0.005)),
                 Profile.interpolate([0.0, arch().length], [10.0, 30.0]),
             ),
-            r"backing \d.* times as thick as the base \(now 0\.05 times\)",
+            r"backing \d.* times as thick as the base, or thicker \(now 0\.05 times\)",
         ),
         (
             lambda: optimal_laminate(arch(), SECTION, Profile.interpolate([0.0, 50.0], [10.0, 30.0])),

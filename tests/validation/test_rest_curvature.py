@@ -282,7 +282,7 @@ class TestZeros:
     def test_three_inflections_off_one_line_are_refused(self):
         rest = RestCurvature.linear([0, 50, 100, 150, 200], [0.0, 0.02, 0.0, 0.02, 0.012])
         check = check_equilibrium(ARC, natural_curvature=rest)
-        assert "do not lie on one line" in str(check)
+        assert "are not on one line" in str(check)
 
 
 @pytest.mark.parametrize(

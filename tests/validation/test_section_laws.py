@@ -132,10 +132,10 @@ def test_a_curve_beyond_the_limits_is_refused_with_the_size_it_asks_for():
     design = Design("thickness", WAVE, heavy=False, nearest=False)
     tight = type(design.section)(design.material, 6.0, 8.0, width=25.0)
     with pytest.raises(
-        InputError, match=r"asks for a thickness of \d\.\d+ mm at .* where its largest is 8 mm"
+        InputError, match=r"requires a thickness of \d\.\d+ mm at .* if its largest value is 8 mm"
     ):
         optimal_rod(WAVE, section=tight)
-    with pytest.raises(InputError, match="leave out bending_stiffness, largest_stiffness and law"):
+    with pytest.raises(InputError, match="remove bending_stiffness, largest_stiffness and law"):
         optimal_rod(WAVE, Gravity(1.0), section=tight, weight=Weight(alpha=1.0), bending_stiffness=1.0)
     with pytest.raises(InputError, match="give a law with limits"):
         optimal_rod(WAVE, section=3.0)
@@ -171,7 +171,7 @@ def test_a_mass_near_the_most_a_rod_bears_is_borne(diameter, grams):
 def test_a_mass_that_no_rod_of_the_section_bears_is_told_as_too_heavy(grams):
     """Not as the status of a library in which the numbers have run off."""
     hung = Weight(masses=(PointMass(0.65 * WAVE.length, grams),), own=True)
-    told = r"too heavy for this curve; use|use a lighter or stiffer sheet|hold more at the ends"
+    told = r"too heavy for this curve. Use|Use a lighter or stiffer sheet|hold more at the ends"
     with pytest.raises((NotConvergedError, NotRealizable), match=told):
         optimal_rod(WAVE, Gravity(1.0), section=RoundLaw(ACRYLIC, 0.4, 4.0), weight=hung)
 

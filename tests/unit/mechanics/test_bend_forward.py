@@ -65,7 +65,7 @@ def test_what_a_right_angle_leaves_of_a_force_is_none():
     pulled = bend(rod, end=(90.0, 0.0), force=way)
     assert way[0] != 0
     assert pulled.position == pytest.approx(bend(rod, end=(90.0, 0.0), force=(0.0, 1e-4)).position)
-    with pytest.raises(InputError, match="a force along x does nothing"):
+    with pytest.raises(InputError, match="a force along x has no effect"):
         bend(rod, end=(90.0, 0.0), force=(1e-9, 1e-4))
 
 
@@ -211,8 +211,8 @@ BAD = {
         STRAIGHT, {"angles": (0.0, 1.0), "supports": Supports("clamped", "pinned")}, "leaves the angle free"
     ),
     "useless force": (STRAIGHT, {"force": (1.0, 0.0)}, "both ends hold x"),
-    "useless moment": (STRAIGHT, {"moment": 1.0}, "its support holds the angle"),
-    "which moment": (STRAIGHT, {"moment": 1.0, "supports": Supports("pinned", "pinned")}, "moments of both"),
+    "useless moment": (STRAIGHT, {"moment": 1.0}, "the support holds the angle"),
+    "which moment": (STRAIGHT, {"moment": 1.0, "supports": Supports("pinned", "pinned")}, "give both moments"),
     "moment shape": (STRAIGHT, {"moment": (1.0, 2.0, 3.0)}, "one number or two"),
     "gravity": (STRAIGHT, {"gravity": 9.81}, "Gravity record"),
     "side": (STRAIGHT, {"side": 2}, "side must be"),
@@ -249,7 +249,7 @@ def test_bad_paths():
     for path, message in (
         ([(1.0, 2.0, 3.0)], "shape"),
         ([{"ends": (1.0, 2.0)}], "unknown entry 'ends'"),
-        ("nonsense", "row of"),
+        ("nonsense", "sequence of"),
     ):
         with pytest.raises(InputError, match=message):
             bend_path(STRAIGHT, path)
@@ -257,5 +257,5 @@ def test_bad_paths():
 
 def test_no_rest_shape_says_so():
     """A slack of 1e-9 of the length drowns in rounding: no shape is made up."""
-    with pytest.raises(NotConvergedError, match="no rest shape found"):
+    with pytest.raises(NotConvergedError, match="no rest shape was found"):
         bend(Rod.straight(1.0, samples=201), end=(1 - 1e-9, 0.0))

@@ -56,7 +56,7 @@ def test_taper_and_weight():
 
 @pytest.mark.parametrize(
     ("end", "length", "side", "says"),
-    [((70, 0), 60.0, 1, "longer"), ((0, 0), 60.0, 1, "two places"), ((70, 0), 80.0, 2, "side is 2")],
+    [((70, 0), 60.0, 1, "longer"), ((0, 0), 60.0, 1, "must not be 0"), ((70, 0), 80.0, 2, "side is 2")],
 )
 def test_refused(end, length, side, says):
     with pytest.raises(InputError, match=says):
@@ -76,15 +76,15 @@ def test_a_strip_of_even_width_is_drawn(angles):
 @pytest.mark.parametrize(
     ("given", "says"),
     [
-        ({"start": (0, 0, 3)}, "start .* without z"),
-        ({"start": "a"}, "start .* without z"),
-        ({"end": 70}, "end .* without z"),
+        ({"start": (0, 0, 3)}, "start must be a point \\(x, y\\)"),
+        ({"start": "a"}, "start must be a point \\(x, y\\)"),
+        ({"end": 70}, "end must be a point \\(x, y\\)"),
         ({"length": "100"}, "length must be a number"),
         ({"angles": 45}, "angles must be two"),
         ({"angles": (10,)}, "angles must be two"),
         ({"angles": ("steep", 0)}, "angles must be two"),
-        ({"stiffness": "soft"}, "stiffness must be positive, finite numbers"),
-        ({"stiffness": []}, "stiffness must be positive, finite numbers"),
+        ({"stiffness": "soft"}, "stiffness must be a positive finite number"),
+        ({"stiffness": []}, "stiffness must be a positive finite number"),
     ],
 )
 def test_what_is_no_point_length_or_pair_is_named(given, says):
@@ -142,7 +142,7 @@ class TestFreeEnd:
     @pytest.mark.parametrize(
         ("end", "options", "says"),
         [
-            (None, {}, "give the angle of a clamp there"),
+            (None, {}, "give the angle of a clamp at the start"),
             (None, {"angles": (0, None), "force": "down"}, "force must be two numbers"),
             (None, {"angles": (0, None), "force": (1, 2, 3)}, "force must be two numbers"),
             ((60, 0), {"force": (0, 1e-4)}, "give None for the end, or no force"),

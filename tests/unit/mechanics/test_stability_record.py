@@ -190,13 +190,13 @@ class TestLimits:
 
     def test_unstable_from_the_start(self):
         rod = bend(Rod.straight(1.0, samples=101), end=(0.9, 0.0), mode=2)
-        with pytest.raises(InputError, match="unstable from the start"):
+        with pytest.raises(InputError, match="unstable at the start"):
             stability_limit(rod, [(0.5, 0.0)])
 
     def test_bad_paths(self):
         arch = bend(Rod.straight(1.0, samples=101), end=(0.9, 0.0))
         for path, message in (
-            ([2.0], "needs a rod that carries"),
+            ([2.0], "needs a load on the rod"),
             ([(1.0, 2.0, 3.0)], "shape"),
             ([{"supports": Supports()}], "supports cannot change"),
             ([-1.0], "not negative"),

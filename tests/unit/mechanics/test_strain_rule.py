@@ -52,7 +52,7 @@ def test_every_sheet_breaks_beyond_its_limit_or_not_at_all():
 
 
 def test_a_strip_that_would_break_is_refused_unless_limits_are_ignored():
-    with pytest.raises(StrainError, match=r"strain 2.7 % at .* it may crack there") as refused:
+    with pytest.raises(StrainError, match=r"strain is 2.7 % at .* it may crack there") as refused:
         make_strip(ARCH, "birch-plywood-3", max_width=30)
     assert refused.value.refusal.values["percent"] > 300
     assert refused.value.refusal.changes[-1] == Change("nearest", True)

@@ -103,7 +103,7 @@ test_refusals = refusal_test(
             lambda: StripSpec(ARCH, CARD, law=THICKNESS),
             "the section law uses the sheet glass, but the strip uses card-200gsm",
         ),
-        (lambda: make_strip(ARCH, LEAF, law=LEAVES), r"ask for the nearest curve \(limits\)"),
+        (lambda: make_strip(ARCH, LEAF, law=LEAVES), r"use the nearest curve \(limits\)"),
         (lambda: LeafStack(make_strip(ARCH, GLASS, law=THICKNESS)), "the strip is not of leaves"),
         (
             lambda: EndFixture.of(make_strip(ARCH, LEAF, law=LEAVES, keep=Keep()), "start"),
