@@ -107,10 +107,10 @@ def batten(**chosen: Any) -> None:
     written = _write(made.strip, stations, report, chosen)
     answer({"batten": report})
     _report_batten(made, table)
-    for way, told in report.get("camber_with_weight", {}).items():
-        camber = f"{100 * told['camber']:.2f} % at {100 * told['camber_place']:.2f} % of the chord"
+    for way, bow in report.get("camber_with_weight", {}).items():
+        camber = f"{100 * bow['camber']:.2f} % at {100 * bow['camber_place']:.2f} % of the chord"
         say_row(Row("Weight", f"level and bulging {way}, its own weight makes the camber {camber}"))
-    _tell_files(written)
+    _print_files(written)
 
 
 def _glue(made: Batten, chosen: dict[str, Any]) -> None:
@@ -138,7 +138,7 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
     if not leafed.settled:
         text = "the search stopped before the ends of the plies settled; other ends may come nearer"
         say_row(Row("Warning", text, severity="warning"))
-    _say_load(strip, force)
+    _print_load(strip, force)
     leaves = leafed.leaves
     say_table(
         {
@@ -149,10 +149,10 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
             "inch": [f"{leaf.length / MM_PER_INCH:.3f}" for leaf in leaves],
         }
     )
-    _tell_files(written)
+    _print_files(written)
 
 
-def _tell_files(written: tuple[Path, ...]) -> None:
+def _print_files(written: tuple[Path, ...]) -> None:
     """Report the written files, and the files that could not be written."""
     wrote(written)
     for missing in left_out(pictures=False, paper=True):
@@ -233,7 +233,7 @@ def _report_batten(made: Batten, table: dict[str, FloatArray]) -> None:
     apart = f"ends {made.chord:.1f} mm apart"
     say_row(Row("Size", f"{made.spec.length:.1f} mm long, {apart}, {made.strip.mass:.4g} g"))
     say_row(Row("Camber", f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord{level}"))
-    _say_load(made.strip, made.end_force)
+    _print_load(made.strip, made.end_force)
     s, s_inch, _, _, size, inch, strain, safety = table.values()
     say_table(
         {
@@ -247,7 +247,7 @@ def _report_batten(made: Batten, table: dict[str, FloatArray]) -> None:
     )
 
 
-def _say_load(strip: Strip, end_force: float) -> None:
+def _print_load(strip: Strip, end_force: float) -> None:
     """Print the rows on force and strain, and warnings."""
     strain = (
         f"{100 * strip.max_strain:.2f} % at {strip.max_strain_at:.0f} mm; "

@@ -21,7 +21,7 @@ from elastica_cad.cli.options import (
 from elastica_cad.cli.requested_curves import (
     END_NAMES,
     curve_argument,
-    read_curves_told,
+    read_curves_with_note,
     requested_curves,
     unit_option,
     which_options,
@@ -166,9 +166,9 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         listed = curve is not None and chosen["steps"] > 1
         moved = bend_strip(strip, _steps(rod, chosen, held, listed=listed), side=side)
         shapes, verdicts = moved.rods, moved.verdicts
-    _say_shapes(rod, shapes, verdicts, moved)
-    told = [_shape_report(*pair) for pair in zip(shapes, verdicts, strict=True)]
-    answered = {"length": rod.length, "ratio": rod.ratio, "shapes": told, "travel": None}
+    _print_shapes(rod, shapes, verdicts, moved)
+    reports = [_shape_report(*pair) for pair in zip(shapes, verdicts, strict=True)]
+    answered = {"length": rod.length, "ratio": rod.ratio, "shapes": reports, "travel": None}
     if moved is not None:
         answered |= {"travel": moved.table(), "snaps_at": moved.snaps_at, "strained_at": moved.strained_at,
                      "unit": moved.unit}  # fmt: skip
@@ -181,9 +181,9 @@ def _finished(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None:
     record = read_request(path)
     if record is None:
         return None
-    _refuse_settled({one for one in ("nearest", "smooth") if chosen[one] not in (None, False)})
-    (asked,) = requested_curves(path, chosen["unit"], chosen["number"], chosen["layer"])
-    return FinishedStrip.read(record, asked.curve)
+    _refuse_settled({name for name in ("nearest", "smooth") if chosen[name] not in (None, False)})
+    (requested,) = requested_curves(path, chosen["unit"], chosen["number"], chosen["layer"])
+    return FinishedStrip.read(record, requested.curve)
 
 
 def _refuse_settled(idle: set[str]) -> None:
@@ -205,11 +205,11 @@ def _changed(finished: FinishedStrip, chosen: dict[str, Any], settings: dict[str
     sheet = requested_sheet({"thickness": None, **table}) if "sheet" in table else spec.material
     if "sheet" not in table and "thickness" in table:
         sheet = sheet.with_thickness(table["thickness"])
-    reader, keys = Reader(read_curves=read_curves_told, sheet=sheet), Table(table, "", {})
+    reader, keys = Reader(read_curves=read_curves_with_note, sheet=sheet), Table(table, "", {})
     fields = {
-        one.name: reader.value(one.kind, keys, one.name)
-        for one in fields_of(BentKeys)
-        if one.name in table and one.name not in ("sheet", "thickness")
+        entry.name: reader.value(entry.kind, keys, entry.name)
+        for entry in fields_of(BentKeys)
+        if entry.name in table and entry.name not in ("sheet", "thickness")
     }
     fields |= {} if sheet is spec.material else {"sheet": sheet}
     return finished.changed(**fields) if fields else finished
@@ -230,9 +230,9 @@ def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any])
     table |= {"limits": {}} if chosen["nearest"] else {}
     table |= {"gravity": list(chosen["down"] or (0.0, -1.0))} if chosen["gravity"] else {}
     table = with_settings(table, settings)
-    (asked,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
-    drawn = asked.curve if "limits" in table else asked.bendable(table.get("smooth"))
-    spec = spec_from_options(drawn, asked.label, table)
+    (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
+    drawn = requested.curve if "limits" in table else requested.bendable(table.get("smooth"))
+    spec = spec_from_options(drawn, requested.label, table)
     return spec.make(_solved(spec.rod_spec))
 
 
@@ -240,11 +240,11 @@ def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
     """Return the rod before its ends are moved, for a strip without a width."""
     if curve is None:
         return Rod.straight(chosen["straight"], gravity=_gravity(chosen))
-    (asked,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
+    (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
     smooth, gravity = chosen["smooth"], _gravity(chosen)
     if chosen["nearest"]:
-        return accepted_rod(_solved(RodSpec(asked.curve, gravity, smooth=smooth, limits=Limits())))
-    return accepted_rod(_solved(RodSpec(asked.bendable(smooth), gravity, smooth=smooth)))
+        return accepted_rod(_solved(RodSpec(requested.curve, gravity, smooth=smooth, limits=Limits())))
+    return accepted_rod(_solved(RodSpec(requested.bendable(smooth), gravity, smooth=smooth)))
 
 
 def _gravity(chosen: dict[str, Any]) -> Gravity | None:
@@ -255,10 +255,10 @@ def _solved(spec: RodSpec) -> Rod | NearestRod:
     """Return the rod, and report messages about its curve."""
     for note in spec.smoothing.notes:
         say(note)
-    found = solve_rod(spec)
-    if isinstance(found, NearestRod):
-        say(f"the strip is {found.deviation:.2g} mm off the drawn curve at most")
-    return found
+    result = solve_rod(spec)
+    if isinstance(result, NearestRod):
+        say(f"the strip is {result.deviation:.2g} mm off the drawn curve at most")
+    return result
 
 
 def _widths_as_plate(sheet: Sheet, widest: float) -> WidthLaw | None:
@@ -304,10 +304,12 @@ def _shape_report(shape: Rod, verdict: Stability) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _say_shapes(rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability], moved: Travel | None) -> None:
+def _print_shapes(
+    rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability], moved: Travel | None
+) -> None:
     """Print a table with a line for every shape, and a summary in rows."""
-    states = ["stable" if one.margin >= SAFE_MARGIN else "close to snapping" if one.stable else "unstable"
-              for one in verdicts]  # fmt: skip
+    states = ["stable" if verdict.margin >= SAFE_MARGIN else "close to snapping" if verdict.stable else "unstable"
+              for verdict in verdicts]  # fmt: skip
     say_table(
         {
             **(_places(shapes) if moved is None else _forces(moved)),
@@ -334,7 +336,7 @@ def _say_shapes(rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability], 
             f"at most {_plain(size)} N and {_plain(turns)} N mm at an end; energy {energy} N mm",
         )
     )
-    tips = [k for k, one in enumerate(moved.sideways) if one.needs_guiding]
+    tips = [k for k, verdict in enumerate(moved.sideways) if verdict.needs_guiding]
     if tips:
         k = min(tips, key=lambda k: moved.sideways[k].margin)
         where = moved.place_message(moved.path_length[k])
@@ -347,7 +349,7 @@ def _places(shapes: Sequence[Rod]) -> dict[str, list[str]]:
     """Return the columns of the ends' distance and the least radius."""
     apart = [np.hypot(*(shape.position[-1] - shape.position[0])) for shape in shapes]
     return {
-        "ends apart mm": [f"{one:.2f}" for one in apart],
+        "ends apart mm": [f"{distance:.2f}" for distance in apart],
         "least radius mm": [_least_radius(shape) for shape in shapes],
     }
 

@@ -27,7 +27,7 @@ from elastica_cad.cli.suggestions import (
     MOST_REFUSALS,
     changed_requests,
     first_that_holds,
-    first_told,
+    listing_note,
     suggest_later,
     typed_length,
     typed_line,
@@ -97,8 +97,8 @@ def check(
     there. Every curve is checked separately. Exit code 1 if no strip can take a curve, or if its points do not
     decide it; 2 if a curve is not open and smooth.
     """
-    asked = requested_curves(curve, unit, number, layer, every=True, split=split_corners)
-    bent, several = natural_curvature_of(natural_curvature), len(asked) > 1
+    requested = requested_curves(curve, unit, number, layer, every=True, split=split_corners)
+    bent, several = natural_curvature_of(natural_curvature), len(requested) > 1
     request = _Request(Supports(start, end), bent, smooth, alone=not several)
     of_file, worst, bad = list(voice().notes), 0, 0
     answers: list[dict[str, Any]] = []
@@ -106,34 +106,37 @@ def check(
         if several:
             raise InputError(
                 "A picture shows a single curve, but the file has {count}. Choose a curve with --curve.",
-                count=len(asked),
+                count=len(requested),
             )
-        _draw(request.examined(asked[0])[2], picture, force=force)
+        _draw(request.examined(requested[0])[2], picture, force=force)
     for rows, alike in groupby(
-        ((one, request.judged(one)) for one in asked), key=lambda pair: _rows(pair[1])
+        ((drawn, request.judged(drawn)) for drawn in requested),
+        key=lambda pair: _rows(pair[1]),
     ):
-        curves, found = zip(*alike, strict=True)
-        one, last, answered = curves[0], curves[-1], found[-1]
+        curves, reports = zip(*alike, strict=True)
+        first, last, answered = curves[0], curves[-1], reports[-1]
         good = answered["realizable"] and not answered.get("undecided")
         if "problem" in answered:
             bad += len(curves)
-            warn(answered["advice"], told=bad <= MOST_REFUSALS)
+            warn(answered["advice"], printed=bad <= MOST_REFUSALS)
         else:
-            if max(one.count, len(asked)) > 1:
-                which = one.drawn.called if one is last else f"{one.drawn.called} to {last.drawn.called}"
-                say(f"{curve.name}, {which} of {one.count}:")
+            if max(first.count, len(requested)) > 1:
+                which = (
+                    first.drawn.called if first is last else f"{first.drawn.called} to {last.drawn.called}"
+                )
+                say(f"{curve.name}, {which} of {first.count}:")
             for row in rows:
                 say_row(row, is_answer=True)
         if not (answered["realizable"] or several or voice().quiet):
-            suggestion = request.suggestion(one)
+            suggestion = request.suggestion(first)
             if suggestion:
                 answered |= {"suggestion": suggestion}
                 say_row(Row("Change", suggestion))
         worst = max(worst, 0 if good else BAD_INPUT if "problem" in answered else NOT_REALIZABLE)
-        answers.extend(found)
+        answers.extend(reports)
     if bad > MOST_REFUSALS:
-        warn(f"{bad} of {len(asked)} curves are not open and smooth{first_told(bad)}.")
-    answer([one | {"notes": [*of_file, *one.get("notes", ())]} for one in answers])
+        warn(f"{bad} of {len(requested)} curves are not open and smooth{listing_note(bad)}.")
+    answer([report | {"notes": [*of_file, *report.get("notes", ())]} for report in answers])
     if worst:
         ctx.exit(worst)
 
@@ -155,17 +158,17 @@ class _Request:
     smooth: float | None
     alone: bool
 
-    def examined(self, asked: RequestedCurve) -> tuple[StraightEnds, Smoothing, EquilibriumCheck]:
+    def examined(self, requested: RequestedCurve) -> tuple[StraightEnds, Smoothing, EquilibriumCheck]:
         """Return the check of the bent part of a curve, with the straight ends and the smoothing before it."""
         supports, rest, smooth = self.supports, self.natural_curvature, self.smooth
-        ends = StraightEnds.of(asked.bendable(smooth), supports, rest)
+        ends = StraightEnds.of(requested.bendable(smooth), supports, rest)
         spec = RodSpec(ends.bent, supports=supports, natural_curvature=rest, smooth=smooth)
         return ends, spec.smoothing, spec.check
 
-    def judged(self, asked: RequestedCurve) -> dict[str, Any]:
+    def judged(self, requested: RequestedCurve) -> dict[str, Any]:
         """Return the report on a curve; one of several curves may also be a curve that is not open and smooth."""
         try:
-            return self._report(asked)
+            return self._report(requested)
         except ElasticaError as problem:
             if not self.alone:
                 return {
@@ -173,29 +176,30 @@ class _Request:
                     "problem": str(problem),
                     "advice": f"{str(problem).rstrip('.')}.",
                 }
-            if not asked.drawn.problem:
-                suggest_later(partial(self.suggestion, asked))
+            if not requested.drawn.problem:
+                suggest_later(partial(self.suggestion, requested))
             raise
 
-    def _report(self, asked: RequestedCurve) -> dict[str, Any]:
-        ends, smoothing, found = self.examined(asked)
-        outcome = self._smoothed(asked, found)
-        told = report_check(found)
-        told["advice"] = " ".join([*outcome, told["advice"]])
-        of_curve = (one for one in smoothing.notes if one not in smoothing.noise)  # which the check reports
-        told["notes"] = [*outcome, *([ends.message] if ends else []), *of_curve]
-        if found.realizable and self.alone:
-            told |= _told_sheets(smoothing.curve, self.supports, self.natural_curvature)
-        return told
+    def _report(self, requested: RequestedCurve) -> dict[str, Any]:
+        ends, smoothing, verdict = self.examined(requested)
+        outcome = self._smoothed(requested, verdict)
+        report = report_check(verdict)
+        report["advice"] = " ".join([*outcome, report["advice"]])
+        # the check reports the noise
+        of_curve = (message for message in smoothing.notes if message not in smoothing.noise)
+        report["notes"] = [*outcome, *([ends.message] if ends else []), *of_curve]
+        if verdict.realizable and self.alone:
+            report |= _fitting_sheets(smoothing.curve, self.supports, self.natural_curvature)
+        return report
 
-    def _smoothed(self, asked: RequestedCurve, found: EquilibriumCheck) -> tuple[Refusal, ...]:
+    def _smoothed(self, requested: RequestedCurve, verdict: EquilibriumCheck) -> tuple[Refusal, ...]:
         """Return a note whether noisy points of an impossible curve give a possible curve after smoothing."""
-        points = measured_points(found.curve)
-        if found.realizable or points is None or points.outlier:
+        points = measured_points(verdict.curve)
+        if verdict.realizable or points is None or points.outlier:
             return ()
         fair = False
         with suppress(ElasticaError):
-            fair = replace(self, smooth=points.reach).examined(asked)[2].realizable
+            fair = replace(self, smooth=points.reach).examined(requested)[2].realizable
         return (note(
             ("No strip can take this curve with its points as they are. If it is smoothed within {reach}, a "
              "strip can.") if fair else
@@ -203,7 +207,7 @@ class _Request:
             reach=Length(points.reach),
         ),)  # fmt: skip
 
-    def suggestion(self, asked: RequestedCurve, problem: ElasticaError | None = None) -> str:
+    def suggestion(self, requested: RequestedCurve, problem: ElasticaError | None = None) -> str:
         """Return the command `elastica strip` for the strip of a common sheet that is nearest to the curve."""
         if self.natural_curvature or self.smooth is not None or Path("out").exists():
             return ""
@@ -211,20 +215,24 @@ class _Request:
         from elastica_cad.cli.strip_options import option_words
         from elastica_cad.strip.strip_spec import StripSpec
 
-        curve = asked.curve
+        curve = requested.curve
         width = float(np.clip(round(curve.length / 12), *WIDTHS_MM))
         changes = changes_of(curve) if problem is None else problem.refusal.changes
-        candidates = product(TRIED_SHEETS, (one for one in changes if one.field in ("nearest", "smooth")))
+        candidates = product(
+            TRIED_SHEETS, (change for change in changes if change.field in ("nearest", "smooth"))
+        )
 
         def requests(sheet: str, change: Change) -> Sequence[StripSpec]:
             spec = StripSpec(curve, sheet, max_width=width, supports=self.supports)
             return changed_requests(spec, change)
 
-        def told(sheet: str, change: Change) -> str:
+        def typed(sheet: str, change: Change) -> str:
             words = ("--sheet", sheet, "--max-width", typed_length(width), *option_words(change), "-o", "out")
             return f"`{typed_line(*words, instead='strip')}`"
 
-        return first_that_holds((told(*one), partial(requests, *one)) for one in candidates)
+        return first_that_holds(
+            (typed(*candidate), partial(requests, *candidate)) for candidate in candidates
+        )
 
 
 def _rows(report: dict[str, Any]) -> list[Row]:
@@ -269,21 +277,21 @@ def _some(names: Sequence[str]) -> str:
     return f"{', '.join(names[:MOST_SHEETS])}{f' and {more} others (-v)' if more > 0 else ''}"
 
 
-def _draw(found: EquilibriumCheck, path: Path, *, force: bool) -> None:
+def _draw(verdict: EquilibriumCheck, path: Path, *, force: bool) -> None:
     """Write the picture of a check."""
     from elastica_cad.plot.canvas import save_figure
     from elastica_cad.plot.check_picture import check as draw_check
 
-    save_figure(draw_check(found), path, force=force)
+    save_figure(draw_check(verdict), path, force=force)
     wrote([path])
 
 
-def _told_sheets(
+def _fitting_sheets(
     curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature
 ) -> dict[str, Any]:
     """Return the least stiffness ratio, and the sheets that bend to the curve at this or a larger size."""
     ratio = optimal_rod(curve, supports=supports, natural_curvature=natural_curvature).ratio
     known = sheets_for_curve(curve, natural_curvature)
-    sheets = [{"name": one.sheet.name, "scale": round_numbers(one.scale)} for one in known]
+    sheets = [{"name": sheet.sheet.name, "scale": round_numbers(sheet.scale)} for sheet in known]
     advice = [_widths_row(ratio).text, _sheets_row(sheets).text]
     return {"ratio": round_numbers(ratio), "sheets": sheets, "advice_on_sheets": advice}

@@ -70,8 +70,8 @@ EXIT_CODES: dict[type[ElasticaError], tuple[str, int]] = {
 """Beginning of an error message and exit code by class of error; the first match counts."""
 
 
-def _tell_version(ctx: click.Context, _: click.Parameter, asked: bool) -> None:
-    if not asked:
+def _print_version(ctx: click.Context, _: click.Parameter, is_wanted: bool) -> None:
+    if not is_wanted:
         return
     echo(f"elastica, version {installed_version('elastica-cad') or 'from a checkout'}")
     ctx.exit()
@@ -140,16 +140,16 @@ class _Sentences(click.Group):
         except click.NoSuchOption as problem:
             raise click.UsageError(_instead_of(problem), problem.ctx) from problem
         except click.MissingParameter as problem:
-            if asked := _what_to_give(problem.param):
-                said = problem.format_message().rstrip(".")
-                raise click.UsageError(f"{said}: {asked}.", problem.ctx) from problem
+            if needed := _what_to_give(problem.param):
+                message = problem.format_message().rstrip(".")
+                raise click.UsageError(f"{message}: {needed}.", problem.ctx) from problem
             raise
 
 
 def _spelled(path: str) -> str:
     """Return the option of the running command that sets a field; the field's key where there is none."""
     context, typed = click.get_current_context(), option_name(path.rpartition(".")[2])
-    if any(typed in one.opts for one in context.command.params):
+    if any(typed in parameter.opts for parameter in context.command.params):
         return typed
     if context.info_name != "strip":
         return path
@@ -184,10 +184,14 @@ def _instead_of(problem: click.NoSuchOption) -> str:
     context = problem.ctx
     if (new := ALIKE.get(name)) is not None:
         typed_new = option_name(new)
-        if context is not None and any(typed_new in one.opts for one in context.command.params):
+        if context is not None and any(typed_new in parameter.opts for parameter in context.command.params):
             return f"{typed} is called {typed_new}"
         name = new
-    records = [] if context is None else [getattr(one.type, "record", None) for one in context.command.params]
+    records = (
+        []
+        if context is None
+        else [getattr(parameter.type, "record", None) for parameter in context.command.params]
+    )
     for record in filter(None, records):
         from elastica_cad.cli.settings import DEEPEST
         from elastica_cad.design.records import near_path, paths_of
@@ -211,7 +215,7 @@ def _what_to_give(param: click.Parameter | None) -> str:
     commands=_OnDemand(),
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
-@click.option("--version", is_flag=True, is_eager=True, expose_value=False, callback=_tell_version,
+@click.option("--version", is_flag=True, is_eager=True, expose_value=False, callback=_print_version,
               help="Show the version and exit.")  # fmt: skip
 @click.option("-q", "--quiet", is_flag=True, help="Print errors only.")
 @click.option("--units", type=click.Choice(list(UNITS)), default="mm", show_default=True,
@@ -250,16 +254,17 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
         _speaking("-v", "--verbose", help="Print every step with its seconds, and all notes."),
     ]  # fmt: skip
     reads = any(
-        isinstance(one, click.Argument) and isinstance(one.type, click.Path) for one in command.params
+        isinstance(parameter, click.Argument) and isinstance(parameter.type, click.Path)
+        for parameter in command.params
     )
 
     def behind(**chosen: Any) -> None:
-        asked = click.get_current_context().find_root().params
-        watched = bool(asked.get("watch"))
-        voice().quiet = bool(asked.get("quiet"))
+        root_options = click.get_current_context().find_root().params
+        watched = bool(root_options.get("watch"))
+        voice().quiet = bool(root_options.get("quiet"))
         if watched and not reads:
             raise InputError("--watch applies only to commands that read files. Leave out --watch.")
-        in_mm = [] if asked.get("units", "mm") == "mm" else _told_in_mm()
+        in_mm = [] if root_options.get("units", "mm") == "mm" else _notes_on_mm()
         _check_numbers(chosen, huge=huge)
         if not watched:
             _once(run, chosen, in_mm)
@@ -306,8 +311,8 @@ def _check_numbers(chosen: Mapping[str, Any], *, huge: bool) -> None:
 def _numbers(value: Any) -> Iterator[float]:
     """Yield the numbers in nested tuples; integers too large for a float become 1e300."""
     if isinstance(value, tuple | list):
-        for one in value:
-            yield from _numbers(one)
+        for item in value:
+            yield from _numbers(item)
     elif isinstance(value, float | int) and not isinstance(value, bool):
         yield float(value) if isinstance(value, float) or abs(value) < 10**300 else 1e300
 
@@ -315,23 +320,23 @@ def _numbers(value: Any) -> Iterator[float]:
 def _speaking(*names: str, help: str) -> click.Option:
     """Return an option for the output of the command, which sets the voice before other options are processed."""
 
-    def tell(_: click.Context, param: click.Parameter, value: bool) -> None:
+    def set_voice(_: click.Context, param: click.Parameter, value: bool) -> None:
         if value:
             setattr(voice(), str(param.name), True)
 
     return click.Option(
-        list(names), is_flag=True, is_eager=True, expose_value=False, callback=tell, help=help
+        list(names), is_flag=True, is_eager=True, expose_value=False, callback=set_voice, help=help
     )
 
 
-def _told_in_mm() -> list[str]:
+def _notes_on_mm() -> list[str]:
     """Return sentences on the given options that `--units` does not change."""
     context = click.get_current_context()
     sentences = {
         MM_IN_KEYS: 'lengths are in mm, as in design files, and not in --units; 5 inches are "5*inch"',
         PER_MM: "the value is in 1/mm, not in --units; 1/inch is 0.03937",
     }
-    told = []
+    sentences_in_mm = []
     for names, sentence in sentences.items():
         typed = [
             option.opts[0]
@@ -339,15 +344,15 @@ def _told_in_mm() -> list[str]:
             if option.name in names
             and context.get_parameter_source(option.name) is click.core.ParameterSource.COMMANDLINE
         ]
-        told += [f"Note: {' and '.join(typed)}: {sentence}"] if typed else []
-    return told
+        sentences_in_mm += [f"Note: {' and '.join(typed)}: {sentence}"] if typed else []
+    return sentences_in_mm
 
 
 def _once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
     """Run the command, and print its record at the end with any exit code."""
     voice().begin()
-    for told in in_mm:
-        warn(told)
+    for sentence in in_mm:
+        warn(sentence)
     working = progress_shown if voice().command != "studio" else nullcontext
     try:
         with working():
@@ -366,9 +371,9 @@ def _refuse(problem: ElasticaError) -> int:
     """Print an error and a suggestion, and return the exit code."""
     if (process := click.get_current_context().find_object(DrawingProcess)) is not None:
         process.end()
-    begins, code = next((told for kind, told in EXIT_CODES.items() if isinstance(problem, kind)))
+    begins, code = next((row for kind, row in EXIT_CODES.items() if isinstance(problem, kind)))
     text, option = f"{begins}{problem}", problem.refusal.where.get("option", "")
-    unnamed = [one for one in option.split(", ") if one and one not in text]
+    unnamed = [name for name in option.split(", ") if name and name not in text]
     text += f" ({', '.join(unnamed)})" if unnamed else ""
     voice().refuse(text, problem, code, partial(suggestion_below, problem))
     return code

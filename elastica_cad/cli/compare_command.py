@@ -27,10 +27,10 @@ def compare(report: Path, measured: Path | None, force: bool) -> None:
     """
     measuring = read_measuring(report)
     if measured is not None:
-        said = measuring.compare(read_readings(measured))
-        for sentence in said:
+        messages = measuring.compare(read_readings(measured))
+        for sentence in messages:
             say(sentence)
-        answer({"expected": dict(measuring.expected), "said": [str(one) for one in said]})
+        answer({"expected": dict(measuring.expected), "said": [str(message) for message in messages]})
         return
     name = report.stem
     files = (

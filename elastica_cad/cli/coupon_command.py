@@ -112,8 +112,8 @@ _GRAIN = {"along": "along its grain", "across": "across its grain", "none": "wit
 
 def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Calibration) -> None:
     """Warn of two measurements that differ by more than their errors explain."""
-    found = sorted(zip(result.readings, result.reading_uncertainties, measured, strict=True))
-    (low, low_error, near), (high, high_error, far) = found[0], found[-1]
+    readings = sorted(zip(result.readings, result.reading_uncertainties, measured, strict=True))
+    (low, low_error, near), (high, high_error, far) = readings[0], readings[-1]
     if high - low > max(SIGMAS * hypot(low_error, high_error), LEAST_CONTRADICTION * low):
         _warn_row(
             "Readings",
@@ -145,10 +145,10 @@ def _known(chosen: dict[str, Any]) -> Sheet:
             youngs_modulus=GUESSED_MPA,
             max_strain=GUESSED_STRAIN,
         )
-    found = Sheet.named(chosen["sheet"])
+    sheet = Sheet.named(chosen["sheet"])
     if thickness is not None:  # it is still that material, by its name
-        found = replace(found.with_thickness(thickness), name=found.name)
-    return found if density is None else replace(found, density=density, density_range=None)
+        sheet = replace(sheet.with_thickness(thickness), name=sheet.name)
+    return sheet if density is None else replace(sheet, density=density, density_range=None)
 
 
 def _kept() -> Path:
@@ -183,10 +183,10 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
     limit: dict[str, Any] = (
         {"max_strain": sheet.max_strain} if least_radius is None else {"least_radius": least_radius}
     )
-    found = _as_readings_tell(result.sheet(name, **limit, **own))
-    file = File(f"{name}.toml", lambda path: write_text(path, found.toml()))
+    measured_sheet = _with_readings(result.sheet(name, **limit, **own))
+    file = File(f"{name}.toml", lambda path: write_text(path, measured_sheet.toml()))
     (written,) = write_files([file], output, force=chosen["force"])
-    answer({"sheet": found, "measured": result})
+    answer({"sheet": measured_sheet, "measured": result})
     for line in str(result).split("\n"):
         say_row(Row("Measured", line))
     _warn_of_contradiction(measured, result)
@@ -196,7 +196,7 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
             f"A droop of {least:g} mm is too small for an accurate stiffness. Let more of the coupon hang, until "
             f"it droops at least {LEAST_DROOP_MM:g} mm.",
         )
-    if listed and least_radius is None and found.grain != sheet.grain:
+    if listed and least_radius is None and measured_sheet.grain != sheet.grain:
         _warn_row(
             "Strain",
             f"The largest strain, {100 * sheet.max_strain:.2g} %, is from {sheet.name}, which is bent "
@@ -212,7 +212,7 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
             "and add --least-radius MM.",
         )
     say("")
-    say(found.toml())
+    say(measured_sheet.toml())
     wrote([written])
     known_as = name if output in library_folders() else written
     say_row(Row("Next", f"use the sheet in any command: --sheet {quote_words([str(known_as)])}"))
@@ -222,7 +222,7 @@ def _warn_row(label: str, text: str) -> None:
     say_row(Row(label, text, severity="warning"))
 
 
-def _as_readings_tell(sheet: Sheet) -> Sheet:
+def _with_readings(sheet: Sheet) -> Sheet:
     """Return the sheet with its modulus rounded to six digits, more than readings can determine."""
     given = (sheet.youngs_modulus, *(sheet.youngs_modulus_range or ()))
     E, *limits = (float(f"{modulus:.6g}") for modulus in given)

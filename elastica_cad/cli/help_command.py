@@ -15,7 +15,7 @@ from elastica_cad.design.records import help_with_unit, paths_of, require_path_o
 def _completed(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
     """Keys of a strip and of a design file that begin as typed, for shells."""
     known = {**paths_of(DesignKeys), **paths_of(CommandKeys)}
-    return [one for one in known if one.startswith(typed)]
+    return [path for path in known if path.startswith(typed)]
 
 
 @click.command("help")
@@ -40,9 +40,9 @@ def _in_words(kind: Kind) -> str:
     """
     kind = written(kind)
     if kind.name == "either":
-        return ", or ".join(dict.fromkeys(_in_words(one) for one in kind.of))
+        return ", or ".join(dict.fromkeys(_in_words(alternative) for alternative in kind.of))
     if kind.name == "choice":
-        return " or ".join(str(one) for one in kind.choices)
+        return " or ".join(str(choice) for choice in kind.choices)
     if kind.name == "table":
         assert kind.record is not None
         return f"table {title(kind.record)}"
@@ -76,7 +76,7 @@ def _explained(path: str, option: str) -> str:
         )
     elif field.default is REQUIRED:
         lines.append("Required.")
-    inner = [one.rpartition(".")[2] for one in paths_of(record) if one.rpartition(".")[0] == path]
+    inner = [key.rpartition(".")[2] for key in paths_of(record) if key.rpartition(".")[0] == path]
     if inner:
         lines.append(f"Keys below it: {', '.join(inner)}.")
     typed = f"{option}=VALUE" if option.startswith("--set") else option

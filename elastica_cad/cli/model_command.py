@@ -89,7 +89,7 @@ def model(
     """
     changes = parsed_settings(settings, DesignKeys)
     say_step("reading the design")
-    read = read_design(design, _read_told, read_surface, below=below, changes=changes)
+    read = read_design(design, _read_with_note, read_surface, below=below, changes=changes)
     if read.kit.cutting.service and not parts:
         raise InputError("--no-parts leaves nothing to cut because cut.for is service. Leave out --no-parts.")
     read = read.nearest() if nearest else read
@@ -118,26 +118,28 @@ KEYS = {"nearest": "limits = {{}}", "lap": "shop = {{ lap = {value:g} }}"}
 
 def _suggestion(design: Design, problem: ElasticaError) -> str:
     """Return the command line that makes the rejected strip by itself."""
-    asked = [one for one in design.entries if one.called == problem.refusal.where.get("strip")]
-    if len(asked) != 1:
+    entries = [named for named in design.entries if named.called == problem.refusal.where.get("strip")]
+    if len(entries) != 1:
         return ""
-    (entry,) = asked
+    (entry,) = entries
 
-    def told(change: Change) -> str:
+    def line_of(change: Change) -> str:
         line = KEYS.get(change.field, "{field} = {value:g}").format(field=change.field, value=change.value)
         return f"`{line}` in the table of strip {entry.called}"
 
     tried = ("nearest", "lap", "max_width", "smooth", "thickness")
-    found = (change for change in problem.refusal.changes if change.field in tried)
-    return first_that_holds((told(change), partial(changed_requests, entry.spec, change)) for change in found)
+    changes = (change for change in problem.refusal.changes if change.field in tried)
+    return first_that_holds(
+        (line_of(change), partial(changed_requests, entry.spec, change)) for change in changes
+    )
 
 
-def _read_told(path: Path, *, unit: str | None = None) -> CurveList:
+def _read_with_note(path: Path, *, unit: str | None = None) -> CurveList:
     """Read the curves of a file, and print a note if their size is doubtful."""
     curves = read_curves(path, unit=unit)
-    told = f"{path.name}: {curves.file.unit.note}"
-    if curves.file.unit.note and told not in voice().notes:  # a file may have many strips
-        warn(told)
+    message = f"{path.name}: {curves.file.unit.note}"
+    if curves.file.unit.note and message not in voice().notes:  # a file may have many strips
+        warn(message)
     return curves
 
 

@@ -43,8 +43,8 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         if value in self.words:
             return value
         plain = UNITS[(ctx.find_root().params.get("units") if ctx else None) or "mm"]
-        found = re.fullmatch(r"\s*([-+.\deE/ ]+?)\s*([a-z]+|\")\s*", value)
-        number, scale = (value, plain) if found is None else (found[1], _NAMED.get(found[2], 0.0))
+        match = re.fullmatch(r"\s*([-+.\deE/ ]+?)\s*([a-z]+|\")\s*", value)
+        number, scale = (value, plain) if match is None else (match[1], _NAMED.get(match[2], 0.0))
         try:
             length = scale * read_number(number)
         except ValueError:
@@ -86,8 +86,8 @@ def option_of(
     switch : bool
         True for a flag that can only be switched on.
     """
-    told = f"  [default: {default}]" if default else ""
-    typed, help = option_name(name or field.name), f"{field.help.rstrip('.')}.{told}"
+    default_text = f"  [default: {default}]" if default else ""
+    typed, help = option_name(name or field.name), f"{field.help.rstrip('.')}.{default_text}"
     if switch or field.kind.name == "flag":
         words = typed if switch else f"{typed}/--no-{typed[2:]}"
         return click.option(words, is_flag=True, default=None, help=help)
@@ -100,8 +100,8 @@ def _typed_as(field: Field) -> tuple[Any, str | None]:
     from elastica_cad.design.records import written  # imports all records
 
     kinds = written(field.kind).alternatives
-    words = tuple(word for one in kinds for word in one.choices)
-    if any(one.name == "number" for one in kinds):
+    words = tuple(word for alternative in kinds for word in alternative.choices)
+    if any(alternative.name == "number" for alternative in kinds):
         if field.option.unit != "mm":
             return float, "NUMBER"
         return (Length(words=words), "|".join(("MM", *words))) if words else (LENGTH, "MM")

@@ -46,8 +46,8 @@ class PairKeys:
     cut: Annotated[Cutting, Option("Settings of cutting files.", group="files")] = DEFAULT_CUTTING
 
 
-_WISHED = [one for one in declared(FlexureSpec) if one.option.common and one.name != "sheet"]
-(_KERF,) = (one for one in declared(Cutting) if one.name == "kerf")
+_COMMON_OPTIONS = [entry for entry in declared(FlexureSpec) if entry.option.common and entry.name != "sheet"]
+(_KERF,) = (entry for entry in declared(Cutting) if entry.name == "kerf")
 
 _WISHES = (
     click.option("--first", "first_curve", metavar="N|ID", help=("Curve of FIRST, if the file has several: "
@@ -56,7 +56,7 @@ _WISHES = (
                                                                    "FIRST: number or id.")),
     unit_option,
     sheet_options(required=False, use="Material, whose thickness is the depth of the part"),
-    *(option_of(one, default=one.default if one.kind.name == "choice" else "") for one in _WISHED),
+    *(option_of(entry, default=entry.default if entry.kind.name == "choice" else "") for entry in _COMMON_OPTIONS),
     click.option("--ratio", type=float, help="Largest stiffness ratio; 8 is a ratio of 2 in thickness."),
     click.option("--name", help="Name of the files  [default: as FIRST]."),
     option_of(_KERF, default=f"{KERF:g}"),
@@ -87,7 +87,7 @@ def pair(**chosen: Any) -> None:
             )
         spec, cutting = read_pair(path, read_curves, settings), read_cutting(path, cut)
     else:
-        spec, cutting = _asked(chosen, settings), cutting_of({"cut": cut})
+        spec, cutting = _spec_of(chosen, settings), cutting_of({"cut": cut})
     name = chosen["name"] or path.stem
     cutting.options(Sheet.of(spec.sheet))  # refuses a kerf that is not known before all the work
     if matched := spec.matched:
@@ -103,10 +103,10 @@ def pair(**chosen: Any) -> None:
     wrote(written)
 
 
-def _asked(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:
+def _spec_of(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:
     if chosen["sheet"] is None:
         raise InputError("The sheet is missing. Run elastica pair FIRST SECOND --sheet NAME.")
-    table = given_of(chosen, (one.name for one in _WISHED))
+    table = given_of(chosen, (entry.name for entry in _COMMON_OPTIONS))
     table |= {} if chosen["ratio"] is None else {"limits": {"ratio": chosen["ratio"]}}
     given = Reader().given(PairKeys, Table(with_settings(table, settings), "", {}))
     return FlexureSpec(*_curves(chosen), requested_sheet(chosen), **given)
@@ -126,12 +126,12 @@ def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
             )
         return drawn[0].bendable(None), drawn[1].bendable(None)
 
-    def one(file: Path, which: str) -> PlaneCurve:
+    def curve_of(file: Path, which: str) -> PlaneCurve:
         how = f"--{which} 1 .. --{which} {{count}}, or --{which} ID"
-        (asked,) = requested_curves(file, unit, chosen[f"{which}_curve"], None, corners=False, how=how)
-        return asked.bendable(None)
+        (requested,) = requested_curves(file, unit, chosen[f"{which}_curve"], None, corners=False, how=how)
+        return requested.bendable(None)
 
-    return one(path, "first"), one(chosen["second"] or path, "second")
+    return curve_of(path, "first"), curve_of(chosen["second"] or path, "second")
 
 
 def _report(made: MadePair) -> None:

@@ -213,26 +213,26 @@ def requested_curves(
     """
     drawing = drawn_curves(path, unit, number, layer, how, corners=corners)
     several = every and len(drawing) > 1 and number is None
-    found = drawing.chosen(number, layer) if every else (drawing.one(number, layer, how),)
-    in_files = _names(found)
+    drawn = drawing.chosen(number, layer) if every else (drawing.one(number, layer, how),)
+    in_files = _names(drawn)
     in_drawing = _names(drawing.curves) if len(drawing) > 1 else {}
     return tuple(
         RequestedCurve(
             path,
-            one,
+            piece,
             whole,
             len(drawing),
             _file_stem(
                 path,
                 (in_files[whole.number][0] or str(whole.number)) if every else number,
-                one.piece if one.pieces > 1 else None,
+                piece.piece if piece.pieces > 1 else None,
             ),
-            ("--curve", str(one.number)) if several else (),
+            ("--curve", str(piece.number)) if several else (),
             unit,
             *in_drawing.get(whole.number, ("", False)),
         )
-        for whole in found
-        for one in (whole.split_at_corners() if split else (whole,))
+        for whole in drawn
+        for piece in (whole.split_at_corners() if split else (whole,))
     )
 
 
@@ -270,14 +270,14 @@ def _names(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]]:
 
     A name that several curves have is followed by the number. Curves without a name from a user have an empty name.
     """
-    often = Counter(_word(one.name).casefold() for one in curves)
-    found = {}
-    for one in curves:
-        alone = often[_word(one.name).casefold()] == 1
-        named = re.match(r"_|[^\W\d]", one.name) is not None
-        called = (one.name if alone else f"{one.name}-{one.number}") if named else ""
-        found[one.number] = called, named and alone
-    return found
+    often = Counter(_word(curve.name).casefold() for curve in curves)
+    names = {}
+    for curve in curves:
+        alone = often[_word(curve.name).casefold()] == 1
+        named = re.match(r"_|[^\W\d]", curve.name) is not None
+        called = (curve.name if alone else f"{curve.name}-{curve.number}") if named else ""
+        names[curve.number] = called, named and alone
+    return names
 
 
 def _word(name: str) -> str:
@@ -294,7 +294,7 @@ def _file_stem(path: Path, number: str | None, piece: int | None) -> str:
 END_NAMES = get_args(EndName)
 
 
-def read_curves_told(path: Path, *, unit: str | None = None) -> list[PlaneCurve]:
+def read_curves_with_note(path: Path, *, unit: str | None = None) -> list[PlaneCurve]:
     """Read the only curve of a file, and print a note if its size is doubtful."""
     (drawn,) = requested_curves(path, unit, None, None)
     return [drawn.bendable(None)]
@@ -308,8 +308,8 @@ def natural_curvature_of(value: Any) -> NaturalCurvature:
     from elastica_cad.design.tables import Table
 
     kind, table = kind_of(NaturalCurvature), Table({"natural_curvature": value}, "", {})
-    found: NaturalCurvature = Reader(read_curves=read_curves_told).value(kind, table, "natural_curvature")
-    return found
+    rest: NaturalCurvature = Reader(read_curves=read_curves_with_note).value(kind, table, "natural_curvature")
+    return rest
 
 
 class Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2

@@ -71,26 +71,26 @@ def reshape(
     """
     drawing = drawn_curves(curve, unit, number, layer)
     chosen = drawing.chosen(number, layer)
-    for one in chosen if len(chosen) > 1 else ():
-        if one.problem:
-            text = f"{curve.name}, {one.called} of {len(drawing)} is left out: {one.problem}"
+    for drawn_curve in chosen if len(chosen) > 1 else ():
+        if drawn_curve.problem:
+            text = f"{curve.name}, {drawn_curve.called} of {len(drawing)} is left out: {drawn_curve.problem}"
             say_row(Row("Left out", text, severity="warning"))
-    drawn = [one.curve for one in chosen if not one.problem] or [chosen[0].curve]
+    drawn = [drawn_curve.curve for drawn_curve in chosen if not drawn_curve.problem] or [chosen[0].curve]
     matrix = _map(drawn, handles, {name: place for name, place in corners.items() if place is not None})
-    changed = [one.transformed(matrix) for one in drawn]
+    changed = [drawn_curve.transformed(matrix) for drawn_curve in drawn]
     files = [File(f"{curve.stem}-reshaped.{kind}", partial(_write_curves, changed)) for kind in KINDS]
     written = write_files(files, output, force=force)
-    told = []
+    reports = []
     for count, pair in enumerate(zip(drawn, changed, strict=True), start=1):
         if len(drawn) > 1:
             say(f"curve {count} of {len(drawn)}:")
-        told.append({word: _verdict(one) for word, one in zip(("before", "after"), pair, strict=True)})
-        for word, verdict in told[-1].items():
+        reports.append({word: _verdict(shape) for word, shape in zip(("before", "after"), pair, strict=True)})
+        for word, verdict in reports[-1].items():
             severity: Severity = "note" if verdict["realizable"] else "error"
             say_row(Row(word.capitalize(), _sentence(verdict), severity=severity), is_answer=True)
-    answer({"map": matrix, "curves": told})
+    answer({"map": matrix, "curves": reports})
     wrote(written)
-    bad = [i for i, one in enumerate(told) if not one["after"]["realizable"]]
+    bad = [i for i, report in enumerate(reports) if not report["after"]["realizable"]]
     if bad:
         say_row(Row("Change", NO_MAP, severity="warning"))
     if bad or len(drawn) < len(chosen):
@@ -126,7 +126,7 @@ def _map(
         )
     if len(handles) != 4:
         raise InputError("--handle occurs {count} times. Use it exactly four times.", count=len(handles))
-    return four_point_map([one[:2] for one in handles], [one[2:] for one in handles])
+    return four_point_map([handle[:2] for handle in handles], [handle[2:] for handle in handles])
 
 
 def _verdict(curve: PlaneCurve) -> dict[str, Any]:

@@ -148,8 +148,8 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
     for number, curve in enumerate(curves, start=1):
         say_step(f"judged {curve.name}", number, len(curves))
         verdicts.append(_verdict(curve))
-    for one in verdicts:
-        say_row(Row(one["name"], _sentence(one)))
+    for section in verdicts:
+        say_row(Row(section["name"], _sentence(section)))
     for text in reports:
         say_row(Row("Note", f"{text}{_option_for(text, chosen)}", severity="warning"))
     answer({"sections": verdicts})
@@ -214,7 +214,7 @@ def _family_named(chosen: dict[str, Any]) -> str:
 
 def _spec(family: str, chosen: dict[str, Any], surface: Surface) -> SectionSpec:
     """Return the request of the options."""
-    splits: list[Split] = [PlaneSplit(one[3:], one[:3]) for one in chosen["splits"]]
+    splits: list[Split] = [PlaneSplit(numbers[3:], numbers[:3]) for numbers in chosen["splits"]]
     splits += [PointSplit(np.array(chosen["split_at"]))] if chosen["split_at"] else []
     if chosen["split_corners"] is not None:
         splits.append(CornerSplit(float(np.radians(chosen["split_corners"]))))
@@ -276,22 +276,24 @@ def _strip_keys(chosen: dict[str, Any], output: Path) -> dict[str, Any]:
 
 def _verdict(curve: SectionCurve) -> dict[str, Any]:
     """Return whether a strip can follow the curve of a section, and if not, why."""
-    told: dict[str, Any] = {
+    verdict: dict[str, Any] = {
         "name": curve.name, "length": curve.curve.length, "deviation": curve.deviation, "realizable": False,
         "ratio": None, "problem": None,
     }  # fmt: skip
     try:
         check = check_equilibrium(curve.curve)
         if check.realizable:
-            return told | {"realizable": True, "ratio": optimal_rod(curve.curve, check=check).ratio}
+            return verdict | {"realizable": True, "ratio": optimal_rod(curve.curve, check=check).ratio}
     except (InputError, NotConvergedError) as problem:
-        return told | {"problem": f"no strip: {problem}"}
-    return told | {"problem": f"no strip can take it: {check.reasons[0]}"}
+        return verdict | {"problem": f"no strip: {problem}"}
+    return verdict | {"problem": f"no strip can take it: {check.reasons[0]}"}
 
 
-def _sentence(told: dict[str, Any]) -> str:
-    verdict = told["problem"] or f"a strip can take it, stiffness ratio {told['ratio']:.4g}"
-    return f"{told['length']:.2f} mm long, {told['deviation']:.2g} mm from the section at most; {verdict}"
+def _sentence(section: dict[str, Any]) -> str:
+    verdict = section["problem"] or f"a strip can take it, stiffness ratio {section['ratio']:.4g}"
+    return (
+        f"{section['length']:.2f} mm long, {section['deviation']:.2g} mm from the section at most; {verdict}"
+    )
 
 
 def _side_by_side(curves: Sequence[PlaneCurve]) -> list[PlaneCurve]:

@@ -153,10 +153,10 @@ def set_option(record: Record) -> Callable[[F], F]:
 
 def _values(kind: Kind) -> list[str]:
     """Words that a value may be."""
-    found = list(kind.choices)
-    for one in written(kind).alternatives:
-        found += ["true", "false"] if one.name == "flag" else [] if one == kind else _values(one)
-    return found
+    words = list(kind.choices)
+    for part in written(kind).alternatives:
+        words += ["true", "false"] if part.name == "flag" else [] if part == kind else _values(part)
+    return words
 
 
 DEEPEST = 1

@@ -26,19 +26,19 @@ def sheets(name: str | None) -> None:
     if name is None:
         answer({"sheets": [Sheet.named(known) for known in sheet_names()]})
         groups = sheets_by_kind()
-        every = [one for of_kind in groups.values() for one in of_kind]
-        wide, broad = (max(len(getattr(one, text)) for one in every) for text in ("full_name", "name"))
+        every = [sheet for of_kind in groups.values() for sheet in of_kind]
+        wide, broad = (max(len(getattr(sheet, text)) for sheet in every) for text in ("full_name", "name"))
         say(
             f"{'sheet':{wide}} {'name':{broad}} {'E MPa':>8} {'kg/m3':>6} {'strain %':>8} "
             f"{'radius mm':>9} {'kerf':>5}"
         )
         for title, of_kind in groups.items():
             say(f"\n{title}")
-            for one in of_kind:
-                kerf = f"{one.kerf:.2f}" if one.kerf else "-"
+            for sheet in of_kind:
+                kerf = f"{sheet.kerf:.2f}" if sheet.kerf else "-"
                 say(
-                    f"{one.full_name:{wide}} {one.name:{broad}} {one.youngs_modulus:8.0f} {one.density:6.0f} "
-                    f"{100 * one.max_strain:8.2f} {one.least_radius:9.1f} {kerf:>5}"
+                    f"{sheet.full_name:{wide}} {sheet.name:{broad}} {sheet.youngs_modulus:8.0f} "
+                    f"{sheet.density:6.0f} {100 * sheet.max_strain:8.2f} {sheet.least_radius:9.1f} {kerf:>5}"
                 )
         say(
             "\nradius: least advisable bending radius; kerf -: not known. All properties: elastica sheets NAME"
@@ -47,24 +47,24 @@ def sheets(name: str | None) -> None:
         for problem in library_sheets()[1]:
             warn(f"Note: {problem}")
         return
-    one = Sheet.named(name)
-    answer({"sheets": [one]})
+    sheet = Sheet.named(name)
+    answer({"sheets": [sheet]})
     rows = {
-        "thickness": f"{one.thickness:g} mm",
-        "Young's modulus": f"{one.youngs_modulus:g} MPa",
-        "Poisson's ratio": f"{one.poisson_ratio:g}" + ("" if one.poisson_known else ", nominal"),
-        "shear modulus": f"{one.shear_ratio * one.youngs_modulus:.4g} MPa"
-        + ("" if one.shear_modulus else ", as without grain"),
-        "density": f"{one.density:g} kg/m3",
-        "largest strain": f"{100 * one.max_strain:.3g} %",
-        "least radius": f"{one.least_radius:.4g} mm",
-        **_published(one),
-        "kerf": f"{one.kerf:g} mm" if one.kerf else "not known: cut a coupon",
-        "grain": str(one.grain),
-        "elasto-gravity length": f"{one.elasto_gravity_length:.4g} mm",
-        "source": one.source,
+        "thickness": f"{sheet.thickness:g} mm",
+        "Young's modulus": f"{sheet.youngs_modulus:g} MPa",
+        "Poisson's ratio": f"{sheet.poisson_ratio:g}" + ("" if sheet.poisson_known else ", nominal"),
+        "shear modulus": f"{sheet.shear_ratio * sheet.youngs_modulus:.4g} MPa"
+        + ("" if sheet.shear_modulus else ", as without grain"),
+        "density": f"{sheet.density:g} kg/m3",
+        "largest strain": f"{100 * sheet.max_strain:.3g} %",
+        "least radius": f"{sheet.least_radius:.4g} mm",
+        **_published(sheet),
+        "kerf": f"{sheet.kerf:g} mm" if sheet.kerf else "not known: cut a coupon",
+        "grain": str(sheet.grain),
+        "elasto-gravity length": f"{sheet.elasto_gravity_length:.4g} mm",
+        "source": sheet.source,
     }
-    say(one.full_name if one.full_name == one.name else f"{one.full_name} ({one.name})")
+    say(sheet.full_name if sheet.full_name == sheet.name else f"{sheet.full_name} ({sheet.name})")
     for label, text in rows.items():
         say(f"  {label:22} {text}")
 
@@ -74,5 +74,5 @@ def _published(sheet: Sheet) -> dict[str, str]:
     along, across = (least_plywood_radius(sheet.thickness, way) for way in ("along", "across"))
     if sheet.kind != "plywood" or along is None or across is None:
         return {}
-    told = f"{along:.3g} mm along the face grain, {across:.3g} mm across it ({PLYWOOD_SOURCE})"
-    return {"published radius": told}
+    radii = f"{along:.3g} mm along the face grain, {across:.3g} mm across it ({PLYWOOD_SOURCE})"
+    return {"published radius": radii}

@@ -19,7 +19,7 @@ from elastica_cad.cli.suggestions import (
     Candidate,
     changed_requests,
     first_that_holds,
-    first_told,
+    listing_note,
     suggest_later,
     typed_line,
 )
@@ -71,7 +71,7 @@ def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:
     """Return the files that the options select."""
     reader, below = Reader(), Table({"cut": {}, "files": {}, **table}, "", {})
     cutting, more = (
-        reader.value(kind_of(one), below, key) for key, one in (("cut", Cutting), ("files", FileKeys))
+        reader.value(kind_of(record), below, key) for key, record in (("cut", Cutting), ("files", FileKeys))
     )
     return StripFiles(cutting, more.paper, more.glb, chosen["step"], chosen["pictures"])
 
@@ -84,8 +84,8 @@ class _Grouped(click.Command):
         for group, parameters in grouped(self.get_params(ctx)).items():
             rows = [
                 row
-                for one in parameters
-                if isinstance(one, click.Option) and (row := one.get_help_record(ctx)) is not None
+                for parameter in parameters
+                if isinstance(parameter, click.Option) and (row := parameter.get_help_record(ctx)) is not None
             ]
             if rows:
                 with formatter.section(group.capitalize()):
@@ -126,35 +126,35 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         check_folder(chosen["save_design"].parent, [chosen["save_design"].name], force=chosen["force"])
     reports, made, wrong, refused = [], list[RequestedCurve](), 0, 0
     strict = table.get("files", {}).get("strict", False)
-    for asked in curves:
+    for requested in curves:
         try:
-            spec = spec_from_options(asked.curve, asked.label, table)
+            spec = spec_from_options(requested.curve, requested.label, table)
             if len(curves) == 1:
-                suggest_later(partial(_suggestion, spec, asked, chosen))
-            result = _made(asked, spec)
-            say_step(f"writing the files of {asked.name}")
+                suggest_later(partial(_suggestion, spec, requested, chosen))
+            result = _made(requested, spec)
+            say_step(f"writing the files of {requested.name}")
             kit = result.kit(files)
             places = (chosen["output"] / file.name for file in kit.files)
-            if any(os.path.exists(path) and path.samefile(asked.path) for path in places):
+            if any(os.path.exists(path) and path.samefile(requested.path) for path in places):
                 raise InputError(
                     "{kept} has the drawn curve and is not overwritten. Choose another folder, such as -o out.",
-                    kept=asked.path,
+                    kept=requested.path,
                 )
             process = ctx.find_object(DrawingProcess)
             written = kit.write(chosen["output"], force=chosen["force"], process=process)
             _report(result, written, several=len(curves) > 1)
             reports.append(kit.report)
-            made.append(asked)
+            made.append(requested)
             wrong += strict and not result.strip.strain_verdict.allowed
         except ElasticaError as problem:
-            for outlier in () if asked.drawn.problem else outlier_message(asked.curve):
+            for outlier in () if requested.drawn.problem else outlier_message(requested.curve):
                 if outlier not in str(problem):
                     warn(outlier)
             if len(curves) == 1 and not chosen["every"]:
                 raise
             wrong, refused = wrong + 1, refused + 1
-            called, said = asked.drawn.called, str(problem)
-            warn(said if called in said else f"{called}: {said}", told=refused <= MOST_REFUSALS)
+            called, message = requested.drawn.called, str(problem)
+            warn(message if called in message else f"{called}: {message}", printed=refused <= MOST_REFUSALS)
     answer({"strips": reports})
     if len(curves) > 1 and not voice().verbose:
         say_row(Row("Files", f"{len(voice().files)} in {chosen['output']}"))
@@ -166,7 +166,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         if len(curves) > 1:
             less = f"; {chosen['save_design']} leaves them out" if refused and chosen["save_design"] else ""
             warn(
-                f"{wrong} of {len(curves)} curves have no strip with these options{first_told(refused)}{less}."
+                f"{wrong} of {len(curves)} curves have no strip with these options{listing_note(refused)}{less}."
             )
         ctx.exit(1)
 
@@ -176,36 +176,36 @@ def _save_design(
 ) -> Path:
     """Write the request as a design file, with a table for every curve."""
     shared = {
-        key: one for key, one in table.items() if key not in ("curve", "files", "label", "slots", *PLANE)
+        key: value for key, value in table.items() if key not in ("curve", "files", "label", "slots", *PLANE)
     }
-    own = {key: one for key, one in table.items() if key in ("slots", *PLANE)}
+    own = {key: value for key, value in table.items() if key in ("slots", *PLANE)}
     strips = [
-        {"label": table.get("label", asked.label), "curve": _curve_keys(asked, path.parent), **own}
-        for asked in curves
+        {"label": table.get("label", requested.label), "curve": _curve_keys(requested, path.parent), **own}
+        for requested in curves
     ]
     text = toml_text({"schema": 1, **shared, "strips": strips})
     write_files([File(path.name, lambda file: write_text(file, text))], path.parent, force=force)
     return path
 
 
-def _curve_keys(asked: RequestedCurve, folder: Path) -> dict[str, Any]:
+def _curve_keys(requested: RequestedCurve, folder: Path) -> dict[str, Any]:
     """Return the keys of the curve for a design file in this folder."""
-    unit = {"unit": asked.unit} if asked.unit else {}
-    which: dict[str, Any] = {"id": asked.own} if asked.alone else {"number": asked.drawn.number}
-    return {"file": seen_from(asked.path, folder), **(which if asked.count > 1 else {}), **unit}
+    unit = {"unit": requested.unit} if requested.unit else {}
+    which: dict[str, Any] = {"id": requested.own} if requested.alone else {"number": requested.drawn.number}
+    return {"file": seen_from(requested.path, folder), **(which if requested.count > 1 else {}), **unit}
 
 
-def _made(asked: RequestedCurve, spec: StripSpec) -> StripResult:
+def _made(requested: RequestedCurve, spec: StripSpec) -> StripResult:
     """Return the strip of a curve."""
     say_step("looking for the nearest curve that can be made" if spec.may_change else "finding the widths")
     if not spec.may_change:
-        _ = asked.bendable(spec.smooth)
-    found = solve_rod(spec.rod_spec)
-    return StripResult(spec, found, spec.make(found), asked.name, asked.drawn.joints)
+        _ = requested.bendable(spec.smooth)
+    rod = solve_rod(spec.rod_spec)
+    return StripResult(spec, rod, spec.make(rod), requested.name, requested.drawn.joints)
 
 
 def _suggestion(
-    spec: StripSpec, asked: RequestedCurve, chosen: Mapping[str, Any], problem: ElasticaError
+    spec: StripSpec, requested: RequestedCurve, chosen: Mapping[str, Any], problem: ElasticaError
 ) -> str:
     """Return the command that makes a possible strip with the least change of the request."""
 
@@ -217,11 +217,11 @@ def _suggestion(
             return [spec.changed(curve=piece) for piece in pieces] if apart else []
         return changed_requests(spec, change)
 
-    if outlier_message(spec.curve) or not problem.refusal.changes or _is_taken(asked, chosen):
+    if outlier_message(spec.curve) or not problem.refusal.changes or _is_taken(requested, chosen):
         return ""
-    found = ((change, option_words(change)) for change in problem.refusal.changes)
+    candidates = ((change, option_words(change)) for change in problem.refusal.changes)
     return first_that_holds(
-        ((f"`{typed_line(*words)}`", partial(requests, change)) for change, words in found if words),
+        ((f"`{typed_line(*words)}`", partial(requests, change)) for change, words in candidates if words),
         _nearest_to_working(spec, problem),
     )
 
@@ -236,9 +236,9 @@ def _nearest_to_working(spec: StripSpec, problem: ElasticaError) -> "Iterator[Ca
     used, own = problem.refusal.values["percent"] / 100, spec.material
     bears = used * own.max_strain / own.thickness
     listed = sheet_names()
-    known = (one for one in map(Sheet.named, listed) if one.kind == own.kind or own.name in listed)
-    sheets = sorted(known, key=lambda one: (one.kind != own.kind, -one.thickness))
-    other = next((one for one in sheets if one.max_strain / one.thickness >= bears), None)
+    known = (sheet for sheet in map(Sheet.named, listed) if sheet.kind == own.kind or own.name in listed)
+    sheets = sorted(known, key=lambda sheet: (sheet.kind != own.kind, -sheet.thickness))
+    other = next((sheet for sheet in sheets if sheet.max_strain / sheet.thickness >= bears), None)
     if other is not None:
         yield f"`{typed_line('--sheet', other.name)}`", lambda: [spec.changed(sheet=other)]
     scale = rounded_up(1.01 * used, 2)
@@ -246,15 +246,15 @@ def _nearest_to_working(spec: StripSpec, problem: ElasticaError) -> "Iterator[Ca
     yield f"{own.name} on the same curve drawn {scale:g} times as large", lambda: [spec.changed(curve=larger)]
 
 
-def _is_taken(asked: RequestedCurve, chosen: Mapping[str, Any]) -> bool:
+def _is_taken(requested: RequestedCurve, chosen: Mapping[str, Any]) -> bool:
     """Return True if output files exist already, because the command then fails with any change."""
     folder: Path = chosen["output"]
-    there = next(one for one in (folder.absolute(), *folder.absolute().parents) if one.exists())
+    there = next(parent for parent in (folder.absolute(), *folder.absolute().parents) if parent.exists())
     if not there.is_dir():
         return True
-    names = [folder / f"{asked.name}.{kind}" for kind in ("dxf", "svg", "json", "png", "step")]
+    names = [folder / f"{requested.name}.{kind}" for kind in ("dxf", "svg", "json", "png", "step")]
     names = [name for name in names if name.exists()]
-    return any(name.samefile(asked.path) for name in names) or bool(names and not chosen["force"])
+    return any(name.samefile(requested.path) for name in names) or bool(names and not chosen["force"])
 
 
 def _compensated(result: StripResult) -> Iterator[Row]:

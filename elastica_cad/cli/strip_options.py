@@ -7,7 +7,13 @@ from typing import Any
 import click
 
 from elastica_cad.cli.options import IDLE_DOWN, POINT, join_options, option_name, option_of, output_options
-from elastica_cad.cli.requested_curves import END_NAMES, Blank, number_option, read_curves_told, unit_option
+from elastica_cad.cli.requested_curves import (
+    END_NAMES,
+    Blank,
+    number_option,
+    read_curves_with_note,
+    unit_option,
+)
 from elastica_cad.cli.settings import GROUPS, CommandKeys, parsed_settings, set_option, twice
 from elastica_cad.cli.suggestions import typed_length
 from elastica_cad.defaults import KERF
@@ -64,12 +70,12 @@ def option_words(change: Change) -> tuple[str, ...]:
 
 def _common() -> dict[str, str]:
     """Return the options of common keys, by the path of the key."""
-    found = {}
-    for path, one in paths_of(CommandKeys).items():
+    names = {}
+    for path, entry in paths_of(CommandKeys).items():
         below_common = all(paths_of(CommandKeys)[way].option.common for way in _ways(path))
-        if one.option.common and below_common and path not in BY_HAND:
-            found[path] = CALLED.get(path, path.rpartition(".")[2])
-    return found
+        if entry.option.common and below_common and path not in BY_HAND:
+            names[path] = CALLED.get(path, path.rpartition(".")[2])
+    return names
 
 
 def _ways(path: str) -> list[str]:
@@ -143,7 +149,7 @@ def strip_options(function: Any) -> Any:
     groups = []
     for group in GROUPS:
         own = [(path, name) for path, name in OPTIONS.items() if _group(path) == group]
-        groups += [*(_option(*one) for one in own), *_HAND_MADE.get(group, ())]
+        groups += [*(_option(*option) for option in own), *_HAND_MADE.get(group, ())]
     return join_options(*groups, set_option(CommandKeys))(function)
 
 
@@ -156,11 +162,11 @@ def grouped(parameters: list[click.Parameter]) -> dict[str, list[click.Parameter
     of = {name: _group(path) for path, name in OPTIONS.items()}
     for group, options in _HAND_MADE.items():
         probe: Any = join_options(*options)(lambda: None)
-        of |= {str(one.name): group for one in probe.__click_params__}
-    found: dict[str, list[click.Parameter]] = {group: [] for group in (*GROUPS, "all else")}
-    for one in parameters:
-        found[of.get(str(one.name), "all else")].append(one)
-    return found
+        of |= {str(option.name): group for option in probe.__click_params__}
+    groups: dict[str, list[click.Parameter]] = {group: [] for group in (*GROUPS, "all else")}
+    for parameter in parameters:
+        groups[of.get(str(parameter.name), "all else")].append(parameter)
+    return groups
 
 
 def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
@@ -227,10 +233,10 @@ def spec_from_options(curve: PlaneCurve, label: str, table: Mapping[str, Any]) -
     """
     keys = {
         "label": label,
-        **{k: one for k, one in table.items() if k not in ("curve", "cut", "files")},
+        **{k: value for k, value in table.items() if k not in ("curve", "cut", "files")},
     }
     try:
-        return read_request(Table(keys, "", {}), Reader(read_curves=read_curves_told), curve)
+        return read_request(Table(keys, "", {}), Reader(read_curves=read_curves_with_note), curve)
     except InputError as problem:
         named = problem.refusal.where.get("field", ())
         fields = (named,) if isinstance(named, str) else named

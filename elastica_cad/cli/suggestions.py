@@ -24,8 +24,8 @@ def name_program() -> str:
     called = Path(sys.argv[0])
     if called.parts[-2:] == ("elastica_cad", "__main__.py"):
         return f"{quote_words([sys.executable])} -m elastica_cad"
-    found = shutil.which("elastica")
-    if called.stem == "elastica" and called.exists() and not (found and called.samefile(found)):
+    program = shutil.which("elastica")
+    if called.stem == "elastica" and called.exists() and not (program and called.samefile(program)):
         return quote_words([sys.argv[0]])
     return "elastica"
 
@@ -56,7 +56,7 @@ def typed_length(mm: float) -> str:
     return f"{mm:g}" if units == "mm" else f"{mm:g}mm"
 
 
-def first_told(refused: int) -> str:
+def listing_note(refused: int) -> str:
     """Return a text on which of many rejected curves are printed."""
     if refused <= MOST_REFUSALS:
         return ""
@@ -105,15 +105,15 @@ def first_that_holds(candidates: Iterable[Candidate], nearest: Iterable[Candidat
     If there is none, the sentence lists all suitable candidates in `nearest`, which change more of the request. It
     is empty if there are none, or after Ctrl-C.
     """
-    found = []
+    texts = []
     with suppress(KeyboardInterrupt, MemoryError):
         for message, requests in islice(candidates, MOST_TRIED):
             if held := _held(requests):
                 return f"This works: {message} ({held})."
         for message, requests in nearest:
             if held := _held(requests):
-                found.append(f"{message} ({held})")
-    return f"Possible with a larger change: {'; or '.join(found)}." if found else ""
+                texts.append(f"{message} ({held})")
+    return f"Possible with a larger change: {'; or '.join(texts)}." if texts else ""
 
 
 def _held(requests: Callable[[], Sequence["StripSpec"]]) -> str:
@@ -125,9 +125,9 @@ def _held(requests: Callable[[], Sequence["StripSpec"]]) -> str:
     farthest, used, name = 0.0, 0, ""
     try:
         for spec in requests():
-            found = solve_rod(spec.rod_spec)
-            made = spec.make(found)
-            away = spec.rod_spec.smoothing.moved + (found.deviation if isinstance(found, NearestRod) else 0.0)
+            rod = solve_rod(spec.rod_spec)
+            made = spec.make(rod)
+            away = spec.rod_spec.smoothing.moved + (rod.deviation if isinstance(rod, NearestRod) else 0.0)
             size = float(np.hypot(*np.ptp(spec.curve.bounds, axis=0)))
             wide = float(made.width.extremes[1]) > WIDEST_SHARE * made.rod.length
             if wide or away > FAR_SHARE * size or not made.strain_verdict.allowed:

@@ -66,10 +66,10 @@ class Voice:
             return
         read = {"read": self.read} if self.read else {}
         if isinstance(self.record, list):
-            _print_json([{"schema": self.schema, **read, **one} for one in self.record])
+            _print_json([{"schema": self.schema, **read, **record} for record in self.record])
         else:
-            told = {"notes": self.notes, "files": self.files}
-            _print_json({"schema": self.schema, **read, **self.record, **told})
+            written = {"notes": self.notes, "files": self.files}
+            _print_json({"schema": self.schema, **read, **self.record, **written})
 
     def refuse(self, text: str, problem: ElasticaError, code: int, suggest: Callable[[], str]) -> None:
         """Print the error, then a suggestion; Ctrl-C ends the search for a suggestion."""
@@ -82,14 +82,14 @@ class Voice:
             _print_row(Row("Change", suggestion), err=True)
         if self.as_json:
             record = problem.refusal.record | {"message": text}
-            found = {"suggestion": suggestion} if suggestion else {}
+            extra = {"suggestion": suggestion} if suggestion else {}
             _print_json(
                 {
                     "schema": "elastica-error/2",
                     "command": self.command,
                     "exit_code": code,
                     "error": record,
-                    **found,
+                    **extra,
                 }
             )
 
@@ -97,8 +97,8 @@ class Voice:
 def voice() -> Voice:
     """Return the output of the running command."""
     ctx = click.get_current_context()
-    found: Voice = ctx.meta.setdefault(_KEY, Voice(ctx.info_name or "elastica"))
-    return found
+    current: Voice = ctx.meta.setdefault(_KEY, Voice(ctx.info_name or "elastica"))
+    return current
 
 
 def echo(text: str, *, nl: bool = True, err: bool = False) -> None:
@@ -113,14 +113,14 @@ def say(text: str = "") -> None:
         echo(text)
 
 
-def warn(text: str, *, told: bool = True, in_notes: bool = True) -> None:
+def warn(text: str, *, printed: bool = True, in_notes: bool = True) -> None:
     """Print a warning to stderr, and add it to the notes of the JSON record if it is `in_notes`.
 
-    Without `told` it is only printed with -v.
+    Without `printed` it is only printed with -v.
     """
     if in_notes:
         voice().notes.append(text)
-    if not voice().quiet and (told or voice().verbose):
+    if not voice().quiet and (printed or voice().verbose):
         _clear_step()
         echo(text, err=True)
 
@@ -162,10 +162,10 @@ def wrote(paths: Iterable[PurePath], contents: Mapping[str, str] = MappingProxyT
     names = [
         str(path) if k == 0 or path.parent != listed[0].parent else path.name for k, path in enumerate(listed)
     ]
-    said = [f"{name} ({contents[path.name]})" if path.name in contents else name
+    files = [f"{name} ({contents[path.name]})" if path.name in contents else name
             for name, path in zip(names, listed, strict=True)]  # fmt: skip
-    if said:
-        say_row(Row("Files", ", ".join(said)))
+    if files:
+        say_row(Row("Files", ", ".join(files)))
 
 
 def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:
@@ -228,13 +228,13 @@ def _simplify(value: Any) -> Any:
     {'at': [1.0, None], 'file': 'a.dxf'}
     """
     if is_dataclass(value) and not isinstance(value, type):
-        return {one.name: _simplify(getattr(value, one.name)) for one in fields(value)}
+        return {entry.name: _simplify(getattr(value, entry.name)) for entry in fields(value)}
     if isinstance(value, Mapping):
-        return {str(key): _simplify(one) for key, one in value.items()}
+        return {str(key): _simplify(item) for key, item in value.items()}
     if isinstance(value, np.ndarray):
         return _simplify(value.tolist())
     if isinstance(value, list | tuple):
-        return [_simplify(one) for one in value]
+        return [_simplify(item) for item in value]
     if isinstance(value, Enum):
         return value.name.lower()
     if isinstance(value, PurePath):

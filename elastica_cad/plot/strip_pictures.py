@@ -410,17 +410,17 @@ def travel(moved: Travel) -> Figure:
         ("force falls", moved.force_falls_at, FORCE), ("strain limit", moved.strained_at, INK),
         ("snaps", moved.snaps_at, UNSTABLE), ("crosses itself", moved.crosses_at, FAINT),
     )  # fmt: skip
-    for told, at, color in places:
+    for text, at, color in places:
         if at is not None:
-            below.axvline(at, color=color, linestyle=":", label=f"{told}: {at:.4g} {moved.unit}")
+            below.axvline(at, color=color, linestyle=":", label=f"{text}: {at:.4g} {moved.unit}")
     if below.get_legend_handles_labels()[0]:
         _paint_legend(below)
     worst = int(np.argmin(moved.safety))
-    told = (
+    text = (
         f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.place_message(moved.path_length[worst])}, "
         f"safety {moved.safety[worst]:.2g}"
     )
-    _entitle(below, told, pad=22 if below.get_legend() else 6)
+    _entitle(below, text, pad=22 if below.get_legend() else 6)
     return figure
 
 
