@@ -506,12 +506,12 @@ def curve_from_points(
         There are fewer than two different points, or numbers that are not finite.
     """
     if not np.all(np.isfinite(points)):
-        raise InputError("a point has a coordinate that is not a finite number")
+        raise InputError("a point has a coordinate that is not a finite number: export the file again")
     if len(points):
         apart = SAME_POINT * np.abs(points).max()
         points = points[np.append(True, np.any(np.abs(np.diff(points, axis=0)) > apart, axis=1))]
     if len(points) < 2:
-        raise InputError("a curve needs two different points or more: draw it anew, or leave it out")
+        raise InputError("a curve needs at least two different points: draw it again, or leave it out")
     drawn = drawn or Provenance()
     measured = MeasuredPoints.of(points, noise, drawn.rounding)
     noise = measured.noise if measured.is_noisy else 0.0
@@ -548,8 +548,8 @@ def _require_near(curve: PlaneCurve, points: FloatArray, tolerance: float) -> No
 def _require_distance(distance: float, allowed: float) -> None:
     if distance > allowed:
         raise InputError(
-            "the smooth curve leaves the drawing by {distance:.3g}, more than {allowed:.3g}: draw a spline, or "
-            "more points where the drawing bends",
+            "the fitted curve deviates from the drawing by {distance:.3g}, more than {allowed:.3g}: draw a "
+            "spline, or more points where the drawing bends",
             distance=Length(distance),
             allowed=Length(allowed),
         )

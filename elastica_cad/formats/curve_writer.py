@@ -90,7 +90,7 @@ def write_curves(
         raise InputError("{path}: there are no curves to write", path=path)
     if suffix not in WRITTEN_SUFFIXES:
         raise InputError(
-            "{path} can't be written as curves: end its name with {written_suffixes}",
+            "{path} cannot be written as curves: end its name with {written_suffixes}",
             path=path,
             written_suffixes=", ".join(WRITTEN_SUFFIXES),
         )
@@ -146,13 +146,13 @@ def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> 
     before, after = _widths(drawn), _widths(fitted)
     if before is None or after is None:
         return note(
-            "{file} holds curve {number} within {far:.2g}; no strip takes it."
+            "{file} stores curve {number} within {far:.2g}; no strip can have this curve."
             if before is None else
-            "{file} holds curve {number} within {far:.2g}, but no strip takes the curve of the file.",
+            "{file} stores curve {number} within {far:.2g}, but no strip can have the stored curve.",
             file=file, number=number, far=far, severity="warning",
         )  # fmt: skip
     return note(
-        "{file} holds curve {number} within {far:.2g}; the widths of a strip {widest} wide change by up to "
+        "{file} stores curve {number} within {far:.2g}; the widths of a strip {widest} wide change by up to "
         "{change:.2g}.",
         file=file, number=number, far=far, widest=Length(UNKNOWN_WIDTH),
         change=Length(float(np.abs(after - before).max())), severity="warning",

@@ -219,14 +219,15 @@ def write_drawing(
     """
     if not isinstance(drawing, Drawing):
         raise InputError(
-            "a {name} is no drawing: give a strip, or what a .drawing() makes", name=type(drawing).__name__
+            "a {name} is not a drawing: give a strip, or the result of its .drawing()",
+            name=type(drawing).__name__,
         )
     suffix = require_path(path).suffix.lower()
     check_target(path, force=force)
     if suffix not in DRAWING_SUFFIXES:
         raise InputError(
-            "{path} can't be written as a drawing: end its name with .dxf or .svg; pictures are drawn by ec.plot, "
-            "and ec.save(strip, ...) writes the STEP file of a strip",
+            "{path} cannot be written as a drawing: end its name with .dxf or .svg, or use ec.plot for "
+            "pictures and ec.save(strip, ...) for a STEP file",
             path=path,
         )
     require_flag(marks, "marks")

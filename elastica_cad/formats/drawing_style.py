@@ -47,7 +47,7 @@ def shape_paths(paths: Iterable[Path], curves: str, tolerance: float, *, rationa
         return list(paths)
     if 0 < tolerance < FINEST_MM and curves in ("arc", "polyline"):
         raise InputError(
-            "the tolerance is {tolerance:g}: no machine cuts so finely, give {finest_mm:g} or more",
+            "the tolerance is {tolerance:g}, finer than any machine cuts: set at least {finest_mm:g}",
             tolerance=Length(tolerance),
             finest_mm=FINEST_MM,
         )
@@ -78,11 +78,11 @@ class LayerStyle:
         name = self.name if isinstance(self.name, str) else ""
         if not name.strip() or re.search(r'[<>/\\":;?*|=`\x00-\x1f]', name) or len(name) > 255:
             raise InputError(
-                "{name!r} is no name for a layer: use letters, digits, spaces, - and _", name=self.name
+                "{name!r} is not a layer name: use letters, digits, spaces, - and _", name=self.name
             )
         if not isinstance(self.color, str) or not re.fullmatch(r"#[0-9a-fA-F]{6}", self.color):
             raise InputError(
-                "{color!r} is no colour for layer {name!r}: write it as #rrggbb",
+                "{color!r} is not a colour for layer {name!r}: write it as #rrggbb",
                 color=self.color,
                 name=self.name,
             )
@@ -149,7 +149,7 @@ def style_layers(choices: Mapping[str, LayerChoice] | str | None = None) -> dict
     if isinstance(choices, str):
         if choices not in SCHEMES:
             raise InputError(
-                "there is no scheme of colours {choices!r}: use one of {schemes}",
+                "{choices!r} is not a colour scheme: use one of {schemes}",
                 choices=choices,
                 schemes=", ".join(SCHEMES),
             )
@@ -180,5 +180,5 @@ def style_layers(choices: Mapping[str, LayerChoice] | str | None = None) -> dict
             )
     names = [style.name.casefold() for style in styles.values()]
     if len(set(names)) < len(names):
-        raise InputError("two layers have the same name: name each one differently")
+        raise InputError("two layers have the same name: give each layer its own name")
     return styles

@@ -285,7 +285,7 @@ class DrawnFile:
     @property
     def notes(self) -> tuple[str, ...]:
         """Messages on the unit and on what was skipped, and the remarks."""
-        left_out = note("left out, for they are no curves: {things}", things=list_things(self.skipped))
+        left_out = note("left out because they are not curves: {things}", things=list_things(self.skipped))
         return (*filter(None, [self.unit.note, left_out if self.skipped else ""]), *self.remarks)
 
     @property
@@ -322,7 +322,7 @@ class DrawnFile:
         if not curves:
             selection = " on layer ".join(word for word in (which or "", layer or "") if word)
             raise InputError(
-                "{path} holds {curves}, and {asked} is not among them: choose one with {how}; {known}",
+                "{path} contains {curves}, but not {asked}: choose a curve with {how}; {known}",
                 path=self.path,
                 curves=counted(len(self.curves), "curve"),
                 asked=selection,
@@ -331,7 +331,7 @@ class DrawnFile:
             )
         if len(curves) > 1:
             raise InputError(
-                "{path} holds {count} curves: choose one with {how}; {known}",
+                "{path} contains {count} curves: choose one with {how}; {known}",
                 path=self.path,
                 count=len(curves),
                 how=how,
@@ -491,8 +491,8 @@ def collect_curves(
     ]
     near = near_ends(chains, tolerance)
     gaps = [note(
-        "{one} and {other} end {apart:.2g} apart near {place} and are two strips: close the gap in the "
-        "drawing where they are meant to be one",
+        "{one} and {other} end {apart:.2g} apart near {place}, so they become two strips. To make one strip, "
+        "close the gap in the drawing",
         one=curves[i].called, other=curves[j].called, apart=Length(apart), place=Point(place),
     )for apart, i, j, place in near if apart > tolerance]  # fmt: skip
     touching = dict.fromkeys((i, j) for apart, i, j, _ in near if apart <= tolerance)
@@ -532,17 +532,17 @@ def _joining_notes(joined: JoinedRuns, tolerance: float) -> list[str]:
     closed = [gap for gap in joined.closed if gap > tolerance]
     if closed:
         notes.append(note(
-            "gaps of one unit of the file's last digit were closed: {count}, the widest {widest:.2g}",
+            "gaps of one unit in the last digit of the file were closed: {count}, the widest {widest:.2g}",
             count=len(closed), widest=Length(max(closed)),
         ))  # fmt: skip
     return notes
 
 
 _OVERLAPS = {
-    "left out": "drawn twice, so the longer shape counts: {pairs}",
-    "kept": "drawn twice with different layers or names, so both count: {pairs}",
-    "joined": "drawn twice in part, so their union is one curve: {pairs}",
-    "in part": "drawn twice in part, and both count: {pairs}. Trim one of them in the drawing",
+    "left out": "drawn twice, so the longer shape is used: {pairs}",
+    "kept": "drawn twice with different layers or names, so both are used: {pairs}",
+    "joined": "partly drawn twice, so the two shapes are joined into one curve: {pairs}",
+    "in part": "partly drawn twice, and both shapes are used: {pairs}. Trim one of them in the drawing",
 }
 """Messages about overlapping shapes."""
 

@@ -123,7 +123,7 @@ _INCHES_BELOW = 40.0
 """Size in drawing units below which a drawing with $MEASUREMENT = 0 is in inches."""
 
 _ASSUMED = (
-    "its unit is assumed: {unit}, because {reason}; if that is wrong, set {field} to the right one, "
+    "its unit is assumed to be {unit}, because {reason}; if that is wrong, set {field} to the right unit, "
     "such as {other}"
 )
 
@@ -199,9 +199,7 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
             skipped[f"{kind} that cannot be read ({error})"] += 1
             continue
         except (*ODDITIES, DXFError):
-            bad.append(
-                InputError("has a {thing} that breaks off or makes no sense: draw it anew", thing=kind)
-            )
+            bad.append(InputError("has a {thing} that is incomplete or invalid: draw it again", thing=kind))
             skipped[f"{kind} that breaks off or makes no sense"] += 1
             continue
         good += 1
@@ -257,15 +255,13 @@ def _opened(path: Path) -> "Drawing":
             document, audit = recover.readfile(str(path))
             document.modelspace()
         except (*damage, StopIteration) as error:
-            raise InputError(
-                "is not a DXF file that can be read: export it anew, as DXF R2000 or later"
-            ) from error
+            raise InputError("is not a readable DXF file: export it again, as DXF R2000 or later") from error
     guessed = [entry for entry in audit.errors if entry.code == AuditError.INVALID_FLOATING_POINT_VALUE]
     if guessed:
         message = re.sub(
             '"(.*)"(?= near line)', lambda match: quoted(match[1]), guessed[0].message, flags=re.DOTALL
         )
-        raise InputError("is damaged ({said}): export it anew", said=message)
+        raise InputError("is damaged ({said}): export it again", said=message)
     return document
 
 
@@ -283,10 +279,10 @@ def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
             points = [edge.points for run in _runs(document, 1.0, 0.0, Counter()) for edge in run]
             size = float(np.ptp(np.concatenate(points), axis=0).max()) if points else 0.0
             if 0 < size < _INCHES_BELOW:
-                reason = note("it names none, has $MEASUREMENT = 0 and is {size:.3g} units large", size=size)
+                reason = note("it has no unit, $MEASUREMENT = 0 and a size of {size:.3g} units", size=size)
                 assumed = note(_ASSUMED, field=UNIT, unit="in", reason=reason, other="mm")
                 return MM_PER_INCH, ReadUnit("in", note=assumed)
-    assumed = note(_ASSUMED, field=UNIT, unit="mm", reason=note("it names none ($INSUNITS)"), other="in")
+    assumed = note(_ASSUMED, field=UNIT, unit="mm", reason=note("it has no unit ($INSUNITS)"), other="in")
     return 1.0, ReadUnit("mm", note=assumed)
 
 
@@ -298,7 +294,7 @@ def _unit_code(document: "Drawing") -> int:
         code = -1
     if code not in _INSUNITS:
         raise InputError(
-            "is drawn in a unit that is not known here ($INSUNITS = {given}): say which ({field})",
+            "has an unknown unit ($INSUNITS = {given}): set the unit ({field})",
             field=UNIT,
             given=code if -1 < code < 1000 else "no number from 0 to 21",
         )
@@ -420,7 +416,7 @@ def _turn(angles: FloatArray) -> tuple[float, float]:
 def _spline(entity: Any) -> Edge:
     if not len(entity.control_points):
         if len(entity.fit_points) < 2:
-            raise InputError("a SPLINE has neither control points nor fit points: draw it anew")
+            raise InputError("a SPLINE has neither control points nor fit points: draw it again")
         places = np.array([tuple(p) for p in entity.fit_points], dtype=float)
         return _ring(places) if entity.closed and len(places) > 2 else _fitted(entity, places)
     points = np.array([tuple(p) for p in entity.control_points], dtype=float)
@@ -494,7 +490,7 @@ def _through(points: FloatArray, ends: Any) -> Edge:
     chords_needed, places = (3, "three") if isinstance(ends, str) else (1, "two")
     if np.count_nonzero(apart) < chords_needed:
         raise InputError(
-            "a SPLINE has fewer than {places} fit points that differ: draw it anew", places=places
+            "a SPLINE has fewer than {places} different fit points: draw it again", places=places
         )
     at = np.append(0.0, np.cumsum(chords[apart]))
     spline = make_interp_spline(at, points[np.append(True, apart)], k=3, bc_type=ends)

@@ -84,7 +84,7 @@ def encode_dxf(
     require_record(drawing, Drawing, "what is written", "a Drawing record")
     if not isinstance(version, str) or version not in DXF_VERSIONS:
         raise InputError(
-            "there is no DXF version {version!r}: use one of {dxf_versions}",
+            "{version!r} is not a supported DXF version: use one of {dxf_versions}",
             version=version,
             dxf_versions=", ".join(DXF_VERSIONS),
         )
@@ -230,7 +230,7 @@ def _check_old_names(styles: Mapping[str, LayerStyle]) -> None:
     for style in styles.values():
         if not re.fullmatch(r"[A-Za-z0-9_$-]{1,31}", style.name):
             raise InputError(
-                "DXF R12 takes no layer named {name!r}: use up to 31 letters, digits, $, - and _",
+                "DXF R12 does not allow the layer name {name!r}: use up to 31 letters, digits, $, - and _",
                 name=style.name,
             )
 

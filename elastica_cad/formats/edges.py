@@ -67,19 +67,22 @@ class Edge:
     def __post_init__(self) -> None:
         knots, points = np.array(self.knots, dtype=float), np.array(self.points, dtype=float)
         if not (np.all(np.isfinite(points)) and np.all(np.isfinite(knots))):
-            raise InputError("a curve has a coordinate or knot that is not a finite number: export it anew")
+            raise InputError("a curve has a coordinate or knot that is not a finite number: export it again")
         count = len(points)
         if self.degree < 1 or count <= self.degree:
             raise InputError(
-                "a spline of degree {degree} has {count} control points; it needs {degree_2}: draw it anew",
+                (
+                    "a spline of degree {degree} has {count} control points but needs at least {degree_2}: draw "
+                    "it again"
+                ),
                 degree=self.degree,
                 count=count,
                 degree_2=self.degree + 1,
             )
         if knots.shape != (count + self.degree + 1,) or np.any(np.diff(knots) < 0):
             raise InputError(
-                "a spline of degree {degree} with {count} control points has {size} knots; it needs "
-                "{given}, never decreasing: export it anew, or draw it anew",
+                "a spline of degree {degree} with {count} control points has {size} knots but needs {given} "
+                "that never decrease: export or draw it again",
                 degree=self.degree,
                 count=count,
                 size=knots.size,
@@ -87,7 +90,7 @@ class Edge:
             )
         if not knots[self.degree] < knots[count]:
             raise InputError(
-                "all knots of a spline are {knots:g}; its parameter must run over an interval: draw it anew",
+                "all knots of a spline are {knots:g}, but they must span an interval: draw it again",
                 knots=knots[count],
             )
         object.__setattr__(self, "knots", knots)
@@ -96,8 +99,8 @@ class Edge:
             weights = np.array(self.weights, dtype=float)
             if weights.shape != (count,) or not np.all(np.isfinite(weights)) or not np.all(weights > 0):
                 raise InputError(
-                    "a spline of {count} control points needs {count} weights, all positive and finite, "
-                    "or none: export it anew, or draw it anew",
+                    "a spline of {count} control points needs {count} positive finite weights, or none: "
+                    "export or draw it again",
                     count=count,
                 )
             same = np.ptp(weights) <= 1e-14 * weights[0]

@@ -50,14 +50,14 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
     try:
         data = json.loads(file.read_bytes())
     except RecursionError as error:
-        raise InputError("nests lists or records too deep: give a file that elastica wrote") from error
+        raise InputError("has lists or records nested too deeply: give a file that elastica wrote") from error
     except ValueError as error:  # also an integer of thousands of digits
         raise InputError(
-            "is not JSON ({partition}): export it anew", partition=str(error).partition(";")[0]
+            "is not JSON ({partition}): export it again", partition=str(error).partition(";")[0]
         ) from error
     if not isinstance(data, dict):
         raise InputError(
-            "holds no record with the schema {curves_schema!r}: give a file that elastica wrote",
+            "has no record with the schema {curves_schema!r}: give a file that elastica wrote",
             curves_schema=CURVES_SCHEMA,
         )
     _require_schema(data)
@@ -70,7 +70,7 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
         return DrawnFile(file, [curve], unit=known)
     curves = data.get("curves")
     if not isinstance(curves, list) or not curves:
-        raise InputError("holds no curves: 'curves' must be a list of records")
+        raise InputError("has no curves: 'curves' must be a list of records")
     makers = [partial(_curve, record, f"curve {i}", scale) for i, record in enumerate(curves, start=1)]
     drawn = [DrawnCurve(i, make, kinds={"spline": 1}) for i, make in enumerate(makers, start=1)]
     return DrawnFile(file, drawn, unit=known)

@@ -57,7 +57,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
     suffix = path.suffix.lower()
     if suffix not in MESH_SUFFIXES:
         raise InputError(
-            "{path} ends in {suffix!r}, which is no mesh known here: use {mesh_suffixes}",
+            "{path} ends in {suffix!r}, which is not a supported mesh format: use {mesh_suffixes}",
             path=path,
             suffix=suffix,
             mesh_suffixes=", ".join(MESH_SUFFIXES),
@@ -78,10 +78,10 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
             vertices, faces = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=int)
         except Exception as error:  # parsers of trimesh raise any exception
             raise InputError(
-                "this is no {upper} mesh that can be read: export it anew", upper=suffix[1:].upper()
+                "is not a readable {upper} mesh: export it again", upper=suffix[1:].upper()
             ) from error
         if not len(faces):
-            raise InputError("holds no faces: export a mesh, not points or lines")
+            raise InputError("has no faces: export a mesh, not points or lines")
         model = Mesh(vertices * factor, faces)
         if unit is None and not LIKELY_SIZES_MM[0] <= model.size <= LIKELY_SIZES_MM[1]:
             raise InputError(_asking(model.size))
@@ -124,8 +124,8 @@ def _asking(size: float) -> str:
     hint = f" ({', '.join(f'{name}: {guesses[name]:.4g} mm' for name in likely)})" if likely else ""
     unit = likely[-1] if likely else "m"
     return note(
-        "measures {size:.3g} from corner to corner, no likely size in mm, and a mesh file does not say its "
-        'unit: give it, --unit {unit} or unit = "{unit}"{hint}, or mm where that is right',
+        "is {size:.3g} from corner to corner, an unlikely size in mm, and a mesh file has no unit: set it, "
+        "with --unit {unit} or unit = \"{unit}\"{hint}, or mm if that is right",
         size=size, unit=unit, hint=hint,
     )  # fmt: skip
 
@@ -160,8 +160,8 @@ def read_sized_surface(
     surface = read_surface(path, unit=unit, scale=1.0 if scale is None else scale)
     if not LEAST_SIZE_MM <= surface.size <= MOST_SIZE_MM:
         raise InputError(
-            "{path} measures {size} from corner to corner with this unit and scale: nothing made "
-            "of strips does",
+            "{path} is {size} from corner to corner with this unit and scale, too small or too large for "
+            "strips: check the unit",
             path=path,
             size=Length(surface.size),
         )

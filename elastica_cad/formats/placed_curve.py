@@ -71,8 +71,8 @@ def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
     off = float(np.abs(centred @ normal).max())
     if off > tolerance:
         raise InputError(
-            "a curve leaves its plane by {off} (its z runs over {ptp:.4g}): a strip bends in one "
-            "plane only; project the curve onto a plane first",
+            "a curve leaves its plane by {off} (z varies by {ptp:.4g}), but a strip bends in one plane only: "
+            "project the curve onto a plane first",
             off=Length(off),
             ptp=Length(np.ptp(points[:, 2])),
         )
@@ -121,7 +121,7 @@ def placed_curve(
         are not in the plane `plane`.
     """
     if not edges:
-        raise InputError("no edge was given: give at least one edge or wire for the strip to follow")
+        raise InputError("there is no edge: select at least one edge or wire for the strip to follow")
     runs = edge_chains(edges)
     if not runs:
         raise InputError("the edge has no length: draw a curve for the strip to follow")
@@ -179,20 +179,20 @@ def _why_not_one(runs: Sequence[Run]) -> str:
     gap, place = between.min(), Point(ends[run, side])
     if gap <= JOIN:
         return note(
-            "three edges or more meet at {place}: a strip goes on in one way, so give only the "
-            "edges that it is to follow",
+            "three or more edges meet at {place}, but a strip follows a single path: give only the edges "
+            "that the strip must follow",
             place=place,
         )
     if gap <= MEANT * np.ptp(np.concatenate([edge.points for part in runs for edge in part]), axis=0).max():
         return note(
-            "two edges end {gap} apart at {place}: make their ends meet there, in a sketch by a "
-            "coincident constraint",
+            "two edges end {gap} apart at {place}: join their ends there, in a sketch by a coincident "
+            "constraint",
             gap=Length(gap),
             place=place,
         )
     return note(
-        "the edges make {count} separate chains, the nearest {gap} apart at {place}: make their ends meet, "
-        "or leave out what the strip is not to follow, in a sketch as construction geometry",
+        "the edges form {count} separate chains, the nearest {gap} apart at {place}: join their ends, or "
+        "leave out edges that the strip does not follow, in a sketch as construction geometry",
         count=len(runs), gap=Length(gap), place=place,
     )  # fmt: skip
 
@@ -203,8 +203,7 @@ def _within(run: Sequence[Edge], plane: Frame) -> Frame:
     off = (points - plane.origin) @ plane.z_axis
     if np.abs(off).max() > max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())):
         raise InputError(
-            "the curve lies up to {most} off the plane that is given for it: give the one in "
-            "which it is drawn, or none",
+            "the curve is up to {most} away from its given plane: give the plane in which it is drawn, or none",
             most=Length(np.abs(off).max()),
         )
     return plane

@@ -131,7 +131,7 @@ class PointTable:
         columns, behind = _without_units(layout.columns)
         units = [unit] if unit else list(dict.fromkeys([*units, *behind]))
         if len(units) > 1:
-            raise InputError("it names {names}: give x and y in one unit", names=" and ".join(units))
+            raise InputError("it has the units {names}: give x and y in one unit", names=" and ".join(units))
         columns, message = _plain_numbers(columns, separator, look_up_unit(units[0] if units else "mm"))
         return cls(columns, next(iter(units), None), message, layout.is_offsets)
 
@@ -184,7 +184,7 @@ def _parted(text: str) -> tuple[list[Row], list[str], str]:
             begun = reader.line_num
     except csv.Error as error:
         raise InputError(
-            "row {row} has a quotation mark that is not closed: close it", row=kept[begun][0]
+            "row {row} has a quotation mark without its closing mark: add it", row=kept[begun][0]
         ) from error
     return rows, [line.strip() for line in lines if line.lstrip().startswith("#")], separator
 
@@ -263,8 +263,8 @@ class _Layout:
                 places[axis] = indices * count
             elif len(indices) != count and (indices or axis != "z"):
                 raise InputError(
-                    "its heading names x {x} times, y {y} times and z {z} times: give every curve its own columns, "
-                    "or one x to all",
+                    "its heading has x {x} times, y {y} times and z {z} times: give each curve its own "
+                    "columns, or one x column for all curves",
                     x=len(places["x"]),
                     y=len(places["y"]),
                     z=len(places["z"]),
@@ -336,8 +336,8 @@ def _units(names: Sequence[str], titles: Sequence[str]) -> list[str]:
     for word in words:
         if read_unit(word) is None:
             raise InputError(
-                "its heading names {word}, which is not a unit known here: give the unit "
-                "({field}), or take {word} out of the heading",
+                "its heading has {word}, which is not a known unit: set the unit ({field}), or remove {word} "
+                "from the heading",
                 field=UNIT,
                 word=quoted(word[:40]),
             )
@@ -410,7 +410,7 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
         elif separator == ",":
             cell = mine["open"][0][1]
             return sign, note(
-                "its numbers have signs between thousands: {cell} was read as {number}",
+                "its numbers have thousands separators: {cell} was read as {number}",
                 cell=cell,
                 number=cell.replace(sign, ""),
             )
@@ -421,8 +421,8 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
         if not unsure:
             return sign, ""
         raise InputError(
-            "row {row} has {cell!r}, and its sign may part thousands or decimals: write one sign before decimals "
-            "and none between thousands",
+            "row {row} has {cell!r}, whose separator can mean thousands or decimals: write a decimal "
+            "separator only",
             row=unsure[0][0],
             cell=unsure[0][1],
         )
@@ -475,7 +475,7 @@ def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -
     """
     if not least <= len(cells) <= most:
         raise InputError(
-            "row {row} has {count} columns; it needs {needed}",
+            "row {row} has {count} columns but needs {needed}",
             row=row,
             count=len(cells),
             needed="x, y and z" if least == 3 else "x and y" if most == 2 else "x and y (and z)",
@@ -483,15 +483,14 @@ def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -
     for cell in cells:
         if not _is_number(cell):
             raise InputError(
-                "row {row} has {cell!r} where a number is needed: write digits alone, 12.5, or # "
-                "before a remark",
+                "row {row} has {cell!r} instead of a number: write a number such as 12.5, or # before a comment",
                 row=row,
                 cell=cell[:40],
             )
     values = [_in_mm(cell, scale) for cell in cells]
     if not all(map(isfinite, values)):
         raise InputError(
-            "row {row} is not finite ({cells}): leave it out or mend it", row=row, cells=", ".join(cells)
+            "row {row} is not finite ({cells}): correct it or leave it out", row=row, cells=", ".join(cells)
         )
     return values
 
@@ -543,7 +542,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
             (name, len(block), partial(_fitted, block, fit_tolerance, digits, noise)) for block in blocks
         ]
     message = note(
-        "its numbers were read as inches, with fractions or as feet-inches-eighths: give the unit if they are none"
+        "its numbers were read as inches (fractions, or feet-inches-eighths): set the unit if that is wrong"
     )
     curves = [
         DrawnCurve(number, make, name, kinds={"point": count})
@@ -595,18 +594,18 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
     rows = [(n, line.split()) for n, line in enumerate(read_text(file).splitlines(), 1) if line.strip()]
     rows = [(n, row) for n, row in rows if not row[0].startswith("#")]
     if not rows:
-        raise InputError("there are no numbers in it: the first line must be 'degree count'")
+        raise InputError("the file has no numbers: write 'degree count' in the first line")
     number, head = rows[0]
     if len(head) != 2 or not all(re.fullmatch(r"\d+", word) for word in head):
         raise InputError(
-            "line {number} is {given}; it must be two whole numbers, degree and count of control "
-            "points (measured points belong into a .csv file)",
+            "line {number} is {given}, but must be two whole numbers, degree and count of control points: "
+            "correct it, or put measured points into a .csv file",
             number=number,
             given=quoted(" ".join(head)),
         )
     if max(len(word) for word in head) > 9:
         raise InputError(
-            "line {number} has a number of {most} digits: it cannot be meant",
+            "line {number} has a number of {most} digits: check it",
             number=number,
             most=max(len(w) for w in head),
         )
@@ -640,13 +639,13 @@ def _blocks(rows: Sequence[Row], scale: float) -> list[FloatArray]:
         blocks[-1].append(np.array([*values, 0.0][:3]))
     filled = [np.array(block) for block in blocks if block]
     if not filled:
-        raise InputError("there are no points in it: write one 'x, y' a row")
+        raise InputError("the file has no points: write one 'x, y' per row")
     for block in filled:
         height = np.ptp(block[:, 2])
         if height > 1e-6 * max(1.0, float(np.ptp(block[:, :2], axis=0).max())):
             raise InputError(
-                "the third column runs over {height:.4g}: only curves in a plane z = const are read; "
-                "turn the points into the xy plane",
+                "the third column varies by {height:.4g}, but only curves in a plane z = const are read: "
+                "rotate the points into the xy plane",
                 height=Length(height),
             )
     return [block[:, :2] for block in filled]

@@ -49,23 +49,22 @@ def require_file(path: str | Path) -> Path:
     if os.path.isdir(path):  # False, not an error, for invalid names
         raise InputError("{path} is a folder: name one file in it", path=path)
     if os.path.exists(path) and not path.is_file():
-        raise InputError("{path} is no file but a device or a pipe: name a file", path=path)
+        raise InputError("{path} is a device or a pipe, not a file: name a file", path=path)
     try:
         with path.open("rb") as file:
             empty = not file.read(1)
     except OSError as error:
         raise InputError(
-            "{path} cannot be read: {strerror}; name a file that is there and may be read",
+            "{path} cannot be read: {strerror}; name a readable file",
             path=path,
             strerror=error.strerror or error,
         ) from error
     if empty:
-        raise InputError("{path} is empty: save it anew in the program that made it", path=path)
+        raise InputError("{path} is empty: save it again in the program that made it", path=path)
     size, most = path.stat().st_size, LARGEST_OF_KIND.get(path.suffix.lower(), LARGEST_FILE)
     if size > most:
         raise InputError(
-            "{path} has {size:.0f} MB, and at most {most} MB are read: leave out what is not "
-            "needed, or simplify it",
+            "{path} has {size:.0f} MB, more than the limit of {most} MB: remove unneeded parts, or simplify it",
             path=path,
             size=size / 2**20,
             most=most // 2**20,
@@ -78,8 +77,8 @@ def require_below(path: Path) -> None:
     folders, real = _below.get(), Path(os.path.realpath(path))
     if folders and not any(real.is_relative_to(folder) for folder in folders):
         raise InputError(
-            "{path} lies outside of {folders}, and a design reads files below its own folder or "
-            "the one you work in: copy it there, or allow its folder ({field})",
+            "{path} is outside {folders}, but a design reads only files in its folder or the working folder: "
+            "copy the file there, or allow its folder ({field})",
             field=FieldName("below"),
             path=path,
             folders=folders[0],
@@ -182,8 +181,8 @@ def check_places(points: FloatArray) -> FloatArray:
     if bad.any():
         value = points[bad].flat[0]
         raise InputError(
-            "a coordinate is {given}; they must be finite and at most {farthest:g}: check the "
-            "unit, or export it anew",
+            "a coordinate is {given}, but coordinates must be finite and at most {farthest:g}: check the "
+            "unit, or export the file again",
             given=Length(value),
             farthest=Length(FARTHEST),
         )
@@ -196,8 +195,8 @@ def check_size(points: FloatArray) -> None:
     size = float(np.ptp(points, axis=0).max()) if len(points) else 0.0
     if size != 0 and not SMALLEST_SIZE <= size <= LARGEST_SIZE:
         raise InputError(
-            "a curve is {size} large; {smallest_size:g} to {largest_size:g} are read: check the "
-            "unit ({field}), or leave it out",
+            "a curve has a size of {size}, outside {smallest_size:g} to {largest_size:g}: check the unit "
+            "({field}), or leave the curve out",
             field=UNIT,
             size=Length(size),
             smallest_size=SMALLEST_SIZE,
@@ -209,7 +208,7 @@ def check_count(count: int, most: int, what: str, instead: str) -> int:
     """Return a count of `what`, and refuse it with the advice `instead` if it exceeds `most`."""
     if count > most:
         raise InputError(
-            "has {whole} {what}, and at most {most} are read: {instead}",
+            "has {whole} {what}, more than the limit of {most}: {instead}",
             whole=_whole(count),
             what=what,
             most=most,
@@ -222,7 +221,7 @@ def check_degree(degree: int) -> int:
     """Return the degree of a spline, and refuse it unless it is 1 or more."""
     if not 1 <= degree <= MOST_DEGREE:
         raise InputError(
-            "a spline has degree {whole}; 1 to {most_degree} are read: export it with degree 3",
+            "a spline has degree {whole}, outside 1 to {most_degree}: export it with degree 3",
             whole=_whole(degree),
             most_degree=MOST_DEGREE,
         )

@@ -73,27 +73,29 @@ def read_svg_drawing(
 
 
 _IN_POINTS = (
-    "its units are taken as points, 72 to the inch, as Adobe Illustrator draws, which calls them px; where 96 "
-    "make an inch, set {field} to px"
+    "its units are read as points, 72 to the inch, as in Adobe Illustrator, which calls them px; if 96 make "
+    "an inch, set {field} to px"
 )
 
 
 _OF_AFFINITY = (
-    "its pixels are taken as 96 to the inch; Affinity counts in those of its document: where that has not 96 DPI "
-    "(Document Setup), set 96 and export it anew, or set {field} to pt for 72"
+    "its pixels are read as 96 to the inch, but Affinity uses the DPI of its document (Document Setup); if "
+    "that is not 96, set it to 96 and export again, or set {field} to pt for 72"
 )
 
 _WITHOUT_UNIT = (
-    "its size has no unit, so its pixels are taken as 96 to the inch, as browsers do; where its numbers are "
+    "its size has no unit, so its pixels are read as 96 to the inch, as in browsers; if its numbers are "
     "millimetres, set {field} to mm"
 )
 
 _OF_OTHER_UNIT = (
-    "its size, {size}, is not in mm or the like, so its pixels are taken as 96 to the inch and a font as 16 pixels "
-    "high, as browsers do; where its numbers are millimetres, set {field} to mm"
+    "its size, {size}, is not in a unit of length, so its pixels are read as 96 to the inch and a font as 16 "
+    "pixels high, as in browsers; if its numbers are millimetres, set {field} to mm"
 )
 
-_OF_INKSCAPE = "its pixels are taken as 90 to the inch, as Inkscape before 0.92 drew; else set {field} to px"
+_OF_INKSCAPE = (
+    "its pixels are read as 90 to the inch, as in Inkscape before 0.92; if that is wrong, set {field} to px"
+)
 
 
 def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
@@ -176,9 +178,7 @@ def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
         RecursionError,
         OverflowError,
     ) as error:
-        raise InputError(
-            "has path data or attributes that break off or make no sense: export it anew"
-        ) from error
+        raise InputError("has incomplete or invalid path data or attributes: export it again") from error
     shapes.report_left_out()
 
 
@@ -236,7 +236,9 @@ class _Shapes:
             return None
         try:
             if not (np.all(np.abs(matrix) < _LARGEST) and np.all(np.abs(offset) < _LARGEST)):
-                raise InputError("has a transform with numbers that are not finite or too large")
+                raise InputError(
+                    "has a transform with numbers that are not finite or too large: export it again"
+                )
             runs, rounding = self._edges(mark, shape)
         except InputError as error:
             self.bad[mark] = error
@@ -284,12 +286,12 @@ class _Shapes:
     def remarks(self) -> tuple[str, ...]:
         """Return messages about shapes that a browser displays differently."""
         clipped = [note(
-            "clipped or masked in the drawing, but read whole: {shapes}. Release the clip to see the whole curve, "
-            "or cut the path where it is to end",
+            "clipped or masked in the drawing, but read whole: {shapes}. Release the clip to see the whole "
+            "curve, or cut the path where the curve ends",
             shapes=Listed(self.clipped),
         )] if self.clipped else []  # fmt: skip
         unread = [note(
-            "styles that are not evaluated: {styles}. Compare the curves with the drawing",
+            "styles that are not supported: {styles}. Compare the curves with the drawing",
             styles=Listed(dict.fromkeys(self.tree.unread)),
         )] if self.tree.unread else []  # fmt: skip
         return (*clipped, *unread)

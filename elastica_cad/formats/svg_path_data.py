@@ -77,7 +77,7 @@ def path_data(text: str) -> PathData:
         values = [float(word) for word in words]
         if not all(abs(value) < 1e15 for value in values):
             odd = next(word for word in words if not abs(float(word)) < 1e15)
-            raise InputError("has the number {odd} in a path: export it anew", odd=odd)
+            raise InputError("has the unusable number {odd} in a path: export it again", odd=odd)
         written += words[5:] if kind == "A" else words
         _draw(pen, kind, np.array(values), relative=command.islower())
         pen.before = kind
@@ -132,7 +132,7 @@ def _skip(text: str, at: int) -> int:
 def _broken(text: str, at: int) -> InputError:
     done = " ".join(text[max(0, at - 24) : at].split())
     after = f"after ...{done!r}" if done else "at their beginning"
-    return InputError("has path data that break off or make no sense {after}: export it anew", after=after)
+    return InputError("has incomplete or invalid path data {after}: export it again", after=after)
 
 
 def _draw(pen: _Pen, kind: str, values: FloatArray, *, relative: bool) -> None:

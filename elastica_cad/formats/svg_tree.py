@@ -558,9 +558,12 @@ def svg_tree(path: Path) -> SvgTree:
         try:
             root = ElementTree.parse(file).getroot()
         except (ElementTree.ParseError, ValueError, LookupError) as error:
-            raise InputError("is not an SVG file ({error}): export it anew", error=error) from error
+            raise InputError("is not an SVG file ({error}): export it again", error=error) from error
     if tag(root) != "svg":
-        raise InputError("is not an SVG file: it begins with <{tag}>, not with <svg>", tag=tag(root))
+        raise InputError(
+            "is not an SVG file, because it begins with <{tag}>, not with <svg>: export it as SVG",
+            tag=tag(root),
+        )
     unread = _apply_styles(root)
     tree = SvgTree(root, (root.get("width", ""), root.get("height", "")), head, unread=unread)
     _refuse_bombs(tree)
@@ -586,10 +589,10 @@ def _open_svg(path: Path) -> BinaryIO:
         try:
             data = GzipFile(fileobj=file).read(LARGEST_FILE + 1)
         except (OSError, EOFError, zlib.error) as error:
-            raise InputError("is packed and cannot be unpacked: save it anew, as plain SVG") from error
+            raise InputError("is compressed and cannot be unpacked: save it again, as plain SVG") from error
     if len(data) > LARGEST_FILE:
         raise InputError(
-            "holds more than {largest_file} MB once unpacked: leave out what is no curve, or simplify it",
+            "has more than {largest_file} MB when unpacked: remove everything except curves, or simplify it",
             largest_file=LARGEST_FILE // 2**20,
         )
     return BytesIO(data)
@@ -631,7 +634,7 @@ def _refuse_bombs(tree: SvgTree) -> None:
     for element, depth in order:  # grows during the loop: parents before children
         if depth > _DEEPEST:
             raise InputError(
-                "nests groups more than {deepest} deep: ungroup them before export", deepest=_DEEPEST
+                "has groups nested more than {deepest} deep: ungroup them before export", deepest=_DEEPEST
             )
         order += [(child, depth + 1) for child in element]
     clones = [e for e, _ in order if tag(e) == "use"]
@@ -656,7 +659,7 @@ def _refuse_bombs(tree: SvgTree) -> None:
                     )
             check_count(shapes, MOST_SHAPES, "shapes, its clones counted", "leave out clones or unused parts")
             if size > _MOST_TEXT:
-                raise InputError("has clones that come to more than 64 MB of path data: leave out clones")
+                raise InputError("has clones with more than 64 MB of path data in total: remove clones")
             check_count(
                 elements, _MOST_ELEMENTS, "elements, its clones counted", "leave out groups, texts or clones"
             )

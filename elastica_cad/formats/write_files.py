@@ -51,7 +51,7 @@ def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
         raise InputError("{path} is a folder: give the name of a file in it", path=path)
     if not target.parent.is_dir():
         raise InputError(
-            "{path} can't be written: there is no folder {parent}; create it first",
+            "{path} cannot be written, because there is no folder {parent}: create it first",
             path=path,
             parent=target.parent,
         )
@@ -64,7 +64,8 @@ def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
         )
     if target.exists() and not os.access(target, os.W_OK):
         raise InputError(
-            "{path} can't be written: no permission to change that file; choose another name", path=path
+            "{path} cannot be written, because you have no permission to change it: choose another name",
+            path=path,
         )
     return target
 
@@ -104,7 +105,7 @@ def write_atomically(
     """
     if not (callable(content) or isinstance(content, bytes | bytearray | memoryview)):
         raise InputError(
-            "what is written is a {name}: give bytes, or a function that writes them",
+            "the content is a {name}: give bytes, or a function that writes them",
             name=type(content).__name__,
         )
     target = check_target(path, force=force)
@@ -126,7 +127,7 @@ def write_atomically(
                 raise
     except OSError as error:
         raise InputError(
-            "{path} can't be written: {reason}; choose another place", path=path, reason=reason(error)
+            "{path} cannot be written: {reason}; choose another place", path=path, reason=reason(error)
         ) from error
     return target
 
@@ -333,7 +334,7 @@ def _refusals(folder: str | os.PathLike[str]) -> Iterator[None]:
         yield
     except OSError as problem:
         raise InputError(
-            "files can't be written to {folder}: {reason}; choose another folder",
+            "files cannot be written to {folder}: {reason}; choose another folder",
             folder=folder,
             reason=reason(problem),
         ) from problem
@@ -391,7 +392,7 @@ def _check(target: Path, names: Iterable[str], *, force: bool) -> None:
         files = [parent for parent in path.parents if parent.exists() and not parent.is_dir()]
         if files:
             raise InputError(
-                "{files} is a file, and a folder is to be there: choose another folder", files=files[0]
+                "{files} is a file, but a folder is needed there: choose another folder", files=files[0]
             )
         if path.parent.is_dir():
             check_target(path, force=force)

@@ -166,7 +166,7 @@ def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tup
             return knots, spline.coefficients
         sites = np.sort(np.concatenate([sites, (sites[:-1] + np.diff(sites) / 2)[bad]]))
     raise InputError(
-        "the spline from {place} can't be followed to {tolerance:g} by a cubic: allow a larger tolerance",
+        "the spline from {place} cannot be approximated within {tolerance:g} by a cubic: set a larger tolerance",
         place=place(motion(sites[:1], 0, False)[0]),
         tolerance=Length(tolerance),
     )
@@ -258,7 +258,10 @@ def _longest(
             bad = trial
         if bad - a < _SHORTEST_SHARE:
             raise InputError(
-                "the spline at {place} can't be followed to {tolerance:g} by arcs: allow a larger tolerance",
+                (
+                    "the spline at {place} cannot be approximated within {tolerance:g} by arcs: set a larger "
+                    "tolerance"
+                ),
                 place=place(spline.at(a)),
                 tolerance=Length(tolerance),
             )

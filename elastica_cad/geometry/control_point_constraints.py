@@ -260,7 +260,7 @@ def least_norm_newton(
         if len(norms) > max_steps:
             raise NotConvergedError(
                 f"the constraints on the curve are not met after {max_steps} steps: {norms[-1]:.3g} is "
-                "left; give up one of them, or start from a curve that is nearer"
+                "left; leave out one constraint, or start from a nearer curve"
             )
         step = np.asarray(np.linalg.lstsq(jacobian, -residual, rcond=1e-12)[0].reshape(-1, 2), dtype=float)
         try:
@@ -293,8 +293,8 @@ def _advanced(
         if np.linalg.norm(residual) < norm:
             return moved, residual, jacobian
     raise NotConvergedError(
-        f"the constraints on the curve cannot be met: no step lessens the residual {norm:.3g}; "
-        "give up one of them, or start from a curve that is nearer"
+        f"the constraints on the curve cannot be met: no step reduces the residual {norm:.3g}; "
+        "leave out one constraint, or start from a nearer curve"
     ) from lost
 
 
@@ -338,12 +338,12 @@ def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) ->
     inflections = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
     if inflections.size < near.size:
         raise NotConvergedError(
-            f"the curve has {inflections.size} inflections where {near.size} are to be kept: the move is "
+            f"the curve has {inflections.size} inflections instead of {near.size}: the move is "
             "too large or an inflection is too shallow"
         )
     if inflections.size == near.size:
         return np.asarray(inflections[np.argsort(np.argsort(near))])
     picked = inflections[np.abs(inflections[None, :] - near[:, None]).argmin(axis=1)]
     if np.unique(picked).size < near.size:
-        raise NotConvergedError("two inflections to be kept run into the same one: the move is too large")
+        raise NotConvergedError("two inflections of the curve merge: make the move smaller")
     return np.asarray(picked)

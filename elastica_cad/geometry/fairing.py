@@ -166,11 +166,11 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
     ([1], True, True)
     """
     if not (np.isfinite(tolerance) and tolerance > 0):
-        raise InputError(
-            f"a curve is made fair within a positive distance, not {tolerance!r} mm: give 0.1, for one"
-        )
+        raise InputError(f"the smoothing distance is {tolerance!r} mm: give a positive distance, such as 0.1")
     if curve.has_corners:
-        raise InputError("a curve with corners cannot be made fair: round the corners, or cut it at them")
+        raise InputError(
+            "a curve with corners cannot be smoothed: round the corners, or cut the curve at the corners"
+        )
     spans = int(np.clip(4 * len(curve.breaks), _FEWEST, _MOST // 4))
     best: Fairing | None = None
     while spans <= _MOST:
@@ -183,8 +183,7 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
         spans *= 2
     if best is None:
         raise InputError(
-            "the jumps of the curvature cannot be evened out within {tolerance}: allow more, at "
-            "least {tolerance_2}",
+            "the curvature jumps cannot be smoothed within {tolerance}: set at least {tolerance_2}",
             tolerance=Length(tolerance),
             tolerance_2=Length(2 * tolerance),
         )

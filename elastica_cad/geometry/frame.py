@@ -82,7 +82,7 @@ class Frame:
         local = numbers(local, "local coordinates")
         if local.shape[-1:] not in ((2,), (3,)):
             raise InputError(
-                f"local coordinates are rows of two or three numbers, not of shape {local.shape}"
+                f"local coordinates must be rows of two or three numbers, not of shape {local.shape}"
             )
         vectors: FloatArray = local @ self.axes[: local.shape[-1]]
         return vectors
@@ -91,7 +91,7 @@ class Frame:
         """Return local coordinates (..., 3) of points in space (..., 3), mm."""
         points = numbers(points, "points in space")
         if points.shape[-1:] != (3,):
-            raise InputError(f"points in space are rows of three numbers, not of shape {points.shape}")
+            raise InputError(f"points in space must be rows of three numbers, not of shape {points.shape}")
         return np.asarray((points - self.origin) @ self.axes.T, dtype=float)
 
     def within(self, outer: "Frame") -> "Frame":

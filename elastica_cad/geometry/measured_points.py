@@ -111,11 +111,12 @@ class MeasuredPoints:
             return ()
         far, rest = _off_nearest(self.points)[at], _off_nearest(others[at]).max()
         message = (
-            "The point at {place}, number {number} of {count}, is {far:.2g} off the curve of its neighbours, "
-            "the others {rest:.2g} at most: measure it again, and the end beside it, which cannot be judged."
+            "The point at {place}, number {number} of {count}, is {far:.2g} from the curve of its "
+            "neighbours; the other points are within {rest:.2g}. Measure it again, and the end beside it, "
+            "which cannot be judged."
             if at in (1, count - 2) else
-            "The point at {place}, number {number} of {count}, is {far:.2g} off the curve of its neighbours, "
-            "the others {rest:.2g} at most: measure it again."
+            "The point at {place}, number {number} of {count}, is {far:.2g} from the curve of its "
+            "neighbours; the other points are within {rest:.2g}. Measure it again."
         )  # fmt: skip
         return (note(
             message,

@@ -396,7 +396,7 @@ def _refuse_standstill(
     a coordinate, mm.
     """
     if np.ptp(control_points, axis=0).max() == 0:
-        raise InputError("all control points coincide: the curve has zero length")
+        raise InputError("all control points coincide, so the curve has zero length: draw it again")
     t = pieces.tangent_cones.standstill
     if t is None:
         return
@@ -409,20 +409,20 @@ def _refuse_standstill(
         s=Length(_length_until(pieces, t)),
     )
     if not twins.size:
-        raise InputError("{place}: it has a cusp; move or delete a control point there", place=where)
+        raise InputError("{place}, because it has a cusp: move or delete a control point there", place=where)
     cause = note("control points {one} and {next} coincide", one=twins[0], next=twins[0] + 1)
     if 2 * np.sqrt(2.0) * rounding > SHORT_HANDLE * size:
         raise InputError(
-            "undecided at this precision: {place}, for {cause}, and the numbers in the file are "
-            "exact to {rounding}, so a shorter handle is lost: save it with more decimals, or "
-            "draw out the handle of that node",
+            "undecided at this precision: {place}, because {cause}. The numbers in the file are exact to "
+            "{rounding}, so a shorter handle is lost. Save the file with more decimals, or lengthen the "
+            "handle of that node",
             place=where,
             cause=cause,
             rounding=Length(rounding),
         )
     raise InputError(
-        "{place}: {cause}; move or delete one of them (in a drawing program: draw out the "
-        "handle of that node)",
+        "{place}, because {cause}: move or delete one of them (in a drawing program: lengthen the handle of "
+        "that node)",
         place=where,
         cause=cause,
     )
@@ -533,7 +533,7 @@ class NurbsCurve:
         a, b = finite("start", start), finite("end", end)
         degree = whole_degree(degree)
         if a.shape != (2,) or b.shape != (2,):
-            raise InputError("a line runs between two points of two numbers each, in mm")
+            raise InputError("a line needs two points of two numbers each, in mm")
         u = np.linspace(0.0, 1.0, degree + 1)[:, None]
         return cls(np.repeat([0.0, 1.0], degree + 1), a * (1 - u) + b * u, degree)
 
@@ -655,7 +655,7 @@ class NurbsCurve:
         At a knot of low continuity this is the right-hand value, or the left-hand value with `left=True`.
         """
         if not (is_whole(derivative) and 0 <= derivative <= 3):
-            raise InputError(f"derivatives of order 0 to 3 are known, not {derivative!r}")
+            raise InputError(f"the order of a derivative must be 0 to 3, not {derivative!r}")
         t = numbers(t, "parameters")
         return self._pieces.at(t.ravel(), derivative, left=left)[derivative].reshape(*t.shape, 2)
 

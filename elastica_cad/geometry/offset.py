@@ -54,7 +54,7 @@ def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path
     left = distance
     if path.closed:
         if path.area == 0:
-            raise InputError(f"the loop at {place(path.start)} encloses nothing: it has no inside to offset")
+            raise InputError(f"the loop at {place(path.start)} encloses no area, so it has no offset")
         left = -distance * float(np.sign(path.area))
     ring = _Ring(_elements(path, left, tolerance), path.closed, distance)
     moved = Path(ring.joined(), path.closed)
@@ -198,8 +198,7 @@ class _Ring:
 
     def _refuse(self, at: FloatArray) -> None:
         raise InputError(
-            "an offset of {distance:g} swallows the path at {at}: make that part larger or the "
-            "offset smaller",
+            "an offset of {distance:g} removes the path at {at}: make that part larger or the offset smaller",
             distance=Length(self.distance),
             at=place(at),
         )

@@ -231,8 +231,7 @@ def clip_across(path: Path, low: float, high: float) -> Path:
     runs = _runs_between(path, low, high)
     if not runs:
         raise InputError(
-            "nothing of the path lies between x = {low:g} and {high:g}: give places from "
-            "{bounds:g} to {bounds_2:g}",
+            "the path has no part between x = {low:g} and {high:g}: give places from {bounds:g} to {bounds_2:g}",
             low=low,
             high=Length(high),
             bounds=path.bounds[0, 0],

@@ -231,7 +231,7 @@ class PlaneCurve(NurbsCurve):
     def sample(self, count: int) -> CurveSamples:
         """`count` points at equal distances along the curve, both ends included."""
         if not (is_number(count) and count >= 2):
-            raise InputError(f"a curve is sampled at 2 points or more, not {count!r}")
+            raise InputError(f"a curve must be sampled at 2 or more points, not {count!r}")
         return self.at(np.linspace(0.0, self.length, int(count)))
 
     @cached_property
@@ -428,7 +428,7 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[Curvature
     require_record(curve, PlaneCurve, "what a line crosses", "a PlaneCurve")
     normal, constant = finite("b", b), finite("a", a)
     if constant.shape:
-        raise InputError(f"the constant of a line is one number, not {constant.tolist()}")
+        raise InputError(f"the constant of a line must be one number, not {constant.tolist()}")
     if normal.shape != (2,) or not normal.any():
         raise InputError(f"the normal of a line must be two numbers, not both zero: {normal.tolist()}")
     edges, bezier = curve.bezier_table

@@ -57,7 +57,9 @@ class Profile:
                 )
             object.__setattr__(self, name, array)
         if not (is_whole(self.degree) and self.degree >= 1):
-            raise InputError(f"a profile has a whole degree of 1 or more, not {self.degree!r}")
+            raise InputError(
+                f"the degree of a profile must be a whole number of 1 or more, not {self.degree!r}"
+            )
         if self.knots.size != self.coefficients.size + self.degree + 1:
             raise InputError(
                 f"profile has {self.knots.size} knots and {self.coefficients.size} coefficients: degree "
@@ -117,9 +119,7 @@ class Profile:
         """Return the cubic spline through `values` (n,) at increasing arc lengths `s` (n,)."""
         s, values = finite("arc lengths", s), finite("values", values)
         if s.ndim != 1 or s.shape != values.shape or s.size < 2 or np.any(np.diff(s) <= 0):
-            raise InputError(
-                "a profile is interpolated at two or more increasing arc lengths, one value each"
-            )
+            raise InputError("a profile needs two or more increasing arc lengths, with one value each")
         through = spline_through(s, values, min(3, s.size - 1))
         knots, coefficients = through.knots, through.coefficients
         while knots.size < 8:
@@ -130,7 +130,7 @@ class Profile:
     def __call__(self, s: ArrayLike, derivative: int = 0) -> FloatArray:
         """Return values (or derivatives per mm) at arc lengths `s`, extrapolated beyond the ends."""
         if not (is_whole(derivative) and derivative >= 0):
-            raise InputError(f"a profile has derivatives of order 0, 1, 2 ..., not {derivative!r}")
+            raise InputError(f"the order of a derivative must be 0, 1, 2 ..., not {derivative!r}")
         return self._function(numbers(s, "arc lengths of a profile"), derivative)
 
     @property

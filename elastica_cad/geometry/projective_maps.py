@@ -65,15 +65,15 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
         raise InputError(f"{name} must be four handles (x, y), shape (4, 2), not {handles.shape}")
     middle, size = handles.mean(axis=0), float(np.ptp(handles, axis=0).max())
     if size == 0:
-        raise InputError(f"{name}: all four handles lie at {place(handles[0])}: take them apart")
+        raise InputError(f"{name}: all four handles are at {place(handles[0])}: move them apart")
     rows = np.column_stack([(handles - middle) / size, np.ones(4)])
     for i, j in combinations(range(4), 2):
         if np.linalg.norm(rows[i] - rows[j]) <= IN_LINE_SHARE:
             apart = float(np.linalg.norm(handles[i] - handles[j]))
             if apart > 0:
                 raise InputError(
-                    "{name}: handles {i} and {j} lie {apart} apart while others lie {size} apart: too "
-                    "far for a map; move the far ones nearer",
+                    "{name}: handles {i} and {j} are {apart} apart, but others are {size} apart: move the "
+                    "distant handles closer",
                     name=name,
                     i=i + 1,
                     j=j + 1,
@@ -81,7 +81,7 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
                     size=Length(size),
                 )
             raise InputError(
-                f"{name}: handles {i + 1} and {j + 1} lie in one place, {place(handles[i])}: move one"
+                f"{name}: handles {i + 1} and {j + 1} are both at {place(handles[i])}: move one of them"
             )
     for three in combinations(range(4), 3):
         corner = rows[list(three)]
@@ -90,7 +90,7 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
         if abs(ux * vy - uy * vx) <= IN_LINE_SHARE * longest:
             numbers = ", ".join(str(i + 1) for i in three)
             raise InputError(
-                f"{name}: handles {numbers} lie in one line, through {place(handles[three[0]])} and "
+                f"{name}: handles {numbers} are on one line, through {place(handles[three[0]])} and "
                 f"{place(handles[three[2]])}: move one off it"
             )
     shares = np.linalg.solve(rows[:3].T, rows[3])
@@ -123,9 +123,9 @@ def map_spline(
     """
     m = finite("matrix", matrix)
     if m.shape != (3, 3):
-        raise InputError(f"a projective map is a 3 x 3 matrix, not {m.shape}")
+        raise InputError(f"a projective map must be a 3 x 3 matrix, not {m.shape}")
     if np.linalg.matrix_rank(m) < 3:
-        raise InputError("the matrix is singular: it would flatten the plane; use an invertible one")
+        raise InputError("the matrix is singular and would flatten the plane: use an invertible matrix")
     affine = not m[2, :2].any()
     w = np.ones(control_points.shape[0]) if weights is None else weights
     image = np.column_stack([control_points * w[:, None], w]) @ m.T

@@ -234,7 +234,9 @@ class Arc:
         """
         m = require_affine(matrix)
         if not is_similarity(m):
-            raise InputError("an arc stays an arc only when moved, turned, mirrored or scaled evenly")
+            raise InputError(
+                "an arc can only be moved, rotated, mirrored or scaled evenly: use a matrix of this kind"
+            )
         scale, turn, sign = similarity_of(m)
         return Arc(
             transform_points(m, self.center),
@@ -354,7 +356,7 @@ def _beyond_sine(x: float) -> float:
 def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
     """Return the part of a segment between 0 <= u0 < u1 <= 1, exact."""
     if not 0 <= u0 < u1 <= 1:
-        raise InputError(f"a segment is trimmed between 0 <= u0 < u1 <= 1, got {u0:g} and {u1:g}")
+        raise InputError(f"a segment must be trimmed between 0 <= u0 < u1 <= 1, not {u0:g} and {u1:g}")
     if (u0, u1) == (0, 1):
         return segment
     if isinstance(segment, Line):

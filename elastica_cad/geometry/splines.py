@@ -106,7 +106,9 @@ def _check_knots(written: bytes, count: int, degree: int) -> None:
         raise InputError(f"knots must not decrease: knot {down[0] + 1} is less than knot {down[0]}")
     start, end = knots[degree], knots[-degree - 1]
     if not end > start:
-        raise InputError("the knots leave no domain: the first and last inner knot coincide")
+        raise InputError(
+            "the knots span no domain, because the first and last inner knot coincide: give different knots"
+        )
     if not (end - start >= SHORTEST_DOMAIN and np.abs(knots).max() <= FARTHEST_KNOT):
         raise InputError(
             f"the knots run from {start:.3g} to {end:.3g}, where cubes of differences overflow or "
@@ -326,7 +328,7 @@ def solved(spans: Spans, basis: FloatArray, index: IntArray, values: FloatArray)
     right = values.reshape(spans.count, -1)
     *_, solution, info = lapack().dgbsv(spans.degree, spans.degree, bands, right, overwrite_ab=True)
     if info:
-        raise NotConvergedError("No spline has these values: its places are too close to each other.")
+        raise NotConvergedError("No spline has these values, because its places are too close together.")
     return np.ascontiguousarray(solution).reshape(values.shape)
 
 
@@ -444,11 +446,9 @@ def adaptive_spline(
     """
     require_positive(tolerance, "the tolerance of a fit", "the unit of the values")
     if not callable(function):
-        raise InputError(
-            f"what is followed is {quoted(function)}: give a function of the places along the curve"
-        )
+        raise InputError(f"the function is {quoted(function)}: give a function of the arc length")
     if not (is_whole(degree) and 1 <= degree <= _MOST_DEGREE):
-        raise InputError(f"a function is followed by a spline of degree 1 to {_MOST_DEGREE}, not {degree!r}")
+        raise InputError(f"the degree of a spline must be 1 to {_MOST_DEGREE}, not {degree!r}")
     edges, order = _first_edges(domain, _checked_breaks(breaks), np.asarray(knots, dtype=float))
     sites, weight = gauss_rule(degree + 3)
     while True:
@@ -478,7 +478,7 @@ def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, in
     """Return the breaks as pairs of x and an integer."""
     rows = numbers(breaks, "breaks")
     if rows.size and rows.shape[1:] != (2,):
-        raise InputError("breaks are pairs of a place and how often the function can be differentiated there")
+        raise InputError("breaks must be pairs of a place and the number of continuous derivatives there")
     return [(place, int(continuity)) for place, continuity in rows.tolist()]
 
 
@@ -538,7 +538,7 @@ def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArra
             right[:, column] += np.bincount(first + a, rows[:, a] * targets[:, column], spans.count)
     _, solution, info = lapack().dpbsv(band, right, lower=1)
     if info:
-        raise NotConvergedError("No spline follows the function: its places are too close to each other.")
+        raise NotConvergedError("No spline follows the function, because its places are too close together.")
     return np.asarray(solution.reshape(spans.count, *values.shape[2:]), dtype=float)
 
 
@@ -557,8 +557,8 @@ def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolera
     if narrow.any() or edges.size + np.count_nonzero(bad) > _MOST_SPANS:
         worst = int(np.where(bad, error, 0.0).argmax())
         raise NotConvergedError(
-            f"no spline follows the function to {tolerance:g}: near {edges[worst]:.6g} the error "
-            f"stays {error[worst]:.3g}; declare the break there or ask for less"
+            f"no spline approximates the function within {tolerance:g}: near {edges[worst]:.6g} the error "
+            f"stays {error[worst]:.3g}; declare the break there or set a larger tolerance"
         )
 
 
@@ -742,7 +742,7 @@ def _smoothed(
 
 def _check_options(degree: int, tolerance: float, smoothing: float | None) -> None:
     if degree not in (3, 4, 5):
-        raise InputError(f"curves are fitted with degree 3, 4 or 5, not {degree!r}")
+        raise InputError(f"the degree of a fitted curve must be 3, 4 or 5, not {degree!r}")
     if not (is_number(tolerance) and tolerance > 0):
         raise InputError(f"the tolerance of a fit must be positive, not {tolerance!r} mm")
     if smoothing is not None and not (is_number(smoothing) and smoothing >= 0):
@@ -780,8 +780,8 @@ def _knots_for(t: FloatArray, degree: int) -> FloatArray:
 def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:
     worst, typical = int(error.argmax()), float(np.sqrt((error**2).mean()))
     return note(
-        "the points scatter by {typical:.2g} about a smooth curve, by {worst:.2g} at {place}: that is more "
-        "than the tolerance of {tolerance:g}; allow {enough:.1g}, give a smoothing, or remove stray points",
+        "the points have noise of {typical:.2g} about a smooth curve, {worst:.2g} at {place}, more than the "
+        "tolerance of {tolerance:g}: set {enough:.1g}, set a smoothing, or remove outliers",
         typical=Length(typical), worst=Length(error[worst]), place=Point(data[worst]),
         tolerance=Length(tolerance), enough=Length(1.5 * error[worst]),
     )  # fmt: skip
@@ -801,9 +801,7 @@ def distinct_points(points: ArrayLike) -> FloatArray:
     moved = np.hypot(*np.diff(data, axis=0).T) > 1e-12 * np.abs(data).max(initial=0.0)
     data = data[np.concatenate([[True], moved])] if data.shape[0] > 1 else data
     if data.shape[0] < 2:
-        raise InputError(
-            "the points to fit are fewer than two, or all the same: give at least two different points"
-        )
+        raise InputError("there are fewer than two different points to fit: give at least two")
     return data
 
 

@@ -85,7 +85,7 @@ REFUSED = {
         {},
         "no curve that the kernel can follow",
     ),
-    "no edge at all": (lambda: [], {}, "no edge was given: give at least one edge or wire"),
+    "no edge at all": (lambda: [], {}, "there is no edge: select at least one edge or wire"),
     "not plane": (
         lambda: [helix()],
         {},

@@ -229,7 +229,7 @@ def test_what_is_no_edge_is_told_what_to_give(given):
 @pytest.mark.parametrize("given", [bd.Curve(), bd.Compound(), [bd.Curve()], bd.Curve([])])
 def test_shapes_that_hold_nothing_are_told_as_no_edge(given):
     """What a filter or a boolean leaves nothing of: build123d asserts that a shape is there."""
-    with pytest.raises(InputError, match="no edge was given: give at least one edge or wire"):
+    with pytest.raises(InputError, match="there is no edge: select at least one edge or wire"):
         BentStrip(given, "birch-plywood-0.8", max_width=30)
 
 

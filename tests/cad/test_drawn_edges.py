@@ -119,7 +119,7 @@ class TestRefused:
             (lambda: wire(*(line(a, b) for a, b in pairwise(HELIX))), "polyline of 4 straight pieces"),
             (lambda: [line((0, 0, 0), (1, 0, 0)), line((5, 0, 0), (9, 0, 0))], "2 separate chains"),
             (lambda: [line((0, 0, 0), (9, 0, 0)), line((9, 0, 0), (9, 5, 0))], r"90 degrees at \(9, 0, 0\)"),
-            (lambda: [], "no edge was given"),
+            (lambda: [], "there is no edge"),
             (lambda: 7, "edge or wire .* not int"),
             (lambda: [line((0, 0, 0), (1, 0, 0)), "x"], "not str"),
             (lambda: BRepBuilderAPI_MakeEdge(gp_Lin(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0))).Edge(), "infinity"),

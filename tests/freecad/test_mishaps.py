@@ -74,5 +74,5 @@ def test_files_that_are_gone_and_edges_behind_links(tmp_path):
     for picked in ("Body", "Linked body", "Linked part"):
         assert found[picked] == arch, "the strip is where the edge was seen"
     assert found["all follow"] == pytest.approx([30, 30, 80])
-    assert found["coupon refused"].startswith("/proc/coupon.dxf can't be written: ")
+    assert found["coupon refused"].startswith("/proc/coupon.dxf cannot be written: ")
     assert found["coupon"] == f"wrote {tmp_path}/Prüf #1.dxf"

@@ -182,4 +182,4 @@ def test_a_sheet_is_not_kept_where_there_is_no_place_for_settings(monkeypatch, t
     monkeypatch.setattr(
         "elastica_cad.cli.coupon_command.library_folders", lambda: (tmp_path / "file" / "sheets",)
     )
-    assert "a folder is to be there: choose another folder" in run(*words, code=2).stderr
+    assert "a folder is needed there: choose another folder" in run(*words, code=2).stderr

@@ -36,7 +36,7 @@ def test_every_curve_is_judged_for_itself(drawing):
     assert "curve 3 (bow, layer Notes) of 3:\nVerdict     A flat strip can take this curve" in said
     assert "curve 2 (corner, layer Cut) of 3: the curve has a corner" in told
     assert "(30, 20) mm" in told  # y down, as in the drawing
-    assert "left out, for they are no curves: 1 text" in told
+    assert "left out because they are not curves: 1 text" in told
 
 
 def test_a_verdict_that_many_curves_have_is_said_once(tmp_path):
@@ -127,7 +127,7 @@ def test_a_column_that_makes_no_curve_spoils_no_other(tmp_path):
     (tmp_path / "lines.csv").write_text(f"Station,A,B\n{rows}\n")
     wishes = ("--sheet", "card-200gsm", "--max-width", 2, "--no-pictures", "--no-step")
     done = run("strip", tmp_path / "lines.csv", "--all", *wishes, "-o", tmp_path / "out", code=1)
-    assert "curve 1 (A) of 2: a curve needs two different points" in done.stderr
+    assert "curve 1 (A) of 2: a curve needs at least two different points" in done.stderr
     assert "1 of 2 curves have no strip with these options" in done.stderr
     assert "nan" not in done.stderr
     assert (tmp_path / "out" / "lines-B.dxf").exists()

@@ -133,7 +133,7 @@ def test_nothing_is_left_of_a_model_that_fails(design, tmp_path):
     [
         ("kit", "exists already: choose another name, or allow it to be overwritten"),
         ("file", "file is a file, not a folder: choose another folder for the files"),
-        ("file/kit", "file is a file, and a folder is to be there: choose another folder"),
+        ("file/kit", "file is a file, but a folder is needed there: choose another folder"),
         (f"{'long' * 80}", "File name too long; choose another folder"),
     ],
 )

@@ -391,7 +391,7 @@ def test_a_mistyped_offset_is_named_once(smooth, code, length, tmp_path, monkeyp
     monkeypatch.chdir(tmp_path)
     (tmp_path / "bad.csv").write_text("\n".join(["Station,Half-breadth", *rows]))
     told = run("check", "bad.csv", "--smooth", smooth, code=None)
-    assert (told.exit_code, told.output.count("(2134, 612.8) mm, number 8 of 12, is 27 mm off")) == (code, 1)
+    assert (told.exit_code, told.output.count("(2134, 612.8) mm, number 8 of 12, is 27 mm from")) == (code, 1)
     assert f"this curve of {length} mm" in told.output
     words = f"strip bad.csv --sheet pom-1 --max-width 60 --smooth {smooth} --ignore-limits --no-step --no-pictures"
     made = run(*words.split(), "-o", "out", code=code)

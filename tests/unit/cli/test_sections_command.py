@@ -114,7 +114,7 @@ def test_planes_along_a_path(dome, tmp_path):
     assert_two_along(mesh, path, tmp_path / "windows")
     path.write_text("1, 2\n")
     assert (
-        "path.csv: row 1 has 2 columns; it needs x, y and z"
+        "path.csv: row 1 has 2 columns but needs x, y and z"
         in run("sections", mesh, "--along", path, code=2).stderr
     )
 
@@ -184,7 +184,7 @@ def test_a_section_that_no_rod_can_follow_is_named_and_the_others_go_on(tmp_path
         (("--radial", 3, "--axis", 0, 0, 1, "--zero", 0, 0, 1), "zero"),
         (("--radial", 3, "--sheet", "paper-9000"), "paper-9000"),
         (("--offset", 900), "no plane gives a strip: section 1"),
-        (("--radial", 3, "--scale", 1e-9), "nothing made of strips does"),
+        (("--radial", 3, "--scale", 1e-9), "too small or too large for strips"),
         (("--along", "none.csv"), "none.csv cannot be read"),
         (("--radial", 3, "--point", "nan", 0, 0), "--point is not finite"),
         (("--angle", "inf"), "--angle is not finite"),
@@ -281,7 +281,7 @@ def test_a_path_under_a_row_of_names(dome, tmp_path):
     path.write_text("x,y,z\n-60,0,0\n60,0,0\n")
     assert_two_along(mesh, path, tmp_path)
     path.write_text("x,y\n-60,0\n60,0\n")
-    assert "row 2 has 2 columns; it needs x, y and z" in run("sections", mesh, "--along", path, code=2).stderr
+    assert "row 2 has 2 columns but needs x, y and z" in run("sections", mesh, "--along", path, code=2).stderr
 
 
 @pytest.mark.parametrize("rows", [

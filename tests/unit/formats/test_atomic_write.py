@@ -29,7 +29,7 @@ def test_nothing_is_overwritten_unless_allowed(tmp_path):
 def test_folders_are_no_files(tmp_path):
     with pytest.raises(InputError, match="is a folder: give the name of a file"):
         write_atomically(tmp_path, b"x", force=True)
-    with pytest.raises(InputError, match=r"no folder .*missing; create it"):
+    with pytest.raises(InputError, match=r"no folder .*missing: create it"):
         write_atomically(tmp_path / "missing" / "a.txt", b"x")
     (tmp_path / "plain").write_text("")
     with pytest.raises(InputError, match="no folder"):
@@ -59,7 +59,7 @@ def test_what_the_system_refuses_is_said(tmp_path, monkeypatch, code, reason):
         raise OSError(code, os.strerror(code))
 
     monkeypatch.setattr(os, "replace", refuse)
-    with pytest.raises(InputError, match=f"a.txt can't be written: {reason}"):
+    with pytest.raises(InputError, match=f"a.txt cannot be written: {reason}"):
         write_atomically(tmp_path / "a.txt", b"x")
     assert not list(tmp_path.iterdir())
 
@@ -72,7 +72,7 @@ def test_a_disk_that_is_read_only_is_said(tmp_path, monkeypatch):
 
     monkeypatch.setattr(Path, "open", refuse)
     monkeypatch.setattr(Path, "unlink", refuse)
-    with pytest.raises(InputError, match=r"a\.txt can't be written: Read-only file system; choose another"):
+    with pytest.raises(InputError, match=r"a\.txt cannot be written: Read-only file system; choose another"):
         write_atomically(tmp_path / "a.txt", b"x")
 
 
@@ -84,7 +84,7 @@ def test_read_only_files_stay(tmp_path, monkeypatch):
     monkeypatch.setattr(
         os, "access", lambda file, mode: not (mode & os.W_OK) or bool(os.stat(file).st_mode & 0o200)
     )
-    with pytest.raises(InputError, match="no permission to change that file"):
+    with pytest.raises(InputError, match="no permission to change it"):
         write_atomically(path, b"new", force=True)
     assert path.read_text() == "old"
 

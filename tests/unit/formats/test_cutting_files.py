@@ -264,13 +264,13 @@ def test_tolerance_is_kept_in_the_file(check_drawing_file, tmp_path, curves, tol
     ("options", "message"),
     [
         ({"curves": "nurbs"}, "curves is 'nurbs': use one of spline, bezier, arc, polyline"),
-        ({"version": "R14"}, "no DXF version 'R14'"),
+        ({"version": "R14"}, "'R14' is not a supported DXF version"),
         ({"tolerance": 0.0, "curves": "arc"}, "tolerance is 0"),
         ({"layers": {"CUT": "x"}}, "no layer 'CUT' to rename"),
-        ({"layers": {"MARK": "a/b"}}, "'a/b' is no name for a layer"),
-        ({"layers": {"MARK": ("a", "red")}}, "'red' is no colour"),
+        ({"layers": {"MARK": "a/b"}}, "'a/b' is not a layer name"),
+        ({"layers": {"MARK": ("a", "red")}}, "'red' is not a colour"),
         ({"layers": {"MARK": "engrave"}}, "two layers have the same name"),
-        ({"layers": {"MARK": "my marks"}, "version": "R12"}, "R12 takes no layer named 'my marks'"),
+        ({"layers": {"MARK": "my marks"}, "version": "R12"}, "R12 does not allow the layer name 'my marks'"),
         ({"kerf": 20.0}, "kerf is 20 mm, wider than the cut of any tool"),
         ({"kerf": 10.0}, "kerf of 10 mm is too wide"),
         ({"kerf": np.nan}, "kerf is nan"),
@@ -291,7 +291,7 @@ def test_empty_drawings_and_unknown_suffixes_are_refused(tmp_path):
 
 
 def test_a_curve_or_a_strip_is_no_drawing(tmp_path):
-    with pytest.raises(InputError, match=r"a PlaneCurve is no drawing: give a strip"):
+    with pytest.raises(InputError, match=r"a PlaneCurve is not a drawing: give a strip"):
         write_drawing(PlaneCurve.arc((0, 0), 80, 0.3, 2.8), tmp_path / "arc.dxf")
 
 

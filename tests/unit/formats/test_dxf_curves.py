@@ -295,8 +295,8 @@ def test_a_unit_that_the_file_does_not_name_is_assumed_and_reported(drawing, ver
     assert curves[0].length == pytest.approx(mm * np.hypot(size, 1))
     (told,) = curves.notes
     unit, other = ("in", "mm") if mm > 1 else ("mm", "in")
-    assert f"its unit is assumed: {unit}, because it names none" in told
-    assert f"set unit to the right one, such as {other}" in told
+    assert f"its unit is assumed to be {unit}, because it has no unit" in told
+    assert f"set unit to the right unit, such as {other}" in told
     for given in ("mm", "in"):
         assert not drawing(draw, units=0, version=version, unit=given).notes
 
@@ -316,7 +316,7 @@ def test_given_unit_overrides_the_file(drawing):
 
 
 def test_unit_that_nobody_knows(drawing):
-    with pytest.raises(InputError, match=r"drawn\.dxf: is drawn in a unit .*INSUNITS = 18.* say which"):
+    with pytest.raises(InputError, match=r"drawn\.dxf: has an unknown unit .*INSUNITS = 18.* set the unit"):
         drawing(lambda space, _: space.add_line((0, 0), (3, 4)), units=18)
 
 
@@ -520,7 +520,7 @@ def test_file_without_curves_says_what_it_holds(drawing):
 def test_other_files_are_no_dxf_files(tmp_path, data):
     path = tmp_path / "bad.dxf"
     path.write_bytes(data)
-    with pytest.raises(InputError, match=r"bad\.dxf: (is not a DXF file|holds no curve)"):
+    with pytest.raises(InputError, match=r"bad\.dxf: (is not a readable DXF file|holds no curve)"):
         read_curves(path)
 
 
@@ -688,8 +688,8 @@ def spaced_like(curve, points):
 
 
 @pytest.mark.parametrize(("points", "words"), [
-    ([(5, 5), (5, 5)], "fewer than two fit points that differ: draw it anew"),
-    ([(5, 5), (9, 5), (5, 5)], "fewer than three fit points that differ: draw it anew"),
+    ([(5, 5), (5, 5)], "fewer than two different fit points: draw it again"),
+    ([(5, 5), (9, 5), (5, 5)], "fewer than three different fit points: draw it again"),
 ])  # fmt: skip
 def test_fit_points_that_do_not_differ_are_told(drawing, points, words):
     def draw(space, _):
@@ -708,9 +708,9 @@ def test_a_fit_point_drawn_twice_counts_once(drawing):
 
 
 @pytest.mark.parametrize(("knots", "weights", "words"), [
-    (np.linspace(0, 1, 8), (), r"5 control points has 8 knots; it needs 9, never decreasing: export it anew"),
-    (np.zeros(9), (), r"must run over an interval: draw it anew"),
-    (np.linspace(0, 1, 9), (1, 1), r"needs 5 weights, all positive and finite, or none: export it anew"),
+    (np.linspace(0, 1, 8), (), r"has 8 knots but needs 9 that never decrease: export or draw it again"),
+    (np.zeros(9), (), r"must span an interval: draw it again"),
+    (np.linspace(0, 1, 9), (1, 1), r"needs 5 positive finite weights, or none: export or draw it again"),
 ])  # fmt: skip
 def test_numbers_of_a_spline_that_do_not_fit_are_told_with_what_to_do(drawing, knots, weights, words):
     def draw(space, _):

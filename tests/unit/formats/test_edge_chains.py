@@ -93,10 +93,10 @@ test_full_stop_for_bad_numbers = refusal_test(
         (lambda: curve_from_points(np.array([(0, 0), (1, np.inf), (2, 3)])), "finite"),
         (
             lambda: Edge(np.repeat([0.0, 1.0], 3), np.eye(3, 2), 2, np.array([1, 0, 1])),
-            "weights, all positive",
+            "positive finite weights",
         ),
-        (lambda: Edge(np.array([0.0, 1.0]), np.eye(3, 2), 2), "it needs 6, never decreasing"),
-        (lambda: Edge(np.zeros(6), np.eye(3, 2), 2), "must run over an interval"),
+        (lambda: Edge(np.array([0.0, 1.0]), np.eye(3, 2), 2), "but needs 6 that never decrease"),
+        (lambda: Edge(np.zeros(6), np.eye(3, 2), 2), "must span an interval"),
     ]
 )
 
@@ -174,7 +174,7 @@ def test_a_plane_that_is_given_is_kept_or_refused():
     curve, frame = placed_curve([arch], plane=plane)
     assert frame is plane
     assert curve.sample(2).position == pytest.approx(np.array([(-6, 5), (-6, -55)]))
-    with pytest.raises(InputError, match="up to 2 mm off the plane that is given"):
+    with pytest.raises(InputError, match="up to 2 mm away from its given plane"):
         placed_curve([arch], plane=Frame((0, 0, 2), (1, 0, 0), (0, 1, 0)))
 
 
@@ -186,17 +186,17 @@ test_edges_that_do_not_make_one_smooth_chain_are_refused = refusal_test(
         (lambda: placed_curve([SIDE, UP]), r"a corner of 90 degrees at \(40, 0, 0\) mm"),
         (
             lambda: placed_curve([SIDE, Edge.polyline([(0, 9, 0), (40, 9, 0)])]),
-            r"make 2 separate chains, the nearest 9 mm apart at \(0, 0, 0\) mm: make their ends meet, or leave",
+            r"form 2 separate chains, the nearest 9 mm apart at \(0, 0, 0\) mm: join their ends, or leave",
         ),
         (
             lambda: placed_curve([SIDE, Edge.polyline([(40.3, 0, 0), (90, 0, 0)])]),
-            r"two edges end 0\.3 mm apart at \(40, 0, 0\) mm: make their ends meet",
+            r"two edges end 0\.3 mm apart at \(40, 0, 0\) mm: join their ends",
         ),
         (
             lambda: placed_curve([SIDE, UP, Edge.polyline([(40, 0, 0), (90, 0, 0)])]),
-            r"three edges or more meet at \(40, 0, 0\) mm",
+            r"three or more edges meet at \(40, 0, 0\) mm",
         ),
-        (lambda: placed_curve([]), "no edge was given: give at least one"),
+        (lambda: placed_curve([]), "there is no edge: select at least one"),
         (
             lambda: placed_curve([Edge.polyline([(3, 4, 0), (3, 4, 0)])]),
             "the edge has no length: draw a curve",

@@ -113,7 +113,7 @@ def test_a_disk_that_is_full_is_told_by_the_folder_that_was_asked_for(tmp_path, 
     with pytest.raises(InputError) as refused:
         write()
     why = "Cannot open file 'a.txt'" if told == "by another library" else "No space left on device"
-    assert str(refused.value) == f"files can't be written to {tmp_path}: {why}; choose another folder"
+    assert str(refused.value) == f"files cannot be written to {tmp_path}: {why}; choose another folder"
     assert list(tmp_path.iterdir()) == []
 
 

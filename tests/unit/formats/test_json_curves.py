@@ -73,10 +73,10 @@ def broken(**changes):
 @pytest.mark.parametrize(("content", "words"), [
     ("{", "is not JSON"),
     ("[" * 100000, "too deep"),
-    ("[1, 2]", "holds no record"),
+    ("[1, 2]", "has no record"),
     ({"curves": []}, "has the schema None"),
     ({"schema": "elastica-curves/2"}, "newer than this program"),
-    ({"schema": "elastica-curves/1", "curves": []}, "holds no curves"),
+    ({"schema": "elastica-curves/1", "curves": []}, "has no curves"),
     ({"schema": "elastica-curves/1", "units": "parsec", "curves": [1]}, "unknown unit 'parsec'"),
     ({"schema": "elastica-curves/1", "curves": [1]}, "curve 1 is not a record"),
     (broken(knots="gone"), "curve 1 has no 'knots'"),

@@ -58,11 +58,9 @@ def test_a_broken_mesh_is_one_sentence_and_nothing_else(tmp_path, capfd):
 def test_metres_are_asked_for(tmp_path):
     small = TENT.replace("90", "0.9").replace("50", "0.5")
     file = written(tmp_path, "tent.obj", small)
-    with pytest.raises(InputError, match=r"tent\.obj: measures 1\.37 .* --unit m .*\(m: 1367 mm\)"):
+    with pytest.raises(InputError, match=r"tent\.obj: is 1\.37 .* --unit m .*\(m: 1367 mm\)"):
         read_mesh(file)
-    with pytest.raises(
-        InputError, match=r"measures 13\.7 .*\(cm: 136\.7 mm, in: 347\.3 mm, m: 1\.367e\+04 mm\)"
-    ):
+    with pytest.raises(InputError, match=r"is 13\.7 .*\(cm: 136\.7 mm, in: 347\.3 mm, m: 1\.367e\+04 mm\)"):
         read_mesh(file, scale=10)
     with pytest.raises(InputError, match=r"scale of .* must be positive"):
         read_mesh(file, scale=0)
@@ -74,7 +72,7 @@ def test_metres_are_asked_for(tmp_path):
 @pytest.mark.parametrize(
     ("name", "text", "words"),
     [
-        ("a.off", TENT, "no mesh known"),
+        ("a.off", TENT, "not a supported mesh"),
         ("a.obj", "v 0 0 0\nv 1 0 0\n", "a.obj"),
         ("a.stl", "nonsense", "a.stl"),
         ("a.ply", "ply\nnonsense", "a.ply"),
@@ -94,5 +92,5 @@ def test_without_trimesh(tmp_path, monkeypatch):
 
 def test_a_damaged_mesh_is_refused_without_words_of_python(tmp_path):
     file = written(tmp_path, "a.obj", "v 0 0 0\nv 9 0 0\nv 9 9 5\nf 1 2 ..\n")
-    with pytest.raises(InputError, match=r"a\.obj: this is no OBJ mesh that can be read: export it anew$"):
+    with pytest.raises(InputError, match=r"a\.obj: is not a readable OBJ mesh: export it again$"):
         read_mesh(file, unit="mm")

@@ -40,7 +40,7 @@ def test_gaps_of_one_unit_of_the_last_digit_are_closed(drawing, unit, radius, ga
     curves = drawing(_arcs(gap, radius), unit)
     assert len(curves) == 1
     assert not curves[0].has_corners
-    assert "gaps of one unit of the file's last digit were closed: 1, the widest" in curves.notes[0]
+    assert "gaps of one unit in the last digit of the file were closed: 1, the widest" in curves.notes[0]
 
 
 @pytest.mark.parametrize("millimetres", [0.2, 1.7, 2.9])
@@ -56,7 +56,7 @@ def test_of_shapes_that_lie_on_each_other_the_longer_one_counts(drawing, part):
     whole = 70 if part[1] <= 70 else 188.505
     curves = drawing(lambda space: (space.add_arc((0, 0), 90, *part), space.add_arc((0, 0), 90, 0, whole)))
     assert [curve.length for curve in curves] == pytest.approx([90 * np.radians(whole)])
-    assert curves.notes == ("drawn twice, so the longer shape counts: ARC 2F (layer 0) on ARC 30 (layer 0)",)
+    assert curves.notes == ("drawn twice, so the longer shape is used: ARC 2F (layer 0) on ARC 30 (layer 0)",)
 
 
 def test_a_curve_drawn_twice_is_reported_in_whatever_form(drawing):
@@ -65,14 +65,14 @@ def test_a_curve_drawn_twice_is_reported_in_whatever_form(drawing):
         lambda space: (space.add_lwpolyline(half, format="xyb"), space.add_arc((0, 0), 40, 0, 180))
     )
     assert len(spline) == 1
-    assert spline.notes[0].startswith("drawn twice, so the longer shape counts")
+    assert spline.notes[0].startswith("drawn twice, so the longer shape is used")
     two = drawing(
         lambda space: [
             space.add_arc((0, 0), 40, 0, 90, dxfattribs={"layer": layer}) for layer in ("CUT", "BEND")
         ]
     )
     assert len(two) == 2
-    assert two.notes[0].startswith("drawn twice with different layers or names, so both count")
+    assert two.notes[0].startswith("drawn twice with different layers or names, so both are used")
 
 
 @pytest.mark.parametrize("ends", [((0, 60), (47, 130)), ((47, 130), (0, 60)), ((0, 129.9), (0.1, 130))])
@@ -82,7 +82,7 @@ def test_shapes_that_overlap_in_part_become_their_union(drawing, ends):
     assert np.hypot(*(curves[0].sample(401).position - (5, 7)).T) == pytest.approx(90, abs=1e-5)
     assert not curves[0].has_corners
     (text,) = curves.notes
-    assert text.startswith("drawn twice in part, so their union is one curve: ARC ")
+    assert text.startswith("partly drawn twice, so the two shapes are joined into one curve: ARC ")
 
 
 def test_overlapping_lines_polylines_and_arcs_of_a_ring_become_one_curve(drawing):
@@ -125,7 +125,7 @@ def test_overlapping_shapes_of_two_layers_or_with_a_third_at_their_ends_are_repo
 
     curves = drawing(draw)
     assert len(curves) == 2
-    assert sum("drawn twice in part, and both count" in text for text in curves.notes) == 1
+    assert sum("partly drawn twice, and both shapes are used" in text for text in curves.notes) == 1
 
 
 def test_shapes_that_touch_or_cross_do_not_overlap(drawing):

@@ -71,13 +71,13 @@ def test_corners_are_kept(csv):
 @pytest.mark.parametrize(("text", "words"), [
     ("1,2\n3,nan\n5,6\n", r"row 2 is not finite \(3, nan\)"),
     ("1,2\ninf,4\n", "row 2 is not finite"),
-    ("x,y\n1,2\n3,four\n", "row 3 has 'four' where a number is needed: write digits"),
+    ("x,y\n1,2\n3,four\n", "row 3 has 'four' instead of a number: write a number"),
     ("1,2\n\n# note\n3\n", "row 4 has 1 columns"),
     ("1,2,3,4\n", "row 1 has 4 columns"),
-    ("1,2,0\n3,4,1\n", "the third column runs over 1"),
-    ("x,y\n", "there are no points"),
+    ("1,2,0\n3,4,1\n", "the third column varies by 1"),
+    ("x,y\n", "the file has no points"),
     ("x,y\na,b\n1,2\n", "row 2 has 'a'"),
-    ("  \n\n", "there are no points"),
+    ("  \n\n", "the file has no points"),
     ("5,5\n", "two different points"),
     ("5,5\n5,5\n5,5\n", "two different points"),
     (b"\xff\xff\x00\xd8", "not a text file"),
@@ -132,14 +132,14 @@ def test_published_spline(reference_data):
 
 
 @pytest.mark.parametrize(("content", "words"), [
-    ("1.0 2.0\n3 4\n", r"line 1 is '1.0 2.0'; .*measured points belong into a \.csv file"),
+    ("1.0 2.0\n3 4\n", r"line 1 is '1.0 2.0', .*put measured points into a \.csv file"),
     ("4 3\n0 0\n1 1\n", "line 1 announces 3 control points, but 2 lines follow"),
     ("4 3\n0 0\n1 1\n2 0\n", "too few for degree 4"),
     ("1 2\n0 0\n1 1\n", "degree of 2 or more"),
     ("2 3\n0 0\n1 x\n2 0\n", "row 3 has 'x'"),
     ("2 3\n0 0\n1 nan\n2 0\n", "row 3 is not finite"),
     ("2 3\n1 1\n1 1\n1 1\n", "coincide"),
-    ("\n\n", "there are no numbers in it"),
+    ("\n\n", "the file has no numbers"),
 ])  # fmt: skip
 def test_bad_control_point_files(text, content, words):
     with pytest.raises(InputError, match=rf"spline\.txt: .*{words}") as caught:
@@ -178,7 +178,7 @@ def test_a_heading_says_columns_and_unit(tmp_path, heading):
 
 def test_a_heading_with_two_units_is_refused(tmp_path):
     (tmp_path / "points.csv").write_text("x (in),y (mm)\n0,0\n2,1\n4,1\n6,0\n")
-    with pytest.raises(InputError, match="names in and mm: give x and y in one unit"):
+    with pytest.raises(InputError, match="has the units in and mm: give x and y in one unit"):
         read_curves(tmp_path / "points.csv")
 
 
@@ -310,7 +310,7 @@ def test_tables_as_other_programs_write_them(csv, text):
     "x (rods),y (rods),y (rods)",
 ])  # fmt: skip
 def test_no_unknown_unit_is_read_as_mm(csv, heading):
-    with pytest.raises(InputError, match="not a unit known here: give the unit \\(unit\\)"):
+    with pytest.raises(InputError, match="not a known unit: set the unit \\(unit\\)"):
         csv(table(f"{heading}\n"))
     assert csv(table(f"{heading}\n"), unit="cm")[0].length > 20_000
 
@@ -323,7 +323,7 @@ def test_no_unknown_unit_is_read_as_mm(csv, heading):
 ])  # fmt: skip
 def test_signs_that_may_part_thousands_or_decimals_are_refused(csv, text):
     with pytest.raises(
-        InputError, match=r"row \d has '1.\d+(\.5)?', and its sign may part thousands or decimals"
+        InputError, match=r"row \d has '1.\d+(\.5)?', whose separator can mean thousands or decimals"
     ):
         csv(text)
 
@@ -338,7 +338,7 @@ def test_thousands_in_quotes_are_reported(tmp_path):
     path = tmp_path / "points.csv"
     path.write_text(table(style='"{:,}"'.format, points=[(1000, 2050), (1250, 2260), (1500, 2310)]))
     drawing = read_drawing(path)
-    assert drawing.unit.note == "its numbers have signs between thousands: 1,000 was read as 1000"
+    assert drawing.unit.note == "its numbers have thousands separators: 1,000 was read as 1000"
     assert drawing.read()[0].bounds[1] == pytest.approx((1500, 2310), abs=1)
 
 
@@ -357,7 +357,7 @@ def test_curves_beside_each_other(tmp_path, heading, names):
     ends = [one.curve.sample(2).position[1] / scale for one in drawing]
     assert np.array(ends) == pytest.approx(np.array([ARCH[-1], (1620, 2010)]))
     path.write_text(f"x,y,x,y,x\n{''.join(rows)}")
-    with pytest.raises(InputError, match="names x 3 times, y 2 times"):
+    with pytest.raises(InputError, match="heading has x 3 times, y 2 times"):
         read_drawing(path)
 
 
@@ -386,7 +386,7 @@ def test_a_table_without_a_readable_cell_names_its_first(tmp_path):
     path = tmp_path / "hull.csv"
     for cell in ("2 cubits", "high"):
         path.write_text(f"Station,Sheer\n0,{cell}\n2,{cell}\n")
-        with pytest.raises(InputError, match=f"row 2 has '{cell}' where a number is needed"):
+        with pytest.raises(InputError, match=f"row 2 has '{cell}' instead of a number"):
             read_drawing(path)
     path.write_text("Station,Sheer,Rabbet\n0,2 cubits,1\n2,3 cubits,2\n4,3,1\n")
     drawing = read_drawing(path)

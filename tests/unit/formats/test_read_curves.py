@@ -90,10 +90,14 @@ def test_what_is_saved_is_read_back(tmp_path, suffix):
 @pytest.mark.parametrize(
     ("name", "text", "told"),
     [
-        ("one.csv", "3,4\n", "needs two different points or more: draw it anew, or leave it out"),
-        ("null.json", "null", "holds no record.*: give a file that elastica wrote"),
+        ("one.csv", "3,4\n", "needs at least two different points: draw it again, or leave it out"),
+        ("null.json", "null", "has no record.*: give a file that elastica wrote"),
         ("other.json", "{}", "reports of strips: give one of those"),
-        ("far.svg", '<svg><path d="M 0 0 L 1e40 2"/></svg>', "has the number 1e40 in a path: export it anew"),
+        (
+            "far.svg",
+            '<svg><path d="M 0 0 L 1e40 2"/></svg>',
+            "has the unusable number 1e40 in a path: export it again",
+        ),
     ],
 )
 def test_what_cannot_be_read_says_what_to_do(tmp_path, name, text, told):

@@ -85,6 +85,6 @@ def test_a_fit_that_leaves_the_points_by_far_is_refused(tmp_path):
     ]
     file = tmp_path / "a.csv"
     file.write_text("\n".join(rows))
-    with pytest.raises(InputError, match=r"leaves the drawing by \S+ mm, more than 0\.9 mm"):
+    with pytest.raises(InputError, match=r"deviates from the drawing by \S+ mm, more than 0\.9 mm"):
         read_curves(file, fit_tolerance=4)
     assert len(read_curves(file)) == 1

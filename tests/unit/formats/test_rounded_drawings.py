@@ -147,5 +147,5 @@ def test_a_bad_curve_does_not_spoil_the_others(tmp_path):
     assert file.skipped["text"] == 1
     assert any("text" in note for note in curves.notes)
     (tmp_path / "b.svg").write_text('<svg><path d="M 0 0 C 1 2"/></svg>')
-    with pytest.raises(InputError, match="break off"):
+    with pytest.raises(InputError, match="incomplete or invalid"):
         read_curves(tmp_path / "b.svg")

@@ -120,7 +120,7 @@ def test_boxes_without_stroke_and_fill_are_no_curves(svg):
     box = '<rect class="BoundingBox" stroke="none" fill="none" x="12" y="33" width="141" height="70"/>'
     found = svg(f"<g>{box}{line(ARCH)}</g>")
     assert len(found) == 1
-    assert found.notes == ("left out, for they are no curves: 1 shape without stroke and fill",)
+    assert found.notes == ("left out because they are not curves: 1 shape without stroke and fill",)
     assert svg(line(ARCH) + line(WAVE, 'transform="scale(0)"')).notes[0].endswith("1 hidden or empty shape")
     assert len(svg(box)) == 1, "a drawing without any paint is read"
 

@@ -339,11 +339,11 @@ def test_the_pixels_of_affinity_are_told(tmp_path):
     head = 'width="100%" height="100%" viewBox="0 0 2480 3508" xmlns:serif="http://www.serif.com/"'
     body = '<path d="M336.22,1889.76C336.22,472.441 2698.43,472.441 2698.43,1889.76"/>'
     file.write_text(f'<svg {head} xmlns="http://www.w3.org/2000/svg">{body}</svg>')
-    assert "96 DPI" in read_drawing(file).unit.note
+    assert "the DPI of its document" in read_drawing(file).unit.note
     file.write_text(
         f'<svg {head.replace("100%", "210mm", 1)} xmlns="http://www.w3.org/2000/svg">{body}</svg>'
     )
-    assert "96 DPI" not in read_drawing(file).unit.note
+    assert "the DPI of its document" not in read_drawing(file).unit.note
 
 
 @pytest.mark.parametrize(
@@ -422,7 +422,7 @@ def test_clones_are_found_by_their_own_id(tmp_path):
     for asked, start in (("use1", (200, 0)), ("one", (0, -300)), ("use2/arch", (0, -400)), ("4", (0, -300))):
         assert drawing.one(asked, None, "--curve").curve.sample(2).position[0] == pytest.approx(start)
     assert len(drawing.chosen("arch")) == 2
-    with pytest.raises(InputError, match=r"holds 2 curves: choose one with --curve.*4 \(use2/one\), 5"):
+    with pytest.raises(InputError, match=r"contains 2 curves: choose one with --curve.*4 \(use2/one\), 5"):
         drawing.one("use2", None, "--curve")
 
 
@@ -470,7 +470,7 @@ def test_touching_shapes_with_names_are_reported_in_one_line(svg):
     assert [one.name for one in read.file] == ["rib", "twin", "side0", "side1", "side2"]
     told, twice = read.notes
     assert "curve 1 (rib) and curve 2 (twin)" in told
-    assert twice == "drawn twice with different layers or names, so both count: twin on rib"
+    assert twice == "drawn twice with different layers or names, so both are used: twin on rib"
     assert "and 2 more. To make one strip" in told
     assert "combine them into one path in the drawing program, or remove their names" in told
 
@@ -498,7 +498,7 @@ def test_what_is_within_something_invisible_is_left_out(svg):
     sheet = f'<style>.away {{ visibility: hidden }}</style><g class="away">{path(arch)}</g>'
     found = svg(hidden + sheet)
     assert len(found) == 1
-    assert found.notes == ("left out, for they are no curves: 2 hidden or empty shape",)
+    assert found.notes == ("left out because they are not curves: 2 hidden or empty shape",)
 
 
 def test_a_packed_drawing_is_unpacked(tmp_path):
@@ -511,10 +511,12 @@ def test_a_packed_drawing_is_unpacked(tmp_path):
     assert len(read_curves(tmp_path / "plain.svgz")) == 1
     for broken in (gzip.compress(text.encode())[:-12], b"\x1f\x8bnothing"):
         (tmp_path / "broken.svgz").write_bytes(broken)
-        with pytest.raises(InputError, match=r"broken\.svgz: is packed and cannot be unpacked: save it anew"):
+        with pytest.raises(
+            InputError, match=r"broken\.svgz: is compressed and cannot be unpacked: save it again"
+        ):
             read_curves(tmp_path / "broken.svgz")
     (tmp_path / "large.svgz").write_bytes(gzip.compress(bytes(2**20), 9) * 65)
-    with pytest.raises(InputError, match="more than 64 MB once unpacked"):
+    with pytest.raises(InputError, match="more than 64 MB when unpacked"):
         read_curves(tmp_path / "large.svgz")
 
 
@@ -547,7 +549,7 @@ def test_a_size_without_a_unit_is_told(tmp_path, size, told):
 @pytest.mark.parametrize("size", ["60vw", "30ex", "20em", "7furlong"])
 def test_a_size_of_another_unit_is_named(svg, size):
     (told,) = svg(path("M 0 0 C 30 50 70 0 100 50"), f'width="{size}" viewBox="0 0 300 200"').notes
-    assert f"its size, '{size}', is not in mm or the like" in told
+    assert f"its size, '{size}', is not in a unit of length" in told
     assert "set unit to mm" in told
 
 

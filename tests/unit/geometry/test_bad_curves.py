@@ -41,7 +41,7 @@ KNOTS = [0, 0, 0, 0, 1, 1, 1, 1]
             r"weights run from 1 to 1e\+200: the largest may be 1e\+08 times",
         ),
         (KNOTS, GOOD, 3, [1, 1, np.inf, 1], "weights holds NaN or infinite"),
-        (KNOTS, [(2, 2)] * 4, 3, None, "all control points coincide: the curve has zero length"),
+        (KNOTS, [(2, 2)] * 4, 3, None, "all control points coincide, so the curve has zero length"),
         (KNOTS, [(0, 0), (0, 0), (3, 2), (4, 0)], 3, None, "control points 0 and 1 coincide"),
         ([0, 0, 0, 1, 1, 1, 2, 2, 2], [*GOOD, (5, 5), (6, 6)], 2, None, "breaks the curve apart"),
         ([0, 0, 0, 0, 0, 1, 1, 1, 1], [*GOOD, (5, 5)], 3, None, "degree 3 allows 4"),
@@ -55,7 +55,9 @@ def test_bad_numbers_get_one_sentence(knots, points, degree, weights, words):
 def test_a_cusp_is_refused_with_its_place():
     # (v^2, v^3) on [-1, 1]: each half is (13^1.5 - 8) / 27 long
     points = [(1, -1), (-1 / 3, 1), (-1 / 3, -1), (1, 1)]
-    with pytest.raises(InputError, match=r"no tangent at \(.*\) mm, 1.44 mm from its start: it has a cusp"):
+    with pytest.raises(
+        InputError, match=r"no tangent at \(.*\) mm, 1.44 mm from its start, because it has a cusp"
+    ):
         PlaneCurve(KNOTS, points, 3)
 
 
@@ -97,9 +99,9 @@ def test_coincident_control_points_without_standstill_are_allowed():
         (lambda: PlaneCurve.spline(GOOD, 3).transformed(np.eye(2)), "3 x 3"),
         (lambda: line_crossings(PlaneCurve.spline(GOOD, 3), 1.0, (0, 0)), "normal of a line"),
         (lambda: line_crossings(PlaneCurve.spline(GOOD, 3), np.nan, (0, 1)), "NaN"),
-        (lambda: PlaneCurve.fit([(0, 0), (0, 0)]), "at least two different points"),
+        (lambda: PlaneCurve.fit([(0, 0), (0, 0)]), "fewer than two different points"),
         (lambda: PlaneCurve.fit([]), r"shape \(n, 2\)"),
-        (lambda: PlaneCurve.fit(GOOD, degree=2), "degree 3, 4 or 5"),
+        (lambda: PlaneCurve.fit(GOOD, degree=2), "must be 3, 4 or 5"),
         (lambda: PlaneCurve.fit(GOOD, tolerance=0), "tolerance of a fit must be positive"),
         (lambda: PlaneCurve.fit(GOOD, smoothing=-1), "smoothing of a fit must be 0 or more"),
         (lambda: PlaneCurve.fit([(0, 0), (np.nan, 1), (2, 2)]), "points holds NaN"),

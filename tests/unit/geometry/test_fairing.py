@@ -79,7 +79,7 @@ def test_what_cannot_be_faired_is_told():
         fair_curve(corner, 0.1)
     with pytest.raises(InputError, match="positive distance"):
         fair_curve(ARCH, 0.0)
-    with pytest.raises(InputError, match="allow more"):
+    with pytest.raises(InputError, match="set at least"):
         fair_curve(ARCH, 1e-9)
 
 
@@ -167,7 +167,7 @@ def test_a_real_corner_where_a_curve_closes_is_refused_with_its_place_as_drawn()
         require_bendable(drawn)
     with pytest.raises(InputError, match="closed curve has a corner"):
         smooth_curve(drawn, 1.0)
-    with pytest.raises(InputError, match="with corners cannot be made fair"):
+    with pytest.raises(InputError, match="with corners cannot be smoothed"):
         fair_curve(drawn, 1.0)
 
 

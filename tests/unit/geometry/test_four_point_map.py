@@ -37,14 +37,14 @@ def test_handles_far_from_the_origin():
     [
         (SQUARE[:3], SQUARE[:3], r"before must be four handles \(x, y\), shape \(4, 2\), not \(3, 2\)"),
         (SQUARE, [*SQUARE[:3], (0, np.nan)], "after holds NaN"),
-        (SQUARE, [(5, 6)] * 4, r"after: all four handles lie at \(5, 6\) mm"),
-        (SQUARE, [*SQUARE[:3], (100, 0)], r"after: handles 2 and 4 lie in one place, \(100, 0\) mm"),
+        (SQUARE, [(5, 6)] * 4, r"after: all four handles are at \(5, 6\) mm"),
+        (SQUARE, [*SQUARE[:3], (100, 0)], r"after: handles 2 and 4 are both at \(100, 0\) mm"),
         (
             SQUARE,
             [*SQUARE[:2], (1e12, 1e12), SQUARE[3]],
-            r"handles 1 and 2 lie 100 mm apart while others lie 1e\+12",
+            r"handles 1 and 2 are 100 mm apart, but others are 1e\+12",
         ),
-        ([(0, 0), (50, 50), (100, 100), (0, 100)], SQUARE, "before: handles 1, 2, 3 lie in one line"),
+        ([(0, 0), (50, 50), (100, 100), (0, 100)], SQUARE, "before: handles 1, 2, 3 are on one line"),
         (SQUARE, "abcd", "after must be numbers"),
     ],
 )

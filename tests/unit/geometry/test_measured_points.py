@@ -102,7 +102,7 @@ def test_a_check_tells_of_them_before_all_else():
 
 def test_the_mistyped_point_is_named():
     (told,) = MeasuredPoints.of(offsets(1.0)).outlier
-    assert "(2134, 612.8) mm, number 8 of 12, is 27 mm off" in told
+    assert "(2134, 612.8) mm, number 8 of 12, is 27 mm from" in told
     assert MeasuredPoints.of(offsets()).outlier == ()
     assert not any(MeasuredPoints(wave(25, 0.5, seed), 0.5).outlier for seed in range(40))
 

@@ -150,14 +150,14 @@ def test_zero_is_no_change():
 @pytest.mark.parametrize(
     ("path", "d", "message"),
     [
-        (Path.circle((3, 4), 1), -1.0, r"swallows the path at \(2, 4\) mm"),
+        (Path.circle((3, 4), 1), -1.0, r"removes the path at \(2, 4\) mm"),
         (Path.rectangle(10, 10), -5.0, "swallows|runs into"),
-        (Path.rectangle(40, 10), -6.0, "swallows|runs into|cross"),
+        (Path.rectangle(40, 10), -6.0, "removes|runs into|cross"),
         # a slot closed by its walls, a slot closed at its mouth only, a gap between two arms
         (
             Path.polygon([(0, 0), (9, 0), (9, 9), (5, 9), (5, 2), (4.9, 2), (4.9, 9), (0, 9)]),
             0.06,
-            "swallows",
+            "removes the path",
         ),
         (
             Path.polygon([(0, 0), (9, 0), (9, 9), (5, 9), (6, 3), (4, 3), (4.9, 9), (0, 9)]),

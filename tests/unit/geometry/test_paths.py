@@ -250,7 +250,7 @@ def test_bad_input_is_one_sentence(make, message):
 
 @pytest.mark.parametrize("ends", [(50.0, 60.0), (-20.0, -10.0)])
 def test_lines_beside_a_path_leave_no_part_of_it(ends):
-    with pytest.raises(InputError, match=r"nothing of the path .* from 0 to 40 mm"):
+    with pytest.raises(InputError, match=r"the path has no part .* from 0 to 40 mm"):
         clip_across(Path.rectangle(40, 10), *ends)
 
 

@@ -115,9 +115,13 @@ def test_no_kerf_changes_nothing():
         (
             [(CUT_INNER, Path.rectangle(10, 0.14))],
             0.15,
-            "too wide for a loop on CUT_INNER.*mm at|swallows the path at",
+            "too wide for a loop on CUT_INNER.*mm at|removes the path at",
         ),
-        ([(CUT_INNER, Path.circle((3, 4), 0.07))], 0.15, r"CUT_INNER.*swallows the path at \(2.93, 4\) mm"),
+        (
+            [(CUT_INNER, Path.circle((3, 4), 0.07))],
+            0.15,
+            r"CUT_INNER.*removes the path at \(2.93, 4\) mm",
+        ),
         (
             [(CUT_OUTER, Path.rectangle(10, 10)), (CUT_OUTER, Path.rectangle(10, 10, corner=(10.1, 5)))],
             0.15,
