@@ -83,7 +83,7 @@ def test_what_cannot_be_bent_stays_so(tmp_path):
         ((), "Set the new position of a corner of the curve's bounding box (--bottom-left"),
         (("--handle", 0, 0, 1, 1), "--handle occurs 1 times"),
         (("--handle", 0, 0, 1, 1, "--top-left", 3, 4), "exclude each other"),
-        (("--top-right", 100, 0, "--top-left", 200, 0), "lie in one line, through"),
+        (("--top-right", 100, 0, "--top-left", 200, 0), "are on one line, through"),
         (("--top-right", 60, 40), "through infinity, near ("),
         (("--top-right", "nan", 40), "--top-right is not finite"),
         (("--handle", 0, 0, 1, "inf"), "--handle is not finite"),
@@ -152,7 +152,7 @@ def test_files_that_cannot_be_written(tmp_path):
         ec.write_curves([], tmp_path / "a.dxf")
     with pytest.raises(InputError, match=r"end its name with \.dxf, \.svg, \.json"):
         ec.write_curves([WAVE], tmp_path / "a.step")
-    with pytest.warns(UserWarning, match="a.svg holds curve 1 within"):
+    with pytest.warns(UserWarning, match="a.svg stores curve 1 within"):
         ec.write_curves([WAVE], tmp_path / "a.svg")
     with pytest.raises(InputError, match="exists already"):
         ec.write_curves([WAVE], tmp_path / "a.svg")

@@ -42,7 +42,7 @@ def torus():
 def test_metres_are_asked_for_and_strips_come_of_them(dome, tmp_path):
     mesh = written(tmp_path / "dome.obj", *dome, 0.001)
     asked = run("sections", mesh, "--radial", 5, code=2)
-    assert "measures 0.294 from corner to corner" in asked.stderr
+    assert "is 0.294 from corner to corner" in asked.stderr
     assert "--unit m" in asked.stderr
     assert asked.stderr.count("\n") == 1
     assert list(tmp_path.iterdir()) == [mesh]

@@ -467,7 +467,7 @@ def test_a_pipe_is_no_file(tmp_path):
     import os
 
     os.mkfifo(tmp_path / "arch.csv")
-    with pytest.raises(InputError, match="is no file but a device or a pipe"):
+    with pytest.raises(InputError, match="is a device or a pipe, not a file"):
         read_curves(tmp_path / "arch.csv")
 
 
