@@ -159,7 +159,9 @@ def alike(**values: object) -> tuple[FloatArray, ...]:
         np.broadcast_shapes(*(array.shape for array in arrays))
     except ValueError:
         shapes = " and ".join(f"{name} {array.shape}" for name, array in zip(values, arrays, strict=True))
-        raise InputError(f"the shapes of {shapes} do not go together: give as many of each, or one") from None
+        raise InputError(
+            f"the shapes of {shapes} do not match. Pass the same number of each, or a single one."
+        ) from None
     return arrays
 
 
@@ -196,7 +198,7 @@ def require_record(value: object, record: type[Any] | UnionType, what: str, cure
         `what` names the value.
     """
     if not isinstance(value, record):
-        raise InputError(f"{what} is a {type(value).__name__}: give {cure}")
+        raise InputError(f"{what} is a {type(value).__name__}. Pass {cure}.")
 
 
 def require_path(path: object) -> Path:
@@ -208,7 +210,7 @@ def require_path(path: object) -> Path:
         Something else, such as a number or None.
     """
     if not isinstance(path, str | PathLike):
-        raise InputError(f"the name of a file or folder is needed, such as 'arch.dxf', not {path!r}")
+        raise InputError(f"{path!r} is not the name of a file or folder. Pass a name such as 'arch.dxf'.")
     return Path(path)
 
 

@@ -30,7 +30,7 @@ MOST_ELEMENTS = 10_000
 """Default limit for the elements of a list, ten times as many as in the longest list of an example."""
 
 LONGEST_TEXT = 1_000
-"""Letters of a text, unless a field declares its own bound: paths of files are shorter."""
+"""Largest number of characters of a text, unless a field declares its own bound: paths of files are shorter."""
 
 
 @dataclass(frozen=True)
@@ -121,7 +121,7 @@ class Kind:
 
     @property
     def alternatives(self) -> tuple["Kind", ...]:
-        """Itself, or what it may be."""
+        """The alternatives of "either", or a tuple of this kind alone."""
         return self.of if self.name == "either" else (self,)
 
 
@@ -252,7 +252,7 @@ def _wanted(kind: Kind, option: Option) -> str:
     if kind.name == "table":
         return note("a {record}", record=getattr(kind.record, "__name__", ""))
     if kind.name == "text":
-        return note("a text of at most {most} letters", most=option.most or LONGEST_TEXT)
+        return note("a text of at most {most} characters", most=option.most or LONGEST_TEXT)
     if kind.name == "list" and kind.size is None:
         return note("a list of at most {most} elements", most=option.many)
     words = {"number": "a number", "count": "a whole number", "flag": "True or False"}
@@ -298,7 +298,7 @@ def kind_of(hint: Any) -> Kind:
         return Kind("names", (kind_of(inner[1]),))
     plain = _PLAIN.get(hint)
     if plain is None and not (callable(hint) or isinstance(hint, str)):
-        raise TypeError(f"{hint!r} cannot be declared: say what stands in files with Option(written=...)")
+        raise TypeError(f"{hint!r} cannot be declared: set its type in files with Option(written=...)")
     return plain or Kind("table", source=hint)
 
 

@@ -251,7 +251,7 @@ def refuse_unknown(options: Iterable[str], known: Iterable[str], what: str) -> N
             near = near_names(name, names)
             hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(names)}"
             raise UnknownOptionError(
-                "{name} is no option of {what}: {hint}", name=name, what=what, hint=hint, near=near
+                "{name} is not an option of {what}: {hint}", name=name, what=what, hint=hint, near=near
             )
 
 

@@ -130,7 +130,7 @@ def read_drawing(
         if suffix in KERNEL_SUFFIXES:
             return _kernel_drawing(file, unit)
     raise InputError(
-        "{path} ends in {suffix!r}, which is no curve file known here: use {curve_suffixes}",
+        "{path} ends in {suffix!r}, which is not a known type of curve file. Use {curve_suffixes}.",
         path=path,
         suffix=suffix,
         curve_suffixes=", ".join(CURVE_SUFFIXES),
@@ -164,7 +164,7 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
         if suffix not in MESH_SUFFIXES:
             known = ", ".join((*MESH_SUFFIXES, *KERNEL_SUFFIXES))
             raise InputError(
-                "{path} ends in {suffix!r}, which is no mesh or CAD body known here: use {known}",
+                "{path} ends in {suffix!r}, which is not a known type of mesh or CAD body. Use {known}.",
                 path=path,
                 suffix=suffix,
                 known=known,

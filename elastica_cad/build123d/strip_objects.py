@@ -67,7 +67,7 @@ class _Made(StripBody):
     def _start(self) -> Frame | None:
         if self._parts:
             raise InputError(
-                f"This body holds {len(self._parts)} copies of a strip. Take one of them, such as "
+                f"This body has {len(self._parts)} copies of a strip. Use a single copy, such as "
                 "body.copies[0]."
             )
         joints: dict[str, bd.Joint] = getattr(self, "joints", {})
@@ -316,7 +316,7 @@ class AngleSlider(_Travelled, bd.RevoluteJoint):
         """Return the location of a joint on the end; the base class does not define the zero of the angle."""
         require_record(other, bd.RigidJoint, "the other joint", "a RigidJoint")
         if angle is not None and not 0 <= require_number(angle, "the angle", "degrees") <= self.travel.length:
-            raise InputError(f"the angle is {angle:g} degrees: give 0 to {self.travel.length:g}")
+            raise InputError(f"the angle is {angle:g} degrees. Use 0 to {self.travel.length:g} degrees.")
         super().relative_to(other, angle=angle)
         return self._home * bd.Rotation(0, 0, self._angle) * other.relative_location.inverse()
 

@@ -65,18 +65,19 @@ def elastic_strip(
     """
     forms: dict[str, Any] = {"flat": FlatStrip, "bent": BentStrip, "outline": StripOutline}
     if not isinstance(form, str) or form not in forms:
-        raise InputError(f"form {form!r} is not known: choose one of {', '.join(forms)}")
+        raise InputError(f"Unknown form {form!r}. Use one of {', '.join(forms)}")
     builder = bd.BuildSketch if form == "outline" else bd.BuildPart
     context = builder._get_context("elastic_strip")
     if path is None:
         if isinstance(context, bd.BuildLine):
             raise InputError(
-                "elastic_strip stands inside BuildLine: end that first, a strip follows its line"
+                "elastic_strip cannot be called inside BuildLine. End BuildLine first; the strip follows its "
+                "line."
             )
         path = list(context.pending_edges) if context is not None else []
         if not path:
             raise InputError(
-                "there is no curve: give a path, or draw one with BuildLine in the builder first"
+                "There is no curve. Pass a path, or draw a curve with BuildLine in the builder first."
             )
         context.pending_edges = bd.ShapeList()
         path = list(bd.Wire.combine(path)) if len(path) > 1 else path

@@ -223,8 +223,8 @@ def register() -> None:
     for owner, method in methods.items():
         if getattr(owner, METHOD, method) is not method:
             raise InputError(
-                f"cq.{owner.__name__} has an {METHOD} of another library already: use the functions of "
-                "elastica_cad.cadquery instead"
+                f"cq.{owner.__name__} already has an {METHOD} of another library. Use the functions of "
+                "elastica_cad.cadquery instead."
             )
     for owner, method in methods.items():
         setattr(owner, METHOD, method)
@@ -263,15 +263,15 @@ def _workplane_strip(
         have the tags "start" and "end".
     """
     if form not in get_args(Form):
-        raise InputError(f"form {form!r} is not known: choose flat, bent or outline")
+        raise InputError(f"Unknown form {form!r}. Use flat, bent or outline.")
     if form == "outline" and combine:
         raise InputError(
-            "an outline is a face, which joins no solid: extrude it first, or choose form='flat'"
+            "An outline is a face and cannot be combined with a solid. Extrude it first, or choose form='flat'."
         )
     pending = [*self.ctx.popPendingEdges(False), *self.ctx.popPendingWires(False)]
     drawn = pending or [item for item in self.objects if isinstance(item, cq.Edge | cq.Wire)]
     if not drawn:
-        raise InputError("there is no curve: draw one on the workplane, or select edges")
+        raise InputError("There is no curve. Draw a curve on the workplane, or select edges.")
     bodies: list[StripFace | StripSolid | StripCompound] = []
     for chain in cq.Wire.combine(_edges(drawn), CHAIN):
         made = make_strip_of(chain, sheet, max_width=max_width, workplane=self.plane, **options)
@@ -325,7 +325,7 @@ def _sketch_strip(
         As in `Sketch.face`.
     """
     if not self._edges:
-        raise InputError("there is no curve: draw edges in the sketch first")
+        raise InputError("There is no curve. Draw edges in the sketch first.")
     face = strip_outline(list(self._edges), sheet, max_width=max_width, **options)
     self._edges = []
     return self.reset().face(face, mode=mode, tag=tag)

@@ -153,7 +153,7 @@ class _Made(StripBody, cq.Shape):
             if "_made" in self.__dict__ or name.startswith("__"):
                 raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
             raise AttributeError(
-                f"a body that was rounded, chamfered or hollowed has no {name}: ask the strip that it was made from"
+                f"A body that was rounded, chamfered or hollowed has no {name}. Use {name} of the original strip."
             )
 
     def __getstate__(self) -> tuple[Any, ...]:
@@ -282,7 +282,7 @@ class _Ended(_Jointed):
     def end_face(self, end: StripEnd) -> cq.Face:
         """Return the plane face at an end of the strip."""
         if end not in ENDS:
-            raise InputError(f'a strip has the ends "start" and "end", not {end!r}')
+            raise InputError(f'A strip has no end {end!r}. Use "start" or "end".')
         tab = self.strip.ends[0 if end == "start" else 1].length
         if self.strip.is_closed and self._made.home is not None:  # bent, its lap is another body
             tab = 0.0

@@ -227,10 +227,10 @@ def design_of(
     slips.refuse()
     if top.has("pair"):
         raise InputError(
-            "{place} holds a part with two rest shapes: `elastica pair` makes it", place=top.where
+            "{place} describes a part with two rest shapes. Run `elastica pair` instead.", place=top.where
         )
     if not entries and revolution is None:
-        raise InputError("{place} has no strips: write at least one table [[strips]]", place=top.where)
+        raise InputError("{place} has no strips. Write at least one table [[strips]].", place=top.where)
     return Design(
         name=top.text("name", path.stem),
         entries=tuple(entries),
@@ -255,15 +255,13 @@ def parse_design(path: Path) -> dict[str, Any]:
         return parse_toml(text)
     except UnicodeDecodeError as error:
         raise InputError(
-            "{path} is no TOML file, which are UTF-8: save it as text in UTF-8", path=path
+            "{path} is not a TOML file because it is not UTF-8. Save it as UTF-8 text.", path=path
         ) from error
     except RecursionError as error:
-        raise InputError(
-            "{path} nests lists or tables too deep: write them one within a few others", path=path
-        ) from error
+        raise InputError("{path} nests lists or tables too deeply. Reduce the depth.", path=path) from error
     except tomllib.TOMLDecodeError as error:
         raise InputError(
-            "{path} is no TOML file: {error}; {toml_slip}, or begin with one of `elastica new`",
+            "{path} is not a valid TOML file: {error}; {toml_slip}, or begin with a file of `elastica new`",
             path=path,
             error=error,
             toml_slip=toml_slip(text, error),
@@ -374,7 +372,10 @@ def _require_labels(taken: Container[str], entries: Sequence[StripEntry], where:
     for entry in entries:
         if entry.label in taken or alike.setdefault(entry.label, _likeness(entry)) != _likeness(entry):
             raise InputError(
-                "{place}: two strips are labelled {twice!r}; give each its own label, with {{i}} for the count",
+                (
+                    "{place}: two strips have the label {twice!r}. Give each strip a different label, with {{i}} "
+                    "for its number."
+                ),
                 place=where,
                 twice=entry.label,
             )
@@ -384,7 +385,9 @@ def _only_sections(table: Table) -> Table:
     """Return the table of sections; refuse keys for count and position, which sections determine."""
     idle = [key for key in ("count", "curve", "origin", "x_axis", "y_axis") if key in table.data]
     if idle:
-        raise InputError("{place} means nothing beside sections: leave it out", place=table.place(idle[0]))
+        raise InputError(
+            "{place} has no effect together with sections. Leave it out.", place=table.place(idle[0])
+        )
     return table.table("sections")
 
 
@@ -393,7 +396,9 @@ def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
     table.only(*_PATTERNS)
     if len(table.data) != 1:
         raise InputError(
-            "{place} must hold one of {patterns}", place=table.where, patterns=", ".join(_PATTERNS)
+            "{place} needs one of the keys {patterns}. Add one of them.",
+            place=table.where,
+            patterns=", ".join(_PATTERNS),
         )
     (kind,) = table.data
     return kind, reader.given(PATTERNS[kind], table.table(kind))

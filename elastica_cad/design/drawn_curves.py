@@ -45,13 +45,15 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
     for name in places:
         if name not in CORNERS:
             raise InputError(
-                "a box has no corner {name!r}: use {corners}", name=name, corners=", ".join(CORNERS)
+                "A bounding box has no corner {name!r}. Use one of {corners}.",
+                name=name,
+                corners=", ".join(CORNERS),
             )
     (left, low), (right, high) = box_around(np.array([curve.bounds for curve in curves]))
     if min(right - left, high - low) <= 1e-9 * max(right - left, high - low):
         raise InputError(
-            "the box around the curve measures {left:.4g} by {low:.4g}: too thin for handles at "
-            "its corners; give four handles of your own",
+            "The bounding box of the curve measures {left:.4g} by {low:.4g}, too thin for handles at its "
+            "corners. Set four handles instead.",
             left=right - left,
             low=Length(high - low),
         )
@@ -74,15 +76,15 @@ class Reshape:
     bottom_right: Annotated[Point | None, Option(f"{_TO} of the lower right corner.", "mm")] = None
     top_right: Annotated[Point | None, Option(f"{_TO} of the upper right corner.", "mm")] = None
     top_left: Annotated[Point | None, Option(f"{_TO} of the upper left corner.", "mm")] = None
-    handles: Annotated[Handles | None, Option("In place of corners: four points.", "mm")] = None
-    to: Annotated[Handles | None, Option("Where the handles go.", "mm")] = None
+    handles: Annotated[Handles | None, Option("Positions of four handles, instead of corners.", "mm")] = None
+    to: Annotated[Handles | None, Option("New positions of the handles.", "mm")] = None
 
     def __post_init__(self) -> None:
         own = [target for target in (self.handles, self.to) if target is not None]
         if bool(own) == bool(self.corners) or len(own) == 1:
             raise InputError(
-                "reshape must hold corners of the curve's box with their new places ({corners}), or four points "
-                "as handles and four as to",
+                "New positions are missing. Set corners of the curve's bounding box ({corners}), or four "
+                "handles and four points `to`.",
                 corners=", ".join(CORNERS),
             )
 
@@ -113,18 +115,18 @@ class _Curve:
 class CurveOfFile(_Curve):
     """Table of a curve in a file; `number`, `id` or `layer` selects one of several curves."""
 
-    file: Annotated[str, Option("File beside the design: DXF, SVG, CSV, JSON, STEP.")]
+    file: Annotated[str, Option("File name, relative to the design file: DXF, SVG, CSV, JSON or STEP.")]
     number: Annotated[int | None, Option("Curve of the file.", least=1)] = None
-    id: Annotated[str | None, Option("Which curve, by its name in the file.")] = None
-    layer: Annotated[str | None, Option("Which curve, by its layer.")] = None
-    unit: Annotated[str | None, Option("Unit of the file, where it does not say.")] = None
+    id: Annotated[str | None, Option("Name of the curve in the file.")] = None
+    layer: Annotated[str | None, Option("Layer of the curve.")] = None
+    unit: Annotated[str | None, Option("Unit of the file, if the file names none.")] = None
 
     def drawn(self, reader: Reader, where: str, _: Table) -> PlaneCurve:
         """Read the file, and return the curve that the table chooses."""
         path = reader.folder / self.file
         if not path.is_file():
             raise InputError(
-                "{place}: there is no file {path}; names are relative to the design file",
+                "{place}: the file {path} does not exist. Write its name relative to the design file.",
                 place=where,
                 path=path,
             )
@@ -136,7 +138,7 @@ class CurveOfFile(_Curve):
             return curves.file.one(self.id or number, self.layer, choice).curve
         if (self.number or 1) > len(curves) or (len(curves) > 1 and self.number is None):
             raise InputError(
-                "{place}: {name} holds {count} curve{given}: choose one with number = 1 .. {count}",
+                "{place}: {name} has {count} curve{given}. Choose a curve with number = 1 .. {count}.",
                 place=where,
                 name=path.name,
                 count=len(curves),
@@ -153,7 +155,7 @@ class CurveOfFormulae(_Curve):
     y: Annotated[Formula, Option("Formula in t.", "mm")]
     t: Annotated[tuple[float, float], Option("Range of t.")]
     breaks: Annotated[
-        tuple[Point, ...], Option("[t, continuity] where the formulae are joined from pieces.")
+        tuple[Point, ...], Option("[t, continuity] for each place where pieces of the formulae meet.")
     ] = ()
 
     def drawn(self, _: Reader, where: str, table: Table) -> PlaneCurve:
@@ -161,7 +163,7 @@ class CurveOfFormulae(_Curve):
         start, end = self.t
         if not start < end:
             raise InputError(
-                "{place} is [{start:g}, {end:g}]: it must be a range, least first",
+                "{place} is [{start:g}, {end:g}], which is not a range. Write the smaller number first.",
                 place=f"{where}: t",
                 start=start,
                 end=end,
@@ -179,13 +181,13 @@ class CurveOfFormulae(_Curve):
 class EllipseArc:
     """An arc of an ellipse between two parameters, or above a height."""
 
-    semi_axes: Annotated[Point, Option("Both semi-axes.", "mm", least=0)]
-    center: Annotated[Point, Option("Its centre.", "mm")] = (0.0, 0.0)
+    semi_axes: Annotated[Point, Option("Lengths of both semi-axes.", "mm", least=0)]
+    center: Annotated[Point, Option("Centre of the ellipse.", "mm")] = (0.0, 0.0)
     rotation: Annotated[float, Option("Angle of the first axis.", "rad")] = 0.0
-    start: Annotated[float | None, Option("Parameter where it begins.", "rad")] = None
-    end: Annotated[float | None, Option("Parameter where it ends.", "rad")] = None
+    start: Annotated[float | None, Option("Parameter at the start of the arc.", "rad")] = None
+    end: Annotated[float | None, Option("Parameter at the end of the arc.", "rad")] = None
     above: Annotated[
-        float | None, Option("In place of start and end: what lies above this height.", "mm")
+        float | None, Option("Height above which the arc is used, instead of start and end.", "mm")
     ] = None
 
     def drawn(self, where: str) -> PlaneCurve:
@@ -197,7 +199,7 @@ class EllipseArc:
         idle = [key for key in ("start", "end") if getattr(self, key) is not None]
         if idle:
             raise InputError(
-                "{place} means nothing beside above: leave one of them out", place=f"{where}: {idle[0]}"
+                "{place} and above exclude each other. Leave out one of them.", place=f"{where}: {idle[0]}"
             )
         rise = self.above - center[1]
         # y - center = a sin(rotation) cos v + b cos(rotation) sin v = reach cos(v - top)
@@ -205,8 +207,8 @@ class EllipseArc:
         reach, top = float(np.hypot(*tall)), float(np.arctan2(tall[1], tall[0]))
         if not -reach < rise < reach:
             raise InputError(
-                "{place}: the ellipse lies between y = {reach:.4g} and {reach_2:.4g}, so y = "
-                "{rise:.4g} does not cut it",
+                "{place}: y = {rise:.4g} does not cut the ellipse. Choose a height between {reach:.4g} and "
+                "{reach_2:.4g}.",
                 place=f"{where}: above",
                 reach=center[1] - reach,
                 reach_2=Length(center[1] + reach),
@@ -236,19 +238,19 @@ class CurveOfSpline(_Curve):
     """
 
     spline: Annotated[tuple[Point, ...], Option("Control points.", "mm")]
-    degree: Annotated[int, Option("Degree of its pieces.", least=1)] = 4
+    degree: Annotated[int, Option("Degree of the spline.", least=1)] = 4
     knots: Annotated[
-        tuple[float, ...] | None, Option("Full knot vector; evenly spaced with clamped ends unless given.")
+        tuple[float, ...] | None, Option("Full knot vector; by default evenly spaced with clamped ends.")
     ] = None
     weights: Annotated[
-        tuple[float, ...] | None, Option("Weights of the control points; all alike unless given.")
+        tuple[float, ...] | None, Option("Weights of the control points; by default equal.")
     ] = None
 
     def drawn(self, _: Reader, where: str, __: Table) -> PlaneCurve:
         """Return the B-spline exactly as it is given."""
         if self.knots is None:
             if self.weights is not None:
-                raise InputError("{place} needs knots beside it: give both", place=f"{where}: weights")
+                raise InputError("{place} needs knots too. Add knots.", place=f"{where}: weights")
             return PlaneCurve.spline(self.spline, degree=self.degree)
         weights = None if self.weights is None else np.array(self.weights)
         return PlaneCurve(np.array(self.knots), np.array(self.spline), self.degree, weights)
@@ -269,7 +271,7 @@ def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneC
     given = table.raw(key)
     if given is None:
         raise InputError(
-            "{place} is missing; give a file, formulae x, y and t, an ellipse or a spline",
+            "{place} is missing. Add a file, formulae x, y and t, an ellipse or a spline.",
             place=table.place(key),
         )
     if isinstance(given, str):
@@ -278,7 +280,10 @@ def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneC
     kinds = [kind for kind in CURVES if kind in curve.data]
     if len(kinds) != 1:
         raise InputError(
-            "{place} must hold one of file, x (with y and t), ellipse or spline, not {given}",
+            (
+                "{place} has {given}, but needs exactly one of file, x (with y and t), ellipse or spline. Change "
+                "the keys."
+            ),
             place=curve.where,
             given=", ".join(curve.data) or "nothing",
         )

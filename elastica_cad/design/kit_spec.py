@@ -43,7 +43,10 @@ class Cutting:
     recipient: Annotated[
         Literal["workshop", "service"],
         Option(
-            "Who cuts: a service cuts every line, so each file holds one part and nothing but its cuts.",
+            (
+                "Recipient of the cutting files. A service cuts every line, so each file has a single part and "
+                "only its cuts."
+            ),
             group="files",
         ),
     ] = "workshop"
@@ -53,7 +56,7 @@ class Cutting:
     kerf: Annotated[
         float | None,
         Option(
-            "Width that the laser burns away; the word sheet takes that of the sheet.",
+            "Width of the cut (kerf); the word sheet selects that of the sheet.",
             "mm",
             least=0,
             group="files",
@@ -76,7 +79,7 @@ class Cutting:
     colors: Annotated[
         str,
         Option(
-            "Colours of cuts and engraving, as another program expects them.", group="files", written=Scheme
+            "Colours of cuts and engraving, as expected by a laser program.", group="files", written=Scheme
         ),
     ] = "elastica"
     holding: Annotated[
@@ -87,8 +90,8 @@ class Cutting:
         require_declared(Cutting, vars(self), "cutting")
         if self.service and self.holding is not None:
             raise InputError(
-                "{holding} interrupts the outlines, and {recipient} = service needs closed ones: leave out one of "
-                "these keys",
+                "{holding} interrupts the outlines, but {recipient} = service needs closed outlines. Leave "
+                "out one of these keys.",
                 holding=FieldName("cut.holding"),
                 recipient=FieldName("cut.for"),
             )
@@ -125,7 +128,8 @@ class Cutting:
         """
         if self.kerf is None and sheet.kerf == 0:
             raise InputError(
-                "no kerf is known for {name}: give a number of mm instead of the word sheet", name=sheet.name
+                "The width of the cut is not known for {name}. Write a number in mm instead of the word sheet.",
+                name=sheet.name,
             )
         kerf = sheet.kerf if self.kerf is None else self.kerf
         return {
@@ -197,7 +201,7 @@ class HolderSpec:
         if not placed:
             labels = ", ".join(dict.fromkeys(strip_names(model.placed)))
             raise InputError(
-                "{place}: no strip is called {strips}: there are {labels}",
+                "{place}: there is no strip {strips}. Use one of {labels}.",
                 place=self.where,
                 strips=" or ".join(self.strips),
                 labels=labels,

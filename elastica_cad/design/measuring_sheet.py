@@ -72,7 +72,10 @@ def read_measuring(path: FilePath) -> Measuring:
         return measuring
     except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
         raise InputError(
-            "{path} is no report of an open strip with what to measure: give the .json that `elastica strip` wrote",
+            (
+                "{path} is not the report of an open strip with quantities to measure. Use the .json file of "
+                "`elastica strip`."
+            ),
             path=path,
         ) from error
 
@@ -104,7 +107,9 @@ def read_readings(path: FilePath) -> dict[str, float]:
         try:
             readings[name] = _number(value)
         except (TypeError, ValueError) as error:
-            raise InputError("{path}: {name} is no number", path=path, name=name) from error
+            raise InputError(
+                "{path}: {name} is not a number. Write a number.", path=path, name=name
+            ) from error
     return readings
 
 

@@ -32,7 +32,9 @@ class OwnSheet:
 
 @dataclass(frozen=True)
 class _Holder:
-    strips: Annotated[Names, Option('Labels of the strips that it holds; "A*" for all that begin so.')] = "*"
+    strips: Annotated[
+        Names, Option('Labels of the strips to hold; "A*" for all labels that begin with A.')
+    ] = "*"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,7 +43,7 @@ class Stand(_Holder):
 
     sheet: Annotated[Sheet, Option("Sheet of the plates.")]
     thickness: Annotated[
-        float | None, Option("Thickness of that sheet, where it is another than its own.", "mm", least=0)
+        float | None, Option("Thickness of the sheet, if it differs from the listed one.", "mm", least=0)
     ] = None
     sheet_size: Annotated[Pair | None, Option("Sheets that plates are cut from.", "mm", least=0)] = None
     margin: Annotated[
@@ -59,7 +61,7 @@ class NamedStand(Stand):
 @dataclass(frozen=True, kw_only=True)
 class _Plates(Stand):
     feet: Annotated[
-        float | None, Option("Small plates of this size glued beside inclined tabs.", "mm", least=0)
+        float | None, Option("Size of small plates that are glued beside inclined tabs.", "mm", least=0)
     ] = None
 
 
@@ -68,8 +70,10 @@ class Base(_Plates):
     """A plate with a slot for every tab."""
 
     BESIDE: ClassVar[Record] = PlateOptions
-    height: Annotated[float, Option("Height of its upper face.", "mm")] = 0.0
-    gap: Annotated[float | None, Option("Two plates so far apart hold inclined tabs.", "mm", least=0)] = None
+    height: Annotated[float, Option("Height of the upper face.", "mm")] = 0.0
+    gap: Annotated[
+        float | None, Option("Distance between two plates that hold inclined tabs.", "mm", least=0)
+    ] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,7 +82,9 @@ class Rings(_Plates):
 
     BESIDE: ClassVar[Record] = RingOptions
     WITHOUT: ClassVar[tuple[str, ...]] = ("slot_width",)
-    gap: Annotated[float | None, Option("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None
+    gap: Annotated[
+        float | None, Option("Distance between two plates that hold inclined tabs.", "mm", above=0)
+    ] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -94,9 +100,9 @@ class Fixtures(_Holder):
 
     BESIDE: ClassVar[Record] = EndFixture
     floor: Annotated[
-        float | None, Option("Height that the blocks stand on.", "mm", least=-10_000, most=10_000)
+        float | None, Option("Height of the lower face of the blocks.", "mm", least=-10_000, most=10_000)
     ] = None
-    ends: Annotated[StripEnd | None, Option("Which tabs; all unless given.")] = None
+    ends: Annotated[StripEnd | None, Option("Tabs to hold; by default all.")] = None
 
 
 HOLDERS: dict[HolderKind, Record] = {
@@ -109,21 +115,21 @@ HOLDERS: dict[HolderKind, Record] = {
 class MirrorPattern:
     """A pattern."""
 
-    mirror: Annotated[Any, Option("A mirror image.", written=mirror)]
+    mirror: Annotated[Any, Option("Mirror image of the strips.", written=mirror)]
 
 
 @dataclass(frozen=True)
 class RotatePattern:
     """A pattern."""
 
-    rotate: Annotated[Any, Option("Copies about an axis.", written=rotate)]
+    rotate: Annotated[Any, Option("Copies of the strips around an axis.", written=rotate)]
 
 
 @dataclass(frozen=True)
 class RepeatPattern:
     """A pattern."""
 
-    repeat: Annotated[Any, Option("Copies in a row.", written=repeat)]
+    repeat: Annotated[Any, Option("Copies of the strips in a row.", written=repeat)]
 
 
 PATTERNS: dict[str, Record] = {"mirror": mirror, "rotate": rotate, "repeat": repeat}
@@ -134,16 +140,14 @@ PATTERNS: dict[str, Record] = {"mirror": mirror, "rotate": rotate, "repeat": rep
 class Extras:
     """Additional parts to cut."""
 
-    coupon: Annotated[bool, Option("A coupon of every sheet.")] = False
+    coupon: Annotated[bool, Option("Add a coupon of every sheet.")] = False
     reference_bar: Annotated[
-        float | None, Option("Length of a bar to check the scale of the machine with.", "mm", least=0)
+        float | None,
+        Option("Length of a bar for checking the scale of the machine; 0 for none.", "mm", least=0),
     ] = None
     pages: Annotated[
         Literal["A4", "A3", "letter"] | None,
-        Option(
-            "Every part once at full size, small ones together on this paper, in one PDF with a bar to check the "
-            "printer by."
-        ),
+        Option("Paper of a PDF with every part at full size and a bar for checking the printer."),
     ] = None
 
 
@@ -151,18 +155,18 @@ class Extras:
 class DesignKeys(SharedKeys):
     """All keys at the top of a design file."""
 
-    schema: Annotated[Literal[1], Option("1: which version of these keys the file is written for.")]
+    schema: Annotated[Literal[1], Option("Version of the keys in this file: 1.")]
     name: Annotated[str | None, Option("Name of the model, and of its files.", most=60)] = None
-    let: Annotated[dict[str, float] | None, Option("Names for formulae: each may use those before it.")] = (
-        None
-    )
-    sheets: Annotated[dict[str, OwnSheet] | None, Option("Sheets of your own, [sheets.NAME].")] = None
-    sheets_file: Annotated[str | None, Option("A file with sheets of your own.")] = None
-    strips: Annotated[tuple[StripKeys, ...], Option("One or several strips each.")] = ()
+    let: Annotated[
+        dict[str, float] | None, Option("Names and values for formulae; each value may use earlier names.")
+    ] = None
+    sheets: Annotated[dict[str, OwnSheet] | None, Option("Your sheets, [sheets.NAME].")] = None
+    sheets_file: Annotated[str | None, Option("File with your sheets.")] = None
+    strips: Annotated[tuple[StripKeys, ...], Option("Strips; each table describes one or several.")] = ()
     revolution: Annotated[
         Any,
         Option(
-            "A surface about z, tiled by equal strips.",
+            "Surface of revolution about z, tiled by equal strips.",
             written="elastica_cad.design.revolution_table:RevolutionTable",
         ),
     ] = None
@@ -172,21 +176,21 @@ class DesignKeys(SharedKeys):
     pair: Annotated[
         Any,
         Option(
-            "A part that rests in two curves: `elastica pair` makes it, alone in its file.",
+            "Part with two rest shapes, for `elastica pair`; without other parts in its file.",
             written="elastica_cad.pairs.flexure_spec:FlexureSpec",
         ),
     ] = None
     interlock: Annotated[Any, Option("Slots wherever two strips cross.", written=slots_at_crossings)] = None
-    base: Annotated[Any, Option("A plate with a slot for every tab.", written=Base | tuple[Base, ...])] = None
+    base: Annotated[Any, Option("Plate with a slot for every tab.", written=Base | tuple[Base, ...])] = None
     rings: Annotated[Any, Option("A plate for each end.", written=Rings | tuple[Rings, ...])] = None
     frame: Annotated[
         Any, Option("Two rails with ribs between.", written=FrameOfPlates | tuple[FrameOfPlates, ...])
     ] = None
     fixtures: Annotated[Any, Option("Printed blocks.", written=Fixtures | tuple[Fixtures, ...])] = None
     stand: Annotated[
-        Any, Option("The simplest of these that holds all tabs.", written=NamedStand | tuple[NamedStand, ...])
+        Any, Option("Simplest holder of all tabs.", written=NamedStand | tuple[NamedStand, ...])
     ] = None
-    nest: Annotated[Nesting | None, Option("The sheets that parts are laid on.")] = None
+    nest: Annotated[Nesting | None, Option("Sheets for nesting the parts.")] = None
     cut: Annotated[Cutting | None, Option("Settings of cutting files.")] = None
     extras: Annotated[Extras | None, Option("Additional parts to cut.")] = None
 

@@ -54,7 +54,7 @@ def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> Fl
     """
     top = Table(data, str(path), {}).only(*names_of(DesignKeys))
     if not top.has("pair"):
-        raise InputError("{path} has no table [pair]: give two curves, or ask `elastica model`", path=path)
+        raise InputError("{path} has no table [pair]. Name two curves, or run `elastica model`.", path=path)
     top.scope = top.within(top.raw("let", {}))
     spec: FlexureSpec = Reader(own_sheets(top, path), path.parent, read_curves).record(
         FlexureSpec, top.table("pair")

@@ -58,7 +58,7 @@ def _rod(
 def _tube(
     sheet: Sheet,
     limits: Annotated[Range, Option("Least and largest outer diameter.", "mm", least=0)],
-    bore: Annotated[float, Option("Inner over outer diameter.", least=0, most=1)],
+    bore: Annotated[float, Option("Inner diameter divided by outer diameter.", least=0, most=1)],
 ) -> RoundLaw:
     """A tube, turned thinner."""
     return RoundLaw(sheet, *limits, bore=bore)
@@ -66,9 +66,9 @@ def _tube(
 
 def _leaves(
     sheet: Sheet,
-    leaves: Annotated[int, Option("Leaves of the sheet, at most.", least=2)],
-    width: Annotated[float, Option("Width of the leaves.", "mm", least=0)],
-    fewest: Annotated[int, Option("Leaves that go all the way.", least=1)] = 1,
+    leaves: Annotated[int, Option("Largest number of plies of the sheet.", least=2)],
+    width: Annotated[float, Option("Width of the plies.", "mm", least=0)],
+    fewest: Annotated[int, Option("Number of plies over the whole length.", least=1)] = 1,
 ) -> LeavesLaw:
     """Leaves of the sheet, glued; some end before others. Needs limits or keep."""
     return LeavesLaw(sheet, leaves, width, fewest)
@@ -76,16 +76,19 @@ def _leaves(
 
 def _blank(
     stations: Annotated[
-        tuple[float, ...], Option("From 0 to the length of the strip; one twice is a step.", "mm")
+        tuple[float, ...],
+        Option("Positions from 0 to the length of the strip; a repeated position is a jump.", "mm"),
     ],
-    curvatures: Annotated[tuple[float, ...], Option("At each station, straight between them.", "1/mm")],
+    curvatures: Annotated[
+        tuple[float, ...], Option("Curvature at each station, linear between stations.", "1/mm")
+    ],
 ) -> RestCurvature:
     """A pre-bent strip whose curvature is linear between stations."""
     return RestCurvature.linear(stations, curvatures)
 
 
 def _drawn_blank(
-    curve: Annotated[PlaneCurve, Option("In which the blank lies before it is bent.")],
+    curve: Annotated[PlaneCurve, Option("Curve of the pre-bent strip when it is unloaded.")],
 ) -> RestCurvature:
     """A pre-bent strip that is drawn in its unloaded shape."""
     return RestCurvature.of(curve)
@@ -249,7 +252,7 @@ class Reader:
             table.tables(key)
         if not isinstance(rows, list) or kind.size not in (None, len(rows)):
             raise InputError(
-                "{place} is {given}: give a list{of_size}",
+                "{place} is {given}, but must be a list. Write a list{of_size}.",
                 place=table.place(key),
                 given=quoted(rows),
                 of_size="" if kind.size is None else f" of {kind.size}",
@@ -348,7 +351,7 @@ def parsed_line(line: str, where: str, example: str = "") -> dict[str, Any]:
         data = parse_toml(f"line = {inside}" if inside.startswith("{") else f"line = {{{inside}}}")
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise InputError(
-            "{place}: {line} cannot be read: write keys and values, such as {example}",
+            "{place}: {line} cannot be read. Write keys and values, such as {example}.",
             place=where,
             line=quoted(line),
             example=example or "at = 40, side = 'lower'",
@@ -483,7 +486,7 @@ def put(table: dict[str, Any], path: str, value: Any) -> None:
         inner = table.setdefault(key, {})
         if not isinstance(inner, dict):
             raise InputError(
-                "{key} is {inner}, and {path} asks for a table: give one of them",
+                "{key} is {inner}, but {path} needs it as a table. Leave out one of them.",
                 key=key,
                 inner=quoted(inner),
                 path=path,
@@ -504,7 +507,7 @@ def require_path_of(path: str, record: Record) -> Field:
     if path not in known:
         near = near_path(path, known)
         hint = f"did you mean {near}?" if near else "`elastica help` lists them"
-        raise InputError("there is no key {path}: {hint}", path=quoted(path), hint=hint)
+        raise InputError("The key {path} does not exist: {hint}", path=quoted(path), hint=hint)
     return known[path]
 
 

@@ -62,19 +62,19 @@ def pre_bend_message(strip: Strip) -> str:
     same = rest[at] * rod.curvature[at] > 0
     ways = (
         (
-            "bend it beforehand to a radius of {radius} all along, the way it stands bent {s} from its start: its "
-            "widths count on that",
-            "bend it beforehand to a radius of {radius} all along, the other way than it stands bent {s} from its "
-            "start: its widths count on that",
+            "Pre-bend it to a radius of {radius} along its whole length, to the same side as its final bend "
+            "{s} from the start. Its widths are designed for this pre-bending.",
+            "Pre-bend it to a radius of {radius} along its whole length, to the side opposite to its final "
+            "bend {s} from the start. Its widths are designed for this pre-bending.",
         )
         if even
         else (
-            "bend it beforehand to a radius of {radius} at its sharpest, {s} from its start, the way it stands "
-            "bent there: its widths count on that; {field} in the report or the properties has its "
-            "curvature along the strip",
-            "bend it beforehand to a radius of {radius} at its sharpest, {s} from its start, the other way than it "
-            "stands bent there: its widths count on that; {field} in the report or the properties has its "
-            "curvature along the strip",
+            "Pre-bend it with a smallest radius of {radius} at {s} from the start, to the same side as its "
+            "final bend there. Its widths are designed for this pre-bending. {field} in the report or the "
+            "properties has its curvature along the strip.",
+            "Pre-bend it with a smallest radius of {radius} at {s} from the start, to the side opposite to "
+            "its final bend there. Its widths are designed for this pre-bending. {field} in the report or "
+            "the properties has its curvature along the strip.",
         )
     )
     radius = Length(1 / abs(rest[at]))
@@ -137,7 +137,7 @@ def report_strip(
             require_record(value, record, what, f"a {record.__name__}, or None")
     if not (is_whole(stations) and 2 <= stations <= MOST_STATIONS):
         raise InputError(
-            "stations are {stations!r}: give a whole number from 2 to {most_stations}",
+            "stations is {stations!r}. Use a whole number from 2 to {most_stations}.",
             stations=stations,
             most_stations=MOST_STATIONS,
         )

@@ -29,31 +29,33 @@ class RevolutionTable:
 
     sheet: Annotated[Sheet, Option("Sheet of the strips.")]
     points: Annotated[
-        tuple[Pair, ...], Option("[distance from the axis, height] of places on the meridian.", "mm")
+        tuple[Pair, ...], Option("Points of the meridian as [distance from the axis, height].", "mm")
     ] = ()
     curve: Annotated[
-        PlaneCurve | None, Option("In place of points: a profile that the meridian comes near to.")
+        PlaneCurve | None, Option("Profile that the meridian approximates, instead of points.")
     ] = None
     a: Annotated[
-        float | None, Option("In place of points: moment at the origin over stiffness and distance.")
+        float | None, Option("Moment at the origin divided by stiffness and distance, instead of points.")
     ] = None
-    b: Annotated[Pair | None, Option("Change of that along the meridian.", "1/mm")] = None
-    start: Annotated[Pair | None, Option("Where the meridian begins.", "mm")] = None
-    angle: Annotated[float | None, Option("Angle of its tangent there.", "rad")] = None
+    b: Annotated[Pair | None, Option("Change of this value along the meridian.", "1/mm")] = None
+    start: Annotated[Pair | None, Option("Start of the meridian.", "mm")] = None
+    angle: Annotated[float | None, Option("Angle of the tangent at the start.", "rad")] = None
     length: Annotated[float | None, Option("Length of the meridian.", "mm", least=0)] = None
-    ring: Annotated[float | None, Option("It ends at this distance from the axis.", "mm", least=0)] = None
-    strips: Annotated[int, Option("So many strips.", least=3, most=1000)] = 16
+    ring: Annotated[float | None, Option("Distance of its end from the axis.", "mm", least=0)] = None
+    strips: Annotated[int, Option("Number of strips.", least=3, most=1000)] = 16
     thickness: Annotated[
-        float | None, Option("Thickness of the sheet, where it is another than its own.", "mm", least=0)
+        float | None, Option("Thickness of the sheet, if it differs from the listed one.", "mm", least=0)
     ] = None
     rings: Annotated[Sheet | None, Option("Sheet of the rings at both ends.")] = None
-    gap: Annotated[float | None, Option("Two rings at either end, so far apart.", "mm", least=0)] = None
+    gap: Annotated[float | None, Option("Distance between two rings at each end.", "mm", least=0)] = None
     ends: Annotated[
         tuple[Tab, Tab] | None,
         Option("Tab for both ends, or one for the start and one for the end.", written=Tab | tuple[Tab, Tab]),
     ] = None
     shop: Annotated[FabricationLimits, Option("Limits of the workshop.")] = DEFAULT_LIMITS
-    ignore_limits: Annotated[bool, Option("Make strips that cannot be cut or handled, and say so.")] = False
+    ignore_limits: Annotated[
+        bool, Option("Make strips beyond the limits of the workshop, with a warning.")
+    ] = False
 
     @cached_property
     def meridian(self) -> Meridian:
@@ -67,7 +69,7 @@ class RevolutionTable:
         ways = [way for way in ("points", "curve", "a") if getattr(self, way) not in (None, ())]
         if len(ways) != 1:
             raise InputError(
-                "revolution must hold one of points, curve, or {own_keys}: what the meridian is to be",
+                "The meridian is missing. Add one of points, curve, or {own_keys}.",
                 own_keys=", ".join(OWN_KEYS),
             )
         if self.curve is not None or self.points:
@@ -75,7 +77,7 @@ class RevolutionTable:
         given: Any = [getattr(self, key) for key in OWN_KEYS]
         missing = [key for key in OWN_KEYS if getattr(self, key) is None]
         if missing:
-            raise InputError("{key} is missing; give it a number or a formula in quotes", key=missing[0])
+            raise InputError("{key} is missing. Add a number or a formula in quotes.", key=missing[0])
         return meridian(*given, ring=self.ring)
 
     def model(self, name: str) -> Model:
@@ -106,7 +108,7 @@ class RevolutionTable:
             return ()
         return (
             note(
-                "the meridian is {far} off its points at most: no meridian that strips can tile is nearer",
+                "The meridian deviates from its points by up to {far}. Strips cannot tile a nearer meridian.",
                 far=Length(off),
             ),
         )

@@ -32,25 +32,27 @@ WrittenSplit: TypeAlias = PlaneSplit | PointSplit | CornerSplit
 class SectionsTable:
     """The table `sections`: a surface, and how planes cut it into curves."""
 
-    mesh: Annotated[str, Option("Surface beside the design: OBJ, STL, PLY or STEP.")]
-    radial: Annotated[RadialCuts | None, Option("Half planes about an axis.")] = None
+    mesh: Annotated[
+        str, Option("File name of the surface, relative to the design file: OBJ, STL, PLY or STEP.")
+    ]
+    radial: Annotated[RadialCuts | None, Option("Half planes around an axis.")] = None
     parallel: Annotated[ParallelCuts | None, Option("Parallel planes.")] = None
-    along: Annotated[AlongPath | None, Option("Planes across a path.")] = None
+    along: Annotated[AlongPath | None, Option("Planes perpendicular to a path.")] = None
     unit: Annotated[str | None, Option("Unit of the mesh.")] = None
-    scale: Annotated[float | None, Option("Factor on the mesh.", least=0)] = None
-    half: Annotated[bool | None, Option("Only what lies at x >= 0 of each plane.")] = None
+    scale: Annotated[float | None, Option("Scale factor of the mesh.", least=0)] = None
+    half: Annotated[bool | None, Option("Only the part of each section at x >= 0 of its plane.")] = None
     longest: Annotated[bool, Option("Only the longest line of each section.")] = False
-    split: Annotated[WrittenSplit | tuple[WrittenSplit, ...], Option("Where lines are divided.")] = ()
-    tolerance: Annotated[float, Option("Largest distance from the section.", "mm", least=0)] = 0.3
-    wavelength: Annotated[float, Option("Shorter waves are smoothed away.", "mm", least=0)] = 0.0
+    split: Annotated[WrittenSplit | tuple[WrittenSplit, ...], Option("Places where sections are split.")] = ()
+    tolerance: Annotated[float, Option("Largest distance of the curve from the section.", "mm", least=0)] = (
+        0.3
+    )
+    wavelength: Annotated[float, Option("Wavelength below which waves are removed.", "mm", least=0)] = 0.0
 
     def __post_init__(self) -> None:
         if self.scale is not None:
             require_positive(self.scale, "scale", "times")
         if len(self._cuts) != 1:
-            raise InputError(
-                "sections must hold one of radial, parallel, along: the planes that cut the mesh"
-            )
+            raise InputError("Cutting planes are missing. Add one of radial, parallel or along.")
 
     @property
     def _cuts(self) -> list[Any]:
@@ -84,7 +86,7 @@ def read_sections(
         cuts = table.table(name)
         if cuts.has("count") and cuts.has(key):
             raise InputError(
-                "{place} means nothing beside {key}: leave one of them out",
+                "{place} and {key} exclude each other. Leave out one of them.",
                 place=cuts.place("count"),
                 key=key,
             )
@@ -92,7 +94,7 @@ def read_sections(
     path = reader.folder / sections.mesh
     if not path.is_file():
         raise InputError(
-            "{place}: there is no file {path}; names are relative to the design file",
+            "{place}: the file {path} does not exist. Write its name relative to the design file.",
             place=table.where,
             path=path,
         )
@@ -159,7 +161,10 @@ def _section_keys(spec: SectionSpec) -> dict[str, Any]:
         case AlongPath() as cuts:
             path = np.asarray(cuts.path).tolist()
             return keys | {"along": {"path": path, "count": cuts.count, "ends": cuts.ends, "up": cuts.up}}
-    raise InputError("{cuts!r} is no family of planes that a design file knows", cuts=spec.cuts)
+    raise InputError(
+        "{cuts!r} cannot be written to a design file. Use RadialCuts, ParallelCuts or AlongPath.",
+        cuts=spec.cuts,
+    )
 
 
 def _split_keys(split: Split) -> dict[str, Any]:
@@ -170,7 +175,10 @@ def _split_keys(split: Split) -> dict[str, Any]:
             return {"points": np.asarray(split.points).tolist()}
         case PlaneSplit():
             return {"point": split.point, "normal": split.normal}
-    raise InputError("{split!r} is no split that a design file knows", split=split)
+    raise InputError(
+        "{split!r} cannot be written to a design file. Use PlaneSplit, PointSplit or CornerSplit.",
+        split=split,
+    )
 
 
 def _degrees(angle: float) -> str:

@@ -89,7 +89,7 @@ class FinishedStrip:
             return cls(spec, stiffness, scale)
         except (ElasticaError, KeyError, TypeError, ValueError) as problem:
             raise InputError(
-                "the record `request` of the report cannot be read ({problem}): make the report again",
+                "The record `request` of the report cannot be read ({problem}). Make the report again.",
                 problem=str(problem),
             ) from problem
 

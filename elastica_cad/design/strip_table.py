@@ -30,7 +30,7 @@ class SharedKeys:
     thickness: Annotated[
         float | None,
         Option(
-            "Thickness of the sheet, where it is another than its own.",
+            "Thickness of the sheet, if it differs from the listed one.",
             "mm",
             least=0,
             group="sheet",
@@ -44,24 +44,26 @@ class StripKeys(SharedKeys):
     """All keys of a table in [[strips]]."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = ()
-    count: Annotated[int, Option("So many strips, i = 1, 2, ...", least=1)] = 1
+    count: Annotated[int, Option("Number of strips, i = 1, 2, ...", least=1)] = 1
     let: Annotated[dict[str, float] | None, Option("Names for formulae of this strip.")] = None
     sections: Annotated[
         Any,
         Option(
-            "In place of the curve: a strip for every section of a surface.",
+            "Sections of a surface, each with a strip, instead of the curve.",
             written="elastica_cad.design.sections_table:SectionsTable",
         ),
     ] = None
-    origin: Annotated[
-        Triple, Option("Where the origin of the drawing lies in space.", "mm", group="weight")
-    ] = (0, 0, 0)
-    x_axis: Annotated[Triple, Option("Where the x axis of the drawing points in space.", group="weight")] = (
+    origin: Annotated[Triple, Option("Position of the drawing's origin in space.", "mm", group="weight")] = (
+        0,
+        0,
+        0,
+    )
+    x_axis: Annotated[Triple, Option("Direction of the drawing's x axis in space.", group="weight")] = (
         1,
         0,
         0,
     )
-    y_axis: Annotated[Triple, Option("Where the y axis of the drawing points in space.", group="weight")] = (
+    y_axis: Annotated[Triple, Option("Direction of the drawing's y axis in space.", group="weight")] = (
         0,
         0,
         1,
@@ -144,7 +146,7 @@ def read_fields(table: Table, reader: Reader) -> dict[str, Any]:
     known = {entry.name: entry for entry in fields_of(StripSpec) if entry.name != "curve"}
     if not table.has("sheet"):
         raise InputError(
-            '{key} is missing; name a sheet, e.g. sheet = "birch-plywood-0.8"', key=table.place("sheet")
+            '{key} is missing. Name a sheet, such as sheet = "birch-plywood-0.8".', key=table.place("sheet")
         )
     sheet: Sheet = reader.value(known["sheet"].kind, table, "sheet")
     reader = replace(reader, sheet=sheet)

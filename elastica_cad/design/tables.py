@@ -93,23 +93,25 @@ class Formula:
     def _parsed(self) -> "_Parsed":
         if len(self.text) > MOST_LETTERS:
             raise InputError(
-                "{place}: a formula of {count} letters is too long; use let to name parts",
+                "{place}: a formula of {count} characters is too long. Name parts of it with let.",
                 place=self.where,
                 count=len(self.text),
             )
         try:
             return _parsed(self.text)
         except SyntaxError as error:
-            at = f"letter {error.offset}" if error.offset else "its end"
+            at = f"character {error.offset}" if error.offset else "its end"
             raise InputError(
-                "{place}: {typed!r} is no formula: it breaks off at {at}",
+                "{place}: the formula {typed!r} is incomplete at {at}. Complete it.",
                 place=self.where,
                 typed=self.text,
                 at=at,
             ) from error
         except (ValueError, RecursionError, MemoryError) as error:
             raise InputError(
-                "{place}: {typed!r} is no formula that can be read", place=self.where, typed=self.text[:60]
+                "{place}: {typed!r} cannot be read as a formula. Correct it.",
+                place=self.where,
+                typed=self.text[:60],
             ) from error
 
     def __call__(self, values: Mapping[str, Value] | None = None, **more: Value) -> Value:
@@ -129,7 +131,10 @@ class Formula:
             result = np.asarray(_value(tree, known), dtype=float)
         if not np.all(np.isfinite(result)):
             raise InputError(
-                "{place}: {typed!r} gives no finite number: a division by 0 or a root below 0?",
+                (
+                    "{place}: the value of {typed!r} is not finite. Look for a division by 0 or the root of a "
+                    "negative number."
+                ),
                 place=self.where,
                 typed=self.text,
             )
@@ -143,7 +148,7 @@ class Formula:
             else note("known are {names}", names=", ".join(sorted(known)))
         )
         return note(
-            "{place}: unknown {thing} {name!r} at letter {letter} of {formula!r}; {hint}",
+            "{place}: unknown {thing} {name!r} at character {letter} of {formula!r}; {hint}",
             place=self.where, thing=kind, name=node.id, letter=node.col_offset + 1, formula=self.text,
             hint=hint,
         )  # fmt: skip
@@ -199,7 +204,7 @@ def _check(node: ast.expr, formula: Formula, depth: int = 0) -> None:
 
 def _refusal(node: ast.expr, formula: Formula, fault: str) -> InputError:
     return InputError(
-        "{place}: {typed!r}, letter {col_offset}: {fault}",
+        "{place}: {typed!r}, character {col_offset}: {fault}",
         place=formula.where,
         typed=formula.text[:80],
         col_offset=node.col_offset + 1,
@@ -260,14 +265,14 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
         value = Formula(value, where)(scope)
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise InputError(
-            "{place} is {given}: it must be a number or a formula in quotes",
+            "{place} is {given}. Write a number or a formula in quotes.",
             place=where,
             given=quoted(value),
         )
     if not -LARGEST_NUMBER <= value <= LARGEST_NUMBER:
         shown_value = f"{value:.3g}" if isinstance(value, float) else "a whole number of many digits"
         raise InputError(
-            "{place} is {told}: give a finite number of at most {largest_number:g}",
+            "{place} is {told}. Use a finite number of at most {largest_number:g}.",
             place=where,
             told=shown_value,
             largest_number=LARGEST_NUMBER,
@@ -312,7 +317,7 @@ class Slips:
             listed.append(sentence)
         listed = listed or [""]
         if (left := len(self._texts) - len(listed)) > 0:
-            listed.append(note("{left} more; mend these first", left=left))
+            listed.append(note("{left} more errors. Correct these first", left=left))
         *others, last = listed
         ended = (part if part.endswith((".", "?")) else sentences([part], end=".") for part in others)
         return sentences([*ended, last], " Also: ")
@@ -343,7 +348,7 @@ class Table:
     ) -> None:
         if not isinstance(data, Mapping):
             raise InputError(
-                "{place} must be a table of keys and values, not {data}", place=where, data=quoted(data)
+                "{place} is {data}. Write a table of keys and values.", place=where, data=quoted(data)
             )
         self.data: Mapping[str, Any] = data
         self.where = where
@@ -407,7 +412,7 @@ class Table:
         """
         value = self.raw(key, default)
         if value is None:
-            raise InputError("{key} is missing; give it a number or a formula in quotes", key=self.place(key))
+            raise InputError("{key} is missing. Add a number or a formula in quotes.", key=self.place(key))
         return _compute_number(value, self.place(key), self.scope)
 
     def maybe(self, key: str) -> float | None:
@@ -419,11 +424,11 @@ class Table:
         value = self.number(key, default)
         if value != int(value) or value < 1:
             raise InputError(
-                "{key} is {given:g}: it must be a whole number, 1 or more", key=self.place(key), given=value
+                "{key} is {given:g}. Use a whole number, 1 or more.", key=self.place(key), given=value
             )
         if value > most:
             raise InputError(
-                "{key} is {given:g}, and at most {most} are made: ask for fewer",
+                "{key} is {given:g}, above the limit of {most}. Use a smaller number.",
                 key=self.place(key),
                 given=value,
                 most=most,
@@ -435,7 +440,7 @@ class Table:
         value = self.raw(key, default)
         if not isinstance(value, list | tuple) or len(value) != size:
             raise InputError(
-                "{key} is {given}: it must be {size} numbers in brackets",
+                "{key} is {given}. Write {size} numbers in brackets.",
                 key=self.place(key),
                 given=quoted(value),
                 size=size,
@@ -450,7 +455,7 @@ class Table:
         given = self.raw(key, ())
         if not isinstance(given, Sequence) or isinstance(given, str):
             raise InputError(
-                "{key} is {given}: it must be numbers in brackets", key=self.place(key), given=quoted(given)
+                "{key} is {given}. Write numbers in brackets.", key=self.place(key), given=quoted(given)
             )
         return self.vector(key, len(given), ())
 
@@ -472,11 +477,11 @@ class Table:
         value = self.raw(key, default)
         if not isinstance(value, str):
             raise InputError(
-                "{key} is {given}: it must be text in quotes", key=self.place(key), given=quoted(value)
+                "{key} is {given}. Write a text in quotes.", key=self.place(key), given=quoted(value)
             )
         if choices and value not in choices:
             raise InputError(
-                "{key} is {given}: use one of {choices}",
+                "{key} is {given}. Use one of {choices}.",
                 key=self.place(key),
                 given=quoted(value),
                 choices=", ".join(choices),
@@ -488,7 +493,7 @@ class Table:
         value = self.raw(key, default)
         if not isinstance(value, bool):
             raise InputError(
-                "{key} is {given}: it must be true or false", key=self.place(key), given=quoted(value)
+                "{key} is {given}. Write true or false.", key=self.place(key), given=quoted(value)
             )
         return value
 
@@ -501,7 +506,7 @@ class Table:
         value = self.raw(key, [])
         if not isinstance(value, list):
             raise InputError(
-                "{key} must be a list of tables, not {given}", key=self.place(key), given=quoted(value)
+                "{key} is {given}. Write a list of tables.", key=self.place(key), given=quoted(value)
             )
         return [Table(row, f"{self.place(key)}[{i}]", self.scope) for i, row in enumerate(value, start=1)]
 
@@ -511,7 +516,7 @@ class Table:
         for name, value in Table(let, self.place("let"), scope).data.items():
             if not name.isidentifier():
                 raise InputError(
-                    "{place}: {name!r} is no name; use letters, digits and _",
+                    "{place}: {name!r} is not a valid name. Use letters, digits and _.",
                     place=self.place("let"),
                     name=name,
                 )

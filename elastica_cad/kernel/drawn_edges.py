@@ -37,7 +37,7 @@ def plane_curve(
     """
     if _has_faces(shape):
         raise InputError(
-            "a face or a body is no curve: give one of its edges, or cut it by planes with section_strips"
+            "A face or a body is not a curve. Use one of its edges, or cut it by planes with section_strips."
         )
     if plane is not None:
         return placed_curve(drawn_edges(shape), plane=plane)
@@ -89,8 +89,8 @@ def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
     if not isinstance(shape, k.TopoDS_Shape):
         if not is_series(shape):
             raise InputError(
-                f"an edge or wire of a CAD kernel is needed, not {type(shape).__name__}: through points "
-                "draw a spline first, of a builder give its line"
+                f"A {type(shape).__name__} is not an edge or wire of a CAD kernel. Draw a spline through points; "
+                "of a builder pass its line."
             )
         return [edge for item in shape for edge in drawn_edges(item)]
     return [_drawn_edge(k.as_edge(edge)) for edge in sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_EDGE)]
@@ -101,11 +101,11 @@ def _drawn_edge(edge: Shape) -> DrawnEdge:
     k = kernel()
     curve = None if k.BRep_Tool.Degenerated_s(edge) else k.BRep_Tool.Curve_s(edge, 0.0, 1.0)
     if curve is None:
-        raise InputError("an edge is degenerate: it has no curve in space; choose another edge")
+        raise InputError("An edge is degenerate because it has no curve in space. Choose another edge.")
     limits = k.BRepAdaptor_Curve(edge)
     first, last = limits.FirstParameter(), limits.LastParameter()
     if not (abs(first) < 1e100 and abs(last) < 1e100):
-        raise InputError("an edge runs on to infinity: trim it")
+        raise InputError("An edge is infinitely long. Trim it.")
     basis = curve
     while isinstance(basis, k.Geom_TrimmedCurve):
         basis = basis.BasisCurve()
@@ -115,11 +115,11 @@ def _drawn_edge(edge: Shape) -> DrawnEdge:
             None if isinstance(basis, k.Geom_OffsetCurve) else k.GeomConvert.CurveToBSplineCurve_s(trimmed)
         )
     except Exception as error:  # whatever the kernel's binding makes of Standard_Failure
-        raise InputError("an edge is no curve that the kernel can follow: draw it anew") from error
+        raise InputError("The kernel cannot evaluate the curve of an edge. Draw the edge again.") from error
     if spline is None:
         followed = k.GeomConvert_ApproxCurve(trimmed, OFFSET, k.GeomAbs_Shape.GeomAbs_C2, 1000, 9)
         if not followed.HasResult() or followed.MaxError() > 10 * OFFSET:
-            raise InputError("an offset edge is too rough to be followed: draw the curve itself")
+            raise InputError("An offset edge is too rough. Draw the curve itself.")
         spline = followed.Curve()
     if spline.IsPeriodic():
         spline.SetNotPeriodic()

@@ -162,25 +162,23 @@ class Travel:
 
     def __post_init__(self) -> None:
         if (self.end is None) == (self.angle is None):
-            raise InputError(
-                "give the point that the end goes to, or the angle that it turns to: one of both"
-            )
+            raise InputError("The travel needs a point or an angle, but not both. Pass one of them.")
         if self.end is not None:
             point = np.asarray(self.end, dtype=float)
             if point.shape != (2,) or not np.all(np.isfinite(point)):
                 raise InputError(
-                    f"the end of a travel is {self.end!r}: give two numbers, mm, in the curve's plane"
+                    f"The end of a travel is {self.end!r}. Use two numbers in mm, in the plane of the curve."
                 )
             object.__setattr__(self, "end", point)
             apart = float(np.hypot(*(point - self._rod.position[0])))
             if apart > self._rod.length:
                 far, long = distinct_digits(apart, self._rod.length, ".4g")
                 raise InputError(
-                    f"the travel ends {far} mm from the start of a strip that is {long} mm long: give a "
-                    "nearer point"
+                    f"The travel ends {far} mm from the start of a strip that is {long} mm long. Choose a "
+                    "nearer point."
                 )
         if self.length < 1e-6:
-            raise InputError("the end of the strip is there already: give it another place to go to")
+            raise InputError("The end of the strip is already in this position. Pass another position.")
 
     @property
     def _rod(self) -> Rod:
@@ -234,7 +232,7 @@ class Travel:
         The solution of each shape starts from the previous shape.
         """
         if not isinstance(frames, int) or frames < 2:
-            raise InputError(f"a travel of {frames} frames shows no motion: give a whole number, 2 or more")
+            raise InputError(f"frames is {frames}, too few for a motion. Use a whole number, 2 or more.")
         shares = np.linspace(0.0, 1.0, frames)[1:]
         return (self._rod, *bend_path(self.strip.rod_to_bend, [self._ends(share) for share in shares]))
 
@@ -244,7 +242,7 @@ class Travel:
         if not -1e-9 <= share <= 1 + 1e-9:
             requested = f"{position:g}" if is_number(position) else repr(position)
             raise InputError(
-                f"position is {requested} {self.unit}: the travel goes from 0 to {self.length:.4g}"
+                f"position is {requested} {self.unit}, outside the travel. Use 0 to {self.length:.4g} {self.unit}."
             )
         return bend(self._stations[round(share * STATIONS)], **self._ends(share))
 
@@ -274,13 +272,9 @@ class Travel:
             file exists or cannot be written.
         """
         if FilePath(path).suffix.lower() != ".glb":
-            raise InputError(
-                f"{FilePath(path).name}: animations are written as binary glTF: name the file .glb"
-            )
+            raise InputError(f"{FilePath(path).name} is not a binary glTF file. Use a name ending in .glb.")
         if not (is_number(seconds) and seconds > 0):
-            raise InputError(
-                f"an animation of {seconds!r} s shows nothing: give a positive number of seconds"
-            )
+            raise InputError(f"seconds is {seconds!r}. Use a positive number of seconds.")
         rods = self.rods(frames)
         names = layer_names(self.strip.label or "strip", self.strip)
         moving = []
@@ -303,6 +297,6 @@ def travel_of(rib: StripBody, end: Point | None, angle: float | None) -> Travel:
     """
     require_record(rib, StripBody, "what slides", "a bent strip")
     if rib._made.home is None:
-        raise InputError("the end of a strip slides when it is bent: take its body .bent() first")
+        raise InputError("Only a bent strip has a sliding end. Call .bent() first.")
     point = None if end is None else rib._in_plane(end, "end")
     return Travel(rib.strip, rib.frame, point, end_angles((None, angle))[1])

@@ -107,6 +107,6 @@ def write_glb(parts: Sequence[NamedShape], path: str | PathLike[str], *, name: s
         converter.SetOutputCoordinateSystem(k.RWMesh_CoordinateSystem.RWMesh_CoordinateSystem_glTF)
         about = k.Remarks()
         if not writer.Perform(document, about, k.Message_ProgressRange()):
-            raise InputError("OpenCASCADE could not write this model as GLB: check that its parts are valid")
+            raise InputError("OpenCASCADE could not write this model as GLB. Check that its parts are valid.")
         content = file.read_bytes()
     write_atomically(path, content)

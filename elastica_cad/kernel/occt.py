@@ -82,7 +82,7 @@ def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
     builder.Perform()
     if builder.HasErrors():
         raise InputError(
-            "OpenCASCADE could not combine the prisms of a body: move them so that none just touch"
+            "OpenCASCADE could not combine the prisms of a body. Move prisms that only touch each other."
         )
     return builder.Shape()
 
@@ -98,7 +98,9 @@ def _only_solid(shape: Shape) -> Shape:
     """Return the only solid in a compound."""
     solids = sub_shapes(shape, kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
     if len(solids) != 1:
-        raise InputError(f"the prisms of a body leave {len(solids)} pieces: they must make one")
+        raise InputError(
+            f"The prisms of a body form {len(solids)} separate pieces. Let them form a single piece."
+        )
     return solids[0]
 
 

@@ -61,8 +61,8 @@ def kernel() -> SimpleNamespace:
     release = version.split(".", maxsplit=1)[0]
     if release not in REMARKS:
         raise MissingDependencyError(
-            f"OCP {version} is installed, but only 7.x and 8.x are known here: install a build123d or "
-            "cadquery release that brings one of these"
+            f"OCP {version} is installed, but elastica_cad works with 7.x and 8.x. Install a release of "
+            "build123d or cadquery that brings one of these."
         )
     names: dict[str, Any] = {}
     try:
@@ -92,7 +92,7 @@ def library_trouble(library: str, error: ImportError) -> str:
     """Return what to do where a library above OpenCASCADE fails to import: install it, or repair what it needs."""
     if error.name == library:
         return how_to_install(library)
-    return kernel_trouble() or note("it cannot be loaded ({error}); install what that names", error=error)
+    return kernel_trouble() or note("it cannot be loaded ({error}); install the named package", error=error)
 
 
 def _unsound(error: Exception) -> MissingDependencyError:
@@ -106,10 +106,10 @@ def _unsound(error: Exception) -> MissingDependencyError:
     if len({version.split(".", maxsplit=1)[0] for version in brought.values()}) > 1:
         both = " and ".join(f"{name} {version}" for name, version in brought.items())
         return MissingDependencyError(
-            f"{reason}: {both} lie in one environment, where each writes over the other; make an "
-            "environment for build123d and one for CadQuery, or one with build123d==0.12.* and "
-            "cadquery==2.8.*"
+            f"{reason}: {both} overwrite each other in the same environment. Make separate "
+            "environments for build123d and CadQuery, or install build123d==0.12.* with "
+            "cadquery==2.8.*."
         )
     return MissingDependencyError(
-        f"{reason}: install what it names, or another release of build123d or cadquery"
+        f"{reason}. Install the named package, or another release of build123d or cadquery."
     )

@@ -9,11 +9,11 @@ T = TypeVar("T")
 
 DRAWN = {
     "path": (
-        "edges or a wire of the library, a PlaneCurve, or a Strip that is made",
-        "The curve that the strip is to take; edges follow each other.",
+        "edges or a wire of the library, a PlaneCurve, or a finished Strip",
+        "Curve of the strip; the end of each edge is the start of the next.",
     ),
-    "sheet": ("Sheet or str", "The material, or the name of a built-in one; none for a strip that is made."),
-    "max_width": ("float", "The largest width of the free part (mm); or give `min_width`, the least."),
+    "sheet": ("Sheet or str", "Material, or the name of a built-in sheet; omit it for a finished strip."),
+    "max_width": ("float", "Largest width of the free part (mm); or set `min_width`, the least width."),
 }
 """Type and help of the arguments that every function has which makes a strip of what is drawn."""
 

@@ -52,7 +52,7 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
     """
     k, shape = kernel(), bare(shape)
     if not isinstance(shape, k.TopoDS_Shape) or shape.IsNull():
-        raise InputError("there is no shape to cut: give a solid, a shell or a face")
+        raise InputError("There is no shape to cut. Pass a solid, a shell or a face.")
     refuse_odd_planes(planes)
 
     def cut(frame: Frame) -> Shape:
@@ -70,13 +70,13 @@ def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
     """Return a body or surface of OpenCASCADE, all lengths times `scale`, ready to be cut by planes."""
     k = kernel()
     if not isinstance(shape, k.TopoDS_Shape):
-        raise InputError(f"a body to cut is a face, shell or solid, not {type(shape).__name__}")
+        raise InputError(f"A {type(shape).__name__} cannot be cut. Pass a face, shell or solid.")
     if scale != 1.0:
         larger = k.gp_Trsf()
         larger.SetScaleFactor(scale)
         shape = k.BRepBuilderAPI_Transform(shape, larger, True).Shape()
     if not sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE):
-        raise InputError("it holds no faces to cut: export a solid, a shell or a face")
+        raise InputError("It has no faces to cut. Export a solid, a shell or a face.")
     box = k.Bnd_Box()
     k.BRepBndLib.AddOptimal_s(shape, box, False, False)
     low, high = (

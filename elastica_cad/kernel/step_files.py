@@ -80,9 +80,9 @@ def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
         os.kill(copy, signal.SIGKILL)
         raise
     if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGALRM):
-        raise InputError(f"OpenCASCADE has not read this file within {seconds} s: export its curves alone")
+        raise InputError(f"OpenCASCADE needs more than {seconds} s for this file. Export only its curves.")
     if status:
-        raise InputError("OpenCASCADE breaks down on this file, which is damaged: export it anew")
+        raise InputError("The file is damaged, and OpenCASCADE cannot read it. Export it again.")
 
 
 def _limit(parent: int, seconds: int) -> None:
@@ -215,7 +215,7 @@ def write_step(
         The list of parts is empty, the file exists (without `force`), or the folder is not writable.
     """
     if not parts:
-        raise InputError("there is nothing to write: give one part or more")
+        raise InputError("There is nothing to write. Pass at least one part.")
     write_atomically(path, step_bytes(parts, name=name or Path(path).stem), force=force)
 
 
@@ -273,7 +273,7 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
         header.SetDescriptionValue(1, text("strips bent to shape"))
         done = done and writer.WriteStream(stream) == k.IFSelect_ReturnStatus.IFSelect_RetDone
     if not done:
-        raise InputError("OpenCASCADE could not write these parts as STEP: check that they are valid solids")
+        raise InputError("OpenCASCADE could not write these parts as STEP. Check that they are valid solids.")
     return stream.getvalue()
 
 
@@ -348,7 +348,7 @@ def read_step_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
     if not chains:
         left_out = f" (found {list_things(skipped)})" if skipped else ""
         raise InputError(
-            "the file holds no free edges or wires: export the curves themselves, not solids or faces"
+            "The file has no free edges or wires. Export the curves themselves, not solids or faces."
             + left_out
         )
     scale = look_up_unit(unit or "mm")
@@ -393,11 +393,11 @@ def _read_shape(path: Path) -> Shape:
         with path.open("rb") as file:
             begins = file.read(200)
         if b"CASCADE Topology V" not in begins or not k.BRepTools.Read_s(shape, str(path), k.BRep_Builder()):
-            raise InputError("this is no BREP file that OpenCASCADE can read: export it anew")
+            raise InputError("OpenCASCADE cannot read this file as BREP. Export it again.")
         return shape
     with _own_settings():
         reader = k.STEPControl_Reader()
         read = reader.ReadFile(str(path)) == k.IFSelect_ReturnStatus.IFSelect_RetDone
         if not (read and reader.TransferRoots()):
-            raise InputError("this is no STEP file that OpenCASCADE can read: export it anew")
+            raise InputError("OpenCASCADE cannot read this file as STEP. Export it again.")
         return reader.OneShape()

@@ -68,7 +68,7 @@ def end_angles(angles: object) -> tuple[float | None, float | None]:
         shown = ", ".join(f"{angle:.4g}" for angle in given)
         warn(
             note(
-                "angles are in degrees, and {shown} is little: give numpy.degrees(...) of what is in radians",
+                "Angles are in degrees, and {shown} is small. Convert radians with numpy.degrees(...).",
                 shown=shown,
             )
         )
@@ -100,8 +100,8 @@ def warn_of_strip(strip: Strip) -> None:
     if meeting is not None:
         low, high = meeting
         warn(note(
-            "bent, the strip runs through itself: {low} along it meets {high} (tabs lie below 0 and beyond "
-            "{length}); shorten the tabs, open the curve, or cut a slot there",
+            "The bent strip intersects itself: {low} along it meets {high} (the tabs are below 0 and beyond "
+            "{length}). Shorten the tabs, open the curve, or cut a slot there.",
             low=Length(low), high=Length(high), length=Length(strip.rod.length),
         ))  # fmt: skip
 
@@ -266,12 +266,12 @@ class StripBody:
             return row
         if len(row) != 3:
             raise InputError(
-                f"{name} is {point!r}: give a point in space, or two numbers in the strip's frame, mm"
+                f"{name} is {point!r}. Pass a point in space, or two numbers in the strip's frame, in mm."
             )
         x, y, z = self.frame.local(row).tolist()
         if abs(z) > OFF_PLANE_MM * max(1.0, hypot(x, y) / 100):
             raise InputError(
-                "{name} lies {z:.4g} off the plane in which the strip bends: give a point in it",
+                "{name} is {z:.4g} away from the plane in which the strip bends. Pass a point in this plane.",
                 name=name,
                 z=Length(abs(z)),
             )
@@ -287,4 +287,4 @@ class StripBody:
 
     def _require_backing(self) -> None:
         if len(self.strip.layers) == 1:
-            raise InputError("the strip has no backing: give style=Laminated(width=..., backing=...)")
+            raise InputError("The strip has no backing. Use style=Laminated(width=..., backing=...).")

@@ -103,7 +103,7 @@ def make_strip_on(
         late = [*(("sheet",) if sheet is not None else ()), *options]
         if late:
             raise InputError(
-                f"{', '.join(late)} cannot be given for a strip that is made: leave out, or give the curve"
+                f"{', '.join(late)}: the options of a finished strip cannot be changed. Pass the curve instead."
             )
         if isinstance(path, Strip):
             warn_of_strip(path)
@@ -111,11 +111,9 @@ def make_strip_on(
         return MadeStrip(path.strip, frame or path.frame, path.deviation)
     given = type(path).__name__
     if given in NO_CURVES:
-        raise InputError(f"a {given} is no curve: give {NO_CURVES[given]}")
+        raise InputError(f"A {given} is not a curve. Pass {NO_CURVES[given]}.")
     if sheet is None:
-        raise InputError(
-            'a curve needs a sheet to be cut from: give a Sheet or the name of one, like "mdf-3"'
-        )
+        raise InputError('A strip for a curve needs a sheet. Pass a Sheet or its name, such as "mdf-3".')
     if _is_vector(options.get("gravity")):
         options["gravity"] = numbers_of(options["gravity"])
     if isinstance(path, PlaneCurve):
@@ -126,7 +124,10 @@ def make_strip_on(
     width = options.get("max_width")
     if curve.length < SHORTEST_MM and isinstance(width, int | float) and width > curve.length:
         raise InputError(
-            "the curve is {length:.3g} long: draw it in millimetres (in metres it would be {metres:.3g})",
+            (
+                "The curve is only {length:.3g} long. Draw it in millimetres (in metres it would be "
+                "{metres:.3g})."
+            ),
             length=Length(curve.length),
             metres=Length(1000 * curve.length),
         )
@@ -136,7 +137,7 @@ def make_strip_on(
     warn_of_strip(strip)
     if deviation > FAR_SHARE * strip.rod.length:
         warn(note(
-            "the strip leaves the drawn curve by up to {far}, {percent:.2g} % of its length: it was allowed to",
+            "The strip deviates from the drawn curve by up to {far}, {percent:.2g} % of its length, as allowed.",
             far=Length(deviation), percent=100 * deviation / strip.rod.length,
         ))  # fmt: skip
     return MadeStrip(strip, frame, deviation)
@@ -186,7 +187,8 @@ def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sec
         rows = (planes,) if alone else tuple(planes)
         if not rows:
             raise InputError(
-                "no plane was given: give at least one plane that cuts the body, of a Workplane its .plane"
+                "There is no plane. Pass at least one plane that cuts the body; for a Workplane pass its "
+                ".plane."
             )
         planes = SectionSpec(GivenCuts(tuple(map(_frame_of, rows))), half=half)
     curves, reports = planes.curves(shape_surface(bare(body)))
@@ -224,7 +226,7 @@ def _refuse_unknown(options: Mapping[str, Any], sizes: Sequence[str] = ()) -> No
     known = {"plane", *sizes, *(field.name for field in fields(StripSpec))} - {"curve", "sheet", "frame"}
     for name in options:
         if name in GIVEN_OTHERWISE and name not in known:
-            raise UnknownOptionError(f"{name} is no option of a strip: give {GIVEN_OTHERWISE[name]}")
+            raise UnknownOptionError(f"{name} is not an option of a strip. Pass {GIVEN_OTHERWISE[name]}.")
     refuse_unknown(options, known, "a fixture" if sizes else "a strip")
 
 
@@ -235,7 +237,7 @@ def _frame_of(plane: Any) -> Frame:
     for names in (("origin", "x_dir", "y_dir"), ("origin", "xDir", "yDir")):
         if all(hasattr(plane, name) for name in names):
             return Frame(*(numbers_of(getattr(plane, name)) for name in names))
-    raise InputError(f"plane is {plane!r}: give a Plane of your library, or a Frame")
+    raise InputError(f"plane is {plane!r}. Pass a Plane of your library, or a Frame.")
 
 
 def _is_vector(value: Any) -> bool:

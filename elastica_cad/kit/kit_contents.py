@@ -222,7 +222,11 @@ def _bar_messages(spec: KitSpec) -> list[str]:
     """Return a note if no reference bar is cut because the files are for a cutting service."""
     if spec.reference_bar is None or not spec.cutting.service:
         return []
-    return [note("no reference bar is cut: it checks your own machine, and the files are for a service")]
+    return [
+        note(
+            "There is no reference bar because the files are for a service. It checks only your own machine."
+        )
+    ]
 
 
 def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -> list[str]:
@@ -233,8 +237,8 @@ def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -
     (first, ends), *_ = unheld.items()
     return [
         note(
-            "{name}{more}: nothing holds end {ends}, so it is not told how it rests; add a holder (stand, "
-            "fixtures), or hold it where the order of assembly says",
+            "{name}{more}: nothing holds end {ends}, so its rest shape is unknown. Add a holder (stand, "
+            "fixtures), or hold the end as the order of assembly says.",
             name=names[first], more=and_more([*unheld]), ends=" & ".join(str(1 + ENDS.index(end)) for end in ends),
         )
     ]  # fmt: skip
@@ -270,8 +274,8 @@ def _strays(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
         return ()
     return (
         note(
-            "strips rest farther from their design than slots have room ({room:g}), so "
-            "they may have to be pushed into each other: {strips}",
+            "Strips deviate from their design by more than the clearance of slots ({room:g}): {strips}. "
+            "Push them into each other if necessary.",
             room=Length(CLEARANCE),
             strips=", ".join(far),
         ),

@@ -133,8 +133,8 @@ def model_kit(
         stem = f"{PARTS}/{piece.file_stem}"
         if any(file.name.casefold() == cutting.file_name(stem, "svg").casefold() for file in files):
             raise InputError(
-                "{name}: another part would be written to {file_stem}.svg too; choose labels that "
-                "differ in more than capitals and signs",
+                "{name}: another part has the same file {file_stem}.svg. Choose labels that differ in more "
+                "than capital letters and signs.",
                 name=piece.name,
                 file_stem=piece.file_stem,
             )
@@ -226,7 +226,7 @@ def save_model(
     spec = KitSpec(Nesting(sheet_size, margin), cutting, shop=shop, ignore_limits=ignore_limits)
     if not isinstance(model, Model):
         raise InputError(
-            "the model is a {name}: give a Model, such as Model([Placed(strip)])", name=type(model).__name__
+            "The model is a {name}. Pass a Model, such as Model([Placed(strip)]).", name=type(model).__name__
         )
     folder = require_path(folder)
     check_kit_folder(model.name, folder, force=force)

@@ -72,9 +72,9 @@ class MadePair:
         share, far = max((far / size, far) for far, size in zip(moved, sizes, strict=True))
         if share > FAR_SHARE:
             yield note(
-                "a curve was moved by up to {far}, {percent:.2g} % of its size, to make both equally long; the "
-                "picture shows them dashed as they were drawn: draw both nearer to one length, or have them made "
-                "equal in another way ({field})",
+                "A curve was moved by up to {far}, {percent:.2g} % of its size, to make both curves equally "
+                "long. The picture shows the drawn curves dashed. Draw curves of more similar length, or "
+                "change {field}.",
                 severity="warning", field=FieldName("match"), far=Length(far), percent=100 * share,
             )  # fmt: skip
 
@@ -85,9 +85,9 @@ class MadePair:
         kerf = sheet.kerf or LASER_KERF
         left = max(thin - kerf, 0.0)
         yield note(
-            "the files hold the part's own outline: a laser's cut of {kerf} leaves {left} of {thin} where it is "
-            "thinnest, and {percent:.0f} % of the force: give the width of the cut ({field}), unless the program "
-            "of the laser makes up for it",
+            "The files have the outline of the part without compensation for the cut. A laser cut of {kerf} "
+            "leaves {left} of {thin} at the thinnest place, and {percent:.0f} % of the force. Set the width "
+            "of the cut ({field}), unless the laser program compensates it.",
             severity="warning", field=FieldName("cut.kerf"), kerf=Length(kerf), left=Length(left),
             thin=Length(thin), percent=100 * (left / thin) ** 3,
         )  # fmt: skip

@@ -144,7 +144,9 @@ def slotted_frame(
     play: Play = PLAY,
     clearance: Clearance = CLEARANCE,
     border: Border = BORDER,
-    gap: Annotated[float | None, Option("Two plates so far apart hold inclined tabs.", "mm", above=0)] = None,
+    gap: Annotated[
+        float | None, Option("Distance between two plates that hold inclined tabs.", "mm", above=0)
+    ] = None,
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> SlottedFrame:

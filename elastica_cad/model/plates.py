@@ -71,7 +71,7 @@ class PlateOptions:
     slot_width: Annotated[float | None, Option("Least width of slots.", "mm", least=0, most=1000)] = None
     border: Border = BASE_BORDER
     shape: Outline = "hull"
-    ends: Annotated[Sequence[StripEnd], Option("Which tabs; all unless given.", written=StripEnd)] = ENDS
+    ends: Annotated[Sequence[StripEnd], Option("Tabs to hold; by default all.", written=StripEnd)] = ENDS
     name: Name = "base"
     shop: FabricationLimits | None = None
     ignore_limits: bool = False

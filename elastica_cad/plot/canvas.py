@@ -77,12 +77,12 @@ def save_figure(
         The file exists (without `force`), has another suffix or cannot be written, or the resolution is impossible.
     """
     if not (is_number(resolution) and 1 <= resolution <= MOST_RESOLUTION):
-        raise InputError(f"resolution is {resolution!r}: give 1 to {MOST_RESOLUTION:g} dots per inch")
+        raise InputError(f"resolution is {resolution!r}. Use 1 to {MOST_RESOLUTION:g} dots per inch.")
     if not hasattr(figure, "savefig"):
-        raise InputError(f"the figure is a {type(figure).__name__}: give what elastica_cad.plot draws")
+        raise InputError(f"The figure is a {type(figure).__name__}. Pass a figure of elastica_cad.plot.")
     kind = require_path(path).suffix.lower().removeprefix(".")
     if kind not in PICTURES:
-        raise InputError(f"{path} has no ending of a picture: .png, .svg and .pdf are written")
+        raise InputError(f"{path} does not have the suffix of a picture. Use .png, .svg or .pdf.")
     stream = BytesIO()
     undated = {"png": {}, "svg": {"Date": None}, "pdf": _properties()}[kind]
     figure.savefig(stream, format=kind, dpi=resolution, metadata=undated)

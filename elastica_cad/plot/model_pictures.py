@@ -208,7 +208,7 @@ def model(
     """
     require_model(model)
     if not (is_whole(flat) and flat >= 0):
-        raise InputError(f"flat is {flat!r}: give a whole number of parts to show, 0 for none")
+        raise InputError(f"flat is {flat!r}. Use a whole number of parts to show, 0 for none.")
     held_by = (*model.plates, *several("holders", holders, Holder, HOLDERS))
     faces = _plate_faces(held_by)
     bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
@@ -251,15 +251,17 @@ def bodies(
     """
     patches, colors = [], []
     if not is_series(meshes) or not all(is_series(mesh) and len(tuple(mesh)) == 3 for mesh in meshes):
-        raise InputError("meshes are a list of (vertices, triangles, color)")
+        raise InputError("meshes has the wrong form. Pass a list of (vertices, triangles, color).")
     for vertices, triangles, color in meshes:
         points, rows = numbers(vertices, "vertices"), numbers(triangles, "triangles").astype(int)
         if points.ndim != 2 or points.shape[1] != 3 or rows.ndim != 2 or rows.shape[1] != 3:
-            raise InputError("a mesh is vertices (n, 3) in mm and triangles (m, 3) of their rows")
+            raise InputError(
+                "A mesh has the wrong form. Pass vertices (n, 3) in mm and triangles (m, 3) of row numbers."
+            )
         patches.append(points[rows])
         colors.append(np.tile(np.asarray(color, dtype=float), (len(rows), 1)))
     if not patches:
-        raise InputError("there is nothing to draw: give one mesh or more")
+        raise InputError("There is nothing to draw. Pass at least one mesh.")
     corners, tints = np.concatenate(patches), np.concatenate(colors)
     outward = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     faced = outward @ look_from(elevation, azimuth) > 0

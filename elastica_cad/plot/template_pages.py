@@ -76,7 +76,7 @@ def _tile_drawing(drawing: Drawing, paper: str = "A4") -> Tiling:
     """
     require_record(drawing, Drawing, "what is printed", "a Drawing")
     if not isinstance(paper, str) or paper not in PAPERS:
-        raise InputError(f"unknown paper {paper!r}: use one of {', '.join(PAPERS)}")
+        raise InputError(f"Unknown paper {paper!r}. Use one of {', '.join(PAPERS)}.")
     ways = [_tiles(drawing, page) for page in (PAPERS[paper], PAPERS[paper][::-1])]
     return min(ways, key=lambda way: len(way.names))
 
@@ -87,7 +87,7 @@ def _tiles(drawing: Drawing, page: tuple[float, float]) -> Tiling:
     step = size - OVERLAP_MM
     counts = np.maximum(1, np.ceil((high - low - OVERLAP_MM) / step - 1e-9)).astype(int)
     if counts.prod() > MOST_TILES:
-        raise InputError(f"{drawing.name} needs {counts.prod()} pages of this paper: print larger paper")
+        raise InputError(f"{drawing.name} needs {counts.prod()} pages of this paper. Use larger paper.")
     start = (low + high) / 2 - (size + (counts - 1) * step) / 2
     lines = [item.path.closed_points(1.0) for item in drawing.strokes]
     segments = np.concatenate([np.column_stack([line[:-1], line[1:]]) for line in lines])

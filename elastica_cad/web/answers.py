@@ -108,10 +108,10 @@ def answer(request: Mapping[str, Any], saved: FilePath | None = None) -> Record 
     """
     answering = QUESTIONS.get(str(request.get("do")))
     if answering is None:
-        raise InputError("the page asked for something unknown: load it again")
+        raise InputError("The page sent an unknown request. Load the page again.")
     design = request.get("design")
     if design is not None and not isinstance(design, Mapping):
-        raise InputError("the design is no table of keys and values")
+        raise InputError("The design is not a table of keys and values. Load the page again.")
     try:
         if answering in OF_THE_FILE:
             return answering(request, saved)
@@ -138,11 +138,13 @@ def _refuse_files(value: object, key: str = "") -> None:
         for item in value:
             _refuse_files(item, key)
     elif isinstance(value, str) and (key in (*FILE_KEYS, *CURVE_KEYS) or ".toml" in value):
-        raise InputError("the page opens no file by its name: drop {given!r} on the drawing", given=value)
+        raise InputError(
+            "The page cannot open a file by its name. Drop {given!r} on the drawing.", given=value
+        )
 
 
 def _no_file(path: FilePath, **_: Any) -> list[PlaneCurve]:
-    raise InputError("the page opens no file by its name: drop {name} on the drawing", name=path.name)
+    raise InputError("The page cannot open a file by its name. Drop {name} on the drawing.", name=path.name)
 
 
 def _design(request: Mapping[str, Any]) -> Design:
@@ -159,7 +161,7 @@ def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
     """
     strips = design.get("strips")
     if not isinstance(strips, list) or not isinstance(k, int) or not 0 <= k < len(strips):
-        raise InputError("the design has no strip to draw: add one")
+        raise InputError("The design has no strip. Add a strip.")
     alone = {key: value for key, value in design.items() if key not in OF_MODELS} | {"strips": [strips[k]]}
     return design_of(alone, FilePath("design"), _no_file).entries[0].spec
 
@@ -304,7 +306,7 @@ def _bend(request: Mapping[str, Any]) -> Record:
     start, end, angles = made.rod.position[0], made.rod.position[-1], made.rod.angle[[0, -1]]
     way = end - start
     if not np.hypot(*way) > 0:
-        raise InputError("a closed strip is not led by its ends: open it to bend it here")
+        raise InputError("A closed strip has no ends to move. Open it to bend it here.")
     out = np.arctan2(way[1], way[0])
     flat = start + NEARLY_FLAT * made.rod.length * np.array([np.cos(out), np.sin(out)])
     held = [support.angle for support in made.rod.supports.ends]
@@ -455,7 +457,7 @@ def with_point_near(curve: PlaneCurve, point: object) -> PlaneCurve:
         point if isinstance(point, list | tuple) and len(point) == 2 else (np.nan, 0), dtype=float
     )
     if not np.isfinite(given).all():
-        raise InputError("a control point is added at two numbers in mm, not at {point!r}", point=point)
+        raise InputError("The position of a control point is {point!r}. Use two numbers in mm.", point=point)
     t = np.linspace(*curve.domain, 2001)[1:-1]
     at = t[np.argmin(np.hypot(*(curve.evaluate(t) - given).T))]
     weights = np.ones(len(curve.control_points)) if curve.weights is None else curve.weights
@@ -469,7 +471,7 @@ def without_point(curve: PlaneCurve, k: object) -> PlaneCurve:
     """Return the curve without control point `k` and without the inner knot beside it."""
     count, degree = len(curve.control_points), curve.degree
     if not isinstance(k, int) or not 0 <= k < count:
-        raise InputError("there is no control point {k!r} to take away", k=k)
+        raise InputError("The control point {k!r} does not exist. Choose another one.", k=k)
     points = np.delete(curve.control_points, k, axis=0)
     weights = None if curve.weights is None else np.delete(curve.weights, k)
     inner = np.arange(degree + 1, count)
@@ -485,7 +487,9 @@ def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
     name, text = FilePath(str(request.get("name", ""))).name, request.get("text")
     if not isinstance(text, str) or FilePath(name).suffix.lower() not in DROPPED:
         raise InputError(
-            "{name!r} is none of {known}: drop one of those", name=name, known=", ".join(DROPPED)
+            "The page cannot read {name!r}. Drop one of these files: {known}.",
+            name=name,
+            known=", ".join(DROPPED),
         )
     path = folder / f"dropped{FilePath(name).suffix.lower()}"
     path.write_text(text, encoding="utf-8", newline="")
@@ -524,14 +528,16 @@ def _save(request: Mapping[str, Any], saved: FilePath | None) -> Record:
     try:
         return {"text": compose_design(request["design"], before), "mark": mark}
     except (TypeError, ValueError) as problem:
-        raise InputError("this design cannot be written: its values are of the wrong kind") from problem
+        raise InputError(
+            "The design cannot be written because values have the wrong type. Correct them."
+        ) from problem
 
 
 def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
     """Return a file, or all files of a model in a zip."""
     kind = request.get("kind")
     if kind not in DOWNLOADS:
-        raise InputError("{file!r} is not a file that is made here", file=kind)
+        raise InputError("{file!r} is not a file of this page. Load the page again.", file=kind)
     name = (
         "".join(c if c.isalnum() or c in "-_" else "-" for c in str(request["design"].get("name", "")))
         or "strip"
@@ -544,7 +550,9 @@ def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
             return Download(f"{name}.zip", _zipped(folder))
         path = folder / name / cutting.file_name(name, kind)
         if path not in written:
-            raise InputError("a part with two states has no {file} file here", file=kind)
+            raise InputError(
+                "A part with two states has no file {file} on this page. Choose another file.", file=kind
+            )
         return Download(path.name, path.read_bytes())
     design = _design(request)
     if kind == "kit":

@@ -75,7 +75,7 @@ def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:
     for k, strip in enumerate(tables.get("strips", [])):
         if "sections" in strip:
             raise InputError(
-                "{path}: strips along sections of a mesh are not drawn: `elastica model` makes them",
+                "{path}: the page cannot draw strips along sections of a mesh. Run `elastica model`.",
                 path=path,
             )
         if "count" in strip or _is_drawn(strip["curve"]):

@@ -218,7 +218,7 @@ def bound_socket(port: int) -> socket.socket:
     except (OSError, OverflowError) as problem:
         bound.close()
         raise InputError(
-            "port {port} cannot be had: leave {field} out, and a free one is taken",
+            "Port {port} is not available. Leave out {field} to use a free port.",
             field=FieldName("port"),
             port=port,
             where={"option": "--port"},

@@ -40,7 +40,7 @@ def read_question(text: str | bytes) -> dict[str, Any]:
     if not isinstance(question, dict) or not all(
         isinstance(question.get(name, kind()), kind) for name, kind in kinds.items()
     ):
-        raise InputError("this is no question of the page: load it again")
+        raise InputError("The request is not from this page. Load the page again.")
     return question
 
 
@@ -74,12 +74,12 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
     except ElasticaError as problem:
         response = refused(problem)
     except MemoryError:
-        response = refused(
-            InputError("there is not enough memory for this: ask for less, such as fewer strips")
-        )
+        response = refused(InputError("There is not enough memory. Request less, such as fewer strips."))
     except Exception:  # a page of another version, or nonsense; the next question is answered all the same
         traceback.print_exc()
-        response = refused(InputError("this design cannot be read: its values are of the wrong kind"))
+        response = refused(
+            InputError("The design cannot be read because values have the wrong type. Correct them.")
+        )
     words, head = _PageWords(request.get("language", "en")), head_of(request)
     if isinstance(response, Download):
         return b"file", json.dumps(head | {"name": response.name}).encode() + b"\n" + response.content

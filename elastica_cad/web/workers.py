@@ -78,7 +78,7 @@ class Workers:
                     process = None
                     late = isinstance(problem, TimeoutError)
                     reason = f"took longer than {seconds:.0f} s" if late else "needed too much memory"
-                    refusal = InputError(f"this {reason}: ask for something smaller")
+                    refusal = InputError(f"this {reason}. Request something smaller.")
                     kind, content = b"text", refused_answer(head, refusal)
                 with suppress(Exception):  # the page has gone meanwhile
                     await send(kind, content)

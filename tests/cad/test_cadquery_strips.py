@@ -124,7 +124,9 @@ class TestWorkplane:
 
     def test_outlines_join_no_solid(self):
         drawn = cq.Workplane().box(400, 60, 10).faces(">Z").workplane().spline(POINTS)
-        with pytest.raises(InputError, match="an outline is a face, which joins no solid: extrude it first"):
+        with pytest.raises(
+            InputError, match="An outline is a face and cannot be combined with a solid: extrude it first"
+        ):
             drawn.elasticStrip(SHEET, form="outline", combine=True, **OPTIONS)
 
     def test_combines(self):

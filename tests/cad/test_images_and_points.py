@@ -69,7 +69,7 @@ class TestBuild123d:
             near(body.joints["start"].location.position, rib.joints["start"].location.position)
         with pytest.raises(ec.InputError, match=r"end lies 5 mm off the plane"):
             rib.bent(end=goal + 5 * plane.z_dir)
-        with pytest.raises(TypeError, match=r"ends is no option of bending a strip: did you mean end"):
+        with pytest.raises(TypeError, match=r"ends is not an option of bending a strip: did you mean end"):
             rib.bent(ends=(60, 0))
 
     def test_a_strip_bent_too_far_is_told_where_the_script_does_it(self, rib):

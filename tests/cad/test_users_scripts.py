@@ -201,7 +201,7 @@ class TestCadQuery:
             "compensate is 'no': it must be True or False": lambda: cq_strips.bent_strip(
                 CURVE, SHEET, max_width=12, compensate="no"
             ),
-            "walls is no option of a fixture: did you mean wall": lambda: rib.fixture(walls=3),
+            "walls is not an option of a fixture: did you mean wall": lambda: rib.fixture(walls=3),
             "not 'middle'": lambda: rib.end_face("middle"),
             "give a point in space, or two numbers": lambda: rib.bent(end="x"),
             "face, shell or solid, not int": lambda: cq_strips.section_strips(

@@ -16,8 +16,8 @@ from tests.freecad.features import change, new
 UPRIGHT = App.Rotation(App.Vector(1, 0, 0), 90)
 BAD = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
 EVEN = (
-    "bend it beforehand to a radius of 250 mm all along, the way it stands bent 94.4 mm from its start: its widths "
-    "count on that"
+    "Pre-bend it to a radius of 250 mm along its whole length, to the same side as its final bend 94.4 mm from the "
+    "start. Its widths are designed for this pre-bending."
 )
 
 
@@ -31,7 +31,7 @@ def bent(document, sketch):
 
 def test_a_strip_tells_its_blank_first(document, bent):
     assert bent.Verdict == "A strip bent beforehand takes this curve. There are remarks."
-    assert bent.Reasons[0] == "B" + EVEN[1:]
+    assert bent.Reasons[0] == EVEN
     change(bent, Thickness=4)
     assert bent.Verdict.startswith("A strip bent beforehand would break on this curve.")
     change(bent, Thickness=0.8, Follow="Nearest", RatioLimit=1.2)
@@ -49,10 +49,10 @@ def test_a_curve_that_such_a_strip_cannot_take(document, drawn):
 def test_a_blank_along_the_strip_is_the_property_blank(document, bent):
     change(bent, Blank="stations = [0, 101, 202.2], curvatures = [0, -0.01, 0]")
     assert bent.Reasons[0].startswith(
-        "Bend it beforehand to a radius of 100 mm at its sharpest, 101 mm from its start, the"
+        "Pre-bend it with a smallest radius of 100 mm at 101 mm from the start, to the"
     )
     assert bent.Reasons[0].endswith(
-        "; Blank in the report or the properties has its curvature along the strip"
+        " Blank in the report or the properties has its curvature along the strip."
     )
 
 
@@ -87,7 +87,7 @@ def test_both_layers_of_a_laminate_are_told(document, bent):
     bent.Style, bent.Backing, bent.Anyway = "Laminated", bent.Sheet, True  # it is bent beyond its limit
     document.recompute()
     (told,) = pre_bend_messages_of(cuts_of([bent]))
-    assert re.match(rf"{bent.Label}\b.*, {bent.Label}.*: bend it beforehand", told)
+    assert re.match(rf"{bent.Label}\b.*, {bent.Label}.*: Pre-bend it", told)
 
 
 def test_the_nearest_curve_is_sought_for_the_same_blank(document, bent, sketch):

@@ -15,15 +15,15 @@ _spec.loader.exec_module(launching)
 @pytest.mark.campaign
 def test_what_is_easily_overlooked_is_told(tmp_path):
     found = launching.run_window("untold.py", tmp_path)
-    bend = "end it beforehand to a radius of 250 mm all along, the way it stands bent "
+    bend = "Pre-bend it to a radius of 250 mm along its whole length, to the same side as its final bend "
     verdict, reason, *_ = found["blank"].splitlines()
     assert verdict == "A strip bent beforehand takes this curve. There are remarks."
-    assert reason.startswith(f"B{bend}")
-    assert found["blank, flat part"].startswith(f"Strip: b{bend}")
-    assert f"Strip: b{bend}" in found["blank, export"]
-    assert found["blank, written"].splitlines()[-1].startswith(f"Strip: b{bend}")
+    assert reason.startswith(bend)
+    assert found["blank, flat part"].startswith(f"Strip: {bend}")
+    assert f"Strip: {bend}" in found["blank, export"]
+    assert found["blank, written"].splitlines()[-1].startswith(f"Strip: {bend}")
     (row,) = csv.DictReader(io.StringIO(found["blank, cut list"]))
-    assert row["bent_beforehand"].startswith(f"b{bend}")
+    assert row["bent_beforehand"].startswith(bend)
     words = "which the nest leaves out: make it in the strip itself"
     assert found["nest told"].startswith(f"Strip is followed by Notch, {words}")
     assert found["nest"].startswith(f"Strip is followed by Notch, Rounded, {words}")

@@ -137,10 +137,13 @@ def test_only_the_named_design_is_read_and_saved(tmp_path):
             assert other.hello["design"]["max_width"] == 27
             assert other.hello["mark"] == changed["mark"]
         path.write_text(by_hand + "[[")  # and where nobody can read it, nothing is written
-        assert "is no TOML file" in page.ask("save", design=mine, mark=changed["mark"])["refused"]["text"]
+        assert (
+            "is not a (valid )?TOML file"
+            in page.ask("save", design=mine, mark=changed["mark"])["refused"]["text"]
+        )
         with server.page() as other:
             assert other.hello["design"] is None
-            assert "is no TOML file" in other.hello["refused"]["text"]
+            assert "is not a (valid )?TOML file" in other.hello["refused"]["text"]
         path.unlink()
         assert page.ask("save", design=mine, mark=changed["mark"])["design"] is None
         assert page.ask("save", design=mine, mark="")["saved"] == "arch.toml"

@@ -37,10 +37,10 @@ def test_a_record_is_read_from_a_table_of_its_declared_fields():
     ("line", "sentence"),
     [
         ("", "radius is missing: radius of the ring"),
-        ("radius = true", "radius is True: it must be a number or a formula"),
+        ("radius = true", "radius is True. Write a number or a formula"),
         ("radius = 1, sied = 'upper'", "unknown key 'sied'; did you mean side"),
-        ("radius = 1, side = 'left'", "side is 'left': use one of upper, lower"),
-        ("radius = 1, places = [[1]]", r"places\[1\] is \[1\]: it must be 2 numbers"),
+        ("radius = 1, side = 'left'", "side is 'left'. Use one of upper, lower"),
+        ("radius = 1, places = [[1]]", r"places\[1\] is \[1\]. Write 2 numbers"),
         ("radius = 1, inner = { radius = 'a' }", "inner: radius: unknown name 'a'"),
     ],
 )
@@ -60,7 +60,7 @@ def test_forms_know_all_fields_of_a_strip():
 
 def test_what_no_file_can_hold_is_declared_by_what_is_written():
     assert kind_of(float | None).name == "number"
-    with pytest.raises(TypeError, match="say what stands in files"):
+    with pytest.raises(TypeError, match="set its type in files"):
         kind_of(3)
 
 
@@ -78,7 +78,7 @@ def test_typed_options_are_those_of_the_declarations(monkeypatch):
     ("line", "sentence"),
     [
         ("length = 1e6", "length is 1000000.0: it must be a number from 0 up to 10000, in mm"),
-        ("name = '" + "A" * 101 + "'", "name is 'A.*': it must be a text of at most 100 letters"),
+        ("name = '" + "A" * 101 + "'", "name is 'A.*': it must be a text of at most 100 characters"),
         ("places = [" + "1, " * 51 + "]", "places is .*: it must be a list of at most 50 elements"),
     ],
 )

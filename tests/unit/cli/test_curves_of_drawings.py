@@ -182,7 +182,7 @@ def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path)
 @pytest.mark.parametrize(("words", "sentence"), [
     (("--max-width", "1e200"), "--max-width is 1e+200"),
     (("--max-width", "30", "--set", "smooth=-1"), "smooth is -1"),
-    (("--max-width", "30", "--set", "smooth=nan"), "smooth is nan: give a finite number"),
+    (("--max-width", "30", "--set", "smooth=nan"), "smooth is nan. Use a finite number"),
     (("--max-width", "inf"), "not finite"),
     (("--max-width", "30", "--set", "samples=" + "9" * 20), "at most 1e+09"),
 ])  # fmt: skip

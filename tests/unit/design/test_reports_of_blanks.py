@@ -41,11 +41,13 @@ def test_a_flat_blank_is_not_told():
     assert pre_bend_message(made(0.0)) == ""
 
 
-@pytest.mark.parametrize(("rest", "way"), [(0.004, ", the way it"), (-0.004, ", the other way than it")])
+@pytest.mark.parametrize(
+    ("rest", "way"), [(0.004, ", to the same side as"), (-0.004, ", to the side opposite to")]
+)
 def test_an_even_blank_is_told_by_its_radius_and_by_how_the_strip_stands(rest, way):
     assert report_blank(made(rest)) == {"s": [0.0, 100.0], "curvature": [rest, rest]}
     told = pre_bend_message(made(rest))
-    assert "to a radius of 250 mm all along" in told
+    assert "to a radius of 250 mm along its whole length" in told
     assert way in told
 
 
@@ -55,9 +57,8 @@ def test_a_blank_that_varies_is_listed_along_the_strip():
     assert np.interp([0, 25, 50, 75, 100], record["s"], record["curvature"]) == pytest.approx(
         [0, -0.004, -0.008, -0.002, 0.004], abs=1e-4
     )
-    assert (
-        "125 mm at its sharpest, 50 mm from its start, the other way than it stands bent there"
-        in pre_bend_message(found)
+    assert "125 mm at 50 mm from the start, to the side opposite to its final bend there" in pre_bend_message(
+        found
     )
 
 
@@ -70,9 +71,9 @@ def test_kits_tell_which_parts_are_bent_beforehand(tmp_path):
     blanks = {part["name"]: part["blank"] for part in report["parts"]}
     assert blanks["flat"] is None
     assert blanks["bent"]["curvature"] == [-0.004, -0.004]
-    (told,) = [line for line in report["reports"] if "beforehand" in line]
+    (told,) = [line for line in report["reports"] if "Pre-bend" in line]
     assert blanks["like2"] == blanks["bent"]
     assert told.startswith(
-        "bent (and 2 more): bend it beforehand to a radius of 250 mm all along, the way it stands"
+        "bent (and 2 more): Pre-bend it to a radius of 250 mm along its whole length, to the same side"
     )
     assert told in (tmp_path / "kit" / "index.html").read_text()

@@ -71,7 +71,7 @@ def test_a_profile_says_how_far_it_was_left(read, tmp_path):
     ec.write_curves([drawn], tmp_path / "profile.json")
     design = read("[revolution]\ncurve = 'profile.json'\nstrips = 12\n")
     (told,) = design.reports
-    assert told.startswith("the meridian is ")
+    assert told.startswith("The meridian deviates ")
     assert design.model().reports == design.reports
     assert 0.1 < design.revolution.meridian.deviation < 3
 
@@ -79,8 +79,8 @@ def test_a_profile_says_how_far_it_was_left(read, tmp_path):
 @pytest.mark.parametrize(
     ("text", "sentence"),
     [
-        ("strips = 20", "revolution must hold one of points, curve, or a, b"),
-        (f"{POINTS}\na = 3", "must hold one of points"),
+        ("strips = 20", "Add one of points, curve, or a, b"),
+        (f"{POINTS}\na = 3", "Add one of points"),
         ("a = 3", r"revolution: b is missing"),
         ("points = 3", "points must be a list of points"),
         ("points = [[1, 2], [3, 4]]", "revolution: a meridian is sought through three points"),

@@ -70,7 +70,7 @@ class TestLaminateWithWeight:
 
 def test_a_field_that_no_strip_has_is_named_with_the_nearest_that_it_has():
     with pytest.raises(
-        TypeError, match=r"maxwidth is no option of a strip: did you mean max_width\?"
+        TypeError, match=r"maxwidth is not an option of a strip: did you mean max_width\?"
     ) as told:
         make_strip(ARCH, "card-200gsm", maxwidth=30)
     assert isinstance(told.value, InputError)

@@ -234,29 +234,32 @@ def test_tables_are_written_as_text():
     [
         (
             lambda model: model.interlock(clearence=0.1),
-            "clearence is no option of interlock: did you mean clearance",
+            "clearence is not an option of interlock: did you mean clearance",
         ),
         (
             lambda model: model.base_plate("mdf-3", boarder=9),
-            "boarder is no option of a base plate: did you mean border",
+            "boarder is not an option of a base plate: did you mean border",
         ),
         (
             lambda model: model.slotted_frame("mdf-3", rib=2),
-            "rib is no option of a slotted frame: did you mean ribs",
+            "rib is not an option of a slotted frame: did you mean ribs",
         ),
-        (lambda model: model.nest(kerv=0.1), "kerv is no option of a nest: did you mean kerf"),
+        (lambda model: model.nest(kerv=0.1), "kerv is not an option of a nest: did you mean kerf"),
         (
             lambda model: model.rotated(3, axes=(0, 0, 1)),
-            "axes is no option of a rotated model: did you mean axis",
+            "axes is not an option of a rotated model: did you mean axis",
         ),
-        (lambda model: model.fixtures(wal=3), "wal is no option of a fixture: did you mean wall"),
+        (lambda model: model.fixtures(wal=3), "wal is not an option of a fixture: did you mean wall"),
         (
             lambda model: plate_pair(model.placed, "mdf-3", boarder=9),
-            "boarder is no option of a pair of plates",
+            "boarder is not an option of a pair of plates",
         ),
-        (lambda model: ring_pair((), (), "mdf-3", boarder=9), "boarder is no option of a pair of rings"),
-        (lambda model: end_plates(model.placed, "mdf-3", boarder=9), "boarder is no option of end plates"),
-        (lambda model: ring_plate((), "mdf-3", shape="hull"), "shape is no option of a ring"),
+        (lambda model: ring_pair((), (), "mdf-3", boarder=9), "boarder is not an option of a pair of rings"),
+        (
+            lambda model: end_plates(model.placed, "mdf-3", boarder=9),
+            "boarder is not an option of end plates",
+        ),
+        (lambda model: ring_plate((), "mdf-3", shape="hull"), "shape is not an option of a ring"),
     ],
 )
 def test_options_that_nothing_takes_are_named_with_the_nearest(asked, message):

@@ -154,7 +154,7 @@ def _drawn_edge(item: Any) -> Edge:
     """Return an edge of a shape, or a curve of a sketch, as an exact NURBS in space."""
     if isinstance(item, Part.Edge):
         if item.Degenerated:
-            raise InputError("an edge is degenerate: it has no curve in space; choose another edge")
+            raise InputError("An edge is degenerate because it has no curve in space. Choose another edge.")
         edge = _spline_edge(_as_spline(item.Curve, *item.ParameterRange))
         return edge.reversed() if item.Orientation == "Reversed" else edge
     return _spline_edge(_as_spline(item, item.FirstParameter, item.LastParameter))
@@ -169,7 +169,7 @@ def _as_spline(curve: Any, first: float, last: float) -> Any:
         spline.segment(first, last)  # ends at poles, and opens a periodic spline anywhere
         return spline
     if not (abs(first) < 1e100 and abs(last) < 1e100):
-        raise InputError("an edge runs on to infinity: trim it")
+        raise InputError("An edge is infinitely long. Trim it.")
     if isinstance(curve, Part.OffsetCurve):
         return curve.approximateBSpline(OFFSET_TOLERANCE_MM, 1000, 9)
     return curve.toBSpline(first, last)
