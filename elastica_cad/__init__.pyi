@@ -47,6 +47,8 @@ from elastica_cad.geometry.path import Path as Path
 from elastica_cad.geometry.profile import Profile as Profile
 from elastica_cad.kit.model_kit import save_model as save_model
 from elastica_cad.mechanics.bending import bend as bend
+from elastica_cad.mechanics.elements import Pin as Pin, Rail as Rail, Tie as Tie
+from elastica_cad.mechanics.elements import PointForce as PointForce
 from elastica_cad.mechanics.loads import Gravity as Gravity
 from elastica_cad.mechanics.loads import End as End, Supports as Supports
 from elastica_cad.mechanics.loads import PointMass as PointMass, Weight as Weight

@@ -25,6 +25,12 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
         As `optimal_rod`, `optimal_laminate` and `nearest_rod`.
     """
     curve, layers, widths = spec.curve_to_bend, spec.layers, spec.widths
+    if (spec.between or spec.point_forces) and (spec.may_change or layers is not None):
+        raise InputError(
+            "A nearest curve and a laminate do not take rails, pins, ties or point forces into account yet. Leave "
+            "out {limits} and the backing, or these elements.",
+            limits=FieldName("limits"),
+        )
     if spec.may_change:
         from elastica_cad.forming.nearest_search import find_nearest
 
@@ -34,7 +40,9 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
         return laminate_of_request(replace(spec, curve=curve, smooth=0.0, gravity=gravity), layers).rod
     bounds: Any = {} if widths is None else widths.stiffness
     try:
-        rod = rod_of_request(replace(spec, curve=curve, smooth=0.0, known_check=spec.check, **bounds))
+        rod = rod_of_request(
+            replace(spec, curve=curve, smooth=0.0, known_check=spec.check, drawn=spec.curve, **bounds)
+        )
     except OverloadError as error:
         raise (error if widths is None else _too_narrow(widths, error)) from None
     return rod if widths is None else _with_widest(rod, widths)

@@ -54,6 +54,7 @@ class RodSpec(RodRequest):
     coefficients: int | None = None
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         object.__setattr__(self, "smooth", check_smooth(self.smooth))
 
     @property

@@ -10,6 +10,13 @@ from elastica_cad.mechanics.calibration import (
 )
 from elastica_cad.mechanics.creep_study import Creep as Creep, creep as creep
 from elastica_cad.mechanics.discrete_rod import DiscreteRod as DiscreteRod
+from elastica_cad.mechanics.elements import (
+    ElementForce as ElementForce,
+    Pin as Pin,
+    PointForce as PointForce,
+    Rail as Rail,
+    Tie as Tie,
+)
 from elastica_cad.mechanics.equilibrium_check import check_equilibrium as check_equilibrium
 from elastica_cad.mechanics.laminated_section import LaminatedSection as LaminatedSection
 from elastica_cad.mechanics.least_ratio import (

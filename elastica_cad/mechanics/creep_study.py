@@ -8,6 +8,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.bending import bend, dead_loads, has_snapped
+from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.loads import Supports
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.rod import CurlingLaw, Rod
@@ -138,6 +139,7 @@ def creep(rod: Rod, factor: float) -> Creep:
     if not isinstance(rod, Rod):
         raise InputError(f"creep needs a Rod, such as optimal_rod or bend returns, not {type(rod).__name__}")
     phi = require_creep(factor)
+    require_free_between(rod, "A creep study")
     first = later = rod
     if phi > 0 and feels_modulus(rod):
         first = bend(rod, guess=rod.angle)  # on the nodes of `later`, so that the difference is creep alone

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from math import cos, nan, sin
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from elastica_cad import _native
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
+from elastica_cad.mechanics.bracing import Bracing
 from elastica_cad.mechanics.loads import Supports
 
 RANK_TOLERANCE = 1e-9
@@ -107,12 +108,31 @@ def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) ->
     return int(count)
 
 
-def constrained_inertia(diagonal: FloatArray, off: FloatArray, rows: FloatArray, shift: float = 0.0) -> int:
+Terms: TypeAlias = tuple[FloatArray, FloatArray]
+"""Forms G (r, n) and symmetric, invertible coefficients C (r, r) of terms G^t C G, added to a matrix."""
+
+
+def _bordered(basis: FloatArray, terms: Terms | None) -> tuple[FloatArray, FloatArray]:
+    """Return the border (k + r, n) of a matrix and its corner: 0 for constraints, -C^-1 for terms."""
+    k = len(basis)
+    if terms is None:
+        return basis, np.zeros((k, k))
+    forms, coefficients = terms
+    corner = np.zeros((k + len(forms), k + len(forms)))
+    corner[k:, k:] = -np.linalg.inv(coefficients)
+    return np.concatenate([basis, forms]), corner
+
+
+def constrained_inertia(
+    diagonal: FloatArray, off: FloatArray, rows: FloatArray, shift: float = 0.0, terms: Terms | None = None
+) -> int:
     """Count the eigenvalues below `shift` of the tridiagonal matrix A on the null space of `rows` (k, n).
 
-    Sylvester's law on the bordered matrix: neg = neg(A - shift) + pos(S) - rank, S = C (A - shift)^-1 C^t.
+    Sylvester's law on the bordered matrix: neg = neg(A - shift) + pos(S) - rank, S = C (A - shift)^-1 C^t. Terms
+    that are added to A are more rows of the border, with minus their inverse coefficients in the corner.
     """
-    basis = orthonormal_rows(rows)
+    constraints = orthonormal_rows(rows)
+    basis, corner = _bordered(constraints, terms)
     if basis.shape[0] == 0:
         return count_negative(diagonal, off, shift)
     solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
@@ -122,18 +142,19 @@ def constrained_inertia(diagonal: FloatArray, off: FloatArray, rows: FloatArray,
         shift -= 64 * _EPS * reach
         solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     negative = count_negative(diagonal, off, shift)
-    schur = basis @ solved.T
+    schur = basis @ solved.T - corner
     positive = int(np.count_nonzero(np.linalg.eigvalsh((schur + schur.T) / 2) > 0))
-    return negative + positive - int(basis.shape[0])
+    of_terms = 0 if terms is None else int(np.count_nonzero(np.linalg.eigvalsh(terms[1]) > 0))
+    return negative + positive - len(constraints) - of_terms
 
 
 def lowest_constrained(
-    diagonal: FloatArray, off: FloatArray, rows: FloatArray, count: int = 1
+    diagonal: FloatArray, off: FloatArray, rows: FloatArray, count: int = 1, terms: Terms | None = None
 ) -> tuple[FloatArray, FloatArray]:
     """Return the lowest eigenpairs of the symmetric tridiagonal matrix A on the null space of `rows` (k, n).
 
     Method: Lanczos iteration on the inverse, shifted below the lowest eigenvalue. Each step is one positive
-    definite tridiagonal solve.
+    definite tridiagonal solve. `terms` are added to A.
 
     Returns
     -------
@@ -147,16 +168,22 @@ def lowest_constrained(
     if n - rank < count:
         raise NotConvergedError(f"a rod of {n} edges has fewer than {count} free modes: use more samples")
     if n < _FEW:
-        return _dense(diagonal, off, basis, count)
+        return _dense(diagonal, off, basis, count, terms)
     from scipy.sparse.linalg import LinearOperator, eigsh
 
     d, e, shift = _factored_below(diagonal, off, min(n, rank + count))
-    solved = lapack().dpttrs(d, e, basis.T)[0] if rank else basis.T
-    inner = np.linalg.inv(basis @ solved)
+    if terms is not None:  # they may lower the lowest eigenvalue
+        step = _reach(diagonal, off) / n**2
+        while constrained_inertia(diagonal, off, rows, shift, terms):
+            shift, step = shift - step, 2 * step
+        d, e, _ = lapack().dpttrf(diagonal - shift, off)
+    border, corner = _bordered(basis, terms)
+    solved = lapack().dpttrs(d, e, border.T)[0] if len(border) else border.T
+    inner = np.linalg.inv(border @ solved - corner)
 
     def inverse(x: FloatArray) -> FloatArray:
         x = lapack().dpttrs(d, e, x - basis.T @ (basis @ x))[0]
-        x = x - solved @ (inner @ (basis @ x))
+        x = x - solved @ (inner @ (border @ x))
         return np.asarray(x - basis.T @ (basis @ x))
 
     # a start without symmetry, the same in every run: it has a part along every mode
@@ -194,18 +221,21 @@ class ConstrainedMode(NamedTuple):
 
 
 def lowest_weighted(
-    diagonal: FloatArray, off: FloatArray, lengths: FloatArray, rows: FloatArray
+    diagonal: FloatArray, off: FloatArray, lengths: FloatArray, rows: FloatArray, terms: Terms | None = None
 ) -> ConstrainedMode:
     """Return the lowest mode of a tridiagonal matrix A with weights `lengths` (n,) where `rows` (k, n) vanish.
 
-    v^t W v = 1, its largest entry positive.
+    v^t W v = 1, its largest entry positive. `terms` are added to A.
     """
-    if _native.compiled is not None and diagonal.size >= _FEW:
+    if _native.compiled is not None and diagonal.size >= _FEW and terms is None and len(rows) <= 2:
         lowest = _native.lowest_mode(diagonal, off, lengths, rows, _polynomials(diagonal.size))
         if lowest is not None:
             return ConstrainedMode(*lowest)
     root = np.sqrt(lengths)
-    values, vectors = lowest_constrained(diagonal / lengths, off / (root[:-1] * root[1:]), rows / root)
+    scaled = None if terms is None else (terms[0] / root, terms[1])
+    values, vectors = lowest_constrained(
+        diagonal / lengths, off / (root[:-1] * root[1:]), rows / root, terms=scaled
+    )
     v = vectors[0] / root
     v = v if v[np.argmax(np.abs(v))] > 0 else -v
     if not len(rows):
@@ -213,6 +243,8 @@ def lowest_weighted(
     left = diagonal * v - values[0] * lengths * v
     left[1:] += off * v[:-1]
     left[:-1] += off * v[1:]
+    if terms is not None:
+        left += terms[0].T @ (terms[1] @ (terms[0] @ v))
     per_length = rows / lengths
     nu = np.linalg.lstsq(per_length @ rows.T, per_length @ left, rcond=1e-14)[0]
     return ConstrainedMode(float(values[0]), v, nu)
@@ -226,9 +258,11 @@ def _polynomials(n: int) -> FloatArray:
 
 
 def _dense(
-    diagonal: FloatArray, off: FloatArray, basis: FloatArray, count: int
+    diagonal: FloatArray, off: FloatArray, basis: FloatArray, count: int, terms: Terms | None
 ) -> tuple[FloatArray, FloatArray]:
     full = np.diag(diagonal) + np.diag(off, 1) + np.diag(off, -1)
+    if terms is not None:
+        full += terms[0].T @ terms[1] @ terms[0]
     free = (
         np.linalg.svd(basis, full_matrices=True)[2][basis.shape[0] :] if basis.size else np.eye(diagonal.size)
     )
@@ -445,6 +479,8 @@ class DiscreteRod:
         By default both ends are clamped.
     start : (2,) array
         Position of the first node, mm.
+    bracing : Bracing or None
+        Elements between the ends.
 
     Examples
     --------
@@ -461,6 +497,7 @@ class DiscreteRod:
     edge_length: float | FloatArray
     supports: Supports = field(default_factory=Supports)
     start: FloatArray = field(default_factory=lambda: np.zeros(2))
+    bracing: Bracing | None = None
 
     @cached_property
     def edge_lengths(self) -> FloatArray:
@@ -531,16 +568,17 @@ class DiscreteRod:
     @cached_property
     def unstable_modes(self) -> int:
         """Number of unstable modes: the inertia of the Hessian on the constraints."""
-        return constrained_inertia(*self.hessian, self.constraint_rows)
+        rows, terms = self._braced(self.constraint_rows)
+        return constrained_inertia(*self.hessian, rows, terms=terms)
 
     @cached_property
     def margin(self) -> Margin:
         """Stability margin, O(n); positive means stable."""
         lengths = self.edge_lengths
         diagonal, off, rows = self._second_variation
-        lowest = lowest_weighted(diagonal, off, lengths, rows)
+        lowest = lowest_weighted(diagonal, off, lengths, *self._braced(rows))
         nu = np.zeros(2)
-        nu[list(self.held)] = lowest.multipliers
+        nu[list(self.held)] = lowest.multipliers[: len(self.held)]
         return Margin(lowest.value * float(lengths.sum()) ** 2, lowest.mode, nu)
 
     @cached_property
@@ -571,6 +609,13 @@ class DiscreteRod:
             self.stiffness, self.node_lengths, self.edge_lengths, self.pull, self.tangents,
             free_ends=(not start, not end), held=(0 in self.held, 1 in self.held), straight=RANK_TOLERANCE,
         )  # fmt: skip
+
+    def _braced(self, rows: FloatArray) -> tuple[FloatArray, Terms | None]:
+        """Return the constraints of ends and elements, and the terms of the elements."""
+        if self.bracing is None:
+            return rows, None
+        terms = (self.bracing.terms, self.bracing.coefficients) if len(self.bracing.terms) else None
+        return np.concatenate([rows, self.bracing.rows]), terms
 
     def moment_imbalance(self, moments: FloatArray) -> FloatArray:
         """Return M_{i-1} - M_i + l_i <b_i, T_i> of the edges (n,), 1/mm: the gradient of the energy."""

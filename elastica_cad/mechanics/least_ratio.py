@@ -16,6 +16,15 @@ from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.polynomials import NODES, SLOPES, PanelFunction, legendre_basis, locate_in_panels
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import point
+from elastica_cad.mechanics.bracing import SLACK_SHARE, slack_elements
+from elastica_cad.mechanics.elements import (
+    Element,
+    ElementForce,
+    PointForce,
+    forces_of,
+    noun_of,
+    require_elements,
+)
 from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.laminated_section import BoundedBacking, LaminatedSection
 from elastica_cad.mechanics.loads import (
@@ -41,7 +50,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
 from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw
 from elastica_cad.mechanics.theorem1 import AT_END_SHARE, EquilibriumCheck, InflectionLine, NotRealizable
-from elastica_cad.refusals import FieldName, Length, note
+from elastica_cad.refusals import FieldName, Length, Listed, note
 
 TOLERANCE = 1e-6
 """Error of the stiffness profile, relative to its largest value; its extremes are exact."""
@@ -207,6 +216,8 @@ def optimal_rod(
     section: BoundedLaw | None = None,
     tolerance: float = 1e-4,
     check: EquilibriumCheck | None = None,
+    between: "Element | Sequence[Element]" = (),
+    loads: "PointMass | PointForce | Sequence[PointMass | PointForce]" = (),
 ) -> Rod:
     """Return the rod with the curve as rest shape and the least ratio of largest to least stiffness.
 
@@ -249,12 +260,19 @@ def optimal_rod(
         displacement of the curve, and `Rod.shape` is the moved curve.
     check : EquilibriumCheck, optional
         Existing check of the same curve and request.
+    between : sequence of Rail, Pin and Tie
+        Elements that hold the strip between its ends. Their forces are unknowns of the program, so the ratio is no
+        larger than without them (but for the 1 % of section 5.3). An element at an inflection does not push normal
+        to the strip, because the width would step there. `Rod.between_forces` has the forces.
+    loads : sequence of PointMass and PointForce
+        Masses (g) that hang in the direction of `gravity`, besides the weight of the strip, and forces (N). They
+        determine the bending stiffness as a `weight` in newtons does.
 
     Returns
     -------
     Rod
-        Least nodal stiffness 1. Under weight, where inflections leave a choice, the smoothest stiffness
-        within 1 % of the least ratio is taken (section 5.3).
+        Least nodal stiffness 1. Under weight or with elements, where inflections leave a choice, the smoothest
+        stiffness within 1 % of the least ratio is taken (section 5.3).
 
     Raises
     ------
@@ -273,15 +291,26 @@ def optimal_rod(
     >>> arch = PlaneCurve.ellipse((0, 0), (200, 100), start=0, end=math.pi)
     >>> round(optimal_rod(arch).ratio, 4)
     1.5699
+
+    A curve that no strip takes without a rail under its middle:
+
+    >>> from elastica_cad.mechanics.elements import Rail
+    >>> points = [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)]
+    >>> rod = optimal_rod(PlaneCurve.spline(points, degree=5), between=Rail((180, -5)))
+    >>> round(rod.ratio, 1), rod.between_forces.shape
+    (1.9, (1, 2))
     """
     require_curve(curve)
     require_gravity(gravity)
-    supports = require_supports(supports)
+    between = require_elements(between)
+    supports = require_supports(supports, between=bool(between))
     require_natural_curvature(natural_curvature)
+    weight, forces = _weight_with_loads(weight, gravity, loads)
     _check_options(gravity, samples, weight)
-    _check_stiffness("bending_stiffness", bending_stiffness, weight)
-    _check_stiffness("largest_stiffness", largest_stiffness, weight)
-    _check_stiffness("least_stiffness", least_stiffness, weight)
+    in_newtons = weight is not None or bool(forces)
+    _check_stiffness("bending_stiffness", bending_stiffness, in_newtons=in_newtons)
+    _check_stiffness("largest_stiffness", largest_stiffness, in_newtons=in_newtons)
+    _check_stiffness("least_stiffness", least_stiffness, in_newtons=in_newtons)
     if section is None and bending_stiffness is not None and largest_stiffness is not None:
         raise InputError(
             "bending_stiffness fixes the stiffness, so largest_stiffness has no effect: give only one of them"
@@ -294,13 +323,33 @@ def optimal_rod(
     require_tolerance(tolerance)
     if law is not None:
         require_record(law, MaterialLaw, "law", "a MaterialLaw record, or None")
-    if check is None:
-        check = examine(curve, supports, natural_curvature, tolerance, heavy=gravity is not None)
-    require_record(check, EquilibriumCheck, "check", "what check_equilibrium answers")
-    return rod_of_request(RodRequest(
+    request = RodRequest(
         curve, gravity, supports, natural_curvature, samples, weight, bending_stiffness, largest_stiffness,
-        least_stiffness, law, section, check,
-    ))  # fmt: skip
+        least_stiffness, law, section, check, between, forces,
+    )  # fmt: skip
+    if check is None:
+        check = examine(curve, supports, natural_curvature, tolerance, heavy=not request.needs_line)
+    require_record(check, EquilibriumCheck, "check", "what check_equilibrium answers")
+    return rod_of_request(replace(request, known_check=check))
+
+
+def _weight_with_loads(
+    weight: Weight | None, gravity: Gravity | None, loads: object
+) -> tuple[Weight | None, tuple[PointForce, ...]]:
+    """Return the weight with the masses of the loads, and the point forces."""
+    found = several("loads", loads, PointMass | PointForce, "PointMass or PointForce")
+    masses = tuple(load for load in found if isinstance(load, PointMass))
+    forces = tuple(load for load in found if isinstance(load, PointForce))
+    if masses and gravity is None:
+        raise InputError(
+            "loads contain a PointMass, but there is no {field} for its direction. Pass {field}, or a PointForce.",
+            field=FieldName("gravity"),
+        )
+    if weight is None and gravity is not None and found:
+        weight = Weight(own=True)
+    return (
+        replace(weight, masses=(*weight.masses, *masses)) if weight is not None and masses else weight
+    ), forces
 
 
 def rod_of_request(request: RodRequest) -> Rod:
@@ -309,7 +358,7 @@ def rod_of_request(request: RodRequest) -> Rod:
     if request.section is not None:
         _check_section(request, request.section)
     if request.gravity is not None and not check.any_stiffness:
-        _require_load_at_free_end(check, request.supports, request.weight)
+        _require_load_at_free_end(request)
     if not check.realizable:
         raise NotRealizable(check)
     if law is not None:
@@ -320,6 +369,11 @@ def rod_of_request(request: RodRequest) -> Rod:
 
 def _check_section(request: RodRequest, section: BoundedLaw) -> None:
     weight = request.weight
+    if request.between or request.point_forces:
+        raise InputError(
+            "A section does not take rails, pins, ties or point forces into account yet. Leave out the section, "
+            "or these elements."
+        )
     if isinstance(section, LeavesLaw):
         raise InputError(
             "glued plies change the stiffness in steps, so no stack follows a drawn curve exactly: use the "
@@ -351,25 +405,27 @@ def _check_options(gravity: Gravity | None, samples: int | None, weight: Weight 
         raise InputError("a weight in newtons needs a direction: set {field} too", field=FieldName("gravity"))
 
 
-def _check_stiffness(name: str, value: float | None, weight: Weight | None) -> None:
+def _check_stiffness(name: str, value: float | None, *, in_newtons: bool) -> None:
     if value is None:
         return
-    if weight is None:
+    if not in_newtons:
         raise InputError(f"{name} is for rods with a weight in newtons: pass weight=Weight(...) as well")
     if not (is_number(value) and value > 0):
         raise InputError(f"{name.replace('_', ' ')} is {value!r}: it must be positive, in N mm2")
 
 
-def _require_load_at_free_end(check: EquilibriumCheck, supports: Supports, weight: Weight | None) -> None:
-    """Refuse an end without a support or a mass, because its shape follows from the weight alone.
+def _require_load_at_free_end(request: RodRequest) -> None:
+    """Refuse an end without a support, element or load, because its shape follows from the weight alone.
 
     With u the distance from the end and W the weight beyond, K kappa = integral of W cos(alpha) du. Both vanish at
     u = 0. Under the strip's own weight, K stays finite and positive only for kappa = cos(alpha) u^2 / (2 l_eg^3) +
     ... ...
     """
-    masses = () if weight is None else weight.masses
-    for name, support, s in zip(("start", "end"), supports.ends, (0.0, check.length), strict=True):
-        hung = any(mass.mass > 0 and abs(mass.at - s) <= AT_END_SHARE * check.length for mass in masses)
+    check = request.check
+    acting = [mass.at for mass in request.masses if mass.mass > 0]
+    acting += [s for one in (*request.elements, *request.forces) for s in one.s.tolist()]
+    for name, support, s in zip(("start", "end"), request.supports.ends, (0.0, check.length), strict=True):
+        hung = any(abs(at - s) <= AT_END_SHARE * check.length for at in acting)
         if support.x or support.y or support.angle or hung:
             continue
         reason = note(
@@ -386,12 +442,13 @@ def _rod_of(
     request: RodRequest, check: EquilibriumCheck, moment: FloatArray, force: FloatArray, **fields: Any
 ) -> Rod:
     """Return the rod in the shape of the curve, with moments (n,) and forces (n, 2) at its nodes."""
-    nodes = request.nodes
+    nodes, B = request.nodes, fields.get("bending_stiffness")
+    loads = tuple(ElementForce(one.element, one.s, one.units[0] / (B or 1.0)) for one in request.forces)
     return Rod(
         s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, moment=moment,
         force=force, gravity=request.gravity, supports=request.supports,
         natural_curvature=nodal_curvature(request.natural_curvature, nodes.s), law=request.law,
-        section=request.section, shape=check.curve, check=check, **fields,
+        section=request.section, shape=check.curve, check=check, point_forces=loads, **fields,
     )  # fmt: skip
 
 
@@ -406,7 +463,11 @@ def _unbent_rod(request: RodRequest) -> Rod:
         request, check, np.zeros(n), np.zeros((n, 2)), stiffness=np.ones(n), weight=weight,
         profile=Profile.interpolate(nodes.s[[0, -1]], np.ones(2)),
         bending_stiffness=B, warnings=check.cautions,
+        between=forces_of(request.elements, np.zeros(sum(one.unknowns for one in request.elements))),
     )  # fmt: skip
+    if request.forces:
+        reason = "Under a point force a straight strip bends. Draw the shape into which it bends."
+        raise NotRealizable(replace(check, realizable=False, any_stiffness=False, reasons=(reason,)))
     if request.section is not None:
         rod = _even_rod(rod, request.section)
     if request.gravity is None:
@@ -462,7 +523,8 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
             severity="warning",
         )
         warnings = (*warnings, warning)
-    if request.gravity is None and check.zeros and np.hypot(*b[0]) > 0:
+    warnings = (*warnings, *_slack_warnings(balance))
+    if request.needs_line and check.zeros and np.hypot(*b[0]) > 0:
         check = replace(check, line=_moment_line(moment[0], b[0], nodes.position[0]))
     weight = balance.weight
     if weight is not None:  # beta K stays what it is when K is divided by its least value
@@ -472,6 +534,21 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
         profile=stiffness_profile(check, balance, 1 / least), residual=residual, weight=weight,
         bending_stiffness=None if balance.bending_stiffness is None else balance.bending_stiffness * least,
         warnings=warnings, moved=check.moved,
+        between=tuple(replace(one, force=one.force / least) for one in balance.between),
+    )  # fmt: skip
+
+
+def _slack_warnings(balance: BalancedStiffness) -> tuple[str, ...]:
+    """Return warnings about one-sided elements that hardly act, so that the strip may leave them."""
+    force = left_of(balance.force.nodal.reshape(-1, 2))
+    return tuple(
+        note(
+            "The {element} at {places} carries less than {share:g} % of the largest force, so the strip may leave "
+            "it. Move it, or leave it out.",
+            element=noun_of(one.element), places=Listed(map(Length, one.s.tolist())),
+            share=100 * SLACK_SHARE, severity="warning",
+        )
+        for one in slack_elements(balance.between, force)
     )  # fmt: skip
 
 

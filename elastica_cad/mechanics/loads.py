@@ -196,6 +196,10 @@ def _times(value: float | Profile, factor: float) -> float | Profile:
     return value.scaled(factor) if isinstance(value, Profile) else value * factor
 
 
+def _unheld(axis: str) -> InputError:
+    return InputError(f"the rod is free to move along {axis}: hold {axis} at one end or both ends")
+
+
 EndName: TypeAlias = Literal["clamped", "pinned", "slide-x", "slide-y", "guided", "free"]
 
 
@@ -251,7 +255,8 @@ class Supports:
     Raises
     ------
     InputError
-        When the rod could move rigidly: a coordinate held at no end, or nothing that stops its rotation.
+        When the rod could move rigidly: a coordinate held at no end, or nothing that stops its rotation. Two free
+        ends are allowed, for rods that elements between the ends hold.
 
     Examples
     --------
@@ -270,9 +275,11 @@ class Supports:
             elif not isinstance(value, End):
                 raise InputError(f"the support of the {side} is {value!r}: give a name or an End record")
         a, b = self.ends
+        if self.is_free:
+            return
         for axis in ("x", "y"):
             if not (getattr(a, axis) or getattr(b, axis)):
-                raise InputError(f"the rod is free to move along {axis}: hold {axis} at one end or both ends")
+                raise _unheld(axis)
         if not (a.angle or b.angle or (a.x and b.x) or (a.y and b.y)):
             raise InputError(
                 "the rod is free to spin: hold the angle of one end, or the position of both ends"
@@ -282,6 +289,16 @@ class Supports:
     def ends(self) -> tuple[End, End]:
         """Both ends as `End` records."""
         return cast(End, self.start), cast(End, self.end)  # `__post_init__` leaves no names
+
+    @property
+    def is_free(self) -> bool:
+        """True when neither end is held at all, as in a bow."""
+        return self.ends == (End.named("free"), End.named("free"))
+
+    def require_held(self, *, between: bool = False) -> None:
+        """Refuse two free ends, unless elements between the ends hold the rod."""
+        if self.is_free and not between:
+            raise _unheld("x")
 
     @property
     def clamped(self) -> bool:
@@ -316,14 +333,15 @@ def require_gravity(gravity: object) -> None:
         )
 
 
-def require_supports(supports: object) -> Supports:
-    """Return the supports; None means clamped at both ends."""
+def require_supports(supports: object, *, between: bool = False) -> Supports:
+    """Return the supports; None means clamped at both ends. `between`: elements hold the rod as well."""
     if supports is None:
         return Supports()
     if not isinstance(supports, Supports):
         raise InputError(
             f'supports is {supports!r}: give a Supports record, such as Supports("clamped", "pinned")'
         )
+    supports.require_held(between=between)
     return supports
 
 

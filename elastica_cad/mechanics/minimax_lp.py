@@ -95,7 +95,8 @@ def minimax_ratio(
     n, m = rows.shape
     offset = np.zeros(n) if offset is None else offset
     if m == 0:
-        fits = bool(offset.min() >= 1 - METHOD.feasible)
+        allowed = side_offset is None or bool(side_offset.min(initial=0.0) >= -METHOD.feasible)
+        fits = allowed and bool(offset.min() >= 1 - METHOD.feasible)
         return MinimaxSolution(np.zeros(0), float(offset.max()), offset) if fits else None
     if m == 1 and side_rows is None and not offset.any():
         return _single(rows[:, 0])
@@ -279,7 +280,12 @@ def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
 
 
 def least_variation(
-    rows: FloatArray, offset: FloatArray, bends: FloatArray, bend_offset: FloatArray, largest: float
+    rows: FloatArray,
+    offset: FloatArray,
+    bends: FloatArray,
+    bend_offset: FloatArray,
+    largest: float,
+    sides: tuple[FloatArray, FloatArray] | None = None,
 ) -> FloatArray:
     """Return the x that minimises sum |bends @ x + bend_offset| subject to 1 <= rows @ x + offset <= largest.
 
@@ -292,18 +298,21 @@ def least_variation(
         Stiffness.
     bends, bend_offset : (k, m) and (k,) arrays
         Terms of the variation.
+    sides : (j, m) and (j,) arrays, optional
+        Rows and offsets of further conditions rows @ x + offset >= 0.
     """
     from scipy.optimize import linprog
 
-    if bends.shape[1] == 1:
+    side_rows, side_offset = (np.zeros((0, bends.shape[1])), np.zeros(0)) if sides is None else sides
+    if bends.shape[1] == 1 and not len(side_rows):
         return _least_variation_of_one(rows[:, 0], offset, bends[:, 0], bend_offset, largest)
     basis = _conditioned(rows)
     rows, bends = rows @ basis, bends @ basis
     size = np.abs(bends).max() or 1.0
     bends, bend_offset = bends / size, bend_offset / size
     # the dual program has a row for each number; the numbers are its multipliers
-    matrix = np.concatenate([bends, -rows, rows]).T
-    cost = -np.concatenate([bend_offset, 1 - offset, offset - largest])
+    matrix = np.concatenate([bends, -rows, rows, -side_rows @ basis]).T
+    cost = -np.concatenate([bend_offset, 1 - offset, offset - largest, -side_offset])
     bounds = np.zeros((cost.size, 2))
     bounds[:, 1] = np.inf
     bounds[: len(bends)] = -1.0, 1.0
@@ -329,16 +338,15 @@ def _least_variation_of_one(
     return np.array([min(max(best, low), high) if low <= high else (low + high) / 2])
 
 
-def largest_number(rows: FloatArray, number: FloatArray, largest: float) -> FloatArray:
-    """Return the x that maximises number @ x subject to 1 <= rows @ x <= largest."""
+def largest_number(rows: FloatArray, number: FloatArray, largest: float, side_rows: FloatArray) -> FloatArray:
+    """Return the x that maximises number @ x subject to 1 <= rows @ x <= largest and side_rows @ x >= 0."""
     from scipy.optimize import linprog
 
     basis = _conditioned(rows)
     rows, cost = rows @ basis, number @ basis
-    limit = np.concatenate([np.full(len(rows), -1.0), np.full(len(rows), largest)])
-    result = linprog(
-        -cost / np.abs(cost).max(), np.concatenate([-rows, rows]), limit, bounds=(None, None), method="highs"
-    )
+    matrix = np.concatenate([-rows, rows, -side_rows @ basis])
+    limit = np.repeat([-1.0, largest, 0.0], [len(rows), len(rows), len(side_rows)])
+    result = linprog(-cost / np.abs(cost).max(), matrix, limit, bounds=(None, None), method="highs")
     if result.status != 0:
         raise NotConvergedError(f"the linear program for the bending stiffness stopped: {result.message}")
     return np.asarray(basis @ result.x, dtype=float)

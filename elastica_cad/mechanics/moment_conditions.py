@@ -6,7 +6,8 @@ On a drawn curve the rod's equations (paper, Eqs. 3 and 5)
 
 are linear in the state (M, b) at the end of the curve, so a single march for each of the three numbers is enough.
 Here q is the weight per stiffness (1/l_eg^3), p a dead weight (N/mm), and tau the inverse of the least bending
-stiffness; e points up. Rods without weight have constant b, and M = a + <b, gamma>.
+stiffness; e points up. Rods without weight have constant b, and M = a + <b, gamma>. A force f on the strip between
+its ends lets lambda = R b step by f, so each unknown force is one more number (`elements`).
 """
 
 from collections.abc import Callable, Sequence
@@ -22,6 +23,7 @@ from elastica_cad._types import FloatArray, IntArray
 from elastica_cad._values import EqualByValue
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.polynomials import (
     DENSE_PARTS,
     LEFT,
@@ -31,6 +33,15 @@ from elastica_cad.geometry.polynomials import (
     WEIGHTS,
     PanelFunction,
     in_panels,
+)
+from elastica_cad.mechanics.elements import (
+    Element,
+    ElementForce,
+    PlacedElement,
+    PointForce,
+    Tie,
+    forces_of,
+    place_elements,
 )
 from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.loads import Gravity, NaturalCurvature, PointMass, Supports, Weight
@@ -63,8 +74,8 @@ class LineLoad:
         Weight per stiffness over the least bending stiffness, 1/mm3: 1/l_eg^3 for a plain strip.
     dead : (N, p) array
         Weight per length that does not depend on the stiffness, N/mm.
-    points : (N + 1,) array
-        Point weights at the panel ends, N.
+    points : (N + 1, 2) array
+        Known forces on the strip at the panel ends, N.
     """
 
     up: FloatArray
@@ -80,10 +91,12 @@ class LineLoad:
 
 @dataclass(frozen=True, eq=False)
 class MomentRows:
-    """Rod as a linear map of the m numbers (M, b_x, b_y, and tau with dead weight) at the end of the curve.
+    """Rod as a linear map of m numbers: (M, b_x, b_y) at the end of the curve, tau if `loaded`, unknown forces.
 
     Attributes
     ----------
+    loaded : bool
+        True if part of the load is not proportional to the stiffness, so that tau is the fourth number.
     stiffness : (N, p, m) array
         K at the nodes of the panels.
     force : (N, p, 2, m) array
@@ -94,14 +107,20 @@ class MomentRows:
         b of the supports at the two ends.
     """
 
+    loaded: bool
     stiffness: FloatArray
     force: FloatArray
     edge_moment: FloatArray
     start_force: FloatArray
     end_force: FloatArray
 
+    @property
+    def elements_from(self) -> int:
+        """Index of the first unknown force among the numbers."""
+        return 4 if self.loaded else 3
 
-def moment_rows(panels: Panels, load: LineLoad | None = None) -> MomentRows:
+
+def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray | None = None) -> MomentRows:
     """Return stiffness, force and moment along a curve as linear maps of its end state (paper, Eqs. 3 and 5).
 
     The equations of the rod are integrated from the end of the curve to its start, panel by panel. At a zero of
@@ -114,38 +133,40 @@ def moment_rows(panels: Panels, load: LineLoad | None = None) -> MomentRows:
         The curve, cut at its zeros.
     load : LineLoad, optional
         Weight along the curve; none by default.
-
-    Returns
-    -------
-    MomentRows
-        Rows of m = 3 numbers (M, b_x, b_y), or m = 4 with tau if part of the load is not proportional to the
-        stiffness.
+    units : (N + 1, 2, u) array, optional
+        Forces on the strip at the panel ends for the value 1 of each of the u unknown forces.
     """
+    if units is None:
+        units = np.zeros((panels.count + 1, 2, 0))
     if load is None:
-        return _weightless(panels)
+        return _weightless(panels, units)
     with np.errstate(over="ignore", invalid="ignore"):  # a weight far too large overflows; the caller checks
-        return _weighted(panels, load)
+        return _weighted(panels, load, units)
 
 
-def _weightless(panels: Panels) -> MomentRows:
+def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
     count, order = panels.t.shape
-    reach = panels.edge_position - panels.edge_position[-1]
-    edge_moment = np.ones((count + 1, 3))
-    edge_moment[:, 1:] = reach
+    size = 3 + units.shape[2]
+    edge_moment = np.zeros((count + 1, size))
+    edge_moment[:, 0] = 1.0
+    edge_moment[:, 1:3] = panels.edge_position - panels.edge_position[-1]
+    b = np.zeros((count + 2, 2, size))  # before the start, in the panels, after the end
+    b[:] = np.eye(2, size, 1)
+    for k in np.flatnonzero(units.any(axis=(1, 2))):
+        step = left_of(units[k].T).T  # of b, from after the force to before it
+        b[: k + 1, :, 3:] += step
+        edge_moment[: k + 1, 3:] += (panels.edge_position[: k + 1] - panels.edge_position[k]) @ step
     # M at a node = M at the panel's near end + <b, step>; at a zero the first term vanishes
     from_left = panels.zero_left
     vanishing = vanishing_at_zeros(panels, edge_moment)
     base = np.where(from_left[:, None], vanishing[:-1], vanishing[1:])
     step = np.where(from_left[:, None, None], panels.from_left, panels.from_right)
-    rows = np.empty((count, order, 3))
-    rows[..., 0] = base[:, :1]
-    np.add(base[:, None, 1:], step, out=rows[..., 1:])
+    rows = base[:, None, :] + step @ b[1:-1]
     rows /= panels.curvature[..., None]
-    constant = np.eye(2, 3, 1)
     return MomentRows(
-        stiffness=rows,
-        force=np.broadcast_to(constant, (count, order, 2, 3)),
-        edge_moment=edge_moment, start_force=constant, end_force=constant,
+        loaded=False, stiffness=rows,
+        force=np.broadcast_to(b[1:-1, None], (count, order, 2, size)),
+        edge_moment=edge_moment, start_force=b[0], end_force=b[-1],
     )  # fmt: skip
 
 
@@ -167,9 +188,14 @@ def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
     return np.asarray(edge_moment - traces)
 
 
-def _weighted(panels: Panels, load: LineLoad) -> MomentRows:
+def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     count, order = panels.t.shape
-    size = 3 if load.is_proportional else 4
+    size = 3 if load.is_proportional else 4  # of the local state (M, b_x, b_y, tau)
+    total = size + units.shape[2]
+    steps = np.zeros((count + 1, 2, total))  # of b, from after the forces to before them
+    steps[:, :, size:] = left_of(units.swapaxes(1, 2)).swapaxes(1, 2)
+    if size == 4:
+        steps[:, :, 3] = left_of(load.points)
     G = np.array([load.up[1], -load.up[0]])  # R^t e
     left, zero = panels.zero_left, panels.zero_left | panels.zero_right
     local = np.where(left[:, None, None], panels.from_left, panels.from_right)
@@ -199,33 +225,23 @@ def _weighted(panels: Panels, load: LineLoad) -> MomentRows:
     transfer[:, 1:3] += np.einsum("n,k,ni,nim->nkm", sign, G, shares, weight)
     backward = transfer.copy()
     backward[left] = np.linalg.inv(transfer[left])
-    near = np.empty((count, size, size))
-    edge_moment = np.empty((count + 1, size))
-    state = np.eye(size)
+    near = np.empty((count, size, total))
+    edge_moment = np.empty((count + 1, total))
+    state = np.eye(size, total)
     for k in range(count, 0, -1):
-        state = _past_point(state, load.points[k], G)
+        state[1:3] += steps[k]
         edge_moment[k] = state[0]
         before = backward[k - 1] @ state
         near[k - 1] = before if left[k - 1] else state
         state = before
     edge_moment[0] = state[0]
-    first = _past_point(state, load.points[0], G)
     stiffness = stiffness @ near
     weight = weight @ near
     force = near[:, None, 1:3, :] + np.einsum("k,nij,njm->nikm", G, integral, weight)
-    end = np.eye(size)
     return MomentRows(
-        stiffness=stiffness, force=force, edge_moment=edge_moment, start_force=first[1:3], end_force=end[1:3]
-    )
-
-
-def _past_point(state: FloatArray, newtons: float, G: FloatArray) -> FloatArray:
-    """Return the state before a point weight from the state after it: b grows by the weight times R^t e."""
-    if newtons == 0:
-        return state
-    state = state.copy()
-    state[1:3, 3] += newtons * G
-    return state
+        loaded=size == 4, stiffness=stiffness, force=force, edge_moment=edge_moment,
+        start_force=state[1:3] + steps[0], end_force=np.eye(2, total, 1),
+    )  # fmt: skip
 
 
 _SLOPES_AT_NODES = VANDER @ SLOPES
@@ -269,6 +285,12 @@ class StiffnessFamily:
     def freedom(self) -> int:
         """Number of free numbers."""
         return int(self.rows.coefficients.shape[2])
+
+    @property
+    def side_conditions(self) -> tuple[FloatArray, FloatArray]:
+        """Rows (k, d) and offsets (k,) of the side conditions; k may be 0."""
+        rows = np.zeros((0, self.freedom)) if self.side_rows is None else self.side_rows
+        return rows, np.zeros(len(rows)) if self.side_offset is None else self.side_offset
 
     def at(self, panel: IntArray, x: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return rows (n, d) and offsets (n,) at places x (n,) of panels (n,)."""
@@ -392,14 +414,15 @@ def _smoothest(
 
     def smoothest(rows: FloatArray, offset: FloatArray) -> FloatArray:
         rows, offset = np.concatenate([rows, pins]), np.concatenate([offset, pin_offset])
-        return least_variation(rows, offset, bends[:, :d], bend_offset, ratio)
+        return least_variation(rows, offset, bends[:, :d], bend_offset, ratio, family.side_conditions)
 
     return smoothest(*family.at(*places)) if places is not None else _bounded(family, ratio, smoothest)
 
 
 def largest_within(family: StiffnessFamily, number: FloatArray, ratio: float) -> FloatArray:
     """Return the y that maximises number @ y with K between 1 and `ratio`, for a family without offset."""
-    return _bounded(family, ratio, lambda rows, _: largest_number(rows, number, ratio))
+    sides, _ = family.side_conditions
+    return _bounded(family, ratio, lambda rows, _: largest_number(rows, number, ratio, sides))
 
 
 def _bounded(
@@ -441,12 +464,14 @@ def find_violations(family: StiffnessFamily) -> FloatArray:
         sign = rows[:, 0] > 0
         return np.asarray(s[sign != (sign.mean() >= 0.5)])
     scaled = rows / size[:, None]
-    matrix = np.column_stack([-scaled, np.ones(len(s))])
+    sides, side_offset = family.side_conditions
+    matrix = np.column_stack([-np.concatenate([scaled, sides]), np.repeat([1.0, 0.0], [len(s), len(sides)])])
     bounds = [(-1.0, 1.0)] * d + [(None, None)]
-    result = linprog(np.append(np.zeros(d), -1.0), matrix, offset / size, bounds=bounds, method="highs")
+    right = np.concatenate([offset / size, side_offset])
+    result = linprog(np.append(np.zeros(d), -1.0), matrix, right, bounds=bounds, method="highs")
     if result.status != 0:
         return np.zeros(0)
-    return np.asarray(s[np.abs(result.ineqlin.marginals) > 1e-9])
+    return np.asarray(s[np.abs(result.ineqlin.marginals[: len(s)]) > 1e-9])
 
 
 SMOOTHING_SHARE = 0.01
@@ -477,6 +502,8 @@ class BalancedStiffness:
         B in N mm2 and the corresponding weight, if the weight is in newtons.
     kinks : sequence of (s, continuity)
         Places where the load or the material law makes K less smooth than the curve.
+    between : tuple of ElementForce
+        Forces of the elements, 1/mm2.
     """
 
     panels: Panels
@@ -486,11 +513,12 @@ class BalancedStiffness:
     bending_stiffness: float | None = None
     weight: Weight | None = None
     kinks: Sequence[tuple[float, int]] = ()
+    between: tuple[ElementForce, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
 class StateFamily:
-    """Family of stiffnesses: state (M, b_x, b_y, tau) at the curve's end = fixed + basis @ free numbers."""
+    """Family of stiffnesses: numbers of `MomentRows` = fixed + basis @ free numbers."""
 
     family: StiffnessFamily
     basis: FloatArray
@@ -501,7 +529,8 @@ class StateFamily:
 class RodRequest(EqualByValue):
     """Request for a rod that rests in a curve. `optimal_rod` describes the fields.
 
-    `known_check` is the check of the curve if it exists already.
+    `known_check` is the check of the curve if it exists already. `point_forces` are the loads that are not masses.
+    Elements and point forces are placed along `drawn` if it differs from the curve.
     """
 
     curve: PlaneCurve
@@ -516,6 +545,12 @@ class RodRequest(EqualByValue):
     law: MaterialLaw | None = None
     section: BoundedLaw | None = None
     known_check: EquilibriumCheck | None = None
+    between: tuple[Element, ...] = ()
+    point_forces: tuple[PointForce, ...] = ()
+    drawn: PlaneCurve | None = None
+
+    def __post_init__(self) -> None:
+        self.supports.require_held(between=bool(self.between))
 
     @property
     def curve_to_bend(self) -> PlaneCurve:
@@ -524,11 +559,41 @@ class RodRequest(EqualByValue):
 
     @cached_property
     def check(self) -> EquilibriumCheck:
-        """Theorem 1 on the curve that is bent; a strip that feels its weight needs no line."""
+        """Theorem 1 on the curve that is bent; a strip with forces between its ends needs no line."""
         if self.known_check is not None:
             return self.known_check
-        heavy = self.gravity is not None
-        return examine(self.curve_to_bend, self.supports, self.natural_curvature, heavy=heavy)
+        return examine(self.curve_to_bend, self.supports, self.natural_curvature, heavy=not self.needs_line)
+
+    @property
+    def needs_line(self) -> bool:
+        """True if no weight, load or element acts between the ends."""
+        return self.gravity is None and not self.between and not self.point_forces
+
+    @property
+    def is_loaded(self) -> bool:
+        """True if the strip has weight or known forces."""
+        return self.gravity is not None or bool(self.point_forces)
+
+    @cached_property
+    def elements(self) -> tuple[PlacedElement, ...]:
+        """Elements on the curve of the check."""
+        return place_elements(self.between, self.drawn or self.curve, self.check.curve, self.supports)
+
+    @cached_property
+    def forces(self) -> tuple[PlacedElement, ...]:
+        """Point forces on the curve of the check."""
+        return place_elements(self.point_forces, self.drawn or self.curve, self.check.curve, self.supports)
+
+    def units_on(self, panels: Panels) -> FloatArray:
+        """Return the forces (N + 1, 2, u) at the panel ends for the value 1 of each unknown force."""
+        units = np.zeros((panels.count + 1, 2, sum(one.unknowns for one in self.elements)))
+        first = 0
+        for one in self.elements:
+            for s, forces in zip(one.s, one.units.swapaxes(0, 1), strict=True):
+                at = int(np.abs(panels.edge_s - s).argmin())
+                units[at, :, first : first + one.unknowns] += forces.T
+            first += one.unknowns
+        return units
 
     @cached_property
     def nodes(self) -> CurveSamples:
@@ -544,7 +609,8 @@ class RodRequest(EqualByValue):
     @property
     def cut(self) -> CutCurve:
         """Curve cut where the natural curvature, the material law or the load is not smooth."""
-        return CutCurve.where_kinked(self.check, self.natural_curvature, self.law, self.weight)
+        stations = [s for one in (*self.elements, *self.forces) for s in one.s.tolist()]
+        return CutCurve.where_kinked(self.check, self.natural_curvature, self.law, self.weight, stations)
 
 
 @dataclass(frozen=True, eq=False)
@@ -562,9 +628,21 @@ class ConditionedRows:
 
     @cached_property
     def conditions(self) -> FloatArray:
-        """Rows (k, m) @ state = 0: no moment where no curvature, no force that no support gives."""
+        """Rows (k, m) @ numbers = 0: no moment where no curvature, no force that no support gives.
+
+        An element at an inflection has no force normal to the strip, because the stiffness would step there.
+        """
         t = np.array([z.t for z in self.check.zeros])
-        rows = [self.rows.edge_moment[np.abs(self.panels.edges - t[:, None]).argmin(axis=1)]]
+        at = np.abs(self.panels.edges - t[:, None]).argmin(axis=1)
+        rows = [self.rows.edge_moment[at]]
+        inner = (at > 0) & (at < self.panels.count)
+        if self.request.elements and inner.any():
+            tangent = np.asarray(self.check.curve.evaluate(t[inner], 1))
+            across = left_of(tangent) / np.hypot(tangent[:, :1], tangent[:, 1:])
+            normal = np.zeros((len(across), self.scale.size))
+            units = self.request.units_on(self.panels)[at[inner]]
+            normal[:, self.rows.elements_from :] = np.einsum("kc,kcu->ku", across, units)
+            rows.append(normal[normal.any(axis=1)])
         forces = self.rows.start_force, self.rows.end_force
         for end, force in zip(self.request.supports.ends, forces, strict=True):
             # lambda = R b: the force along x is -b_y, that along y is b_x
@@ -574,42 +652,58 @@ class ConditionedRows:
 
     @cached_property
     def scale(self) -> FloatArray:
-        """Sizes (m,) of the state's numbers."""
+        """Sizes (m,) of the numbers."""
         size = np.full(self.rows.edge_moment.shape[1], 1 / self.check.length)
         size[0] = 1.0
-        if size.size == 4:
-            size[3] = 1 / np.abs(self.rows.edge_moment[:, 3]).max()
+        moment = self.rows.stiffness[..., 3:] * self.panels.curvature[..., None]
+        reached = np.abs(moment).max(axis=(0, 1))
+        size[3:] = 1 / np.where(reached > 0, reached, self.check.length)
         return size
 
-    def homogeneous(self, count: int) -> StateFamily:
-        """Return all stiffnesses of the first `count` numbers of the state (3: without dead weight)."""
-        basis = np.zeros((self.scale.size, count))
-        np.fill_diagonal(basis, self.scale[:count])
+    @cached_property
+    def pushed(self) -> IntArray:
+        """Indices (k,) of the numbers that may not be negative: the pulls of ties."""
+        kinds = [isinstance(one.element, Tie) for one in self.request.elements for _ in range(one.unknowns)]
+        return np.asarray(self.rows.elements_from + np.flatnonzero(kinds), dtype=int)
+
+    def homogeneous(self, *, loaded: bool) -> StateFamily:
+        """Return all stiffnesses, without known loads or with loads of any scale (`loaded`)."""
+        basis = np.diag(self.scale)
+        if self.rows.loaded and not loaded:
+            basis = np.delete(basis, 3, axis=1)
         basis = basis @ null_space(self.conditions @ basis)
-        side = basis[3:4] if count == 4 and self.scale.size == 4 else None
+        sides = np.append(self.pushed, 3) if self.rows.loaded and loaded else self.pushed
         return StateFamily(
-            StiffnessFamily(self.panels, PanelFunction.through(self.rows.stiffness @ basis), side_rows=side),
+            StiffnessFamily(
+                self.panels, PanelFunction.through(self.rows.stiffness @ basis),
+                side_rows=self._sides(basis, sides) if sides.size else None,
+            ),
             basis,
             np.zeros(self.scale.size),
-        )
+        )  # fmt: skip
+
+    def _sides(self, columns: FloatArray, sides: IntArray) -> FloatArray:
+        """Return rows of numbers that may not be negative, as multiples of their sizes."""
+        return np.asarray((columns.T / self.scale).T[sides])
 
     def at_compliance(self, tau: float) -> StateFamily:
         """Return all stiffnesses with least bending stiffness 1 / tau."""
-        size = self.scale
-        if size.size == 3:
-            return self.homogeneous(3)
-        basis, fixed = np.zeros((4, 3)), np.array([0.0, 0.0, 0.0, tau])
-        np.fill_diagonal(basis, size[:3])
+        if not self.rows.loaded:
+            return self.homogeneous(loaded=False)
+        basis = np.delete(np.diag(self.scale), 3, axis=1)
+        fixed = tau * np.eye(self.scale.size)[3]
         free, particular = _solutions(self.conditions @ basis, -self.conditions @ fixed)
         if particular is None:
             self.refuse(None)
         fixed, basis = fixed + basis @ particular, basis @ free
-        offset = PanelFunction.through(self.rows.stiffness @ fixed)
-        return StateFamily(
-            StiffnessFamily(self.panels, PanelFunction.through(self.rows.stiffness @ basis), offset),
-            basis,
-            fixed,
-        )
+        family = StiffnessFamily(
+            self.panels, PanelFunction.through(self.rows.stiffness @ basis),
+            PanelFunction.through(self.rows.stiffness @ fixed),
+        )  # fmt: skip
+        if self.pushed.size:
+            sides = self._sides(basis, self.pushed), self._sides(fixed, self.pushed)
+            family = replace(family, side_rows=sides[0], side_offset=sides[1])
+        return StateFamily(family, basis, fixed)
 
     def ratio(self, numbers: StateFamily) -> tuple[FloatArray, float] | None:
         """Return the free numbers of least ratio, and the ratio."""
@@ -640,12 +734,12 @@ class ConditionedRows:
         rows = table.dense if self.places is None else table.at(*self.places)
         K, steady = rows @ state, np.abs(rows[:, 0])
         if steady.max() * K.min() <= (1 + NO_GAIN_SHARE) * K.max() * steady.min():
-            return np.array([np.sign(rows[0, 0]), 0.0, 0.0])
+            return np.asarray(np.sign(rows[0, 0]) * np.eye(state.size)[0])
         before, after = table.combined(state).where_panels_meet
         steps = np.maximum(after / before, before / after)
         if self.places is not None or not steps.size or steps.max() < (1 - NO_GAIN_SHARE) * K.max() / K.min():
             return state
-        numbers = self.homogeneous(3)
+        numbers = self.homogeneous(loaded=False)
         with suppress(NotConvergedError):  # any optimum is acceptable
             return numbers.basis @ _smoothest(numbers.family, float(steps.max()) * (1 + NO_GAIN_SHARE))
         return state
@@ -683,6 +777,8 @@ class ConditionedRows:
             self.panels,
             PanelFunction(-family.rows.coefficients),
             PanelFunction.through(1 + (1 - self._offset(1 / most)) / size),
+            family.side_rows,
+            None if family.side_offset is None else family.side_offset / size,
         )
         solution = least_ratio(turned, self.places)
         if solution is None:
@@ -707,13 +803,18 @@ class ConditionedRows:
             PanelFunction.through(K),
             PanelFunction.through(K * self.panels.curvature),
             PanelFunction.through(self.rows.force @ state),
+            between=forces_of(self.request.elements, state[self.rows.elements_from :]),
         )
 
     def refuse(self, family: StiffnessFamily | None) -> NoReturn:
         """Raise `NotRealizable` with the reason and the places."""
+        held = bool(self.request.elements)
         if family is None or (family.freedom == 0 and family.offset is None):
             reason = note(
-                "With this weight and these supports, the moment cannot be 0 at all places of zero curvature "
+                "With these supports and elements between the ends, the moment cannot be 0 at all places of zero "
+                "curvature (at {places}). Move an element, or add one."
+                if held
+                else "With this weight and these supports, the moment cannot be 0 at all places of zero curvature "
                 "(at {places}). Use the nearest curve, move the inflections, or hold more at the ends.",
                 places=Listed(Length(z.s) for z in self.check.zeros),
             )
@@ -721,6 +822,11 @@ class ConditionedRows:
             wrong = find_violations(family)
             near = stretches(wrong, self.check.length)
             reason = note(
+                "With these supports and elements between the ends, the moment would have to act against the "
+                "curvature near {stretches}, which no positive stiffness allows. Move an element there, or add "
+                "one." if held and near else
+                "With these supports and elements between the ends, the moment would have to act against the "
+                "curvature, which no positive stiffness allows. Move an element, or add one." if held else
                 "With this weight and these supports, the moment would have to act against the curvature "
                 "near {stretches}, which no positive stiffness allows. Use a lighter or stiffer sheet, "
                 "support the strip there, or change the curve." if near else

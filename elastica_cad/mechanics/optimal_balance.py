@@ -60,34 +60,42 @@ def balance_of(request: RodRequest) -> BalancedStiffness:
     """Return the stiffness of least ratio, with or without weight, or for a section."""
     if request.section is not None:
         return _with_section(request, request.section)
-    return (
-        balance_without_weight(request) if request.gravity is None else _with_weight(request, request.gravity)
-    )
+    return _with_weight(request) if request.is_loaded else balance_without_weight(request)
 
 
 def balance_without_weight(request: RodRequest) -> BalancedStiffness:
     """Solve Eq. 4 on the continuous curve, or at the nodes only."""
     cut = request.cut
-    problem = ConditionedRows(request, cut.panels, moment_rows(cut.panels))
-    state = problem.least(problem.homogeneous(3), smooth=False)
-    return replace(problem.balance(problem.steadied(state)), kinks=cut.kinks)
+    for _ in range(REFINEMENTS):
+        rows = moment_rows(cut.panels, units=request.units_on(cut.panels))
+        problem = ConditionedRows(request, cut.panels, rows)
+        state = problem.least(problem.homogeneous(loaded=False), smooth=bool(request.elements))
+        balance = problem.balance(problem.steadied(state))
+        # beyond an element the moment does not vanish with the nearest zero of the curvature
+        finer = cut.for_stiffness(balance.stiffness) if request.elements else None
+        if finer is None:
+            break
+        cut = finer
+    return replace(balance, kinks=cut.kinks)
 
 
-def _with_weight(request: RodRequest, gravity: Gravity) -> BalancedStiffness:
+def _with_weight(request: RodRequest) -> BalancedStiffness:
     """Solve Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
-    cut, weight = request.cut, request.weight
-    if weight is None or weight.own:
+    cut, gravity, weight = request.cut, request.gravity, request.weight
+    if weight is None and request.forces:
+        weight = Weight(own=gravity is not None)
+    if gravity is not None and (weight is None or weight.own):
         cut = cut.for_weight(gravity)
     tau = None if request.bending_stiffness is None else 1 / request.bending_stiffness
     for _ in range(REFINEMENTS):
-        load = WeightedPanels(request, cut.panels, gravity)
+        load = WeightedPanels(request, cut.panels, gravity, weight)
         if request.largest_stiffness is not None and weight is not None:
             balance, tau = _within_stiffness(load, weight, request.largest_stiffness)
         else:
             if tau is None and weight is not None:
                 tau = _least_compliance(load, weight)
             problem = load.against(tau or 0.0)
-            numbers = problem.homogeneous(3) if tau is None else problem.at_compliance(tau)
+            numbers = problem.homogeneous(loaded=False) if tau is None else problem.at_compliance(tau)
             balance = problem.balance(problem.least(numbers))
         finer = cut.for_stiffness(balance.stiffness)
         if finer is None:
@@ -95,7 +103,7 @@ def _with_weight(request: RodRequest, gravity: Gravity) -> BalancedStiffness:
         cut = finer
     if weight is None or tau is None:
         return replace(balance, kinks=cut.kinks)
-    carried = carried_weight(weight, gravity, 1 / tau)
+    carried = None if gravity is None else carried_weight(weight, gravity, 1 / tau)
     return replace(balance, bending_stiffness=1 / tau, weight=carried, kinks=cut.kinks)
 
 
@@ -111,13 +119,15 @@ class WeightedPanels:
 
     request: RodRequest
     panels: Panels
-    gravity: Gravity
+    gravity: Gravity | None
+    weight: Weight | None
 
     def against(self, tau: float) -> "ConditionedRows":
         """Return the problem with weights in newtons relative to B = 1 / tau."""
-        panels, weight = self.panels, self.request.weight
-        proportional = self.gravity.length**-3
-        proportional_weight = np.full(panels.t.shape, proportional if weight is None or weight.own else 0.0)
+        panels, weight = self.panels, self.weight
+        proportional_weight = np.zeros(panels.t.shape)
+        if self.gravity is not None and (weight is None or weight.own):
+            proportional_weight += self.gravity.length**-3
         dead = np.zeros(panels.t.shape)
         if weight is not None:
             dead, per_stiffness = weight.along(panels.s)
@@ -126,18 +136,27 @@ class WeightedPanels:
 
     @property
     def points(self) -> FloatArray:
-        """Newtons (N + 1,) hung on the ends of the panels; those at an end that is held in place bend nothing."""
-        points = np.zeros(self.panels.count + 1)
-        for mass in self.request.masses:
-            at = int(np.abs(self.panels.edge_s - mass.at).argmin())
-            points[at] += mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
-        points[[0, -1]] *= [not (end.x and end.y) for end in self.request.supports.ends]
+        """Known forces (N + 1, 2), N, at the panel ends; a force at an end that is held in place has no effect."""
+        points = np.zeros((self.panels.count + 1, 2))
+        unit = 1e-3 * STANDARD_GRAVITY_M_S2 * self.down
+        acting = [(mass.at, mass.mass * unit) for mass in self.request.masses]
+        acting += [(float(force.s[0]), force.units[0, 0]) for force in self.request.forces]
+        for s, newtons in acting:
+            points[int(np.abs(self.panels.edge_s - s).argmin())] += newtons
+        for at, end in zip((0, -1), self.request.supports.ends, strict=True):
+            points[at] *= not (end.x and end.y)
         return points
+
+    @property
+    def down(self) -> FloatArray:
+        """Direction of gravity (2,); without gravity any direction."""
+        return np.array([0.0, -1.0]) if self.gravity is None else np.asarray(self.gravity.direction)
 
     def carrying(self, own: FloatArray, dead: FloatArray, points: FloatArray) -> "ConditionedRows":
         """Return the problem with weights at the nodes and ends of the panels; see `LineLoad`."""
         panels = self.panels
-        rows = moment_rows(panels, LineLoad(-np.asarray(self.gravity.direction), own, dead, points))
+        load = LineLoad(-self.down, own, dead, points)
+        rows = moment_rows(panels, load, self.request.units_on(panels))
         if not np.all(np.isfinite(rows.stiffness)):
             self.refuse()
         return ConditionedRows(self.request, panels, rows)
@@ -145,6 +164,7 @@ class WeightedPanels:
     def refuse(self) -> NoReturn:
         """Raise `NotRealizable`, because the moment grows too much along the curve for floating-point numbers."""
         check = self.request.check
+        assert self.gravity is not None  # point forces alone have bounded moments
         reason = far_too_heavy(self.gravity, check.length)
         raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
 
@@ -164,7 +184,7 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
         return _searched_compliance(load, weight)
     problem = load.against(1.0)
     _require_fixed_weight(problem, weight)
-    light, numbers = problem.ratio(problem.homogeneous(3)), problem.homogeneous(4)
+    light, numbers = problem.ratio(problem.homogeneous(loaded=False)), problem.homogeneous(loaded=True)
     heavy = problem.ratio(numbers)
     if heavy is None:
         problem.refuse(numbers.family)
@@ -180,8 +200,8 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
 
 def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
     """Refuse a weight that is proportional to the stiffness, or that bends the rod nowhere."""
-    if problem.scale.size == 3:
-        if weight.masses:
+    if not problem.rows.loaded:
+        if weight.masses or problem.request.forces:
             raise InputError(
                 "the masses do not bend the rod, because a held end carries them or they are 0: hang them "
                 "between the ends, or remove them"
@@ -202,7 +222,7 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
     s = np.linspace(0.0, load.request.check.length, 101)
     newtons = float(replace(weight, own=False).lumped(s, np.ones(101), np.full(101, s[1])).sum())
     weightless = load.against(0.0)
-    light = weightless.ratio(weightless.homogeneous(3))
+    light = weightless.ratio(weightless.homogeneous(loaded=False))
     bent = float(np.abs(weightless.panels.curvature).max())
     trial = np.log(bent / (newtons * load.request.check.length)) + np.linspace(-8.0, 4.0, 25)
     ratios = np.array([ratio(x) for x in trial])
@@ -273,9 +293,9 @@ def _thickening(load: WeightedPanels, least: float, most: float) -> float | None
     """
     factor = 1.0
     for _ in range(MOST_ROUNDS):
-        thick = replace(load, gravity=load.gravity.scaled(factor**-2))
+        thick = replace(load, gravity=load.gravity and load.gravity.scaled(factor**-2))
         problem = thick.against(1 / (factor**3 * least))
-        light, numbers = problem.ratio(problem.homogeneous(3)), problem.homogeneous(4)
+        light, numbers = problem.ratio(problem.homogeneous(loaded=False)), problem.homogeneous(loaded=True)
         if light is None or light[1] * (1 + FIT_SHARE) >= most / least:
             return None
         tau = numbers.basis[3] @ largest_within(numbers.family, numbers.basis[3], most / least)
@@ -348,7 +368,7 @@ def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness
     heavy = replace(gravity, length=full ** (1 / 3))
     cut = request.cut.for_weight(heavy)
     for _ in range(REFINEMENTS):
-        load = WeightedPanels(request, cut.panels, heavy)
+        load = WeightedPanels(request, cut.panels, heavy, request.weight)
         law = _bent(section, cut.panels, excess)
         balance = _settled(load, law)
         finer = cut.for_stiffness(balance.stiffness)
@@ -384,9 +404,10 @@ class TangentWeight:
 def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
     """Return the fixed point on given panels."""
     points = load.points
+    assert load.gravity is not None
     proportional_weight = np.full(load.panels.t.shape, load.gravity.length**-3)
     light = load.carrying(proportional_weight, np.zeros(proportional_weight.shape), 0.0 * points)
-    balance = light.balance(light.least(light.homogeneous(3)))
+    balance = light.balance(light.least(light.homogeneous(loaded=False)))
     scale = _scale(law, balance.stiffness)
     EI = scale * balance.stiffness.nodal
     change = np.inf

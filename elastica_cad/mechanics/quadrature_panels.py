@@ -353,11 +353,16 @@ class CutCurve:
         natural_curvature: NaturalCurvature,
         law: MaterialLaw | None = None,
         weight: Weight | None = None,
+        stations: Sequence[float] = (),
     ) -> "CutCurve":
-        """Cut where the natural curvature, the material law or the load is not smooth."""
+        """Cut where the natural curvature, the material law or the load is not smooth.
+
+        `stations` are the arc lengths, mm, of forces between the ends.
+        """
         bend = _bend_kinks(check, natural_curvature, law)
         zeros = np.array([zero.s for zero in check.zeros])
-        hung = [(_at_zero(s, zeros, check.length), c) for s, c in _load_kinks(check.length, weight)]
+        kinks = [*_load_kinks(check.length, weight), *((s, 0) for s in stations if 0 < s < check.length)]
+        hung = [(_at_zero(s, zeros, check.length), c) for s, c in kinks]
         places = [place for s, _ in hung for place in (s, *_away_from_zero(s, zeros, check.length))]
         cuts = (*(t for t, _, _ in bend), *check.curve.parameter(np.array(places)).tolist())
         return cls(check, natural_curvature, law, cuts, (*((s, c) for _, s, c in bend), *hung))

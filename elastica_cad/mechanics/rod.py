@@ -18,7 +18,9 @@ from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.polynomials import gauss_rule
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import fit_spline, spline_through
+from elastica_cad.mechanics.bracing import bracing_of, slack_elements
 from elastica_cad.mechanics.discrete_rod import DiscreteRod, edge_forces, edge_positions, tangents
+from elastica_cad.mechanics.elements import ElementForce, lumped, require_free_between
 from elastica_cad.mechanics.loads import (
     Gravity,
     NaturalCurvature,
@@ -386,6 +388,9 @@ class Rod:
         Distance by which the drawn curve was moved to bring its inflections onto a line, mm.
     warnings : tuple of str
         Warnings about the result.
+    between, point_forces : tuple of ElementForce
+        Elements and point forces between the ends, with their stations and forces on the strip; `force` steps by
+        them.
     """
 
     s: FloatArray
@@ -408,6 +413,8 @@ class Rod:
     check: "EquilibriumCheck | None" = None
     warnings: tuple[str, ...] = ()
     moved: float = 0.0
+    between: tuple[ElementForce, ...] = ()
+    point_forces: tuple[ElementForce, ...] = ()
 
     def __post_init__(self) -> None:
         n = numbers(self.s, "rod s").size
@@ -565,8 +572,14 @@ class Rod:
         factor = here.curl(here.parameter(B * self.stiffness))
         return law if factor is None else CurlingLaw(factor, factor(self.curvature), rest, law)
 
+    @property
+    def between_forces(self) -> FloatArray:
+        """Force on the strip of each element in the order of `between` (m, 2), 1/mm2; of a tie at its start."""
+        return np.array([one.force[0] for one in self.between]).reshape(-1, 2)
+
     def following(self) -> "Rod":
         """Return the same rod with the law of its section, to be bent to another shape."""
+        require_free_between(self, "Bending a rod to another shape")
         law = self.bending_law
         return self if law is self.law else replace(self, law=law)
 
@@ -648,9 +661,25 @@ class Rod:
             force = edge_forces(np.zeros(2), load)
             nodal[1:-1] = (force[:-1] + force[1:]) / 2
             nodal[0], nodal[-1] = force[0] - load[0], force[-1] + load[-1]
-        force += (self.force - nodal).mean(axis=0)
+        acting = (*self.between, *self.point_forces)
+        if acting:
+            between = lumped(acting, self.s.size, self.length)
+            force += edge_forces(between[0], between)
+            for one in acting:
+                nodal += np.einsum("nk,kc->nc", self.s[:, None] > one.s, one.force)
+        # a node at a station may have the force before or after it
+        missing = self.force - nodal
+        force += np.median(missing, axis=0) if acting else missing.mean(axis=0)
+        edge_length, bracing = self.length / angles.size, None
+        if self.between:
+            slack = slack_elements(self.between, force)
+            bracing = bracing_of(
+                [one for one in self.between if one not in slack], tangents=tangents(angles),
+                edge_length=edge_length, supports=self.supports, position=self.position,
+                curvature=self.curvature,
+            )  # fmt: skip
         return DiscreteRod(
-            self.tangent_stiffness, angles, force, self.length / angles.size, self.supports, self.position[0]
+            self.tangent_stiffness, angles, force, edge_length, self.supports, self.position[0], bracing
         )
 
     @cached_property

@@ -12,6 +12,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.discrete_rod import node_weights, tangents
+from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import even_shear_ratio
@@ -384,6 +385,7 @@ def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> floa
     >>> round(sideways_margin(Rod.straight(100.0), np.full(201, 400.0), np.full(201, 1.5)) / np.pi**2, 3)
     1.5
     """
+    require_free_between(rod, "Sideways stability")
     n = len(edgewise) - 1
     edge = rod.length / n
     s = np.linspace(0.0, rod.length, n + 1)

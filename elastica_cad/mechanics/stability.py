@@ -291,7 +291,7 @@ class Stability:
         Number of unstable modes.
     conjugate_point : float or None
         First isoperimetric conjugate point, mm of arc length from the start of the rod. None if the rod is stable,
-        or if the angle is free at both ends, where the point is not defined.
+        if the angle is free at both ends, or with elements between the ends, where the point is not defined.
     started_from : {"start", "end"} or None
         End from which the conjugate point is determined; from the other end it is at a different place.
     determinant_s, determinant : (n,) arrays
@@ -340,7 +340,7 @@ class Stability:
 
 
 def stability(rod: Rod) -> Stability:
-    """Check the stability of a rest shape with its weight and supports; O(n).
+    """Check the stability of a rest shape with its weight, supports and elements between its ends; O(n).
 
     Two independent methods must agree: the inertia of the second variation bordered by the end constraints (LDL^t),
     and the lowest eigenvalue on their tangent space (inverse iteration). The result also has the stability
@@ -391,7 +391,7 @@ def stability(rod: Rod) -> Stability:
 
     started_from: Literal["start", "end"] | None = None
     place, s, value = None, np.zeros(0), np.zeros(0)
-    if any(discrete.held_angles):
+    if any(discrete.held_angles) and discrete.bracing is None:
         started_from = "start" if discrete.held_angles[1] else "end"
         counted = discrete if started_from == "start" else discrete.reversed()
         z = stability_determinant(counted)

@@ -7,6 +7,7 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import numbers, pair
 from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 
@@ -199,6 +200,7 @@ def rest_shape(rod: Rod, *, thickness: float | None = None) -> RestShape:
 
 
 def _require_plain(rod: Rod) -> Rod:
+    require_free_between(rod, "A pushed rod")
     if not (rod.supports.clamped and rod.gravity is None and rod.bending_law is None):
         raise InputError("a pushed rod is clamped at both ends, without weight and of Hooke's law")
     return rod

@@ -10,6 +10,7 @@ from elastica_cad._types import FloatArray
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.geometry.plane_curve import CORNER_RAD
 from elastica_cad.mechanics.discrete_rod import solve_tridiagonal
+from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet, even_shear_ratio
 from elastica_cad.mechanics.tolerances import feels_modulus
@@ -198,6 +199,7 @@ def shape_responses(
     apart : (m, 2) array, optional
         Displacement of the end relative to the start, mm.
     """
+    require_free_between(rod, "The shape as made")
     discrete, (n, m) = rod.discrete, moments.shape
     lengths, tangents = discrete.edge_lengths[:, None], discrete.tangents
     imbalance = moments[:-1] - moments[1:]

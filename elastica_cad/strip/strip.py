@@ -19,6 +19,7 @@ from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.creep_study import Creep, creep, require_creep
+from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2
 from elastica_cad.mechanics.rod import Rod, as_bent, csv_text, resample
@@ -685,6 +686,7 @@ class Strip:
         """Rod with the stiffness and weight of the cut strip, not yet bent: see `rod_as_built`."""
         from elastica_cad.strip.as_made import rod_as_built
 
+        require_free_between(self.rod, "The strip as built")
         return rod_as_built(self.rod, self.layout, self.layers)
 
     @cached_property
@@ -706,6 +708,7 @@ class Strip:
         """Rod whose ends can be moved, with the curling of the cut strip as it bends: see `bend_strip`."""
         from elastica_cad.strip.as_made import rod_to_bend
 
+        require_free_between(self.rod, "A strip that is bent further")
         return rod_to_bend(self.rod, self.layout, corrected=self.correction is not None)
 
     @cached_property
@@ -713,6 +716,7 @@ class Strip:
         """Strip with all effects on its stiffness, for `held`."""
         from elastica_cad.strip.as_made import StripAsMade
 
+        require_free_between(self.rod, "The strip as made")
         return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates, self.whole)
 
     def whole(self) -> tuple[Layer, ...]:

@@ -12,7 +12,7 @@ import pytest
 
 import elastica_cad as ec
 
-MOST = 76
+MOST = 79
 ROOMS = (
     "geometry",
     "mechanics",

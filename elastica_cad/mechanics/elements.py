@@ -1,0 +1,322 @@
+"""What holds or loads a strip between its ends: rails, pins, ties and point forces.
+
+A force f on the strip at the station p = gamma(s_j) makes the moment
+
+    M(s) = a + <b, gamma(s)> - sum over s_j < s of det(f_j, gamma(s) - p_j),
+
+so M is continuous, its slope steps, and lambda steps by f_j. Each element has one or two unknown numbers, and M is
+linear in them as it is in a and b. A tie acts at two stations with opposite forces.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Annotated, Any, TypeAlias
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import is_number, pair, require_flag, several
+from elastica_cad.declared import Option
+from elastica_cad.errors import InputError, quoted
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.mechanics.loads import Supports
+from elastica_cad.refusals import Length, Point, Refusal, note
+
+Place: TypeAlias = float | tuple[float, float]
+"""Arc length along the drawn curve, mm, or a point (x, y) near the curve, mm."""
+
+_AT = Option("Place along the curve, or a point (x, y) near it.", "mm")
+
+
+@dataclass(frozen=True)
+class Rail:
+    """Rail across the strip that pushes normal to it; the strip slides over the rail.
+
+    The direction of the push follows from the balance: a bar is mounted on the side from which it pushes.
+
+    Parameters
+    ----------
+    at : float or (float, float)
+        Arc length along the drawn curve, mm, or a point near the curve, which is moved to the nearest place.
+    one_sided : bool
+        True for a bar, from which the strip may lift off. False for a slot or two bars.
+
+    Examples
+    --------
+    >>> Rail(120.0), Rail((60, 25), one_sided=False)
+    (Rail(at=120.0, one_sided=True), Rail(at=(60.0, 25.0), one_sided=False))
+    """
+
+    at: Annotated[Place, _AT]
+    one_sided: Annotated[bool, Option("A bar on one side, in place of a slot.")] = True
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "at", _require_place(self.at, "a rail"))
+        require_flag(self.one_sided, "one_sided of a rail")
+
+
+@dataclass(frozen=True)
+class Pin:
+    """Pin that holds a place of the strip and lets the strip turn, such as a ring or a screw through a lug.
+
+    Parameters
+    ----------
+    at : float or (float, float)
+        Arc length along the drawn curve, mm, or a point near the curve, which is moved to the nearest place.
+
+    Examples
+    --------
+    >>> Pin(180)
+    Pin(at=180.0)
+    """
+
+    at: Annotated[Place, _AT]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "at", _require_place(self.at, "a pin"))
+
+
+@dataclass(frozen=True)
+class Tie:
+    """Taut cord between two places of the strip, which it pulls towards each other.
+
+    Parameters
+    ----------
+    start, end : float or (float, float)
+        Arc lengths along the drawn curve, mm, or points near the curve, which are moved to the nearest places.
+
+    Examples
+    --------
+    >>> Tie(40, 310)
+    Tie(start=40.0, end=310.0)
+    """
+
+    start: Annotated[Place, _AT]
+    end: Annotated[Place, _AT]
+
+    def __post_init__(self) -> None:
+        for name in ("start", "end"):
+            object.__setattr__(self, name, _require_place(getattr(self, name), f"the {name} of a tie"))
+
+
+@dataclass(frozen=True)
+class PointForce:
+    """Known force on the strip.
+
+    Parameters
+    ----------
+    at : float or (float, float)
+        Arc length along the drawn curve, mm, or a point near the curve, which is moved to the nearest place.
+    force : (float, float)
+        N, in the plane of the curve.
+
+    Examples
+    --------
+    >>> PointForce(150, (0, -2.5))
+    PointForce(at=150.0, force=(0.0, -2.5))
+    """
+
+    at: Annotated[Place, _AT]
+    force: Annotated[tuple[float, float], Option("Force in the plane of the curve.", "N")]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "at", _require_place(self.at, "a point force"))
+        object.__setattr__(self, "force", tuple(pair(self.force, "the force of a point force").tolist()))
+
+
+Element: TypeAlias = Rail | Pin | Tie
+
+
+def _require_place(at: object, owner: str) -> Place:
+    """Return a place in plain numbers; refuse other values."""
+    if is_number(at):
+        return float(at)
+    try:
+        x, y = pair(at, "place").tolist()
+    except InputError:
+        raise InputError(
+            f"The place of {owner} is {quoted(at)}. Give the arc length in mm, or a point (x, y) on the curve."
+        ) from None
+    return x, y
+
+
+NOUNS = {Rail: "rail", Pin: "pin", Tie: "tie", PointForce: "point force"}
+"""Names of the records in messages."""
+
+
+def noun_of(element: Element | PointForce) -> Refusal:
+    """Return the name of the kind of element in a message."""
+    return note(NOUNS[type(element)])
+
+
+def require_elements(between: object) -> tuple[Element, ...]:
+    """Return the elements as a tuple; refuse other records."""
+    return several("between", between, Rail | Pin | Tie, "Rail, Pin or Tie")
+
+
+NEAR_SHARE = 0.05
+"""Largest distance of a point from the curve, as a fraction of the length, that is moved to the curve."""
+
+AT_END_SHARE = 1e-6
+"""Largest distance from an end, as a fraction of the length, of a station that counts as at the end."""
+
+_FOOT_STEPS = 20  # Newton steps to the nearest place from the nearest of some hundreds of samples
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedElement:
+    """Element or load with its stations on a curve.
+
+    Attributes
+    ----------
+    element : Rail, Pin, Tie or PointForce
+    s : (k,) array
+        Arc lengths of the stations, mm.
+    units : (u, k, 2) array
+        Forces on the strip at the stations for the value 1 of each of its u unknown numbers. The only number of a
+        `PointForce` is known.
+    """
+
+    element: Element | PointForce
+    s: FloatArray
+    units: FloatArray
+
+    @classmethod
+    def on(cls, element: Element | PointForce, drawn: PlaneCurve, curve: PlaneCurve) -> "PlacedElement":
+        """Place an element that was given along the `drawn` curve on the `curve` that is bent.
+
+        Rails and pins keep their point in space, ties and loads their fraction of the length.
+        """
+        if isinstance(element, Tie):
+            s = np.array([_station(at, drawn, element) for at in (element.start, element.end)])
+            s *= curve.length / drawn.length
+            ends = curve.at(s).position
+            chord = ends[1] - ends[0]
+            size = float(np.hypot(*chord))
+            if size <= AT_END_SHARE * curve.length:
+                raise InputError(
+                    "The tie from {start} to {end} has no length. Move one of its ends.",
+                    start=Length(s[0]), end=Length(s[1]),
+                )  # fmt: skip
+            return cls(element, s, np.array([[chord, -chord]]) / size)
+        if isinstance(element, PointForce):
+            s = np.array([_station(element.at, drawn, element)]) * (curve.length / drawn.length)
+            return cls(element, s, np.array([[element.force]]))
+        s = np.array([_station(element.at, drawn, element)])
+        if curve is not drawn:
+            s = np.array([_foot(curve, drawn.at(s).position[0])])
+        if isinstance(element, Pin):
+            return cls(element, s, np.eye(2)[:, None, :])
+        angle = curve.at(s).angle
+        return cls(element, s, left_of(np.column_stack([np.cos(angle), np.sin(angle)]))[None])
+
+    @property
+    def unknowns(self) -> int:
+        """Number of unknown numbers."""
+        return 0 if isinstance(self.element, PointForce) else len(self.units)
+
+
+def place_elements(
+    elements: Iterable[Element | PointForce], drawn: PlaneCurve, curve: PlaneCurve, supports: Supports
+) -> tuple[PlacedElement, ...]:
+    """Return the elements on the curve that is bent; refuse those that the ends hold already."""
+    placed = tuple(PlacedElement.on(element, drawn, curve) for element in elements)
+    near = AT_END_SHARE * curve.length
+    held = [s for s, end in zip((0.0, curve.length), supports.ends, strict=True) if end.x and end.y]
+    for one in placed:
+        fixed = [min((abs(s - end) for end in held), default=np.inf) <= near for s in one.s]
+        if all(fixed):
+            raise InputError(
+                "The {element} at {places} acts on an end that is held in place, so it has no effect. Move "
+                "it between the ends.",
+                element=noun_of(one.element), places=Length(one.s[0]),
+            )  # fmt: skip
+    return placed
+
+
+def _station(at: Place, curve: PlaneCurve, element: Element | PointForce) -> float:
+    """Return the arc length, mm, of a place along the drawn curve."""
+    if isinstance(at, tuple):
+        s = _foot(curve, np.array(at))
+        off = float(np.hypot(*(curve.at(np.array([s])).position[0] - at)))
+        if off > NEAR_SHARE * curve.length:
+            raise InputError(
+                "The {element} at {point} is {off:.4g} off the curve. Give a point on the curve, or the arc "
+                "length in mm.",
+                element=noun_of(element), point=Point(at), off=Length(off),
+            )  # fmt: skip
+        return s
+    if not 0 <= at <= curve.length:
+        raise InputError(
+            "The {element} at {at:.6g} is not on the curve. Give a place from 0 to {length:.6g}.",
+            element=noun_of(element), at=Length(at), length=Length(curve.length),
+        )  # fmt: skip
+    return at
+
+
+def _foot(curve: PlaneCurve, point: FloatArray) -> float:
+    """Return the arc length, mm, of the place of the curve that is nearest to a point (2,)."""
+    nodes = curve.survey
+    s = float(nodes.s[np.hypot(*(nodes.position - point).T).argmin()])
+    for _ in range(_FOOT_STEPS):
+        here = curve.at(np.array([s]))
+        off, tangent = point - here.position[0], np.array([np.cos(here.angle[0]), np.sin(here.angle[0])])
+        spread = max(1 - float(here.curvature[0] * (off @ left_of(tangent))), 0.3)  # away from the evolute
+        before, s = s, float(np.clip(s + off @ tangent / spread, 0.0, curve.length))
+        if abs(s - before) <= 1e-12 * curve.length:
+            break
+    return s
+
+
+@dataclass(frozen=True, eq=False)
+class ElementForce:
+    """Element or load with its force on a rod.
+
+    Attributes
+    ----------
+    element : Rail, Pin, Tie or PointForce
+    s : (k,) array
+        Arc lengths of the stations, mm.
+    force : (k, 2) array
+        Force on the strip at the stations, 1/mm2; times the least bending stiffness of the rod (N mm2) in N.
+    """
+
+    element: Element | PointForce
+    s: FloatArray
+    force: FloatArray
+
+    @property
+    def size(self) -> float:
+        """Size of the force, 1/mm2; the pull of a tie."""
+        return float(np.hypot(*self.force[0]))
+
+
+def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[ElementForce, ...]:
+    """Return the forces for the numbers (u,) of all elements in order."""
+    ends = np.cumsum([one.unknowns for one in placed], dtype=int)
+    return tuple(
+        ElementForce(one.element, one.s, np.einsum("u,ukc->kc", numbers[end - one.unknowns : end], one.units))
+        for one, end in zip(placed, ends, strict=True)
+    )
+
+
+def lumped(forces: Iterable[ElementForce], nodes: int, length: float) -> FloatArray:
+    """Return the forces divided between the nodes (n, 2) of a rod beside their stations, 1/mm2."""
+    load = np.zeros((nodes, 2))
+    for one in forces:
+        at = one.s * ((nodes - 1) / length)
+        i = np.minimum(at.astype(int), nodes - 2)
+        share = (at - i)[:, None]
+        np.add.at(load, i, (1 - share) * one.force)
+        np.add.at(load, i + 1, share * one.force)
+    return load
+
+
+def require_free_between(rod: Any, task: str) -> None:
+    """Refuse a rod with elements or point forces for a task that does not take them into account."""
+    if rod.between or rod.point_forces:
+        raise InputError(
+            "{task} does not take rails, pins, ties or point forces into account yet. Use a rod without them.",
+            task=task,
+        )
