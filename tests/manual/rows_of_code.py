@@ -191,7 +191,7 @@ def commands_by_text():
     return {said["text"]: said.get("shortcut") or "" for said in COMMANDS.values()}
 
 
-@asks(WORKBENCH, "command", "keys", "what it does")
+@asks(WORKBENCH, "command", "keys", "purpose")
 def _tools(row, _):
     known = commands_by_text()
     if row[0] == "New sketch":  # FreeCAD's own

@@ -152,7 +152,7 @@ def _cutting_options(row, folder):
             assert (folder / out / "arch.pdf").read_bytes().startswith(b"%PDF")
 
 
-@asks(f"{HOW_TO}/cutting.md", "program", "what it takes")
+@asks(f"{HOW_TO}/cutting.md", "program", "files")
 def _programs(row, _):
     tests = "tests/smoke/test_files_in_other_programs.py"
     proved_by(
@@ -165,6 +165,12 @@ def _programs(row, _):
             "Chromium": "tests/smoke/test_manual_in_a_browser.py::test_the_page_of_a_kit_shows_its_files",
         }[row[0]]
     )
+
+
+@asks(f"{HOW_TO}/cutting.md", "program", "choose")
+def _choices(row, _):
+    assert quoted(row[1])
+    assert not unknown_options(row[1])
 
 
 @asks(f"{HOW_TO}/batten.md", "file", "for")
@@ -234,7 +240,7 @@ def kit(folder):
     return folder / "of-kit" / "kit"
 
 
-@asks("docs/tutorials/lamp.md", "folder", "holds")
+@asks("docs/tutorials/lamp.md", "folder", "contents")
 def _lamp(row, folder):
     out = kit(folder.parent)
     (name,) = quoted(row[0])
@@ -244,7 +250,7 @@ def _lamp(row, folder):
         assert "birch" in (out / name.replace("lamp", "arch")).read_text()
 
 
-@asks(f"{HOW_TO}/models.md", "in the folder", "what it is")
+@asks(f"{HOW_TO}/models.md", "in the folder", "contents")
 def _kit(row, folder):
     out = kit(folder.parent)
     for name in quoted(row[0]):
@@ -278,7 +284,7 @@ def _kit_options(row, folder):
         )
 
 
-@asks(f"{HOW_TO}/tabs.md", "key", "what it is")
+@asks(f"{HOW_TO}/tabs.md", "key", "meaning")
 def _tabs(row, folder):
     drawn(folder)
     tried = {

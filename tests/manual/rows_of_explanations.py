@@ -114,7 +114,7 @@ def _figures(row, _):
     assert [number for number in numbers if not re.search(rf"\b{re.escape(number)}\b", printed)] == []
 
 
-@asks("docs/how_to/holding.md", "cause", "what helps")
+@asks("docs/how_to/holding.md", "cause", "remedy")
 def _what_helps(row, _):
     """Each remedy in the table leaves less."""
     tests = "tests/unit/model/test_holding.py"
