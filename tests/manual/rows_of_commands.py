@@ -129,7 +129,14 @@ def _cutting_options(row, folder):
         typed(folder, "strip", "arch.svg", *PLY, *option.split(), "-o", out)
         typed(folder, "strip", "arch.svg", *PLY, "-o", out + "0")
         plain, asked = folder / f"{out}0" / "arch.dxf", folder / out / "arch.dxf"
-        if "cut.curves=" in option:
+        if option == "--set cut.for=service":
+            assert (folder / out / "arch-mm.dxf").is_file()
+        elif option == "--set cut.marks=false":
+            assert "MARK" in layers(plain)
+            assert "MARK" not in layers(asked)
+        elif option.endswith("curves=bezier"):
+            assert {"SPLINE"} <= set(layers(asked)["CUT_OUTER"]) <= {"SPLINE", "LINE"}
+        elif "cut.curves=" in option:
             space = ezdxf.readfile(asked).modelspace()
             (line,) = space.query('*[layer=="CUT_OUTER"]')
             assert line.dxftype() == "LWPOLYLINE"

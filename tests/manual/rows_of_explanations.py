@@ -122,7 +122,7 @@ def _what_helps(row, _):
 
     def strayed(**asked):
         return (
-            ec.make_strip(arch, "birch-plywood-0.8", max_width=asked.pop("max_width", 40), **asked)
+            ec.make_strip(arch, asked.pop("sheet", "birch-plywood-0.8"), **{"max_width": 40, **asked})
             .held()
             .deviation
         )
@@ -142,7 +142,7 @@ def _what_helps(row, _):
         proved_by(f"{VALIDATION}/test_steps_of_width.py::test_told_as_finite_elements_have_it")
         proved_by(f"{VALIDATION}/test_steps_of_width.py::test_widths_make_up_for_them")
     elif row[0].startswith("a wide strip"):
-        assert strayed(max_width=60, compensate=True) < 0.5 * strayed(max_width=60)
+        assert strayed(sheet="card-200gsm", compensate=True) < 0.5 * strayed(sheet="card-200gsm")
         proved_by(
             f"{VALIDATION}/test_plate_widths.py::test_a_strip_takes_its_curve_by_default_where_nu_is_known"
         )
