@@ -130,8 +130,7 @@ def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, Flo
     if error > _SYMMETRIC_LENGTHS:
         name = "mirror image" if kind == "mirror" else "half turn"
         raise InputError(
-            "the drawn curve is not its own {name}: it is {size} off; draw it symmetric, or do "
-            "without keep symmetry",
+            "the drawn curve differs from its {name} by {size}: draw a symmetric curve, or remove keep symmetry",
             name=name,
             size=Length(error * target.size),
         )

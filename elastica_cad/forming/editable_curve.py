@@ -81,7 +81,7 @@ def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
         return _in_millimetres(_fitted(shape, np.linspace(0, float(shape.s[-1]), spans + 1)), rod)
     except np.linalg.LinAlgError as error:
         raise NotConvergedError(
-            f"a spline of {spans} spans does not meet the inflections of the rest shape: take more"
+            f"a spline of {spans} spans cannot have the inflections of the rest shape: use more spans"
         ) from error
 
 
@@ -143,7 +143,8 @@ def _continuous(rod: Rod) -> _Shape:
     a, b = (bend(plain, samples=factor * edges + 1) for factor in (_FINER, 2 * _FINER))
     if has_snapped(a) or has_snapped(b):
         raise NotConvergedError(
-            "the continuous rod does not reach the ends of the discrete one: it is about to snap; use more samples"
+            "the continuous rod does not reach the ends of the discrete rod, because it is close to "
+            "snapping: use more samples"
         )
     position, angle, curvature, K = (
         (4 * getattr(b, name)[::2] - getattr(a, name)) / 3

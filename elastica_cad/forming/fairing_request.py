@@ -170,7 +170,7 @@ class Smoothing:
         if change <= SEEN_SHARE:
             return ()
         return (note(
-            "The curvature, and the widths with it, change by {percent:.0f} % when noise is taken out: {points}.",
+            "Without noise, the curvature and the widths would change by {percent:.0f} %: {points}.",
             percent=100 * change, points=points.noise_message, severity="warning",
         ),)  # fmt: skip
 
@@ -180,32 +180,34 @@ class Smoothing:
         notes: list[str] = [*outlier_message(self.drawn)]
         if self.healed > SEEN:
             notes.append(note(
-                "The digits of the file turn its tangents where pieces meet: put right, {far:.2g} at most.",
+                ("Rounding in the file turned the tangents where pieces meet, so they were corrected; the "
+                 "curve moved by at most {far:.2g}."),
                 far=Length(self.healed),
             ))  # fmt: skip
         points = measured_points(self.drawn)
         if points is not None and self.fairing is not None:
             return (*notes, note(
-                "The points have noise of about {noise}: smoothed, {far} from them at most.",
+                ("The points have noise of about {noise}, so the curve was smoothed; it is at most {far} from "
+                 "the points."),
                 noise=points.rounded_noise, far=Length(self.moved), severity="warning",
             ))  # fmt: skip
         notes += self.noise
         if self.fairing is not None:
             before = self.ratio_as_drawn
             ratio = (
-                note("as drawn no strip takes it")
+                note("no strip can take the drawn curve")
                 if before is None
-                else note("the stiffness ratio as drawn was {ratio:.3g}", ratio=before)
+                else note("the drawn curve needs a stiffness ratio of {ratio:.3g}", ratio=before)
             )
             notes.append(note(
-                "The curvature jumped where pieces meet: made fair, {far:.2g} from the drawn curve "
-                "at most; {before}. {field} sets how far the curve may move.",
+                "The curvature jumped where pieces meet, so the curve was smoothed and moved by at most "
+                "{far:.2g}; {before}. Set {field} to limit the movement, or to 0 to keep the curve as drawn.",
                 far=Length(self.moved), before=ratio, field=FieldName("smooth"), severity="warning",
             ))  # fmt: skip
         if self.fairing is not None and self.drawn.tangent_breaks:
             sharpest = max(np.degrees(abs(corner.angle)) for corner in self.drawn.tangent_breaks)
             notes.append(note(
-                "Its corners, of {angle:.2g} degrees at most, were rounded within that.",
+                "Corners of at most {angle:.2g} degrees were rounded within this distance.",
                 angle=sharpest, severity="warning",
             ))  # fmt: skip
         return tuple(notes)
@@ -235,7 +237,7 @@ def check_smooth(smooth: object) -> float | None:
         )
     if not 0 <= smooth <= LARGEST_SMOOTH:
         raise InputError(
-            "smooth is {smooth}: a curve is made fair within 0 (not at all) to {largest_smooth:g}",
+            "smooth is {smooth}: give a distance from 0 (no smoothing) to {largest_smooth:g}",
             smooth=smooth,
             largest_smooth=Length(LARGEST_SMOOTH),
             where={"field": "smooth"},

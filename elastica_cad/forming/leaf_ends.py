@@ -103,7 +103,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
     stacks = [answer for search in searches.values() if (answer := search.answer()) is not None]
     if not stacks:
         raise NotConvergedError(
-            f"no stack of {law.leaves} leaves comes to rest near this curve: take more and thinner leaves"
+            f"no stack of {law.leaves} plies has a rest shape near this curve: use more and thinner plies"
         )
     best = min(stacks, key=lambda stack: stack.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:

@@ -38,8 +38,11 @@ class HalfPlane:
     (0.0, 1.0)
     """
 
-    point: Annotated[tuple[float, float], Option("A point on the wall.", "mm")] = (0.0, 0.0)
-    normal: Annotated[tuple[float, float], Option("Points to where the strip may be.")] = (0.0, 1.0)
+    point: Annotated[tuple[float, float], Option("Point on the wall.", "mm")] = (0.0, 0.0)
+    normal: Annotated[tuple[float, float], Option("Direction from the wall to the allowed side.")] = (
+        0.0,
+        1.0,
+    )
 
     def __post_init__(self) -> None:
         point, normal = (
@@ -75,7 +78,7 @@ class Box:
         lower, upper = pair(self.lower, "lower corner of a box"), pair(self.upper, "upper corner of a box")
         if np.any(lower >= upper):
             raise InputError(
-                f"box corners {lower.tolist()} and {upper.tolist()}: the first must be lower left"
+                f"box corners {lower.tolist()} and {upper.tolist()}: give the lower left corner first"
             )
         object.__setattr__(self, "lower", (float(lower[0]), float(lower[1])))
         object.__setattr__(self, "upper", (float(upper[0]), float(upper[1])))
@@ -157,7 +160,7 @@ class Limits:
     margin: Annotated[
         float | None,
         Option(
-            "Least stability margin: 0 is where it would snap away, 5 is safely stable.",
+            "Least stability margin: at 0 the strip snaps, 5 is safely stable.",
             group="limits",
             common=True,
         ),
@@ -167,7 +170,7 @@ class Limits:
     strain: Annotated[
         float | None,
         Option(
-            "Largest strain: true for what the sheet bears, or a number.",
+            "Largest strain: true for the limit of the sheet, or a number.",
             above=0,
             group="limits",
             common=True,
@@ -176,19 +179,19 @@ class Limits:
     ] = None
     width: Annotated[
         tuple[float, float] | None,
-        Option("Least and largest width, which bound the ratio.", "mm", above=0, group="limits"),
+        Option("Least and largest width; they limit the stiffness ratio.", "mm", above=0, group="limits"),
     ] = None
     length: Annotated[
         tuple[float, float] | None, Option("Least and largest length.", "mm", above=0, group="limits")
     ] = None
     keep_out: Annotated[
         tuple[HalfPlane | Box, ...],
-        Option("Ground, walls and boxes where the strip may not go.", group="limits"),
+        Option("Ground, walls and boxes that the strip must avoid.", group="limits"),
     ] = ()
     stiffness_bounds: Annotated[
         tuple[Bound, Bound] | None,
         Option(
-            "Bounds of the stiffness over its least value, along the strip.",
+            "Bounds of the stiffness along the strip, divided by its least value.",
             group="limits",
             written=_bounds_along_strip,
         ),
@@ -209,7 +212,7 @@ class Limits:
                 continue
             low, high = getattr(self, name)
             if low > high:
-                raise InputError(f"limit {name} is {low} to {high}: the least comes first")
+                raise InputError(f"limit {name} is {low} to {high}: give the least first")
             object.__setattr__(self, name, (float(low), float(high)))
         keep_out = several("keep_out", self.keep_out, HalfPlane | Box, "HalfPlane or Box")
         object.__setattr__(self, "keep_out", keep_out)
@@ -280,23 +283,29 @@ class Keep:
 
     ends: Annotated[
         bool | tuple[bool, bool],
-        Option("Do both ends, or start and end, stay where they are?", group="limits", common=True),
+        Option(
+            "Keep the positions of both ends, or of start and end separately.", group="limits", common=True
+        ),
     ] = True
     tangents: Annotated[
         bool | tuple[bool, bool],
-        Option("Do both ends, or start and end, keep their tangents?", group="limits", common=True),
+        Option(
+            "Keep the tangents of both ends, or of start and end separately.", group="limits", common=True
+        ),
     ] = False
     length: Annotated[bool, Option("Keep the length.", group="limits", common=True)] = False
     symmetry: Annotated[
-        Symmetry | None, Option("The mirror image or half turn that the curve keeps.", group="limits")
+        Symmetry | None, Option("Symmetry to keep: mirror image or half turn.", group="limits")
     ] = None
     points: Annotated[
         tuple[float, ...],
-        Option("Places along the drawn curve that stay on the strip.", "mm", many=100, group="limits"),
+        Option("Places on the drawn curve that the strip must pass through.", "mm", many=100, group="limits"),
     ] = ()
     line: Annotated[
         bool | tuple[tuple[float, float], tuple[float, float]] | None,
-        Option("Inflections stay on their line, or on the line through two points.", "mm", group="limits"),
+        Option(
+            "Keep the inflections on their line, or on the line through two points.", "mm", group="limits"
+        ),
     ] = None
 
     def __post_init__(self) -> None:
@@ -310,13 +319,13 @@ class Keep:
         require_declared(Keep, vars(self), "keep")
         points = np.atleast_1d(numbers(self.points, "keep points"))
         if points.ndim != 1 or not np.all(np.isfinite(points)):
-            raise InputError("keep points= takes arc lengths on the drawn curve, mm")
+            raise InputError("keep points must be finite arc lengths on the drawn curve, mm")
         object.__setattr__(self, "points", tuple(float(s) for s in points))
         if self.line is None or isinstance(self.line, bool):
             return
         line = numbers(self.line, "keep line")
         if line.shape != (2, 2) or not np.all(np.isfinite(line)) or np.all(line[0] == line[1]):
-            raise InputError("keep line= takes True, or two different points ((x, y), (x, y)) in mm")
+            raise InputError("keep line must be True, or two different finite points ((x, y), (x, y)), mm")
         object.__setattr__(self, "line", tuple((float(x), float(y)) for x, y in line))
 
     @property

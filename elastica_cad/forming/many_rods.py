@@ -76,7 +76,7 @@ def nearest_rods(
     _require_options("nearest_rods", options)
     curves = list(curves)
     if not curves:
-        raise InputError("nearest_rods got no curves: give one at least")
+        raise InputError("nearest_rods has no curves: give at least one curve")
     count = len(curves)
     columns = (
         _spread("limits", limits, count), _spread("keep", keep, count), _spread("gravity", gravity, count),
@@ -135,7 +135,7 @@ def stream_nearest_rods(
     [(0, True), (1, True), (2, True)]
     """
     if isinstance(curves, PlaneCurve) or not is_series(curves):
-        raise InputError(f"stream_nearest_rods takes curves to be read, not a {type(curves).__name__}")
+        raise InputError(f"stream_nearest_rods takes an iterable of curves, not a {type(curves).__name__}")
     _require_executor(executor)
     _require_options("stream_nearest_rods", options)
     whole_number(ahead, "ahead", 1)
@@ -201,7 +201,7 @@ def _attempted(task: _Task) -> NearestRod:
 
 def _lost(task: _Task, error: Exception) -> NearestRod:
     why = note(
-        "the executor gave no answer ({kind_of_error}: {error}); run this curve again",
+        "the executor returned no result ({kind_of_error}: {error}): run this curve again",
         kind_of_error=type(error).__name__,
         error=error,
     )
@@ -213,7 +213,9 @@ def _spread(name: str, value: Any, count: int) -> list[Any]:
     if value is None or not isinstance(value, (list, tuple)):
         return [value] * count
     if len(value) != count:
-        raise InputError(f"{name}: {len(value)} given for {count} curves; give one for all, or one a curve")
+        raise InputError(
+            f"{name} has {len(value)} values for {count} curves: give one value for all, or {count} values"
+        )
     return list(value)
 
 
@@ -224,6 +226,4 @@ def _require_executor(executor: object) -> None:
 
 def _require_options(function_name: str, options: dict[str, Any]) -> None:
     if unknown := set(options) - _OPTIONS:
-        raise InputError(
-            f"{function_name} knows no option {min(unknown)!r}: use {', '.join(sorted(_OPTIONS))}"
-        )
+        raise InputError(f"{function_name} has no option {min(unknown)!r}: use {', '.join(sorted(_OPTIONS))}")

@@ -132,7 +132,7 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
         The search ended beside every meridian.
     """
     if np.linalg.norm(np.diff(points, axis=0), axis=1).min() == 0:
-        raise InputError("two neighbouring points of the meridian are the same: leave one out")
+        raise InputError("two adjacent points of the meridian are equal: remove one of them")
     closes = bool(points[-1, 0] == 0)
     equations = _Equations(len(points), closes, max(FEWEST, -(-SEARCH_NODES // (len(points) - 1))))
     guess, length = _first_guess(points, equations)
@@ -424,7 +424,7 @@ class Meridian:
     def width(self, strips: int) -> Profile:
         """Width of each of so many strips, 2 tan(pi / strips) times the distance from the axis, mm."""
         if strips < 3:
-            raise InputError(f"strips={strips}: a surface of revolution is tiled by 3 strips or more")
+            raise InputError(f"strips={strips}: a surface of revolution needs 3 strips or more")
         return self.distance.scaled(2 * float(np.tan(np.pi / strips)))
 
     def to_ring(self, ring: float) -> "Meridian":
@@ -499,7 +499,7 @@ def meridian(
     p = _numbers(a, b, start, angle, length)
     if not (p[3] > 0 and p[6] > 0):
         raise InputError(
-            "a meridian starts beside its axis and has a length: start x = {p:g}, length = {p_2:g}",
+            "the meridian has start x = {p:g} and length = {p_2:g}: give positive numbers, in mm",
             p=Length(p[3]),
             p_2=Length(p[6]),
         )
@@ -612,15 +612,15 @@ def _profile(points: ArrayLike) -> FloatArray:
     """Points (n, 2) that a meridian can be sought through."""
     data = finite("the points of a meridian", points)
     if data.ndim != 2 or data.shape[1] != 2 or len(data) < 3:
-        raise InputError("a meridian is sought through three points (x, y) or more, mm")
+        raise InputError("a meridian needs three points (x, y) or more, in mm")
     if abs(data[-1, 0]) < ON_AXIS_SHARE * np.ptp(data):
         data = np.append(data[:-1], [[0.0, data[-1, 1]]], axis=0)
     beyond = np.append(data[:-1, 0] <= 0, data[-1, 0] < 0)
     if beyond.any():
         i = int(np.argmax(beyond))
         raise InputError(
-            f"point {i + 1} at {data[i].tolist()} lies on or beyond the axis x = 0: keep x positive "
-            "(the last may lie on it)"
+            f"point {i + 1} at {data[i].tolist()} is on or beyond the axis x = 0: keep x positive "
+            "(the last point may be on the axis)"
         )
     return data
 
@@ -652,13 +652,16 @@ def _integrated(
     )  # fmt: skip
     if not solution.success:
         raise NotConvergedError(
-            "the meridian bends without bounds after {t:.4g}, beside the axis: end it there",
+            (
+                "the curvature of the meridian grows without limit after {t:.4g}, close to the axis: end the "
+                "meridian there"
+            ),
             t=Length(solution.t[-1]),
         )
     if solution.t_events[1].size:
         raise InputError(
-            "the meridian turns {most_turns} times about within {t:.4g} of its {length:g}: make "
-            "a and b smaller, or end it before",
+            "the meridian makes {most_turns} turns in the first {t:.4g} of its length of {length:g}: make a "
+            "and b smaller, or the meridian shorter",
             most_turns=MOST_TURNS,
             t=Length(solution.t[-1]),
             length=Length(length),

@@ -27,10 +27,10 @@ class Status(Enum):
     """Outcome of the search, as a sentence for the user."""
 
     MET = "All limits are met, and no nearer rod was found."
-    UNSETTLED = "All limits are met, but the search was stopped before it settled: a nearer rod may exist."
-    FAR = "All limits are met, but only by a rod that no longer looks like the drawn curve: relax what binds."
+    UNSETTLED = "All limits are met, but the search stopped early: a nearer rod may exist."
+    FAR = "All limits are met, but the rod no longer resembles the drawn curve: relax the active limits."
     NOT_MET = (
-        "The limits cannot be met together near this curve: this is the best rod found, relax what binds."
+        "The limits cannot all be met near this curve. This is the best rod found: relax the active limits."
     )
     FAILED = "No rod was computed for this curve: see the message."
 
@@ -213,7 +213,7 @@ class NearestRod:
         """Status and distance of the rod from the drawn curve, without advice."""
         if self.found is None:
             return sentences([note(self.status.value), self.message], " ")
-        far = note("The rod leaves the drawn curve by {far} at most.", far=Length(self.deviation))
+        far = note("The rod is at most {far} from the drawn curve.", far=Length(self.deviation))
         return sentences([note(self.status.value), far], " ")
 
     def __str__(self) -> str:
@@ -233,8 +233,8 @@ def _advise(near: NearestRod) -> Iterator[str]:
         return
     if near.ties:
         yield note(
-            "Rods of another shape are as near, but for 2 % ({count} of them): look at `ties`, and draw the "
-            "curve closer to the one you mean.",
+            "Rods of other shapes ({count}) are equally near, within 2 %: see `ties`. Draw the curve closer "
+            "to the intended rod.",
             count=len(near.ties),
         )
     named = [(binding, name) for binding in near.binding if (name := _name(near, binding))][:_MOST_ADVICE]
@@ -302,14 +302,16 @@ def _missed(near: NearestRod, binding: Binding) -> str:
     if binding.name == "margin" and binding.limit is not None:
         rating = stability(near.rod)
         return note(
-            "The stability margin of {limit:.3g} is missed: this rod has {margin:.3g} ({word}).",
+            "The stability margin of this rod is {margin:.3g} ({word}), below the limit of {limit:.3g}.",
             limit=binding.limit, margin=rating.margin, word=note(rating.rating),
         )  # fmt: skip
     if binding.name == "curvature" and binding.limit is not None:
         radius = Length(1 / float(np.abs(near.rod.curvature).max()))
         least = Length(1 / binding.limit)
         return note(
-            "The least radius of {least} is missed: this rod has {radius}.", least=least, radius=radius
+            "The least radius of this rod is {radius}, below the limit of {least}.",
+            least=least,
+            radius=radius,
         )
     missed = note(binding.name)
     if binding.name in _IN_LENGTHS:

@@ -363,8 +363,8 @@ def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
     curve, limits, keep = request.curve, request.limits or Limits(), request.keep or Keep()
     if limits.stiffness_bounds is not None or keep.points or keep.symmetry or keep.line:
         raise InputError(
-            "leaves keep ends, tangents and length, within ratio, margin, curvature, strain and regions: leave out "
-            "stiffness_bounds, points, symmetry and line"
+            "a stack of plies can keep ends, tangents and length, and limit ratio, margin, curvature, strain "
+            "and regions: remove stiffness_bounds, points, symmetry and line"
         )
     again = partial(_again, request)
     # (n / k)^3 is the ratio of n leaves and k
@@ -546,9 +546,7 @@ def nearest_rod(
         raise InputError(f"coefficients={coefficients!r}: the stiffness needs 4 coefficients or more, and at most "
 f"half as many as there are edges ({samples - 1})")  # fmt: skip
     if not (start is None or isinstance(start, NearestRod)):
-        raise InputError(
-            f"start is {start!r}: give the record that nearest_rod gave for a like curve, or None"
-        )
+        raise InputError(f"start is {start!r}: give the record of nearest_rod for a similar curve, or None")
     return find_nearest(
         RodSpec(
             curve, gravity, supports, natural_curvature, samples, section=section, limits=limits, keep=keep,

@@ -98,8 +98,8 @@ class NearestTask:
                 inside = -float(region.clearance((point * target.size + target.origin)[None])[0][0])
                 if kept and inside > 1e-9 * target.size:
                     raise InputError(
-                        "the kept {side} of the curve lies {inside} inside a keep-out region: move the curve "
-                        "or the region, or free that end",
+                        "the fixed {side} of the curve is {inside} inside a keep-out region: move the curve "
+                        "or the region, or free this end",
                         side=side,
                         inside=Mm(inside),
                     )
@@ -306,7 +306,7 @@ def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArr
     if not line:
         return None
     if request.gravity is not None:
-        raise InputError("a rod with weight has no inflection line: do without keep line, or without gravity")
+        raise InputError("a rod with weight has no inflection line: remove keep line, or gravity")
     if not isinstance(line, bool):
         return np.asarray(line[0]), np.asarray(line[1])
     crossing = examine(curve, Supports(), request.natural_curvature).line

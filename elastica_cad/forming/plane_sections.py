@@ -76,7 +76,7 @@ class Mesh:
         )
         kept = kept[~again]
         if not len(kept):
-            raise InputError("the mesh has no triangle with an area: export it anew")
+            raise InputError("all triangles of the mesh have zero area: export the mesh again")
         reports += _edge_complaints(points, kept)
         for name, value in (("vertices", points), ("faces", kept), ("reports", tuple(reports))):
             object.__setattr__(self, name, value)
@@ -103,16 +103,20 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
     try:
         points, rows = np.asarray(vertices, dtype=float), np.asarray(faces)
     except (TypeError, ValueError, OverflowError):
-        raise InputError("a mesh is rows of numbers: vertices (n, 3) and triangles (m, 3)") from None
+        raise InputError(
+            "a mesh must be two arrays of numbers: vertices (n, 3) and triangles (m, 3)"
+        ) from None
     if points.ndim != 2 or points.shape[1] != 3 or rows.ndim != 2 or rows.shape[1] != 3:
         raise InputError(
             f"a mesh is vertices (n, 3) and triangles (m, 3), not {points.shape} and {rows.shape}: "
-            "cut faces of more corners into triangles first"
+            "divide larger faces into triangles first"
         )
     if not rows.size:
         raise InputError("the mesh has no triangles: nothing can be cut")
     if not np.issubdtype(rows.dtype, np.integer):
-        raise InputError("the triangles of a mesh are rows of whole numbers that count its vertices from 0")
+        raise InputError(
+            "the triangles of a mesh must be rows of whole numbers, the indices of vertices from 0"
+        )
     if not np.all(np.isfinite(points)):
         bad = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
         raise InputError(f"vertex {bad} of the mesh is not finite: {points[bad].tolist()}")
@@ -120,7 +124,10 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
     if far > FARTHEST_MM:
         bad = int(np.abs(points).max(axis=1).argmax())
         raise InputError(
-            "vertex {bad} of the mesh lies {far} from the origin: give the right unit or scale, or mend it",
+            (
+                "vertex {bad} of the mesh is {far} from the origin: correct the unit or the scale, or repair the "
+                "mesh"
+            ),
             bad=bad,
             far=Length(far),
         )
@@ -193,14 +200,14 @@ def _edge_complaints(points: FloatArray, rows: IntArray) -> list[str]:
     crowded = edges[count > 2]
     if len(crowded):
         notes.append(note(
-            "more than two faces meet at {edges} (near {places}): sections fall apart there",
+            "more than two faces meet at {edges} (near {places}): sections are split there",
             edges=_edges(crowded), places=_places(points, crowded),
         ))  # fmt: skip
     turned = edges[(count == 2) & (sense != 0)]
     if len(turned):
         notes.append(note(
-            "faces are turned over against their neighbours along {edges} (near {places}): sections are the "
-            "same",
+            "adjacent faces have opposite orientations along {edges} (near {places}): this does not change "
+            "the sections",
             edges=_edges(turned), places=_places(points, turned),
         ))  # fmt: skip
     return notes
@@ -265,7 +272,7 @@ def refuse_odd_planes(planes: object) -> None:
     """Raise where planes are not a sequence of frames."""
     if not (isinstance(planes, Sequence) and all(isinstance(frame, Frame) for frame in planes)):
         raise InputError(
-            f"planes must be a sequence of Frames, not {type(planes).__name__}: put one in a list"
+            f"planes must be a sequence of Frames, not {type(planes).__name__}: put a single plane in a list"
         )
 
 
@@ -281,8 +288,8 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> PlaneSection:
             chains = chains if total > other_total else other
             at = frame.point(local[height == 0][0, :2])
             reports.append(note(
-                "{name}: an edge or a face of the mesh lies in the plane, near {place}; the section follows "
-                "the longer of its two sides ({longer:.6g} against {shorter:.6g})",
+                "{name}: an edge or a face of the mesh is in the plane, near {place}; the section follows "
+                "the longer of the two sides ({longer:.6g}, not {shorter:.6g})",
                 name=name, place=place_in_words(at), longer=Length(max(total, other_total)),
                 shorter=Length(min(total, other_total)),
             ))  # fmt: skip
@@ -301,7 +308,7 @@ def _missing(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
     touched = used[height[used] == 0]
     if touched.size and (low == 0 or high == 0):
         return note(
-            "touches the mesh near {place} and cuts nothing: shift it",
+            "touches the mesh near {place} without cutting it: move the plane",
             place=place_in_words(mesh.vertices[touched[0]]),
         )
     return note("misses the mesh")

@@ -237,7 +237,7 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
     rest = task.request.natural_curvature
     blank = rest.length if isinstance(rest, RestCurvature) else None
     if blank is not None:
-        wish = "keep length asks" if task.keep.length else "the limit length asks"
+        wish = "keep length requires" if task.keep.length else "the limit length requires"
         least, most = (1.0, 1.0) if task.keep.length else (low, high)
         room = LENGTHS_APART * (1 - _SAME_LENGTH)
         low, high = (
@@ -246,8 +246,8 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
         )
         if least > high or most < low:
             raise InputError(
-                "{asked} for {size:.6g} to {size_2:.6g}, but the blank is {blank:.6g} long before it "
-                "is bent: give its curvature along the length that is asked for",
+                "{asked} {size:.6g} to {size_2:.6g}, but the pre-bent strip is {blank:.6g} long: give its "
+                "curvature along the required length",
                 asked=wish,
                 size=least * target.size,
                 size_2=Length(most * target.size),
@@ -256,8 +256,8 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
     if task.keep.length:
         if not low * (1 - 1e-12) <= 1 <= high * (1 + 1e-12):
             raise InputError(
-                "keep length asks for {size:.6g}, outside the limit length of {size_2:.6g} to "
-                "{size_3:.6g}: drop one of them",
+                "keep length requires {size:.6g}, outside the limit length of {size_2:.6g} to {size_3:.6g}: "
+                "remove one of them",
                 size=Length(target.size),
                 size_2=low * target.size,
                 size_3=Length(high * target.size),
@@ -267,8 +267,8 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
         chord = float(np.hypot(*(target.position[-1] - target.position[0])))
         if high < chord * (1 - 1e-12):
             raise InputError(
-                "the rod may be at most {size:.6g} long, but its kept ends are {size_2:.6g} apart: "
-                "allow more length or free an end",
+                "the rod may be at most {size:.6g} long, but its fixed ends are {size_2:.6g} apart: allow "
+                "more length, or free an end",
                 size=Length(high * target.size),
                 size_2=Length(chord * target.size),
             )
@@ -296,7 +296,10 @@ def _constraints(task: NearestTask) -> list[Constraint]:
     for s in keep.points:
         if not 0 <= s <= target.size * (1 + 1e-9):
             raise InputError(
-                "keep point at {s:.6g} lies off the drawn curve of {size:.6g}",
+                (
+                    "keep point at {s:.6g} is beyond the drawn curve, which is {size:.6g} long: give a place on "
+                    "the curve"
+                ),
                 s=Length(s),
                 size=Length(target.size),
             )
@@ -346,15 +349,18 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
     ):
         image = "mirror image" if kind == "mirror" else "half turn"
         raise InputError(
-            f"the blank is not its own {image} before it is bent: give one that is, or leave out keep "
+            f"the pre-bent strip is not equal to its {image}: give a symmetric pre-bent strip, or remove keep "
             "symmetry"
         )
     if kind == "turn":
         if task.request.gravity is not None:
-            raise InputError("a half turn turns gravity over: keep symmetry='turn' only without weight")
+            raise InputError("a half turn reverses gravity: use keep symmetry='turn' only without weight")
         return MiddleOfTurn(centre=_pair(centre), scale=_moment_scale(task))
     if task.request.gravity is not None and abs(np.dot(task.request.gravity.direction, axis)) < 1 - 1e-9:
-        raise InputError("gravity pulls across the mirror axis: a strip with weight cannot stay symmetric")
+        raise InputError(
+            "gravity is not parallel to the mirror axis, so a strip with weight cannot be "
+            "symmetric: remove keep symmetry, or gravity"
+        )
     across = left_of(axis)
     middle = float(target.angles(np.array([0.5]))[0])
     angle = float(np.arctan2(across[1], across[0]))
@@ -379,8 +385,8 @@ def _stiffness_box(task: NearestTask, count: int) -> tuple[FloatArray, FloatArra
         high = np.minimum(high, np.where(support, values[:, None], np.inf).min(axis=0))
     if low.min() > 1:
         raise InputError(
-            f"stiffness_bounds ask for at least {low.min():.4g} everywhere, but K / min K is 1 "
-            "somewhere: let the lower bound come down to 1"
+            f"stiffness_bounds require at least {low.min():.4g} everywhere, but K / min K is 1 "
+            "somewhere: reduce the lower bound to 1 at one place or more"
         )
     if np.any(low > high):
         at = float(s[int(np.argmax(support[:, int(np.argmax(low - high))]))]) * task.target.size

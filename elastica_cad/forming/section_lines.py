@@ -89,7 +89,9 @@ class SectionLine:
         """
         n, p = np.asarray(normal, dtype=float), np.asarray(point, dtype=float)
         if n.shape != (3,) or p.shape != (3,) or not np.any(n) or not np.all(np.isfinite([n, p])):
-            raise InputError("a spine is a point and a normal of three numbers, the normal not zero")
+            raise InputError(
+                "a spine needs a point and a normal of three numbers each, and the normal must not be zero"
+            )
         height = (self.places - p) @ (n / np.linalg.norm(n))
         height = np.where(np.abs(height) <= IN_PLANE * np.abs(self.places).max(), 0.0, height)
         above = height >= 0
@@ -123,7 +125,7 @@ class SectionLine:
         cuts = np.unique(cuts)
         if len(cuts) < len(at) or (not self.is_closed and (cuts[0] <= 0 or cuts[-1] >= last)):
             raise InputError(
-                "{name} is split twice at one place, or at its very end: move the points", name=self.name
+                "{name} is split twice at the same place, or at its end: move the points", name=self.name
             )
         marks = np.concatenate([[0], cuts, [last]])
         points = [
@@ -177,7 +179,7 @@ class PlaneSection:
                 if self.reports
                 else note("{name} has {count} lines", name=self.name, count=len(self.lines))
             )
-            raise InputError("{reason}: choose from its lines", reason=reason)
+            raise InputError("{reason}: choose one of its lines", reason=reason)
         return self.lines[0]
 
 
@@ -225,7 +227,7 @@ def collect_section(
         starts = Listed(place_in_words(frame.point(line[0])) for line in lines[:3])
         reports = (
             note(
-                "{name} falls into {count} lines, starting at {starts}",
+                "{name} has {count} separate lines, starting at {starts}",
                 name=name,
                 count=len(lines),
                 starts=starts,
@@ -448,7 +450,7 @@ def _curve(
         try:
             curve = remove_false_inflections(curve, turn=false_turn)
         except NotConvergedError as error:
-            notes.append(note("{name}: {why}: it is kept", name=line.name, why=error.refusal))
+            notes.append(note("{name}: {why}. The curve was not changed", name=line.name, why=error.refusal))
     if notes and not wavelength:
         _refuse_corners(line, tolerance)
     removed = before - curve.inflections.size
@@ -459,7 +461,7 @@ def _curve(
     worst = int(off.argmax())
     if off[worst] > tolerance:
         place = note(
-            "{far} off the section at {place}", far=Length(off[worst]), place=_place(line, places[worst])
+            "{far} from the section at {place}", far=Length(off[worst]), place=_place(line, places[worst])
         )
         notes.append(_departure(line, place, tolerance, wavelength, changed=curve is not fitted))
     return SectionCurve(curve, line.frame, line.name, float(off[worst]), removed), notes
@@ -488,7 +490,7 @@ def _refuse_corners(line: SectionLine, tolerance: float) -> None:
     turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
     if turned.max(initial=0.0) > SHARP_TURN_RAD:
         raise InputError(
-            "{sharpest}; split it at its corners, export a finer mesh, or smooth it",
+            "{sharpest}. Split the section at its corners, export a finer mesh, or smooth the section",
             sharpest=_sharpest(line, turned),
             changes=[AT_CORNERS],
         )
@@ -500,8 +502,8 @@ def _unfitted(line: SectionLine, tolerance: float) -> str:
     if turned.max(initial=0.0) < SHARP_TURN_RAD:
         return ""
     return note(
-        "no smooth curve stays within the tolerance of {tolerance:g}: {sharpest}; split it at its corners, "
-        "or smooth it",
+        "no smooth curve stays within the tolerance of {tolerance:g}, because {sharpest}. Split the section "
+        "at its corners, or smooth it",
         tolerance=Length(tolerance), sharpest=_sharpest(line, turned), changes=(AT_CORNERS,),
     )  # fmt: skip
 
@@ -519,15 +521,18 @@ def _departure(line: SectionLine, place: str, tolerance: float, wavelength: floa
     """Return a message about a curve that is farther from its section than the tolerance."""
     if wavelength > 0:
         cause = note(
-            "smoothing took waves shorter than {wavelength:g} away; a shorter wavelength stays nearer",
+            (
+                "smoothing removed waves shorter than {wavelength:g}; use a shorter wavelength to stay closer to "
+                "the section"
+            ),
             wavelength=Length(wavelength),
         )
     elif changed:
-        cause = note("bends between false inflections were smoothed away")
+        cause = note("bends between false inflections were removed")
     else:
-        cause = note("no smooth curve came nearer; smooth the section first, with a wavelength")
+        cause = note("no smooth curve is closer to the section; smooth the section first, with a wavelength")
     return note(
-        "{name}: the curve lies {off}, more than the tolerance of {tolerance:g}: {cause}",
+        "{name}: the curve is {off}, more than the tolerance of {tolerance:g}: {cause}",
         name=line.name, off=place, tolerance=Length(tolerance), cause=cause,
     )  # fmt: skip
 
@@ -541,8 +546,8 @@ def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
         return []
     return [
         note(
-            "{name} bends with a radius of {radius:.2g} at {place}, a corner to any strip: split it at its "
-            "corners, or smooth it",
+            "{name} has a radius of {radius:.2g} at {place}, which is a corner for a strip: split the "
+            "section at its corners, or smooth it",
             name=line.name,
             radius=Length(1 / kappa),
             place=_place(line, samples.position[worst]),
@@ -584,21 +589,21 @@ def smooth_polyline(
     """
     given = numbers(points, "points to smooth")
     if given.ndim != 2 or not len(given) or not np.isfinite(given).all():
-        raise InputError(f"points to smooth are finite rows (n, 2), in mm, not of shape {given.shape}")
+        raise InputError(f"points to smooth must be finite rows (n, 2), in mm, not of shape {given.shape}")
     if not (is_whole(count) and 4 <= count <= MOST_SMOOTHED):
         raise InputError(f"count is {count!r}: smoothing gives points (k, 2), k from 4 to {MOST_SMOOTHED}")
     if not (is_number(wavelength) and wavelength > 0):
         raise InputError(f"smoothing needs a positive wavelength in mm, not {wavelength!r}")
     s = lengths_along(given)
     if s[-1] == 0:
-        raise InputError("the points to smooth are all the same")
+        raise InputError("the points to smooth are all equal: give different points")
     at = np.linspace(0.0, s[-1], count)
     even = np.column_stack([np.interp(at, s, column) for column in given.T])
     third = np.diff(np.eye(count), 3, axis=0)
     middle = (at[:-3] + at[3:]) / 2
     spans = numbers(where, "parts to smooth")
     if spans.size and spans.shape[1:] != (2,):
-        raise InputError("parts to smooth are rows (k, 2) of finite lengths along the points, in mm")
+        raise InputError("parts to smooth must be rows (k, 2) of finite lengths along the points, in mm")
     counted = np.any([(middle >= a) & (middle <= b) for a, b in spans], axis=0) if len(spans) else True
     # a wavelength of four line lengths leaves only a parabola; larger values only lose digits
     share = min(wavelength, 4 * s[-1]) / (2 * np.pi * at[1])
@@ -659,8 +664,8 @@ def remove_false_inflections(
         if not len(_false_bends(simpler, turn)):
             return simpler
     raise NotConvergedError(
-        "{stretches} from its start, the curve turns by less than {turn:.2g} degrees between inflections; "
-        "no smoothing that moves it by less than {most} takes that away",
+        "{stretches} from its start, the curve turns by less than {turn:.2g} degrees between inflections, "
+        "and no smoothing that moves it by less than {most} removes this",
         stretches=Listed(Span((Length(a), Length(b))) for a, b in bends),
         turn=np.degrees(turn),
         most=Length(most),

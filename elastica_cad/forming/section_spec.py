@@ -158,7 +158,7 @@ def _row(name: str, value: ArrayLike) -> list[float]:
     """One number or several in a row."""
     v = np.atleast_1d(_numbers(name, value))
     if v.ndim != 1:
-        raise InputError(f"{name} must be one number or a row of numbers, not an array of shape {v.shape}")
+        raise InputError(f"{name} must be a number or a list of numbers, not an array of shape {v.shape}")
     return [float(x) for x in v]
 
 
@@ -169,7 +169,7 @@ def _numbers(name: str, value: ArrayLike) -> FloatArray:
     if not np.all(np.isfinite(v)):
         raise InputError(f"{name} must be finite numbers, got {v.tolist()}")
     if np.abs(v).max(initial=0.0) > FARTHEST_MM:
-        raise InputError(f"{name} holds {np.abs(v).max():.3g}: nothing made of strips is so far away")
+        raise InputError(f"{name} contains {np.abs(v).max():.3g}: give numbers up to {FARTHEST_MM:g}")
     return v
 
 
@@ -224,13 +224,13 @@ class RadialCuts:
     """Half planes about an axis: at `angles`, rad from `zero`, or `count` of them all around."""
 
     half: ClassVar[bool] = True
-    count: Annotated[int, Option("So many half planes all around.", least=1)] = 8
+    count: Annotated[int, Option("Number of half planes, at equal angles around the axis.", least=1)] = 8
     angles: Annotated[
-        tuple[float, ...] | None, Option("Where the half planes lie, in place of count.", "rad")
+        tuple[float, ...] | None, Option("Angles of the half planes, instead of count.", "rad")
     ] = None
-    point: Annotated[Triple, Option("A point on the axis.", "mm")] = (0.0, 0.0, 0.0)
+    point: Annotated[Triple, Option("Point on the axis.", "mm")] = (0.0, 0.0, 0.0)
     axis: Annotated[Triple, Option("Direction of the axis.")] = (0.0, 0.0, 1.0)
-    zero: Annotated[Triple, Option("Where angles begin.")] = (1.0, 0.0, 0.0)
+    zero: Annotated[Triple, Option("Direction of the angle 0.")] = (1.0, 0.0, 0.0)
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
         """Frames of the planes; they do not depend on the surface."""
@@ -246,12 +246,12 @@ class ParallelCuts:
     """Planes across `normal`: at `offsets` from the point, mm, or through `count` equal slices of the surface."""
 
     half: ClassVar[bool] = False
-    normal: Annotated[Triple, Option("Across the planes.")]
-    count: Annotated[int, Option("So many equal slices, in place of offsets.", least=1)] = 8
+    normal: Annotated[Triple, Option("Normal of the planes.")]
+    count: Annotated[int, Option("Number of planes at equal distances, instead of offsets.", least=1)] = 8
     offsets: Annotated[tuple[float, ...] | None, Option("Distances of the planes from the point.", "mm")] = (
         None
     )
-    point: Annotated[Triple, Option("From where offsets are measured.", "mm")] = (0.0, 0.0, 0.0)
+    point: Annotated[Triple, Option("Point from which offsets are measured.", "mm")] = (0.0, 0.0, 0.0)
     up: Annotated[Triple, Option("The y axis of the sections.")] = (0.0, 0.0, 1.0)
 
     def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
@@ -272,8 +272,8 @@ class AlongPath:
 
     half: ClassVar[bool] = False
     path: Annotated[FloatArray, Option("Points of the path.", "mm", written=tuple[Triple, ...])]
-    count: Annotated[int, Option("So many planes.", least=1)] = 8
-    ends: Annotated[bool, Option("The first and the last plane stand at the ends of the path.")] = False
+    count: Annotated[int, Option("Number of planes.", least=1)] = 8
+    ends: Annotated[bool, Option("Place the first and the last plane at the ends of the path.")] = False
     up: Annotated[Triple, Option("The y axis of the sections.")] = (0.0, 0.0, 1.0)
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
@@ -316,8 +316,8 @@ class PlaneSplit:
         A normal of zero.
     """
 
-    normal: Annotated[Triple, Option("Across the plane.")]
-    point: Annotated[Triple, Option("A point of the plane.", "mm")] = (0.0, 0.0, 0.0)
+    normal: Annotated[Triple, Option("Normal of the plane.")]
+    point: Annotated[Triple, Option("Point of the plane.", "mm")] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
         if not any(self.normal):
@@ -360,7 +360,7 @@ class CornerSplit:
         An angle that no corner has.
     """
 
-    corners: Annotated[float, Option("Split where the line turns by more than this.", "rad", least=0)]
+    corners: Annotated[float, Option("Split where the line turns by more than this angle.", "rad", least=0)]
 
     def __post_init__(self) -> None:
         if not 0 < self.corners < np.pi:
@@ -425,7 +425,10 @@ class SectionSpec:
                 ],
             )
         idle = [split.name for split in self.splits if not any(split.name in used for _, used in divided)]
-        return tuple(curves), (*reports, *(note("{name} splits no section", name=name) for name in idle))
+        return tuple(curves), (
+            *reports,
+            *(note("{name} does not split any section", name=name) for name in idle),
+        )
 
     def _divide(self, section: PlaneSection) -> tuple[PlaneSection, frozenset[str]]:
         """Return the section with its selected and split lines, and the names of the splits that had an effect."""
@@ -435,7 +438,7 @@ class SectionSpec:
             reports = (
                 *reports,
                 note(
-                    "{name}: the longest line is kept, {length} of it",
+                    "{name}: only the longest line is used, with a length of {length}",
                     name=section.name,
                     length=Length(lines[0].length),
                 ),
@@ -480,10 +483,12 @@ def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) ->
     twice = np.flatnonzero(np.abs(steps) <= SAME_PLANE * largest)
     if len(values) > 1 and twice.size:
         i, j = sorted((int(ring[twice[0]]), int(ring[twice[0] + 1])))
-        raise InputError(f"{name} holds one plane twice, as its numbers {i + 1} and {j + 1}: leave one out")
+        raise InputError(
+            f"{name} contains the same plane twice, as numbers {i + 1} and {j + 1}: remove one of them"
+        )
 
 
 def _plane_count(count: int) -> int:
     if count > MOST_PLANES:
-        raise InputError(f"count is {count}: {MOST_PLANES} planes are the most")
+        raise InputError(f"count is {count}: give at most {MOST_PLANES} planes")
     return count

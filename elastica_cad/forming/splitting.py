@@ -277,9 +277,9 @@ def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
     curve = cut.curve
     s = float(curve.arc_length(np.array(place)))
     if cut.places is not None:
-        what = note("no strip reaches from there to the next place that is offered: offer more places")
+        what = note("no strip reaches from there to the next given place: give more places")
     else:
-        what = note("no strip that starts there can go on")
+        what = note("no strip can start there")
     limit = "" if cut.ratio is None else note(" within a stiffness ratio of {ratio:g}", ratio=cut.ratio)
     reason = note("Supports do not help at {s}: {what}{limit}.", s=Length(s), what=what, limit=limit)
     try:

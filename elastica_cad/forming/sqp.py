@@ -639,7 +639,7 @@ def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
         here = None if closed is None else iterate_at(program, closed)
         if here is not None:
             return here
-    raise NotConvergedError("no rod is found to begin with: draw a smoother curve, or a shorter one")
+    raise NotConvergedError("no rod was found to start the search: draw a smoother or shorter curve")
 
 
 def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution) -> ActiveSet:

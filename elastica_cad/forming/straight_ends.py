@@ -41,10 +41,11 @@ class StraightEnds:
     def of(
         cls, curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature = 0.0
     ) -> "StraightEnds":
-        """Split an open curve; straight pieces at ends that may turn, and straight curves, stay whole.
+        """Split straight pieces of 1 mm or more off the ends of an open curve that hold their angle.
 
-        Three other kinds of curves stay whole: curves with a natural curvature that varies, because it is counted
-        from the start of the whole; fits to measured points, which contain no drawn straight pieces; and polylines.
+        Straight curves stay whole, and so do curves with a natural curvature that varies, because
+        it is counted from the start of the whole; fits to measured points, which have no drawn straight pieces;
+        and polylines.
         """
         counted = isinstance(natural_curvature, RestCurvature)
         if curve.is_closed or curve.is_straight or counted or measured_points(curve) is not None:

@@ -78,8 +78,8 @@ class StripOptions(TypedDict, total=False):
 class FixtureSizes(TypedDict, total=False):
     """Sizes of an end fixture; see `model.EndFixture`."""
 
-    clearance: Annotated["float", "Room around the tab in its pocket (mm)."]
+    clearance: Annotated["float", "Clearance around the tab in its pocket (mm)."]
     wall: Annotated["float", "Thickness around the pocket (mm)."]
-    foot: Annotated["float", "Width of the foot; 0 for none (mm)."]
+    foot: Annotated["float", "Width of the foot on each side of the block; 0 for no foot (mm)."]
     foot_height: Annotated["float", "Height of the foot (mm)."]
-    screw: Annotated["float", "Diameter of the screw holes in the foot; 0 for none (mm)."]
+    screw: Annotated["float", "Diameter of the screw holes in the foot; 0 for no holes (mm)."]

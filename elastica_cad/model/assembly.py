@@ -72,7 +72,7 @@ def bent_names(name: str, strip: Strip) -> tuple[str, ...]:
 def require_model(model: object) -> None:
     """Raise InputError if the object is not a `Model`."""
     if not isinstance(model, Model):
-        raise InputError(f"a {type(model).__name__} is no model: give ec.Model([rib.placed, ...])")
+        raise InputError(f"a {type(model).__name__} is not a model: give ec.Model([rib.placed, ...])")
 
 
 def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> tuple[AssemblyPart, ...]:
@@ -121,8 +121,7 @@ def single_holders(holders: Iterable[Holder]) -> Iterator[SingleHolder]:
             yield holder
         else:
             raise InputError(
-                "strips are held by base plates, slotted frames and end fixtures, not by "
-                f"{type(holder).__name__}"
+                f"holders must be base plates, slotted frames and end fixtures, not {type(holder).__name__}"
             )
 
 

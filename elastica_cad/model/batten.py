@@ -185,12 +185,12 @@ class BattenSpec:
             raise InputError(f"the camber's place is {100 * self.place:g} % of the chord: give 1 to 99")
         if not 0 <= self.full <= MOST_FULL:
             raise InputError(
-                f"{100 * self.full:g} % of the batten is to keep its full size: give 0 to {100 * MOST_FULL:g}"
+                f"the part of full size is {100 * self.full:g} % of the batten: give 0 to {100 * MOST_FULL:g}"
             )
         if not isinstance(self.stock, ThicknessLaw | RoundLaw):
             raise InputError(f"stock is {self.stock!r}: give a ThicknessLaw or a RoundLaw")
         if self.lying not in (None, "up", "down"):
-            raise InputError(f'lying is {self.lying!r}: give "up" or "down", which way it bulges, or None')
+            raise InputError(f'lying is {self.lying!r}: give "up" or "down", the side of the bulge, or None')
 
     def make(self) -> "Batten":
         """Return the batten, with the linear taper that brings the camber to its place.
@@ -224,9 +224,8 @@ class BattenSpec:
             else note("at most {percent:.3g}", percent=np.floor(10 * within) / 10)
         )
         return InputError(
-            "camber at {place:.4g} % asks for {thin} at the thin end of stock of {largest:g}, "
-            "and {least:g} must be left: move the camber to {nearest} % of the chord, or allow "
-            "less",
+            "camber at {place:.4g} % of the chord needs {thin} at the thin end of stock of {largest:g}, less "
+            "than the limit of {least:g}. Move the camber to {nearest} % of the chord, or reduce this limit",
             place=100 * self.place,
             thin=thin,
             largest=Length(self.stock.largest),
@@ -268,8 +267,8 @@ class BattenSpec:
         if np.abs(solution.fun).max() < SETTLED:
             return float(solution.x[0]), float(solution.x[1])
         raise NotConvergedError(
-            f"no taper brings a camber of {100 * self.camber:g} % to {100 * self.place:g} % of the "
-            "chord: move it nearer to the middle"
+            f"no taper has a camber of {100 * self.camber:g} % at {100 * self.place:g} % of the "
+            "chord: move the camber closer to the middle"
         )
 
 
@@ -340,7 +339,7 @@ class Batten:
         """
         stock = self.spec.stock
         if not isinstance(stock, ThicknessLaw):
-            raise InputError("leaves are of a strip: give a ThicknessLaw as stock")
+            raise InputError("plies need a flat strip: give a ThicknessLaw as stock")
         leaf = stock.sheet.with_thickness(stock.largest / max(leaves, 1))
         return lay_leaves(self.strip.rod, LeavesLaw(leaf, leaves, stock.width))
 
@@ -370,7 +369,7 @@ def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
     heavy = bend(replace(light, gravity=_level(spec.lying), weight=Weight(alpha=newtons)))
     if heavy.position[nodes // 2, 1] <= 0:
         raise NotConvergedError(
-            f"the batten does not stay bulging {spec.lying}: its own weight snaps it over; take "
+            f"the batten does not keep its bulge {spec.lying}, because its weight snaps it over: use "
             "stiffer or lighter stock, or more camber"
         )
     return heavy

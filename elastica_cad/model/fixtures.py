@@ -122,16 +122,15 @@ def require_ends(ends: object) -> None:
     """Refuse what names no ends of strips."""
     named = ends if isinstance(ends, Sequence) and not isinstance(ends, str) else (ends,)
     if not all(isinstance(end, str) and end in ENDS for end in named):
-        raise InputError(f'ends are {ends!r}: give a list of "start" and "end" of the records')
+        raise InputError(f'ends are {ends!r}: give a list of "start" and "end" with its records')
 
 
 def _require_holdable(strip: Strip, name: str | None = None) -> None:
     """Refuse a strip whose ends fit none of our holders."""
     if strip.layout.stack is not None:
         raise InputError(
-            f"{name or strip.label or 'strip'}: a stack of leaves lies on one side of its curve, "
-            "where none of our holders is: hold its ends in clamps, and name the other strips as "
-            "those that are held"
+            f"{name or strip.label or 'strip'}: a stack of plies is on one side of its curve, where "
+            "no holder fits: hold its ends in clamps, and give the holder only the other strips"
         )
 
 
@@ -197,14 +196,16 @@ class EndFixture(EqualByValue):
 
     tab: PlacedTab
     floor: Frame | None = None
-    clearance: Annotated[float, Option("Room around the tab in its pocket.", "mm", least=0, most=100)] = (
-        POCKET_CLEARANCE
-    )
+    clearance: Annotated[
+        float, Option("Clearance around the tab in its pocket.", "mm", least=0, most=100)
+    ] = POCKET_CLEARANCE
     wall: Annotated[float, Option("Thickness around the pocket.", "mm", least=LEAST_WALL_MM, most=1000)] = 4.0
-    foot: Annotated[float, Option("Width of the foot; 0 for none.", "mm", least=0, most=1000)] = 12.0
+    foot: Annotated[
+        float, Option("Width of the foot on each side of the block; 0 for no foot.", "mm", least=0, most=1000)
+    ] = 12.0
     foot_height: Annotated[float, Option("Height of the foot.", "mm", above=0, most=1000)] = 4.0
     screw: Annotated[
-        float, Option("Diameter of the screw holes in the foot; 0 for none.", "mm", least=0, most=100)
+        float, Option("Diameter of the screw holes in the foot; 0 for no holes.", "mm", least=0, most=100)
     ] = 4.3
     engrave: str | None = None
     lean: tuple[float, float] = (0.0, 0.0)
@@ -231,8 +232,8 @@ class EndFixture(EqualByValue):
         if abs(self.ground.z_axis @ self.tab.frame.y_axis) > LEVEL:
             lean = np.degrees(np.arcsin(min(1.0, abs(float(self.ground.z_axis @ self.tab.frame.y_axis)))))
             raise InputError(
-                "{who}: the plane of the strip leans {lean:.3g} degrees to the floor: leave the "
-                "floor out, and the block stands square to its tab",
+                "{who}: the plane of the strip is inclined {lean:.3g} degrees to the floor: remove the "
+                "floor, so that the block is square to its tab",
                 who=who,
                 lean=lean,
             )
@@ -493,20 +494,20 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
         if _reach_into(edges[i], parts[j]) or _reach_into(edges[j], parts[i])
     ]
     crossed = [
-        note("{strip} would run through the printed block of {tab}", strip=name, tab=blocks[k].tab.name)
+        note("{strip} would pass through the printed block of {tab}", strip=name, tab=blocks[k].tab.name)
         for name, strip in zip(strip_names(placed), placed, strict=True)
         for k in _crossed(strip, blocks, parts)
     ]
     messages = []
     if pairs:
         messages.append(note(
-            "the printed blocks of {pair}{more} would stand in each other: end these strips farther apart, "
-            "make wall and foot smaller, or hold fewer of the ends by blocks (strips, ends)",
+            "the printed blocks of {pair}{more} would overlap: end these strips farther apart, make wall and "
+            "foot smaller, or hold fewer ends with blocks (strips, ends)",
             pair=pairs[0], more=and_more(pairs, "pair"),
         ))  # fmt: skip
     if crossed:
         messages.append(note(
-            "{crossed}{more}: end them farther apart, or hold fewer of the ends by blocks (strips, ends)",
+            "{crossed}{more}: end the strips farther apart, or hold fewer ends with blocks (strips, ends)",
             crossed=crossed[0], more=and_more(crossed, "place"),
         ))  # fmt: skip
     return tuple(messages)

@@ -138,7 +138,7 @@ def slotted_frame(
     placed: Sequence[Placed],
     sheet: Sheet | str,
     *,
-    ribs: Annotated[int, Option("Ribs between the rails.", least=2, most=MOST_RIBS)] = 3,
+    ribs: Annotated[int, Option("Number of ribs between the rails.", least=2, most=MOST_RIBS)] = 3,
     depth: Annotated[float, Option("Depth of the ribs.", "mm", least=1, most=1000)] = 20.0,
     tongue: Annotated[float, Option("Length of the tongues.", "mm", least=1, most=1000)] = 12.0,
     play: Play = PLAY,
@@ -198,9 +198,7 @@ def slotted_frame(
     require_declared(slotted_frame, locals(), "frame")
     step, behind = (0.0, 0.0) if gap is None else (STEP_MM, sheet.thickness + gap)
     if tongue <= 2 * step:
-        raise InputError(
-            f"frame tongue is {tongue:g}: between two rails it must be more than {Mm(2 * step):g}"
-        )
+        raise InputError(f"frame tongue is {tongue:g}: make it more than {Mm(2 * step):g} between two rails")
     options = PlateOptions(play, clearance, border=border, shop=shop, ignore_limits=ignore_limits)
     rails = [_RailPlan.of(placed, end, sheet, options) for end in ENDS]
     outer = [] if gap is None else [_RailPlan.of(placed, end, sheet, options, behind) for end in ENDS]
@@ -316,7 +314,7 @@ class _RibPlan:
                 label = centred_text(self.name, a.at(0.0, half), min(LABEL_MM, 0.6 * depth), 1.6 * rest)
                 return Rib(self.name, sheet, frame, Path.polygon(drawn), label)
         raise InputError(
-            f"{self.name}: the rails face each other, so that no rib can join them from behind: use fixtures"
+            f"{self.name}: the rails face each other, so no rib can join them from behind: use fixtures"
         )
 
 

@@ -145,18 +145,18 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
         room = max(seat.room for _, _, seat in held)
         if room < NO_PLAY_MM and turn < NO_PLAY_DEGREES:
             messages.append(
-                note("{name} leaves its tabs no play: they bend a little between its edges", name=name)
+                note("{name} has no clearance for its tabs, which bend a little between its edges", name=name)
             )
         else:
             across = 0.0 if room < NO_PLAY_MM else room
             messages.append(note(
-                "{name} leaves its tabs {across:.2g} across and {turn:.2g} degrees to turn",
+                "{name} has a clearance of {across:.2g} across its tabs, which can turn by {turn:.2g} degrees",
                 name=name, across=Length(across), turn=turn,
             ))  # fmt: skip
     for holder in holders:
         lies_on_ring = isinstance(holder, Ring) and bool(holder.seats)
         if isinstance(holder, BasePlate) and (holder.glued or lies_on_ring):
-            text = "{name} leaves its tabs no play: they are glued at their angle"
+            text = "{name} has no clearance for its tabs, which are glued at their angle"
             messages.append(note(text, name=holder.name))
     return tuple(messages)
 
@@ -171,8 +171,8 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
             strip, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
             toward, away = _tipping(strip, end, seat)
             messages.append(note(
-                "{strip}{more}: in the {holder} its {end} can tip {toward:.0f} degrees towards the other end and "
-                "{away:.0f} away from it, and does not hold the drawn angle; {shape}; {cure}",
+                "{strip}{more}: in the {holder} its {end} can tip {toward:.0f} degrees towards the other end "
+                "and {away:.0f} degrees away from it, so it does not hold the drawn angle; {shape}; {cure}",
                 strip=names[id(strip)], more=and_more(rocking), holder=holder, end=end, toward=toward, away=away,
                 shape=_shape(strip, tab_seats(holders)), cure=_cure(strip, end, holders), severity="warning",
             ))  # fmt: skip
@@ -208,9 +208,9 @@ def _shape(member: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
     try:
         strayed = member.strip.held(*(_seat_of(seats, member, end) for end in ENDS)).deviation
     except NotConvergedError:
-        return note("the strip finds no rest in it")
+        return note("the strip has no rest shape in it")
     return note(
-        "the strip strays {far:.2g} so, {percent:.2g} % of its length",
+        "the strip then deviates by up to {far:.2g} ({percent:.2g} % of its length)",
         far=Length(strayed),
         percent=100 * strayed / member.strip.rod.length,
     )
@@ -219,7 +219,9 @@ def _shape(member: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
 def _cure(member: Placed, end: StripEnd, holders: Sequence[object]) -> str:
     """Return a suggestion for holding a tab: two plates instead of a single plate, or another fixture."""
     key = PlacedTab.of(member.strip, end, member.frame).key
-    others = note("end fixtures or feet ({field} = 10) glued at its angle", field=FieldName("feet"))
+    others = note(
+        "end fixtures, or feet ({field} = 10) glued at the angle of the tab", field=FieldName("feet")
+    )
     lengths = [
         needed_length(slot.tab, plate, GAP_MM)
         for plate in _plates_of(holders)

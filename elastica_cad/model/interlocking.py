@@ -138,9 +138,7 @@ def slot_width(
     for what, size in (("own", own), ("other", other), ("clearance", clearance)):
         require_number(size, f"slot {what}", "mm")
     if not np.all(np.sin(angle) > 0):
-        raise InputError(
-            "the angle of a slot must lie between 0 and pi rad: strips that lie in each other need none"
-        )
+        raise InputError("the angle of a slot must be between 0 and pi rad: parallel strips need no slot")
     width = other / np.sin(angle) + clearance
     return width + own * np.abs(np.cos(angle)) / np.sin(angle) if fit == "exact" else width
 
@@ -157,12 +155,13 @@ class InterlockedStrips:
 def interlock(
     placed: Sequence[Placed],
     *,
-    clearance: Annotated[float, Option("Added to the width of slots.", "mm", least=0)] = CLEARANCE,
-    fit: Annotated[Fit, Option("Slots for the exact angle, or as the paper cuts them.")] = "exact",
-    relief: Annotated[Relief, Option("Inner end of slots.")] = "square",
+    clearance: Annotated[float, Option("Allowance added to the width of slots.", "mm", least=0)] = CLEARANCE,
+    fit: Annotated[Fit, Option("Width of slots: for the exact angle, or as in the paper.")] = "exact",
+    relief: Annotated[Relief, Option("Shape of the inner ends of slots.")] = "square",
     pairs: Iterable[tuple[int, int]] | None = None,
     above: Annotated[
-        ArrayLike | None, Option("From where strips are pushed on.", written=tuple[float, float, float])
+        ArrayLike | None,
+        Option("Direction from which strips are pushed on.", written=tuple[float, float, float]),
     ] = None,
 ) -> InterlockedStrips:
     """Cut slots where bent strips cross, half way into each strip and from opposite sides.
@@ -244,7 +243,7 @@ def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[
     for pair in tuple(pairs) if is_series(pairs) else (pairs,):
         two = isinstance(pair, Sequence) and len(pair) == 2 and all(map(is_whole, pair))
         if not two or pair[0] == pair[1] or not all(0 <= place < count for place in pair):
-            raise InputError(f"pair {pair!r}: name two different strips by their places 0 to {count - 1}")
+            raise InputError(f"pair {pair!r}: give the numbers of two different strips, 0 to {count - 1}")
         checked.append((min(pair), max(pair)))
     return sorted(set(checked))
 
@@ -323,8 +322,8 @@ class _Cutter:
             strip = self.strips[members[which]]
             if self.clearance >= float(strip.width(rows[0, 0])):
                 raise InputError(
-                    "a clearance of {clearance:g} is larger than {names} is wide at {rows:.6g}: make it "
-                    "smaller",
+                    "a clearance of {clearance:g} is more than the width of {names} at {rows:.6g}: reduce "
+                    "the clearance",
                     clearance=Length(self.clearance),
                     names=names[which],
                     rows=Length(rows[0, 0]),
@@ -351,9 +350,8 @@ class _Cutter:
             s = crossing.at(np.array([0.5])).first[0, 0]
             names = [self.names[i] for i in members]
             raise InputError(
-                "{names} and {names_2} cross at {s:.6g} of {names}, but one of them ends before the "
-                "crossing comes to its edge, so that no slot can open there: shorten, move or turn "
-                "one of them",
+                "{names} and {names_2} cross at {s:.6g} of {names}, but one of them ends before the crossing "
+                "reaches its edge, so no slot can open there. Shorten, move or turn one of the strips",
                 names=names[0],
                 names_2=names[1],
                 s=Length(s),
@@ -389,8 +387,8 @@ class _Cutter:
 
     def _touch(self, names: list[str], s: float) -> str:
         return note(
-            "{a} and {b} touch along a line at {s} of {a} instead of crossing: move them apart or turn one "
-            "of them",
+            "{a} and {b} touch along a line at {s} of {a} instead of crossing: move the strips apart, or "
+            "turn one of them",
             a=names[0], b=names[1], s=Length(s),
         )  # fmt: skip
 
@@ -420,11 +418,11 @@ def _reports(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
         )
         degrees = np.degrees(min(joint.angle[0] for joint in group))
         messages.append(note(
-            "{a} and {b} cross at {degrees:.3g} degrees at {places} of {a}: the slots are up to {width} "
-            "wide; a larger angle would hold better",
+            "{a} and {b} cross at {degrees:.3g} degrees at {places} of {a}, so the slots are up to {width} "
+            "wide: increase the angle for a better hold",
             a=a, b=b, degrees=degrees, places=places, width=Length(width),
         ))  # fmt: skip
-    order = _assembly(names, joints) if joints else note("no two strips cross: interlocking cut no slot")
+    order = _assembly(names, joints) if joints else note("no strips cross, so no slots were cut")
     return (*messages, order)
 
 
@@ -434,9 +432,11 @@ def _assembly(names: Sequence[str], joints: list[Joint]) -> str:
     for joint in joints:
         sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)
     both = [names[i] for i, edges in sorted(sides.items()) if len(edges) > 1]
-    text = note("assembly: {order}; push each strip onto those before it", order=", ".join(names))
+    text = note("assembly: {order}; push each strip onto the strips before it", order=", ".join(names))
     if both:
-        last = note("{strips} must be threaded in, being held from both edges", strips=", ".join(both))
+        last = note(
+            "{strips} must be threaded in, because slots hold it from both edges", strips=", ".join(both)
+        )
         return sentences([text, last])
     return text
 
@@ -449,4 +449,4 @@ def _refuse_faults(strip: Strip, name: str) -> None:
         own = f"{strip.label or 'strip'}: "
         raise InputError("{name}: {rest}", name=name, rest=str(error).removeprefix(own)) from error
     if not whole:
-        raise InputError("{name}: the slots open its outline", name=name)
+        raise InputError("{name}: the slots divide the strip", name=name)

@@ -123,12 +123,12 @@ def stand(
     blocks = end_fixtures(placed)
     if not blocks:
         raise InputError(
-            "nothing can hold strips without tabs: give them ends of some length ({problem})", problem=problem
+            "strips without tabs cannot be held: give their ends a length ({problem})", problem=problem
         )
     return Stand(
         blocks,
         note(
-            "held by a printed block at every end, for plates cannot hold all tabs: {problem}",
+            "printed blocks hold all ends, because plates cannot hold all tabs: {problem}",
             problem=problem,
         ),
     )
@@ -142,7 +142,7 @@ def _plates_apart(placed: Sequence[Placed], sheet: Sheet, options: RingOptions) 
         # a single slot has only one spread
         spreads = np.linalg.svd(centers - centers.mean(axis=0), compute_uv=False)
         if len(plate.slots) < 3 or spreads[1] < LEAST_SPREAD * spreads[0]:
-            raise InputError("{name}: the slots lie in a row, so that the plate would tip", name=plate.name)
+            raise InputError("{name}: the slots are in one row, so the plate would tip", name=plate.name)
     return plates
 
 
@@ -154,10 +154,10 @@ MOST_PLACED = 100_000
 
 def mirror(
     placed: Sequence[Placed],
-    point: Annotated[ArrayLike, Option("A point on the plane.", "mm", written=Triple)] = (0.0, 0.0, 0.0),
-    normal: Annotated[ArrayLike, Option("Across the plane.", written=Triple)] = (1.0, 0.0, 0.0),
+    point: Annotated[ArrayLike, Option("Point on the plane.", "mm", written=Triple)] = (0.0, 0.0, 0.0),
+    normal: Annotated[ArrayLike, Option("Normal of the plane.", written=Triple)] = (1.0, 0.0, 0.0),
     *,
-    keep: Annotated[bool, Option("Keep the original too.")] = True,
+    keep: Annotated[bool, Option("Keep the original strips too.")] = True,
 ) -> tuple[Placed, ...]:
     """Return the mirror images in the plane through `point` with this normal, after the originals if kept."""
     n, p = direction(normal, "the normal of a mirror"), three(point, "the point of a mirror")
@@ -168,11 +168,13 @@ def mirror(
 
 def rotate(
     placed: Sequence[Placed],
-    count: Annotated[int, Option("How many in all.", least=1, most=1000)],
+    count: Annotated[int, Option("Number of copies, including the original.", least=1, most=1000)],
     *,
     axis: Annotated[ArrayLike, Option("Direction of the axis.", written=Triple)] = (0.0, 0.0, 1.0),
-    point: Annotated[ArrayLike, Option("A point on the axis.", "mm", written=Triple)] = (0.0, 0.0, 0.0),
-    step: Annotated[float | None, Option("Angle between two; all around unless given.", "rad")] = None,
+    point: Annotated[ArrayLike, Option("Point on the axis.", "mm", written=Triple)] = (0.0, 0.0, 0.0),
+    step: Annotated[
+        float | None, Option("Angle between adjacent copies; by default they fill the full turn.", "rad")
+    ] = None,
 ) -> tuple[Placed, ...]:
     """Return `count` copies of the strips about an axis, `step` rad apart; by default they fill the full turn."""
     _require_count(count, len(placed))
@@ -189,8 +191,8 @@ def rotate(
 
 def repeat(
     placed: Sequence[Placed],
-    count: Annotated[int, Option("How many in all.", least=1, most=1000)],
-    step: Annotated[ArrayLike, Option("From one to the next.", "mm", written=Triple)],
+    count: Annotated[int, Option("Number of copies, including the original.", least=1, most=1000)],
+    step: Annotated[ArrayLike, Option("Displacement from each copy to the next.", "mm", written=Triple)],
 ) -> tuple[Placed, ...]:
     """Return `count` copies of the strips, `step` (3,) mm apart; the first copy is the original."""
     _require_count(count, len(placed))
@@ -202,7 +204,7 @@ def _require_count(count: int, of: int) -> None:
     require_declared(repeat, {"count": count}, "pattern")
     if count * of > MOST_PLACED:
         raise InputError(
-            f"a pattern of {of} strips, {quoted(count)} times: a model holds {MOST_PLACED} at most"
+            f"a pattern of {of} strips, {quoted(count)} times, is too large: make at most {MOST_PLACED} strips"
         )
 
 
@@ -258,7 +260,7 @@ class Model:
     def _place(self, index: int) -> int:
         if not is_whole(index) or not -len(self.placed) <= index < len(self.placed):
             raise InputError(
-                f"{index!r} is no strip of this model: give one of the places 0 to {len(self.placed) - 1}"
+                f"the model has no strip {index!r}: give a number from 0 to {len(self.placed) - 1}"
             )
         return index
 
@@ -367,7 +369,7 @@ class Model:
     def _arranged(self, placed: tuple[Placed, ...]) -> "Model":
         if self.plates:
             raise InputError(
-                f"the model {self.name!r} has {self.plates[0].name}, made for its strips where they are: "
+                f"the model {self.name!r} has {self.plates[0].name}, which fits its strips only in place: "
                 "repeat the strips without rings"
             )
         return replace(self, placed=placed)
@@ -426,7 +428,8 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
                 wider[k] *= narrower
     messages = tuple(
         note(
-            "{strip} is {width:.4g} wide at most, not {asked:.4g}, so that it still locks into its neighbours",
+            ("{strip} is at most {width:.4g} wide instead of {asked:.4g}, so that it still locks into its "
+             "neighbours"),
             strip=model.name_of(k), width=Length(strip.max_width), asked=Length(drawn.max_width),
         )
         for k, (drawn, strip) in enumerate(zip(model.strips, locked.strips, strict=True))

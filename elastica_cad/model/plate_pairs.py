@@ -142,8 +142,8 @@ def _add_second(
     if short:
         needed = max(needed_length(tab, first, gap) for tab in short)
         raise InputError(
-            "{name}: the tab of {name_2} does not reach through the second plate: make it "
-            "{needed:.0f} long, or the gap smaller",
+            "{name}: the tab of {name_2} does not reach through the second plate: make the tab {needed:.0f} "
+            "long, or reduce the gap",
             name=first.name,
             name_2=short[0].name,
             needed=Length(needed),
@@ -305,8 +305,8 @@ def through_slots(
         tip = float(frame.local(tab.tip)[2])
         if tab.length <= 0 or tip > -0.5 * sheet.thickness:
             raise InputError(
-                "{name}: the tab of {name_2} ends {tip:.4g} in front of the plate or within it: give "
-                "that strip a longer tab, or bring the ends of the strips into a plane",
+                "{name}: the tab of {name_2} ends {tip:.4g} in front of the plate, or inside it: give this "
+                "strip a longer tab, or move the ends of the strips into one plane",
                 name=options.name,
                 name_2=tab.name,
                 tip=Length(max(tip, 0.0)),
@@ -318,7 +318,7 @@ def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
     """Return the best plane for the tabs, through the lowest of their origins, with z against their direction."""
     if not tabs:
         raise InputError(
-            "{name}: no tab of these strips can be held: give placed strips with tabs", name=name
+            "{name}: these strips have no tab that can be held: give placed strips with tabs", name=name
         )
     points = np.array([tab.frame.origin for tab in tabs])
     outs = np.array([tab.frame.x_axis for tab in tabs])
@@ -333,8 +333,8 @@ def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
     fit = [float((outs @ n).max()) < -np.sin(FLATTEST_RAD) for n in normals]
     if not any(fit):
         raise InputError(
-            "{name}: the tabs point in too many directions for one plate: hold them with "
-            "fixtures, or give their ends more alike directions",
+            "{name}: the tabs point in too many directions for one plate: hold them with fixtures, or make "
+            "the directions of the ends more similar",
             name=name,
         )
     spread = [float(np.ptp(points @ n)) if ok else np.inf for n, ok in zip(normals, fit, strict=True)]

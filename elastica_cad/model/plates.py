@@ -48,13 +48,15 @@ BELOW_MM = 1e-6
 
 Shape = Literal["hull", "rectangle", "ring"]
 
-Play: TypeAlias = Annotated[float, Option("Room beside a tab on either side.", "mm", least=0, most=1000)]
-Clearance: TypeAlias = Annotated[float, Option("Added to the width of slots.", "mm", least=0, most=1000)]
+Play: TypeAlias = Annotated[float, Option("Clearance on each side of a tab.", "mm", least=0, most=1000)]
+Clearance: TypeAlias = Annotated[
+    float, Option("Allowance added to the width of slots.", "mm", least=0, most=1000)
+]
 Border: TypeAlias = Annotated[
     float, Option("Least distance of slots from the edge.", "mm", least=0, most=1000)
 ]
 Outline: TypeAlias = Annotated[Shape, Option("Outline of the plate.")]
-Name: TypeAlias = Annotated[str, Option("Name of its files.")]
+Name: TypeAlias = Annotated[str, Option("Name of the files.")]
 
 
 @dataclass(frozen=True)
@@ -271,15 +273,14 @@ def base_plate(
     widths = [member.strip.end_widths[ENDS.index(end)] for member in placed for end in ends]
     tabs = tabs_to_hold(placed, ends)
     if not tabs:
-        raise InputError("{name}: there is no strip for it to hold: name other strips or ends", name=name)
+        raise InputError("{name} has no strip to hold: give other strips or ends", name=name)
     standing = [(tab, wide) for tab, wide in zip(tabs, widths, strict=True) if _stands_in(tab, ground)]
     if not standing:
         heights = [float(ground.local(tab.tip)[2]) for tab in tabs]
         raise InputError(
-            f"{name}: no tab of the model goes down through the plate, their tips are "
-            f"{min(heights):.0f} to {Mm(max(heights)):.0f} above its upper face: move the plate to "
-            "where the strips end, give the strips longer tabs, or hold ends that come from below by "
-            "rings"
+            f"{name}: no tab reaches down through the plate; their tips are {min(heights):.0f} to "
+            f"{Mm(max(heights)):.0f} above its upper face. Move the plate to the ends of the strips, give the "
+            "strips longer tabs, or hold ends that come from below by rings"
         )
     slots = [tab_slot(tab, ground, sheet.thickness, plate_options) for tab, _ in standing]
     deep = [
@@ -341,8 +342,8 @@ def tab_slot(tab: PlacedTab, ground: Frame, thickness: float, options: PlateOpti
     down = -float(tab.frame.x_axis @ ground.z_axis)
     if down < np.sin(FLATTEST_RAD):
         raise InputError(
-            "{name}: the tab of {name_2} leans to {given:.3g} degrees from the plate: at "
-            "{flattest_rad:.0f} degrees or less a slot cannot hold it; use a fixture there",
+            "{name}: the tab of {name_2} is at {given:.3g} degrees to the plate, but a slot needs more than "
+            "{flattest_rad:.0f} degrees. Use a fixture there",
             name=options.name,
             name_2=tab.name,
             given=np.degrees(np.arcsin(max(0.0, down))),
@@ -372,8 +373,8 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
     for i, j in met[:1].tolist():
         x, y = (corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2
         raise InputError(
-            "{name}: the slots of {name_2} and {name_3} run into each other near ({x:.1f}, "
-            "{y:.1f}): give the strips narrower tabs or move them apart",
+            "{name}: the slots of {name_2} and {name_3} overlap near ({x:.1f}, {y:.1f}): give the strips "
+            "narrower tabs, or move the strips apart",
             name=name,
             name_2=slots[j].name,
             name_3=slots[i].name,
@@ -533,10 +534,10 @@ def ring_plate(
     sheet, ring_options = Sheet.of(sheet), options_by_name(RingOptions, options, "a ring", ("shape", "ends"))
     name, tabs = ring_options.name, several("tabs", tabs, PlacedTab, "PlacedTab")
     if not tabs:
-        raise InputError(f"{name}: there is no tab for it to hold: give it PlacedTab records")
+        raise InputError(f"{name} has no tab to hold: give PlacedTab records")
     first = tabs[0]
     if first.length == 0:
-        raise InputError("{name}: strips without tabs cannot be held by a ring: give them tabs", name=name)
+        raise InputError("{name}: a ring cannot hold strips without tabs: give the strips tabs", name=name)
     height, rise = float(first.frame.origin[2]), float(first.frame.x_axis[2])
     if abs(rise) >= np.sin(FLATTEST_RAD):
         frame = _facing(height, up=rise < 0)
@@ -545,9 +546,9 @@ def ring_plate(
     if abs(rise) > np.sin(LYING_RAD):
         lean, steep, flat = np.degrees([np.arcsin(abs(rise)), FLATTEST_RAD, LYING_RAD])
         raise InputError(
-            "{name}: the tabs meet its plane at {lean:.3g} degrees, too flat for slots and too "
-            "steep to lie on it: end strips where it is more than {steep:.0f} or less than "
-            "{flat:.0f}",
+            "{name}: the tabs meet the plane of the ring at {lean:.3g} degrees. Slots need more than "
+            "{steep:.0f} degrees, and tabs glued flat need less than {flat:.0f}. End the strips where they "
+            "have such an angle",
             name=name,
             lean=lean,
             steep=steep,
@@ -589,8 +590,8 @@ def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) ->
     along, across = seat @ out, np.abs(seat @ np.array([-out[1], out[0]]))
     if np.any(across >= along * np.tan(np.pi / count)):
         raise InputError(
-            "{name}: the tabs lie over each other {least} from the axis: end the strips at a "
-            "larger ring, or give them shorter or narrower tabs",
+            "{name}: the tabs overlap {least} from the axis: end the strips at a larger ring, or give them "
+            "shorter or narrower tabs",
             name=name,
             least=Mm(along.min()),
         )

@@ -97,7 +97,7 @@ def touching_widths(
     ]
     count = len(pairs)
     if count < 2:
-        raise InputError("strips touch their neighbours: give two of them or more")
+        raise InputError("touching strips need neighbours: give at least two strips")
     require_flag(closed, "closed")
     widths = []
     for i, (curve, frame) in enumerate(pairs):
@@ -119,7 +119,9 @@ def _bound(
     normal = z - r  # of the points as far from either plane, on the sides that face each other
     pace = float(normal @ z)
     if not (np.any(z) and np.any(r)) or pace < PARALLEL:
-        raise InputError(f"{names[0]} and {names[1]} lie in the same plane: no plane passes between them")
+        raise InputError(
+            f"{names[0]} and {names[1]} are in the same plane, so no plane passes between them: move one of them"
+        )
     offset = z @ frame.origin - r @ opposite.origin - gap * np.linalg.norm(normal)
     return _Bound(
         float(offset - normal @ frame.origin) / pace,
@@ -149,8 +151,8 @@ def _width(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -
         s = np.linspace(0.0, curve.length, 2001)
         at = float(s[int(np.argmin(half(s)))])
         raise InputError(
-            "{name}: nothing is left of its width at {at:.6g} ({least:.4g}) with a gap of "
-            "{gap:g}: make the gap smaller or end the strip before",
+            "{name}: its width at {at:.6g} would be {least:.4g} with a gap of {gap:g}: reduce the gap, or "
+            "end the strip before this place",
             name=name,
             at=Length(at),
             least=Length(least),
@@ -249,9 +251,7 @@ def revolve(
     """
     require_record(meridian, Meridian, "what is turned", "a Meridian, as meridian_through makes one")
     if not (is_whole(strips) and 3 <= strips <= MOST_STRIPS):
-        raise InputError(
-            f"strips={strips!r}: a surface of revolution is tiled by 3 strips or more, {MOST_STRIPS} at most"
-        )
+        raise InputError(f"strips={strips!r}: a surface of revolution needs 3 to {MOST_STRIPS} strips")
     sheet = Sheet.of(sheet)
     rings = None if rings is None else Sheet.of(rings)
     require_record(shop, FabricationLimits, "the shop", "a FabricationLimits")
@@ -267,9 +267,7 @@ def revolve(
         if works is None:
             raise
         message = f"{problem}".rstrip(".")
-        raise InputError(
-            f"{message}; ring={works} is the smallest, in whole mm, that works here"
-        ) from problem
+        raise InputError(f"{message}; ring={works} is the smallest possible ring, in whole mm") from problem
     return Model(placed, name=name, plates=plates, reports=reports)
 
 

@@ -82,16 +82,18 @@ class Pad:
         Distance from the ends of the pad to the centres of the holes, mm.
     """
 
-    length: Annotated[float, Option("Along the part.", "mm", above=0)] = 18.0
-    width: Annotated[float, Option("Across the part.", "mm", above=0)] = 10.0
-    hole: Annotated[float, Option("Diameter of its two holes; 3.2 for M3.", "mm", above=0)] = 3.2
-    inset: Annotated[float, Option("From its ends to the middles of the holes.", "mm", above=0)] = 4.5
+    length: Annotated[float, Option("Length of the pad, along the part.", "mm", above=0)] = 18.0
+    width: Annotated[float, Option("Width of the pad, across the part.", "mm", above=0)] = 10.0
+    hole: Annotated[float, Option("Diameter of the two holes in the pad; 3.2 for M3.", "mm", above=0)] = 3.2
+    inset: Annotated[
+        float, Option("Distance from the ends of the pad to the centres of the holes.", "mm", above=0)
+    ] = 4.5
 
     def __post_init__(self) -> None:
         require_declared(Pad, vars(self), "pad")
         if self.hole + 2 > min(self.width, self.length - 2 * self.inset, 2 * self.inset):
             raise InputError(
-                "two holes of {hole:g} leave no material in a pad of {length:g} by {width:g}: make it larger",
+                "two holes of {hole:g} do not fit a pad of {length:g} by {width:g}: make the pad larger",
                 hole=Length(self.hole), length=Length(self.length), width=Length(self.width),
             )  # fmt: skip
 
@@ -209,7 +211,8 @@ class Flexure:
             and not 0 < require_number(self.push_at, "push_at", "mm") < self.pair.length
         ):
             raise InputError(
-                "the part is {length} long between its pads: push it there, not at {at}",
+                ("the part is {length} long between its pads, so it cannot be pushed at {at}: push it between "
+                 "the pads"),
                 length=Length(self.pair.length), at=Length(self.push_at),
             )  # fmt: skip
         faults = list(self._faults())
@@ -228,7 +231,7 @@ class Flexure:
         if self.least_thickness is not None:
             return self.least_thickness
         if self.pair.check.any_stiffness:
-            raise InputError("both curves have the same shape, so nothing is bent: say how thick the part shall be "
+            raise InputError("both curves have the same shape, so the part is not bent: give its thickness "
                              "({field})", field=FieldName("least_thickness"))  # fmt: skip
         states, most = self.pair.states, self.sheet.max_strain
         scale = self._thickest(self._bends_of(states), self._pull_of(states), most)
@@ -488,8 +491,8 @@ class Flexure:
         )
         if apart < self.pad.hole + self.sheet.thickness / 2:
             raise InputError(
-                "holes of the two settings lie {apart} apart in the holder and run into each other: make the pads "
-                "longer or shorter, or turn the second curve so that its end lies elsewhere",
+                "holes of the two settings are {apart} apart in the holder and overlap. Change the length of "
+                "the pads, or turn the second curve so that its end moves",
                 apart=Length(apart),
             )
         texts = [
@@ -550,11 +553,11 @@ class Flexure:
         """Text of the largest force with its range."""
         low, high = self.force_range
         return note(
-            "about {force:.2g} N ({low:.2g} to {high:.2g} N with {off} of thickness more or less and the sheet's "
-            "spread)"
+            "about {force:.2g} N ({low:.2g} to {high:.2g} N for a thickness within {off} and the variation "
+            "of the sheet)"
             if self.sheet.youngs_modulus_range
-            else "about {force:.2g} N ({low:.2g} to {high:.2g} N with {off} of thickness more or less; the spread "
-            "of the sheet is not known)",
+            else "about {force:.2g} N ({low:.2g} to {high:.2g} N for a thickness within {off}; the variation "
+                 "of the sheet is unknown)",
             force=self.travel.largest_force, low=low, high=high, off=Length(OFF_MM),
         )  # fmt: skip
 
@@ -676,9 +679,10 @@ class Flexure:
             made = "printed" if self.printed else "cut"
             share = rounded_up(least / thin, 3)
             yield InputError(
-                "at the strain that {sheet} bears, {strain:.2g} %, the part may be {thin:.3g} thick at most where "
-                "it is thinnest, and {least:g} are {made} soundly: draw both curves {share:g} times as large, "
-                "{needs} long, or closer to each other, or take a sheet that bears more",
+                "{sheet} allows a strain of {strain:.2g} %, so the thinnest place can be at most {thin:.3g} "
+                "thick, but the least thickness that can be {made} is {least:g}. Draw both curves {share:g} "
+                "times as large ({needs} long) or closer to each other, or use a sheet that allows more "
+                "strain",
                 sheet=self.sheet.name, strain=100 * self.sheet.max_strain, thin=Length(thin), least=Length(least),
                 made=made, share=share, needs=Length(share * self.pair.length),
             )  # fmt: skip
@@ -686,13 +690,14 @@ class Flexure:
         verdict = judge_strain(self.sheet, worst)
         if verdict.refused:
             yield StrainError(
-                "the part is strained by {worst:.2g} % where {sheet} bears {most:.2g} %, and breaks: make it "
-                "thinner, or draw the curves closer to each other",
+                "the part breaks, because its strain is {worst:.2g} % and {sheet} allows {most:.2g} %: make "
+                "the part thinner, or draw the curves closer to each other",
                 worst=100 * worst, sheet=self.sheet.name, most=100 * self.sheet.max_strain,
             )  # fmt: skip
         for name, gap in self.contacts.items():
             yield InputError(
-                "{name} the part comes within {gap} of itself and touches: draw the curves further open there",
+                ("{name} the part comes within {gap} of itself and touches itself: draw the curves more open "
+                 "there"),
                 name=name, gap=Length(max(gap, 0.0)),
             )  # fmt: skip
 
@@ -704,7 +709,8 @@ class Flexure:
         worst = max(self.strain)
         verdict = judge_strain(self.sheet, worst)
         if not verdict.allowed and not verdict.refused:
-            messages.append(note("strained by {worst:.2g} %, {percent} % of what {sheet} bears for long: {outcome}",
+            messages.append(note(("the strain is {worst:.2g} %, which is {percent} % of the strain that "
+                                  "{sheet} withstands for long: {outcome}"),
                               severity="warning", worst=100 * worst, percent=verdict.percent, sheet=self.sheet.name,
                               outcome=verdict.outcome))  # fmt: skip
         for name, side in zip(STATES, self.sideways, strict=True):
@@ -717,40 +723,40 @@ class Flexure:
             way = self.travel
         except NotConvergedError as error:
             messages.append(
-                note("no way from state to state was found: {error}", severity="warning", error=str(error))
+                note("no path between the states was found: {error}", severity="warning", error=str(error))
             )
         else:
             most = self.travel_strain
             if not judge_strain(self.sheet, most).allowed and most > worst:
-                messages.append(note("on the way from state to state it is strained by {most:.2g} %, and the sheet "
-                                  "bears {limit:.2g} % for long", severity="warning", most=100 * most,
+                messages.append(note("between the states the strain reaches {most:.2g} %, but the sheet "
+                                     "withstands {limit:.2g} % for long", severity="warning", most=100 * most,
                                   limit=100 * self.sheet.max_strain))  # fmt: skip
             if (gap := self._gap_on_the_way(way)) < LEAST_GAP_MM:
-                messages.append(note("on the way from state to state the part comes within {gap} of itself",
+                messages.append(note("between the states the part comes within {gap} of itself",
                                   severity="warning", gap=Length(max(gap, 0.0))))  # fmt: skip
             if not way.reached and self.bistable == self.pair.bistable:
-                messages.append(note("the way taken does not end in the second state: push it at another "
-                                  "place, or lead it by hand", severity="warning"))  # fmt: skip
+                messages.append(note("the pushed part does not end in the second state: push it at another "
+                                     "place, or guide it by hand", severity="warning"))  # fmt: skip
         return tuple(messages)
 
     @property
     def rest_warnings(self) -> tuple[Refusal, ...]:
         """Messages about rest shapes that do not exist or are far from the drawn states."""
         if self.pair.bistable and not self.bistable:
-            return (note("the part is not bistable: its forces stretch it, and it rests near one curve only, the "
-                         "{name}; make it thinner ({field}), or bend the curves more",
+            return (note("the part is not bistable, because its forces stretch it, so it rests only near the "
+                         "{name} curve. Make it thinner ({field}), or bend the curves more",
                          severity="warning", field=FieldName("least_thickness"),
                          name=STATES[int(np.argmin(self.rest_deviations))]),)  # fmt: skip
         messages = []
         for name, far, stays in zip(STATES, self.rest_deviations, self.pair.stability, strict=True):
             if not stays.stable:
-                messages.append(note("the {name} state will not stay: it is in balance, and snaps into another "
-                                     "shape, up to {far} away",
+                messages.append(note("the {name} state is unstable: the part snaps into another shape, up to "
+                                     "{far} away",
                                      severity="warning", name=name, far=Length(far)))  # fmt: skip
             elif far > REST_SHARE * self.pair.length:
-                messages.append(note("the part rests up to {far} from the {name} curve, {percent:.2g} % of its "
-                                     "length, because its forces stretch it; make it thinner ({field}), or "
-                                     "bend the curves more",
+                messages.append(note("the part rests up to {far} from the {name} curve ({percent:.2g} % of "
+                                     "its length), because its forces stretch it. Make it thinner ({field}), "
+                                     "or bend the curves more",
                                      severity="warning", field=FieldName("least_thickness"), far=Length(far),
                                      name=name, percent=100 * far / self.pair.length))  # fmt: skip
         return tuple(messages)

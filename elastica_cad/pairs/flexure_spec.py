@@ -45,30 +45,37 @@ class FlexureSpec:
     False
     """
 
-    first: Annotated[PlaneCurve, Option("The curve of the first state.")]
-    second: Annotated[PlaneCurve, Option("The curve of the second state.")]
+    first: Annotated[PlaneCurve, Option("Curve of the first state.")]
+    second: Annotated[PlaneCurve, Option("Curve of the second state.")]
     sheet: Annotated[
         Sheet | str, Option("Material, whose thickness is the depth of the part.", common=True, written=Sheet)
     ]
     match: Annotated[
         Match,
         Option(
-            "Make both curves equally long: with their ends where they are, by scaling, or not.", common=True
+            "Method to make both curves equally long: move them with fixed ends, scale them, or neither.",
+            common=True,
         ),
     ] = "ends"
     smooth: Annotated[
         float | None,
-        Option("Move the curves so far to make their curvature smooth.", "mm", least=0, common=True),
+        Option(
+            "Largest distance to move the curves to make their curvature smooth.", "mm", least=0, common=True
+        ),
     ] = None
     limits: Annotated[PairLimits, Option("Upper limits of the strip.")] = field(default_factory=PairLimits)
-    free: Annotated[State | None, Option("The state that needs no holding.", common=True)] = None
+    free: Annotated[State | None, Option("State that needs no support.", common=True)] = None
     objective: Annotated[
-        Objective, Option("The thickest part that the strain allows, or the most even one.", common=True)
+        Objective,
+        Option("Aim: the thickest part that the strain allows, or the most even thickness.", common=True),
     ] = "thickness"
     least_thickness: Annotated[
         float | None,
         Option(
-            "Thinnest place in the plane, else the most that the sheet's strain allows.",
+            (
+                "Thickness of the thinnest place, in the plane; by default the largest that the sheet's strain "
+                "allows."
+            ),
             "mm",
             least=0,
             common=True,
@@ -78,14 +85,19 @@ class FlexureSpec:
     fillet: Annotated[float, Option("Radius at the roots of the pads.", "mm", least=0, common=True)] = 1.0
     push_at: Annotated[
         float | None,
-        Option("Where a bistable part is pushed over, else at its middle.", "mm", least=0, common=True),
+        Option(
+            "Place where a bistable part is pushed over; by default its middle.", "mm", least=0, common=True
+        ),
     ] = None
     printed: Annotated[
-        bool, Option("For a printer: 0.9 mm thick at least, not 0.8 as a laser cuts.", common=True)
+        bool,
+        Option(
+            "Make the part for a printer: at least 0.9 mm thick, instead of 0.8 mm for a laser.", common=True
+        ),
     ] = False
     label: Annotated[str, Option("Name of the part, engraved on its first pad.", common=True)] = ""
     ignore_limits: Annotated[
-        bool, Option("Make it although it is too thin or touches itself.", common=True)
+        bool, Option("Make the part even if it is too thin or touches itself.", common=True)
     ] = False
 
     def __post_init__(self) -> None:

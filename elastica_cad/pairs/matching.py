@@ -57,10 +57,13 @@ class MatchedPair:
 
     def __str__(self) -> str:
         return note(
-            "Both curves are {length} long and held by the same clamps: the first was moved by up to {first}, the "
-            "second by {second}."
+            "Both curves are {length} long and have the same clamps. The first was moved by up to {first}, "
+            "the second by up to {second}."
             if self.same_clamps
-            else "Both curves are {length} long: the first was moved by up to {first}, the second by {second}.",
+            else (
+                "Both curves are {length} long. The first was moved by up to {first}, the second by up to "
+                "{second}."
+            ),
             length=Length(self.first.length),
             first=Length(self.moved[0]),
             second=Length(self.moved[1]),
@@ -115,7 +118,7 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
     for curve in (first, second):
         require_bendable(curve)
         if curve.is_closed:
-            raise InputError("a closed curve has no ends to be held: open it somewhere")
+            raise InputError("a closed curve has no ends to hold: open the curve")
     if not is_one_of(keep, ("ends", "shape")):
         raise InputError(f"keep is {keep!r}: give 'ends' or 'shape'")
     if keep == "shape":
@@ -183,8 +186,8 @@ def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float
     length = min((float(best.x), low, high), key=change)
     if not np.isfinite(change(length)):
         raise InputError(
-            "the curves are {first:.5g} and {second:.5g} long, and with their ends where they are no small change "
-            'makes them equal: draw them closer to the same length, or keep="shape" scales them',
+            "the curves are {first:.5g} and {second:.5g} long, and no small change with fixed ends makes "
+            'these lengths equal. Draw curves of more similar length, or scale them with keep="shape"',
             first=Length(lengths[0]),
             second=Length(lengths[1]),
         )
@@ -277,7 +280,7 @@ class _Drawn:
         """Return the changed curve."""
         numbers = self.numbers(length)
         if numbers is None:
-            raise NotConvergedError(f"no small change of the curve gives it the length {length}")
+            raise NotConvergedError(f"no small change of the curve leads to the length {length}")
         start, _, angles = self.clamps
         curve = self.curve
         own = curve.at(np.array([0.0]))

@@ -129,12 +129,13 @@ def examine_pair(
     if answer is None:
         against = find_violations(paired.family)
         reason = note(
-            "The moments of the two states, equal where the curves are bent alike, would have to act against their "
-            "curvatures near {places}, so no positive stiffness balances both: change one of the curves there, or "
-            "bring the two closer to each other."
+            "The moments of the two states are equal where their curvatures are equal. Near {places} they "
+            "would have to act against the curvature, which no positive stiffness allows. Change one of the "
+            "curves there, or draw the curves closer to each other."
             if against.size
-            else "The moments of the two states, equal where the curves are bent alike, would have to act against "
-            "their curvatures, so no positive stiffness balances both: bring the two curves closer to each other.",
+            else "The moments of the two states are equal where their curvatures are equal. They would have "
+            "to act against the curvature, which no positive stiffness allows. Draw the curves closer "
+            "to each other.",
             places=stretches(against, check.length),
         )
         return _refused(replace(check, against=tuple(against.tolist())), reason), None, None
@@ -147,12 +148,13 @@ def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
         require_bendable(curve)
         if curve.is_closed:
             raise InputError(
-                "a strip with two states has two ends: a closed curve has none, open it somewhere"
+                "a strip with two states needs two ends, but a closed curve has no ends: open the curve"
             )
     if abs(second.length / first.length - 1) > EQUAL_LENGTHS_SHARE:
         raise InputError(
-            "the first curve is {first:.6g} long, the second {second:.6g}: one strip has one length; make them "
-            'equal, as matched_pair(first, second, keep="ends") does (match = "ends", --match ends)',
+            "the first curve is {first:.6g} long, the second {second:.6g}, but the strip has the same length "
+            'in both. Make the lengths equal with matched_pair(first, second, keep="ends") (match = "ends", '
+            "--match ends)",
             first=Length(first.length),
             second=Length(second.length),
             changes=[Change("match", "ends")],
@@ -252,9 +254,9 @@ def _refused(check: PairCheck, *reasons: str) -> PairCheck:
 def _flat_messages(flats: Sequence[tuple[float, float]]) -> Iterable[str]:
     for start, end in flats:
         yield note(
-            "Both curves are bent alike from {start} to {end}: there the moments would be equal too, and beside it "
-            "they part so slowly that the strip would have no width; bend one of the curves a little more there, "
-            "or draw it alike throughout.",
+            "The curvatures of both curves are equal from {start} to {end}. The moments would be equal there "
+            "too, and differ so little beside it that the stiffness would be 0. Bend one of the curves a "
+            "little more there, or draw both with the same curvature everywhere.",
             start=Length(start),
             end=Length(end),
         )
@@ -262,12 +264,12 @@ def _flat_messages(flats: Sequence[tuple[float, float]]) -> Iterable[str]:
 
 def _unmet_messages(unmet: Sequence[PairZero]) -> Iterable[str]:
     what = {
-        0: "At {places} which of the two curves is bent further left changes by a jump, and moments do not jump; "
-        "smooth the curvature there, as a spline does.",
-        2: "At {places} the curvatures touch each other where both curves are straight (a zero of order 2), and "
-        "the moments would touch to order 4; bend both curves there, or neither like the other.",
-        3: "At {places} the curvatures cross without a slope (a zero of order 3), and the moments would cross to "
-        "order 5; let one curve change its bend faster there.",
+        0: "At {places} the difference of the curvatures changes sign by a jump, but the moments cannot "
+        "jump. Make the curvature continuous there, as in a spline.",
+        2: "At {places} the curvatures are both 0 and touch without crossing. There the moments cannot differ "
+        "in the same way (order 4, not 2). Bend both curves there, or let their curvatures differ.",
+        3: "At {places} the curvatures cross with equal slopes. There the moments cannot differ in the same "
+        "way (order 5, not 3). Let the curvature of one curve change faster there.",
     }
     for order, words in what.items():
         at = [z.s for z in unmet if z.order == order]
@@ -277,13 +279,13 @@ def _unmet_messages(unmet: Sequence[PairZero]) -> Iterable[str]:
 
 def _too_many_message(check: PairCheck, paired: "PairedPanels") -> str:
     return note(
-        "Both curves are bent alike at {places}, so the moments of the two states would have to be equal in all of "
-        "these places; congruent or mirrored curves meet two as a rule, and these meet none beyond {beyond}: let "
-        "the curvatures of the two curves cross in fewer places."
+        "The curvatures of both curves are equal at {places}, so the moments of the two states must be equal "
+        "there too. As a rule, congruent or mirrored curves allow two such places; these curves allow none "
+        "beyond {beyond}. Let the curvatures cross at fewer places."
         if paired.rank < NUMBERS - 1
-        else "Both curves are bent alike at {places}, so the moments of the two states would have to be equal in "
-        "all of these places; two curves meet four as a rule, and these meet none beyond {beyond}: let the "
-        "curvatures of the two curves cross in fewer places.",
+        else "The curvatures of both curves are equal at {places}, so the moments of the two states must be "
+        "equal there too. As a rule, two curves allow four such places; these curves allow none beyond "
+        "{beyond}. Let the curvatures cross at fewer places.",
         places=lengths(z.s for z in check.zeros),
         beyond=Length(paired.beyond[0].s),
     )

@@ -153,7 +153,7 @@ def push_path(
     (True, True)
     """
     if not 0 < at < _require_plain(rod).length:
-        raise InputError("the rod is {length} long: push it between its ends, not at {at}",
+        raise InputError("the rod is {length} long and cannot be pushed at {at}: push it between its ends",
                          length=Length(rod.length), at=Length(at))  # fmt: skip
     away = pair(direction, "the direction of the push")
     if not away.any():
@@ -202,7 +202,10 @@ def rest_shape(rod: Rod, *, thickness: float | None = None) -> RestShape:
 def _require_plain(rod: Rod) -> Rod:
     require_free_between(rod, "A pushed rod")
     if not (rod.supports.clamped and rod.gravity is None and rod.bending_law is None):
-        raise InputError("a pushed rod is clamped at both ends, without weight and of Hooke's law")
+        raise InputError(
+            "a pushed rod must be clamped at both ends, without weight and with a linear law: "
+            "remove other supports, the weight or the law"
+        )
     return rod
 
 
@@ -371,8 +374,8 @@ class _Chain:
                         break
                 damping = max(damping * DAMPING_STEP, FIRST_DAMPING)
                 if damping > 1e6:
-                    raise NotConvergedError("the pushed rod finds no rest: push it at another place")
-        raise NotConvergedError("the pushed rod finds no rest: push it less far, or at another place")
+                    raise NotConvergedError("the pushed rod has no rest shape: push it at another place")
+        raise NotConvergedError("the pushed rod has no rest shape: push it less far, or at another place")
 
     def _kicked(self, x: FloatArray, held: bool) -> FloatArray:
         """Return the nodes perturbed off a ridge of the energy."""

@@ -62,14 +62,15 @@ class PairLimits:
 
     ratio: Annotated[
         float | None,
-        Option("Largest stiffness ratio; 8 is a ratio of 2 in the thickness.", least=1, common=True),
+        Option("Largest stiffness ratio; 8 is a thickness ratio of 2.", least=1, common=True),
     ] = None
     natural_curvature: Annotated[
-        float | None, Option("How far the strip is curved at most before it is bent.", "1/mm", least=0)
+        float | None, Option("Largest natural curvature of the strip.", "1/mm", least=0)
     ] = None
-    bend: Annotated[float | None, Option("How far it is bent at most in either state.", "1/mm", least=0)] = (
-        None
-    )
+    bend: Annotated[
+        float | None,
+        Option("Largest difference from the natural curvature in either state.", "1/mm", least=0),
+    ] = None
 
     def __post_init__(self) -> None:
         if self.ratio is not None:
@@ -441,7 +442,9 @@ def _rod_of(paired: PairedPanels, numbers: FloatArray, samples: int) -> TwoState
     return TwoStateRod(states[0], states[1], check)
 
 
-DROWNS = "The stiffness would vanish somewhere between two places where the curves are bent alike: move them apart."
+DROWNS = (
+    "The stiffness would be 0 between two places where the curvatures are equal. Move these places apart."
+)
 
 
 def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod:

@@ -119,12 +119,15 @@ Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 STEP, TAB, TAB_REACH = 1.08, 0.86, 0.05
 """Factors on `crack_energy` for a step of the width and for a tab, and the distance of a tab's idle corners.
 
-A tab also keeps the strip from deflecting (factor at nu = 0). The distance from the tab is divided by the
-difference between the widths of strip and tab. It holds for an even sheet and is proportional to sqrt(E / G).
+The factor of a tab applies at nu = 0, because a tab keeps the strip from curling across. The distance is measured
+from the tab, in differences between the widths of strip and tab. It is for an even sheet and proportional to
+sqrt(E / G).
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 RESTRAINT, WIDE_TAB = 0.35, 0.4
 """Length, in widths, along which a clamp prevents curling across, and the least relative width of a tab that does.
+
+The length falls with the square of the width for narrower tabs.
 
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 

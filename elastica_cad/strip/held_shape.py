@@ -241,7 +241,8 @@ OPEN_PLAIN, OPEN_CURLED, OPEN_BUILT, OPEN_GRAINED = 1e-4, 2.5e-4, 3e-4, 2.2e-3
 
 The first holds for any strip. The second holds for a sheet that curls across, at nu = 0.3, and scales with nu^2.
 The third holds for perforated and laminated strips. The last is added for such strips in a sheet with grain,
-because holes and borders are computed without grain; it scales with the excess of sqrt(E / G)."""
+because holes and borders are computed without grain; it scales with the excess of sqrt(E / G) over an even
+sheet."""
 
 OPEN_WIDE = 2e-3
 """Uncertainty as a fraction of the length, because sections of a wide strip of varying width do not stay straight.
@@ -260,7 +261,8 @@ def open_deviation(
 ) -> float:
     """Return the uncertainty of the model, mm, for a strip of a perfect sheet.
 
-    The general error, the error of curling across and the errors of the causes are independent of each other.
+    The errors of the causes are added. Their sum, the general error, the error of curling across and the error of
+    wide sections are combined as independent errors.
 
     Parameters
     ----------

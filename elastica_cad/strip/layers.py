@@ -296,10 +296,10 @@ through: an edge crack in bending (Tada, Paris and Irwin 1973) turns as much as 
 class LapJoint:
     """Effect of a lap joint on the strip.
 
-    Two layers of widths w and v are bent to the drawn curvature kappa and glued. Their moment is (w + v) kappa, but
-    the design needs w kappa. Glued, they bend as one section of c w, with c w = w + v + 12 w v / (w + v) for layers
-    of equal thickness. So the lap has c times the strip's stiffness and the rest curvature
-    kappa - (w + v) / (c w) (kappa - kappa_0). It stays straighter than drawn.
+    Two layers of widths w and v are bent from kappa_0 to the drawn curvature kappa and glued. Their moment is
+    proportional to w + v, but the design needs w. Glued, they bend as a section of width c w, with
+    c w = w + v + 12 w v / (w + v) for layers of equal thickness. So the lap has c times the strip's stiffness and
+    the rest curvature kappa - (w + v) / (c w) (kappa - kappa_0). It stays straighter than drawn.
 
     Attributes
     ----------
@@ -314,7 +314,7 @@ class LapJoint:
 
     @classmethod
     def of(cls, rod: Rod, width: FloatArray, length: float, lap_width: float) -> "LapJoint":
-        """Return the lap of a closed rod.
+        """Return the lap at the start of a closed rod.
 
         Parameters
         ----------

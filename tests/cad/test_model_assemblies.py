@@ -163,9 +163,9 @@ class TestWhatHoldsTheStrips:
         assert [body.name for body in assembly_parts((), [frame])] == [name for name, _ in frame.solids]
 
     def test_something_else(self, crown):
-        with pytest.raises(InputError, match="base plates, slotted frames and end fixtures, not by str"):
+        with pytest.raises(InputError, match="base plates, slotted frames and end fixtures, not str"):
             step.model_shapes(crown, ["plate"])
-        with pytest.raises(InputError, match=r"a tuple is no model: give ec\.Model"):
+        with pytest.raises(InputError, match=r"a tuple is not a model: give ec\.Model"):
             require_model(crown.placed)
 
     @pytest.mark.campaign

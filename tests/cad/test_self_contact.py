@@ -107,5 +107,5 @@ class TestModels:
         )
         assert self.shown(library, apart) == []
         (text,) = self.shown(library, crossed)
-        assert "slot them (interlock)" in text
+        assert "cut slots (interlock)" in text
         assert self.shown(library, crossed.interlock()) == []

@@ -214,7 +214,7 @@ class TestCadQuery:
             ),
             r"a Rod is no curve: give ec\.Strip": lambda: cq_strips.bent_strip(rib.rod, SHEET, max_width=12),
             r"a Placed is no curve: give its \.strip": lambda: cq_strips.bent_strip(rib.placed),
-            "a list is no model": lambda: cq_strips.model_assembly([rib.placed]),
+            "a list is not a model": lambda: cq_strips.model_assembly([rib.placed]),
             "buckling is 0: it must be": lambda: cq_strips.elastica((0, 0), (10, 0), 50, buckling=0),
         }
         for says, slip in slips.items():

@@ -208,13 +208,13 @@ def test_a_nearest_strip_of_a_blank_and_of_a_number():
 @pytest.mark.parametrize(
     ("rest", "keep", "words"),
     [
-        (RestCurvature.linear([0, 150], [0, 0]), Keep(length=True), "the blank is 150 mm long"),
+        (RestCurvature.linear([0, 150], [0, 0]), Keep(length=True), "the pre-bent strip is 150 mm long"),
         (
             RestCurvature.linear([0, WAVE.length], [0, 0.001]),
             Keep(symmetry="turn"),
-            "the blank is not its own half turn",
+            "the pre-bent strip is not equal to its half turn",
         ),
-        (0.001, Keep(symmetry="turn"), "the blank is not its own half turn"),
+        (0.001, Keep(symmetry="turn"), "the pre-bent strip is not equal to its half turn"),
     ],
 )
 def test_what_a_blank_cannot_keep_is_told(rest, keep, words):

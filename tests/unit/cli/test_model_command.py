@@ -240,9 +240,9 @@ def test_strips_that_run_through_each_other_unslotted_are_told(crossed, tmp_path
     crossed.write_text(crossed.read_text().replace("interlock = { clearance = 0.1 }", ""))
     quick = ("--no-step", "--no-pictures", "--no-parts", "--no-effects")
     result = run("model", crossed, "-o", tmp_path / "out", *quick)
-    (note,) = (line for line in result.stderr.splitlines() if "runs through" in line)
+    (note,) = (line for line in result.stderr.splitlines() if "passes through" in line)
     assert re.fullmatch(
-        r"(! )?Note +A at [0-9.]+ mm runs through B at [0-9.]+ mm: slot them \(interlock\), .*", note
+        r"(! )?Note +A at [0-9.]+ mm passes through B at [0-9.]+ mm: cut slots \(interlock\), .*", note
     )
     report = json.loads((tmp_path / "out" / "crossed.json").read_text())
     assert note.removeprefix("! ").removeprefix("Note").strip() in report["reports"]
@@ -269,7 +269,7 @@ def test_the_sheets_alone(crossed, tmp_path):
     out = tmp_path / "out"
     quick = ("--no-step", "--no-pictures", "--no-parts", "--no-effects")
     result = run("model", crossed, "-o", out, *quick)
-    assert "strays" not in result.output
+    assert "deviates" not in result.output
     sheet = "crossed-nest-1-birch-plywood-0.8"
     ends = ("-cut-list.csv", "-cut-list.txt", ".json")
     assert {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()} == {
@@ -492,8 +492,8 @@ def test_what_twelve_ribs_share_is_told_once(tmp_path):
     told = run(
         "model", design, "-o", tmp_path / "kit", "--no-effects", "--no-pictures", "--no-step", "--no-parts"
     )
-    (note,) = (line for line in told.stderr.splitlines() if "made fair" in line)
-    assert note.startswith("! Note      R1: The curvature jumped where pieces meet: made fair, 0.4")
+    (note,) = (line for line in told.stderr.splitlines() if "was smoothed" in line)
+    assert note.startswith("! Note      R1: The curvature jumped where pieces meet, so")
     assert note.endswith("(and 11 more like this)")
 
 
@@ -543,5 +543,5 @@ def test_glued_leaves_beside_strips_that_are_held(tmp_path):
     assert "LEAF" in (tmp_path / "kit" / "mast-cut-list.txt").read_text()
     path.write_text(LEAVES + "[fixtures]\n")
     done = run("model", path, "-o", tmp_path / "all", code=2)
-    assert "LEAF: a stack of leaves" in done.output
+    assert "LEAF: a stack of plies" in done.output
     assert not (tmp_path / "all").exists()

@@ -129,12 +129,12 @@ def test_closed_sections_are_split(torus, tmp_path):
     cuts = [word for y in (-70, 70) for word in ("--split-at", 0, y, 0)]
     level = run("sections", mesh, "--parallel", 1, "--axis", 0, 0, 1, *cuts, "-o", tmp_path, "--force")
     assert level.output.count("mm long") == 4
-    assert "falls into 2 lines" in level.stderr
+    assert "has 2 separate lines" in level.stderr
     longest = run(
         "sections", mesh, "--parallel", 1, "--axis", 0, 0, 1, *cuts, "--longest", "-o", tmp_path, "--force"
     )
     assert longest.output.count("mm long") == 2
-    assert "the longest line is kept" in longest.stderr
+    assert "only the longest line is used" in longest.stderr
 
 
 def test_corners_are_told_and_split(tmp_path):
@@ -145,7 +145,7 @@ def test_corners_are_told_and_split(tmp_path):
     grid = np.meshgrid(x, [0.0, 50.0, 100.0], indexing="ij")
     mesh = written(tmp_path / "trough.obj", *sheet_of(*grid, np.broadcast_to(z[:, None], grid[0].shape)))
     whole = run("sections", mesh, "--parallel", 1, "--axis", 0, 1, 0, "-o", tmp_path, code=2)
-    assert "split it at its corners" in whole.stderr
+    assert "Split the section at its corners" in whole.stderr
     run(
         "sections", mesh, "--parallel", 1, "--axis", 0, 1, 0, "--split-corners", 45, "-o", tmp_path, "--force"
     )
@@ -188,8 +188,8 @@ def test_a_section_that_no_rod_can_follow_is_named_and_the_others_go_on(tmp_path
         (("--along", "none.csv"), "none.csv cannot be read"),
         (("--radial", 3, "--point", "nan", 0, 0), "--point is not finite"),
         (("--angle", "inf"), "--angle is not finite"),
-        (("--offset", 1e300), "offsets holds 1e+300: nothing made of strips is so far away"),
-        (("--parallel", 3, "--axis", 0, 1e300, 0), "normal holds 1e+300"),
+        (("--offset", 1e300), "offsets contains 1e+300: give numbers up to 1e+09"),
+        (("--parallel", 3, "--axis", 0, 1e300, 0), "normal contains 1e+300"),
     ],
 )
 def test_sentences(dome, tmp_path, options, sentence):
@@ -201,8 +201,8 @@ def test_sentences(dome, tmp_path, options, sentence):
 @pytest.mark.parametrize(
     ("spoilt", "sentence"),
     [
-        (lambda v: v * 1e200, "lies 1e+202 mm from the origin: give the right unit"),
-        (lambda v: v * 1e-200, "no triangle with an area"),
+        (lambda v: v * 1e200, "is 1e+202 mm from the origin: correct the unit"),
+        (lambda v: v * 1e-200, "have zero area: export"),
         (lambda v: np.where(v == v[0], np.nan, v), "vertex 0 of the mesh is not finite"),
         (lambda v: v * 1e3, '--unit um or unit = "um" (um: '),
         (lambda v: v * [1, 1, 0] + [0, 0, 7], "the plane touches the mesh near ("),
@@ -227,7 +227,7 @@ def test_a_mesh_in_pieces_is_read_as_one(tmp_path):
     assert [c.length for c in ec.read_curves(tmp_path / "vault-sections.json")] == pytest.approx(
         [283.4] * 3, abs=0.2
     )
-    for words in ("the mesh is open along 96 edges", "turned over"):
+    for words in ("the mesh is open along 96 edges", "opposite orientations"):
         assert words in made.stderr
 
 
@@ -271,9 +271,12 @@ def test_options_without_effect_are_told(dome, tmp_path):
         assert message in idle.stderr
     for options in (("--angle", 0, "--angle", 90, "--angle", 360), ("--offset", 5, "--offset", 5)):
         twice = run("sections", mesh, *options, code=2)
-        assert "holds one plane twice, as its numbers 1 and" in twice.stderr
+        assert "contains the same plane twice, as numbers 1 and" in twice.stderr
     split = run("sections", mesh, "--radial", 3, "--split", 0, 0, 900, 0, 0, 1, "-o", tmp_path)
-    assert "Note      the plane through (0, 0, 900) mm across (0, 0, 1) splits no section" in split.stderr
+    assert (
+        "Note      the plane through (0, 0, 900) mm across (0, 0, 1) does not split any section"
+        in split.stderr
+    )
 
 
 def test_a_path_under_a_row_of_names(dome, tmp_path):

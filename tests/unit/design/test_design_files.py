@@ -278,10 +278,10 @@ def test_a_stand_is_the_simplest_holder_that_takes_all_tabs(read):
     alone = read(HEAD + f"ends.length = 9\n[[strips]]\ncurve = {wave}\n[stand]\nsheet = 'hdf-1.5'\n")
     blocks, sentence = alone.kit.holders[0].made(alone.model())
     assert len(blocks) == 2
-    assert "held by a printed block at every end" in sentence
+    assert "printed blocks hold all ends" in sentence
     bare = read(HEAD + f"ends.length = 0\n{arches}[stand]\nsheet = 'hdf-1.5'\n")
     (holder,), model = bare.kit.holders, bare.model()
-    with pytest.raises(InputError, match="nothing can hold strips without tabs"):
+    with pytest.raises(InputError, match="strips without tabs cannot be held"):
         holder.made(model)
 
 

@@ -83,7 +83,7 @@ def test_a_profile_says_how_far_it_was_left(read, tmp_path):
         (f"{POINTS}\na = 3", "Add one of points"),
         ("a = 3", r"revolution: b is missing"),
         ("points = 3", "points must be a list of points"),
-        ("points = [[1, 2], [3, 4]]", "revolution: a meridian is sought through three points"),
+        ("points = [[1, 2], [3, 4]]", "revolution: a meridian needs three points"),
         ("points = [[70, 0], [-125, 55], [90, 115]]", "revolution: point 2 at"),
         (f"{POINTS}\nring = 500", "revolution: ring=500"),
         (f"{POINTS}\nrings = 'gold'", "revolution: rings: unknown sheet 'gold'"),

@@ -96,7 +96,7 @@ def test_limits_that_exclude_each_other_are_named():
     *missed, last = near.advice
     assert (
         missed[0]
-        == f"The stability margin of 30 is missed: this rod has {found.margin:.3g} ({found.rating})."
+        == f"The stability margin of this rod is {found.margin:.3g} ({found.rating}), below the limit of 30."
     )
     assert last.startswith("Relax the stability margin, ")
     assert "the length" in last
@@ -106,7 +106,7 @@ def test_limits_that_exclude_each_other_are_named():
 def test_nothing_is_advised_where_nothing_binds():
     near = nearest_rod(PlaneCurve.line((0, 0), (100, 20)), Limits(ratio=2.0, margin=5.0))
     assert near.advice == ()
-    assert str(near) == f"{Status.MET.value} The rod leaves the drawn curve by 0 mm at most."
+    assert str(near) == f"{Status.MET.value} The rod is at most 0 mm from the drawn curve."
 
 
 def test_records_travel_with_what_was_asked():

@@ -110,14 +110,14 @@ def test_executors_that_die_leave_what_they_did():
 test_refusals = refusal_test(
     [
         (lambda: nearest_rods([]), "no curves"),
-        (lambda: nearest_rods(ARCHES, [Limits(), Limits()]), "limits: 2 given for 3"),
+        (lambda: nearest_rods(ARCHES, [Limits(), Limits()]), "limits has 2 values for 3"),
         (lambda: nearest_rods(ARCHES[0]), "list of curves"),
         (lambda: nearest_rods(ARCHES, executor=2), "executor"),
         (lambda: nearest_rods(ARCHES, measur="max"), "no option 'measur'"),
         (lambda: nearest_rods(ARCHES, progress=3), "progress"),
-        (lambda: stream_nearest_rods(ARCHES[0]), "curves to be read, not a PlaneCurve"),
+        (lambda: stream_nearest_rods(ARCHES[0]), "an iterable of curves, not a PlaneCurve"),
         (lambda: stream_nearest_rods(ARCHES, ahead=0), "ahead"),
-        (lambda: stream_nearest_rods(ARCHES, measur="max"), "stream_nearest_rods knows no option 'measur'"),
+        (lambda: stream_nearest_rods(ARCHES, measur="max"), "stream_nearest_rods has no option 'measur'"),
     ]
 )
 

@@ -117,7 +117,9 @@ def test_a_corner_that_touches_is_no_line():
     (frame,) = parallel_planes((0, 0, 0), (1, 1, 1), 0.0)
     section = mesh_sections(vertices, faces, [frame])[0]
     assert section.lines == ()
-    assert section.reports[-1].endswith("touches the mesh near (0, 0, 0) mm and cuts nothing: shift it")
+    assert section.reports[-1].endswith(
+        "touches the mesh near (0, 0, 0) mm without cutting it: move the plane"
+    )
 
 
 def test_misses_are_told_and_the_others_go_on():
@@ -140,7 +142,7 @@ def test_open_meshes_run_upwards_and_several_lines_are_told():
     assert len(sections[0].lines) == 2
     assert sections[0].reports[0].startswith("the mesh is open along 66 edges (near (")
     assert len(sections[0].reports[0]) < 250  # a few places, not all of them
-    assert "section 1 falls into 2 lines" in sections[0].reports[1]
+    assert "section 1 has 2 separate lines" in sections[0].reports[1]
 
 
 def test_an_edge_of_an_open_mesh_in_the_plane_is_kept():
@@ -149,7 +151,7 @@ def test_an_edge_of_an_open_mesh_in_the_plane_is_kept():
     for y in (0.0, 30.0):
         section = mesh_sections(vertices, faces, [Frame((0, y, 0), (1, 0, 0), (0, 0, 1))])[0]
         assert section.line.length == pytest.approx(20 * np.pi, rel=1e-3)
-        assert "lies in the plane" in section.reports[1]
+        assert "is in the plane" in section.reports[1]
 
 
 def test_broken_meshes_are_described():
@@ -163,7 +165,7 @@ def test_broken_meshes_are_described():
         "no area",
         "there twice",
         "more than two faces meet",
-        "turned over",
+        "opposite orientations",
         "is open along 1 edge ",
     ):
         assert words in text
@@ -183,7 +185,7 @@ def test_broken_meshes_are_described():
         (np.eye(3), [[0, 1, 3]], "vertex 3 of 3"),
         (np.eye(3), [[0.0, 1.0, 2.0]], "whole numbers"),
         (np.full((3, 3), np.nan), [[0, 1, 2]], "not finite"),
-        (np.zeros((3, 3)), [[0, 1, 2]], "no triangle with an area"),
+        (np.zeros((3, 3)), [[0, 1, 2]], "have zero area: export"),
     ],
 )
 def test_bad_meshes(vertices, faces, words):
@@ -307,7 +309,7 @@ def test_a_gentle_end_is_no_scatter():
     assert not any("scatter" in text for text in reports)
     told = [text for text in reports if text.startswith("section 1: 212")]
     assert told
-    assert told[0].endswith("is kept")
+    assert told[0].endswith("was not changed")
     assert curves[0].curve.inflections.size == 2
 
 
@@ -318,7 +320,7 @@ def test_a_curve_far_from_its_section_is_told():
     assert near[1] == ()
     assert far[0][0].deviation > 1.0
     (told,) = far[1]
-    assert told.startswith(f"arch: the curve lies {far[0][0].deviation:.3g} mm off the section at (")
+    assert told.startswith(f"arch: the curve is {far[0][0].deviation:.3g} mm from the section at (")
     assert "waves shorter than 1000000 mm" in told
 
 
@@ -334,9 +336,9 @@ def test_a_corner_that_cannot_be_followed_is_named():
     curves, (told,) = section_curves([saw], tolerance=1e-3)
     assert curves == ()
     assert told.startswith(
-        "saw: no smooth curve stays within the tolerance of 0.001 mm: the section turns by 45 "
+        "saw: no smooth curve stays within the tolerance of 0.001 mm, because the section turns by 45 "
     )
-    assert "split it at its corners" in told
+    assert "Split the section at its corners" in told
 
 
 @pytest.mark.parametrize(
@@ -362,10 +364,13 @@ def test_bad_wishes(wishes, words):
         (lambda: parallel_planes((0, 0, 0), (0, 1, 0), "abc"), "offsets must be numbers, not 'abc'"),
         (
             lambda: parallel_planes((0, 0, 0), (0, 1, 0), [[1, 2]]),
-            r"offsets must be one number or a row.*\(1, 2\)",
+            r"offsets must be a number or a list.*\(1, 2\)",
         ),
         (lambda: radial_planes((0, 0, 0), (0, 0, 1), None), "angles must be"),
-        (lambda: mesh_sections(*cube(), UPRIGHT), "sequence of Frames, not Frame: put one in a list"),
+        (
+            lambda: mesh_sections(*cube(), UPRIGHT),
+            "sequence of Frames, not Frame: put a single plane in a list",
+        ),
         (lambda: mesh_sections(*cube(), None), "sequence of Frames, not NoneType"),
         (lambda: mesh_sections(*cube(), [UPRIGHT, 3]), "sequence of Frames"),
     ],
@@ -409,7 +414,7 @@ def test_corners_of_coarse_meshes_are_named_and_split():
     curves, reports = section_curves([section])
     assert curves == ()
     assert "turns by 90 degrees" in reports[-1]
-    assert "split it at its corners" in reports[-1]
+    assert "Split the section at its corners" in reports[-1]
     curves, _ = section_curves(section.line.split_at_corners(1.0))
     assert sorted(round(found.curve.length) for found in curves) == [50, 50, 120]
 

@@ -119,7 +119,7 @@ def test_leaning_strips_stand_square_to_their_tabs(arch):
     leaning = Model([Placed(arch, (0, 0, 0), (1, 0, 0), (0, np.cos(0.4), np.sin(0.4)))])
     fixtures = leaning.fixtures(foot=8, screw=3)
     assert all(f.floor is None and f.lowest == pytest.approx(0.0, abs=1e-9) for f in fixtures)
-    with pytest.raises(InputError, match=r"fixture A:1: the plane of the strip leans .* degrees"):
+    with pytest.raises(InputError, match=r"fixture A:1: the plane of the strip is inclined .* degrees"):
         leaning.fixtures(floor=Frame((0, 0, -500)))
 
 
@@ -213,23 +213,23 @@ def test_least_slot_width_and_height_of_the_plate(arch):
     tips = [
         PlacedTab.of(one.strip, end, one.frame).tip[2] for one in model.placed for end in ("start", "end")
     ]
-    told = f"no tab of the model goes down through the plate, their tips are {min(tips) + 50:.0f} to "
+    told = f"no tab reaches down through the plate; their tips are {min(tips) + 50:.0f} to "
     with pytest.raises(InputError, match=told):
         base_plate(model.placed, MDF, frame=Frame((0, 0, -50)))
-    with pytest.raises(InputError, match="there is no strip for it to hold"):
+    with pytest.raises(InputError, match="has no strip to hold"):
         base_plate([], MDF)
 
 
 def test_slots_that_meet_are_named(arch):
     close = standing(arch, 0.0, 0.03)
-    with pytest.raises(InputError, match=r"base: the slots of A:1 and A:1 run into each other near \("):
+    with pytest.raises(InputError, match=r"base: the slots of A:1 and A:1 overlap near \("):
         close.base_plate(MDF)
 
 
 def test_flat_tabs_are_named():
     low = optimal_rod(PlaneCurve.ellipse((0, 0), (100.0, 12.0), 0.0, 0.9, np.pi - 0.9))
     model = standing(Strip(low, PLY, max_width=20.0, label="flat"), 0.0)
-    with pytest.raises(InputError, match=r"base: the tab of flat:1 leans to .* degrees from the plate"):
+    with pytest.raises(InputError, match=r"base: the tab of flat:1 is at .* degrees to the plate"):
         model.base_plate(MDF)
 
 

@@ -272,7 +272,7 @@ def test_egg_crate_is_cut_the_same_way_throughout():
     model = Model([*rows, *columns]).interlock()
     assert len(model.joints) == 9
     assert [slot.side for strip in model.strips for slot in strip.slots] == ["upper"] * 9 + ["lower"] * 9
-    assert model.reports == ("assembly: R1, R2, R3, C1, C2, C3; push each strip onto those before it",)
+    assert model.reports == ("assembly: R1, R2, R3, C1, C2, C3; push each strip onto the strips before it",)
     below = Model([*rows, *columns]).interlock(above=(0, 0, -1))
     assert {slot.side for slot in below.strips[0].slots} == {"lower"}
     some = Model([*rows, *columns]).interlock(pairs=[(3, 0), (0, 3), (1, 4)])
@@ -302,7 +302,7 @@ def test_a_strip_held_from_both_edges_is_told():
     over = turned(np.pi / 2, at=(30, 0, 16), label="A")
     under = turned(np.pi / 2, at=(70, 0, -16), label="B")
     last = Model([over, under, flat(label="C")]).interlock()
-    assert last.reports[-1].endswith("C must be threaded in, being held from both edges")
+    assert last.reports[-1].endswith("C must be threaded in, because slots hold it from both edges")
     assert sorted(slot.side for slot in last.strips[2].slots) == ["lower", "upper"]
     first = Model([flat(label="C"), over, under]).interlock()
     assert "threaded" not in first.reports[-1]
@@ -315,7 +315,9 @@ def test_arches_that_lie_on_each_other_at_the_top_touch():
         Placed(Strip(rod, CARD, max_width=16.0, label=name), x_axis=x, y_axis=(0, 0, 1))
         for name, x in (("A", (1, 0, 0)), ("B", (0, 1, 0)))
     ]
-    with pytest.raises(InputError, match=r"A and B touch along a line at .*: move them apart or turn one"):
+    with pytest.raises(
+        InputError, match=r"A and B touch along a line at .*: move the strips apart, or turn one"
+    ):
         Model(arches).interlock()
 
 
@@ -350,7 +352,7 @@ def test_strips_that_run_through_each_other_are_told_and_neighbours_that_touch_a
         assert len(missing_slots(model.placed)) == told
         assert len(missing_slots(model.placed, brief=True)) == min(1, told)
     assert missing_slots(model.placed, brief=True)[0].endswith(
-        "(and 11 more pairs): slot them (interlock), place them apart, or make them narrower there"
+        "(and 11 more pairs): cut slots (interlock), move the strips apart, or make them narrower there"
     )
 
 
@@ -367,7 +369,7 @@ def test_shallow_angles_are_told():
         (
             [flat(label="A"), turned(1.0, label="B")],
             {"clearance": 25.0},
-            "clearance of 25 mm is larger than A",
+            "clearance of 25 mm is more than the width of A",
         ),
         ([flat(label="A"), turned(1.0, label="B")], {"clearance": -1.0}, "clearance is -1"),
         ([flat(label="A"), turned(1.0, label="B")], {"fit": "loose"}, "fit is"),
@@ -394,7 +396,7 @@ def test_strips_apart_stay_whole():
     model = Model([flat(label="A"), turned(1.0, at=(50, 0, 21), label="B")])
     joined = model.interlock()
     assert joined.joints == ()
-    assert joined.reports == ("no two strips cross: interlocking cut no slot",)
+    assert joined.reports == ("no strips cross, so no slots were cut",)
     assert [strip.slots for strip in joined.strips] == [(), ()]
 
 

@@ -119,10 +119,10 @@ def test_frames_turn_with_the_model(model, frame):
     [
         (row(100, 96), {"ribs": 1}, "frame ribs is 1: it must be a whole number from 2 up to 200"),
         (row(100, 96), {"depth": 0}, "frame depth is 0"),
-        (row(100, 96, tab=1), {}, "rail-start: the tab of H1:1 ends 0 mm in front of the plate or within it"),
+        (row(100, 96, tab=1), {}, "rail-start: the tab of H1:1 ends 0 mm in front of the plate, or inside it"),
         (Model([Placed(arch("A")), Placed(arch("B"), (0, 0, 200), (-1, 0, 0), (0, -1, 0))]), {},
          "rail-start: the tabs point in too many directions"),
-        (Model([Placed(arch("A")), Placed(arch("B"), (0, 0, 3))]), {}, "the slots of A:1 and B:1 run into"),
+        (Model([Placed(arch("A")), Placed(arch("B"), (0, 0, 3))]), {}, "the slots of A:1 and B:1 overlap"),
     ],
 )  # fmt: skip
 def test_frames_refuse_in_words(model, options, message):

@@ -104,7 +104,7 @@ test_refusals = refusal_test(
             "the section law uses the sheet glass, but the strip uses card-200gsm",
         ),
         (lambda: make_strip(ARCH, LEAF, law=LEAVES), r"use the nearest curve \(limits\)"),
-        (lambda: LeafStack(make_strip(ARCH, GLASS, law=THICKNESS)), "the strip is not of leaves"),
+        (lambda: LeafStack(make_strip(ARCH, GLASS, law=THICKNESS)), "the strip has no plies"),
         (
             lambda: EndFixture.of(make_strip(ARCH, LEAF, law=LEAVES, keep=Keep()), "start"),
             "hold its ends in clamps",

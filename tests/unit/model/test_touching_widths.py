@@ -67,14 +67,14 @@ def test_placed_strips():
 
 test_refused = refusal_test(
     [
-        (lambda: touching_widths([(MERIDIAN, Frame())]), "two of them or more"),
+        (lambda: touching_widths([(MERIDIAN, Frame())]), "at least two strips"),
         (
             lambda: touching_widths([(MERIDIAN, Frame()), (MERIDIAN, Frame((5, 0, 0)))]),
-            "strip 1 and strip 2 lie in the same plane",
+            "strip 1 and strip 2 are in the same plane",
         ),
         (
             lambda: touching_widths([(MERIDIAN, radial(0)), (MERIDIAN, radial(0.2))], 3.0),
-            r"strip 1: nothing is left of its width at 0 mm",
+            r"strip 1: its width at 0 mm would be",
         ),
         (lambda: touching_widths([(MERIDIAN, radial(0)), (MERIDIAN, radial(0.2))], np.nan), "gap"),
     ]
@@ -102,5 +102,5 @@ def test_strips_in_one_plane_are_named(labels, told):
         Placed(Strip(Rod.straight(50.0), Sheet.named("card-200gsm"), max_width=9.0, label=label), (0, 0, 0))
         for label in labels
     ]
-    with pytest.raises(InputError, match=f"{told} lie in the same plane"):
+    with pytest.raises(InputError, match=f"{told} are in the same plane"):
         touching_widths(strips)

@@ -1,4 +1,4 @@
-"""Blocks that would stand in each other are told: by the distance of arches, by linear programs in any place."""
+"""Blocks that would overlap are told: by the distance of arches, by linear programs in any place."""
 
 from itertools import combinations
 
@@ -27,9 +27,7 @@ def test_arches_side_by_side_are_as_near_as_their_blocks_are_wide(share, count):
     told = crowded_blocks(end_fixtures(placed), placed)
     assert len(told) == (count > 0)
     if told:
-        assert told[0].startswith(
-            "the printed blocks of A:1 and B:1 (and 1 more pair) would stand in each other"
-        )
+        assert told[0].startswith("the printed blocks of A:1 and B:1 (and 1 more pair) would overlap")
 
 
 def hulls(block):
@@ -90,7 +88,7 @@ def test_halves_of_a_ring_run_through_each_others_blocks():
     blocks = end_fixtures(ring)
     (told,) = crowded_blocks(blocks, ring)
     assert told.startswith(
-        "A would run through the printed block of B:1 (and 3 more places): end them farther apart"
+        "A would pass through the printed block of B:1 (and 3 more places): end the strips farther apart"
     )
     # 10 mm of the other half lie where the tab is to be
     for block, other in zip(blocks, (1, 1, 0, 0), strict=True):
@@ -112,6 +110,6 @@ def test_a_block_between_the_middle_and_the_edge_of_a_wide_strip():
     assert 12.5 - blocks[0].across / 2 > 5.0
     assert 12.5 + blocks[0].across / 2 < 20.0
     (told,) = crowded_blocks(blocks, placed)
-    assert told.startswith("W would run through the printed block of B:1: end them farther apart")
+    assert told.startswith("W would pass through the printed block of B:1: end the strips farther apart")
     beside = Placed(slim, (60, 50.5 + blocks[0].across / 2, 62), (1, 0, 0), (0, 0, 1))
     assert crowded_blocks(end_fixtures([beside]), [placed[0], beside]) == ()

@@ -146,7 +146,7 @@ SLIPS = {
     "pattern count is 2.5": lambda: Model([Placed(STRIP)]).repeated(2.5, (0, 0, 5)),
     "the step of a pattern is 5: give three": lambda: Model([Placed(STRIP)]).repeated(2, 5),
     "pattern count is 1001": lambda: Model([Placed(STRIP)]).rotated(1001),
-    "a pattern of 101 strips, 1000 times: a model holds": lambda: Model([Placed(STRIP)] * 101).repeated(
+    "a pattern of 101 strips, 1000 times, is too large": lambda: Model([Placed(STRIP)] * 101).repeated(
         1000, (0, 0, 5)
     ),
     "arc radius is '2': give a finite number": lambda: Path.circle((0, 0), "2"),
