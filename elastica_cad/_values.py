@@ -292,6 +292,9 @@ def _compared(kind: type) -> tuple[str, ...] | None:
 MORE_DIGITS = 9
 """Largest number of digits beyond the usual digits; numbers that still look alike count as equal."""
 
+SEEN_APART = 1e-5
+"""Least relative difference that six digits always show; a figure that is closer to its limit meets the limit."""
+
 
 def counted(count: int, noun: str) -> str:
     """Return the count with its noun.

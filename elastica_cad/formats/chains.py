@@ -9,6 +9,7 @@ from typing import TypeAlias
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray
+from elastica_cad._values import SEEN_APART, distinct_digits
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.formats.edges import Edge, Run, Source, reverse_run
 from elastica_cad.formats.source_file import MOST_PIECES, check_count, check_size, check_tolerance
@@ -546,9 +547,10 @@ def _require_near(curve: PlaneCurve, points: FloatArray, tolerance: float) -> No
 
 
 def _require_distance(distance: float, allowed: float) -> None:
-    if distance > allowed:
+    if distance > allowed * (1 + SEEN_APART):
+        distance, allowed = distinct_digits(distance, allowed, ".3g")
         raise InputError(
-            "the fitted curve deviates from the drawing by {distance:.3g}, more than {allowed:.3g}: draw a "
+            "the fitted curve deviates from the drawing by {distance:g}, more than {allowed:g}: draw a "
             "spline, or more points where the drawing bends",
             distance=Length(distance),
             allowed=Length(allowed),

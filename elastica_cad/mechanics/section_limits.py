@@ -7,13 +7,12 @@ from functools import cached_property
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import numbers
+from elastica_cad._values import SEEN_APART, numbers
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.sheets import Sheet, built_in_figures
 
-STRAIN_SLACK = 1e-6
-"""Relative slack of the limit: a curve that is drawn at the limit differs from it by less after fitting a
-spline."""
+STRAIN_SLACK = SEEN_APART
+"""Relative slack of the limit; a curve drawn at the limit deviates less after a spline is fitted."""
 
 BRITTLE_FACTOR = 1.5
 """Estimated breaking strain of wood and brittle plastics, as a multiple of the largest long-term strain."""

@@ -6,7 +6,7 @@ from typing import Annotated
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number
+from elastica_cad._values import distinct_digits, is_number
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.geometry.profile import Profile
@@ -126,12 +126,13 @@ class Laminated:
         K, w1 = rod.profile(s), base(s)
         i = int(np.argmin(w1))
         if w1[i] < least:
+            narrow, needed = distinct_digits(float(w1[i]), least, ".4g")
             raise InputError(
-                "the base is {w1:.4g} wide at {s:.1f}, narrower than the least backing of {least:g}: "
-                "widen it there",
-                w1=Length(w1[i]),
+                "the base is {w1:g} wide at {s:.1f}, narrower than the least backing of {least:g}: widen it "
+                "there",
+                w1=Length(narrow),
                 s=Length(s[i]),
-                least=Length(least),
+                least=Length(needed),
             )
         fits = section.scale_range(w1, K, least_backing=least)
         if not fits.feasible:
@@ -152,23 +153,25 @@ class Laminated:
             )
         scale = rod.bending_stiffness or fits.highest
         if scale > fits.highest * (1 + SLACK):
+            shown, limit = distinct_digits(scale, fits.highest, ".4g")
             raise InputError(
-                "the rod's bending stiffness of {scale:.4g} N mm2 needs a backing wider than fits at "
-                "{high:.1f}, where at most {highest:.4g} N mm2 are possible: use thicker or stiffer sheets, "
-                "or widen the base",
-                scale=scale,
+                "the rod's bending stiffness of {scale:g} N mm2 needs a backing wider than fits at "
+                "{high:.1f}, where at most {highest:g} N mm2 are possible: use thicker or stiffer sheets, or "
+                "widen the base",
+                scale=shown,
                 high=Length(high),
-                highest=fits.highest,
+                highest=limit,
             )
         if scale < fits.lowest * (1 - SLACK):
+            shown, limit = distinct_digits(scale, fits.lowest, ".4g")
             raise InputError(
-                "the rod's bending stiffness of {scale:.4g} N mm2 makes the backing narrower than {least:g} "
-                "at {low:.1f}, where at least {lowest:.4g} N mm2 are needed: use thinner sheets, or narrow "
-                "the base",
-                scale=scale,
+                "the rod's bending stiffness of {scale:g} N mm2 makes the backing narrower than {least:g} at "
+                "{low:.1f}, where at least {lowest:g} N mm2 are needed: use thinner sheets, or narrow the "
+                "base",
+                scale=shown,
                 least=Length(least),
                 low=Length(low),
-                lowest=fits.lowest,
+                lowest=limit,
             )
         return float(np.clip(scale, fits.lowest, fits.highest))
 

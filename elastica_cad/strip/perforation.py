@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import counted
+from elastica_cad._values import SEEN_APART, counted, distinct_digits
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError, rounded_down, rounded_up
 from elastica_cad.geometry.approximations import as_arcs
@@ -306,9 +306,6 @@ class _Stretch:
         return list(zip(graphs(self.knots, lower), graphs(self.knots, upper, backward=True), strict=True))
 
 
-SLACK = 1e-7
-"""Relative tolerance of active limits."""
-
 STEEP_RAD = np.radians(30.0)
 """Ligaments that lean more than this are reported, as they are stiffer than their width suggests."""
 
@@ -484,44 +481,49 @@ class _Fit:
 
     def scale(self, max_width: float | None, min_width: float | None) -> float:
         """Return c, N mm2: the rod's own, or the largest value for `max_width`."""
-        if self.lowest > self.highest * (1 + SLACK):
+        if self.lowest > self.highest * (1 + SEEN_APART):
             raise InputError(self._infeasible())
         rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes
         scale = self.highest if max_width is None else min(self.highest, rigidity * max_width / high)
         if self.rod.bending_stiffness is not None:
             stiffness = self.rod.bending_stiffness
-            if stiffness > scale * (1 + SLACK):
+            if stiffness > scale * (1 + SEEN_APART):
                 i = self.by_ligaments.highest_at
+                needed, given = distinct_digits(
+                    stiffness * self.K[i] / rigidity, scale * self.K[i] / rigidity, ".4g"
+                )
                 raise InputError(
-                    "the rod's bending stiffness needs {needed:.4g} of material at {s:.1f}, but only "
-                    "{given:.4g} fit: widen the outline or raise {field}",
+                    "the rod's bending stiffness needs {needed:g} of material at {s:.1f}, but only {given:g} "
+                    "fit: widen the outline or raise {field}",
                     field=MATERIAL_WIDTH,
-                    needed=Mm(stiffness * self.K[i] / rigidity),
+                    needed=Mm(needed),
                     s=Mm(self.s[i]),
-                    given=Mm(scale * self.K[i] / rigidity),
+                    given=Mm(given),
                 )
             scale = stiffness
-        if scale < self.lowest * (1 - SLACK):
+        if scale < self.lowest * (1 - SEEN_APART):
             way = (
                 note("raise {field}", field=MATERIAL_WIDTH)
                 if self.rod.bending_stiffness is None
                 else note("use a thinner or softer sheet")
             )
+            needed, given = distinct_digits(self.lowest * high / rigidity, scale * high / rigidity, ".4g")
             raise InputError(
-                "{too_little}. At the widest place the ligaments need a total of {needed:.4g}, but have "
-                "{given:.4g}: {way}",
+                "{too_little}. At the widest place the ligaments need a total of {needed:g}, but have "
+                "{given:g}: {way}",
                 too_little=self._too_little(scale),
-                needed=Mm(self.lowest * high / rigidity),
-                given=Mm(scale * high / rigidity),
+                needed=Mm(needed),
+                given=Mm(given),
                 way=way,
             )
-        if min_width is not None and scale * low / rigidity < min_width * (1 - SLACK):
+        if min_width is not None and scale * low / rigidity < min_width * (1 - SEEN_APART):
+            total, limit = distinct_digits(scale * low / rigidity, min_width, ".4g")
             raise InputError(
-                "the ligaments have a total of {ligaments:.4g} at the narrowest place, below {field} "
+                "the ligaments have a total of {ligaments:g} at the narrowest place, below {field} "
                 "{min_width:g}: widen the outline or lower the stiffness ratio",
                 field=FieldName("min_width"),
-                ligaments=Mm(scale * low / rigidity),
-                min_width=Mm(min_width),
+                ligaments=Mm(total),
+                min_width=Mm(limit),
             )
         return scale
 
@@ -567,7 +569,7 @@ class _Fit:
         rigidity = self.section.rigidity
         need = self.lowest * self.K / rigidity + self.holes
         i = int(np.argmax(need / self.w))
-        if np.ptp(self.w) > SLACK * self.w[i]:
+        if np.ptp(self.w) > SEEN_APART * self.w[i]:
             return i, float(need[i])
         left = 1 - (1 - self.style.hole_ratio) * float(self.K.max() / self.K.min())
         by_ligaments = self.by_ligaments.lowest * float(self.K.max()) / rigidity + self.holes
@@ -584,13 +586,15 @@ class _Fit:
         if self.by_ratio.lowest > self.by_ligaments.lowest:
             i = self.by_ratio.lowest_at
             share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])
+            percent, most = distinct_digits(100 * share, 100 * self.style.hole_ratio, ".3g")
             return note(
-                "holes would take {percent:.3g} % of the width at {s}, more than {most:.3g} %",
-                percent=100 * share, s=Mm(self.s[i]), most=100 * self.style.hole_ratio,
+                "holes would take {percent:g} % of the width at {s}, more than {most:g} %",
+                percent=percent, s=Mm(self.s[i]), most=most,
             )  # fmt: skip
         i = self.by_ligaments.lowest_at
         each = scale * self.K[i] / self.section.rigidity / self.style.ligaments
+        shown, least = distinct_digits(each, self.style.least_ligament, ".3g")
         return note(
-            "ligaments would be {each} wide at {s}, below {least:g}",
-            each=Mm(each), s=Mm(self.s[i]), least=Mm(self.style.least_ligament),
+            "ligaments would be {each:g} wide at {s}, below {least:g}",
+            each=Mm(shown), s=Mm(self.s[i]), least=Mm(least),
         )  # fmt: skip

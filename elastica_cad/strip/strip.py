@@ -11,7 +11,14 @@ import numpy as np
 
 from elastica_cad._notebook import rows_table
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import distinct_digits, numbers, require_positive, require_record, several, three
+from elastica_cad._values import (
+    distinct_digits,
+    numbers,
+    require_positive,
+    require_record,
+    several,
+    three,
+)
 from elastica_cad.errors import InputError, NotConvergedError, rounded_up
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.measured_points import Provenance

@@ -8,7 +8,7 @@ from typing import Protocol, TypeAlias
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_number, require_positive, require_record
+from elastica_cad._values import SEEN_APART, distinct_digits, require_number, require_positive, require_record
 from elastica_cad.errors import InputError, rounded_up
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -247,7 +247,7 @@ class Plain:
         else:
             factor = (min_width or 0.0) / low if max_width is None else max_width / high
         width = rod.profile.scaled(factor)
-        _within(width, rod, min_width, max_width, slack=1e-9)
+        _within(width, rod, min_width, max_width, slack=SEEN_APART)
         return Layout(sheet, width, material=width, bending_stiffness=factor * rigidity)
 
 
@@ -279,23 +279,25 @@ def _within(
     """Refuse widths beyond their limits."""
     narrow, wide = width.extremes
     if min_width is not None and narrow * (1 + slack) < min_width:
+        shown, limit = distinct_digits(narrow, min_width, ".4g")
         raise InputError(
-            "the narrowest place is {narrow:.4g}, below {field} {min_width:g}: the ratio is "
-            "{ratio:.3g}, so {wider} must be {needed:g} or more",
+            "the narrowest place is {narrow:g}, below {field} {min_width:g}: the ratio is {ratio:.3g}, so "
+            "{wider} must be {needed:g} or more",
             field=FieldName("min_width"),
             wider=FieldName("max_width"),
-            narrow=Length(narrow),
-            min_width=Length(min_width),
+            narrow=Length(shown),
+            min_width=Length(limit),
             ratio=rod.ratio,
             needed=Length(rounded_up(min_width * wide / narrow)),
         )
     if max_width is not None and wide > max_width * (1 + slack):
+        shown, limit = distinct_digits(wide, max_width, ".4g")
         raise InputError(
-            "the rod's bending stiffness needs a width of {wide:.4g}, above {field} {max_width:g}: choose a "
+            "the rod's bending stiffness needs a width of {wide:g}, above {field} {max_width:g}: choose a "
             "thicker or stiffer sheet",
             field=FieldName("max_width"),
-            wide=Length(wide),
-            max_width=Length(max_width),
+            wide=Length(shown),
+            max_width=Length(limit),
         )
 
 

@@ -7,7 +7,7 @@ from typing import Annotated
 import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray, IntArray
-from elastica_cad._values import and_more, distinct_digits, require_record
+from elastica_cad._values import SEEN_APART, and_more, distinct_digits, require_record
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
 from elastica_cad.geometry.path import Path
@@ -185,6 +185,7 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
             float(middle[k, 0]), float(middle[k, 1]), float(width[k]), (int(loop[i[k]]), int(loop[j[k]]))
         )
         for k in _thinnest_of_each_group(middle, width, least)
+        if width[k] < least * (1 - SEEN_APART)
     ]
     return tuple(sorted(places, key=lambda place: place.width))
 
@@ -420,7 +421,7 @@ def find_strip_faults(
             faults += _thin_strip(called, strip, layer, least, web, noisy=noisy)
         faults += _too_large(called, long, width, layer.sheet, stock, strip.style)
     style = strip.style
-    if isinstance(style, Perforated) and style.least_ligament < ligament:
+    if isinstance(style, Perforated) and style.least_ligament < ligament * (1 - SEEN_APART):
         allowed = style.least_ligament
         what = note(
             "ligaments may be as narrow as {allowed}, but {ligament} are needed",
@@ -505,7 +506,7 @@ def _thin_strip(
     pattern = strip.layout.pattern is not None
     holes = () if pattern else layer.holes  # ligaments have a separate limit
     places = find_thin_places([layer.outline], holes, max(least, web))
-    necks = [place for place in places if place.loops == (0, 0) and place.width < least]
+    necks = [place for place in places if place.loops == (0, 0) and place.width < least * (1 - SEEN_APART)]
     free: list[ThinPlace] = []
     tabs: list[ThinPlace] = []
     for place in necks:
@@ -522,7 +523,7 @@ def _thin_strip(
             wide=wide, at=_place_on(strip, place), needed=needed, sheet=layer.sheet.name,
         )  # fmt: skip
         yield Fault(name, what, note("Make the tab wider"))
-    webs = [place for place in places if place.loops != (0, 0) and place.width < web]
+    webs = [place for place in places if place.loops != (0, 0) and place.width < web * (1 - SEEN_APART)]
     for place in webs[:MOST_LISTED]:
         yield _thin_web(name, place, _place_on(strip, place), web, layer.sheet)
 
@@ -613,7 +614,7 @@ def _too_large(
     name: str, length: float, width: float, sheet: Sheet, stock: tuple[float, float], style: object = PLAIN
 ) -> Iterator[Fault]:
     long, short = max(length, width), min(length, width)
-    if long > stock[0] or short > stock[1]:
+    if long > stock[0] * (1 + SEEN_APART) or short > stock[1] * (1 + SEEN_APART):
         (its_long, long_side), (its_short, short_side) = (
             distinct_digits(size, side, ".4g") for size, side in zip((long, short), stock, strict=True)
         )

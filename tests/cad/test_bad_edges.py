@@ -89,7 +89,7 @@ REFUSED = {
     "not plane": (
         lambda: [helix()],
         {},
-        r"leaves its plane by [\d.]+ mm .*; project the curve onto a plane first$",
+        r"leaves its plane by [\d.]+ mm .*: project the curve onto a plane first$",
     ),
     "disjoint": (lambda: [line((0, 0, 0), (9, 0, 0)), line((20, 0, 0), (30, 0, 0))], {}, "2 separate chains"),
     "closed curve has a corner": (

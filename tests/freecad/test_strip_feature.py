@@ -287,7 +287,7 @@ def test_how_far_it_strays_as_made_and_held(document, sketch):
     held = strip.strip_of(feature).held()
     assert feature.HeldDeviation.Value == pytest.approx(held.deviation)
     assert held.deviation > 0.5
-    assert "by slots" in feature.Held
+    assert "due to slots" in feature.Held
     before = feature.Held
     document.recompute()
     assert feature.Held == before

@@ -156,6 +156,19 @@ def test_what_misses_by_less_than_usual_digits_show_is_told_with_more():
     assert "3050.4 x 30 mm is larger than the stock of 3050 x 1525 mm" in fault.what
 
 
+@pytest.mark.parametrize("least", [1.0, 2.3, 9.99])
+@pytest.mark.parametrize("missing", [1e-12, 3e-8, 5e-6, 1.2e-5, 1e-3])
+def test_a_figure_that_equals_its_limit_in_the_digits_shown_is_no_fault(least, missing):
+    faults = find_strip_faults(
+        strip(max_width=least * (1 - missing)), FabricationLimits(least_width=least, stock=(219.999, 50))
+    )
+    assert all("219.999" not in fault.what for fault in faults), "220 mm of 219.999 mm"
+    assert bool(faults) == (missing > 1e-5)
+    for fault in faults:
+        wide, needed = re.search(r"only (\S+) mm wide .* needs (\S+) mm", fault.what).groups()
+        assert float(wide) < float(needed)
+
+
 def test_strain_that_is_just_beyond_its_limit_differs_from_it():
     curve = PlaneCurve.arc((0, 0), 0.9999 * PLYWOOD.least_radius, 0.2, 2.2)
     (told,) = make_strip(curve, PLYWOOD, max_width=20).warnings
