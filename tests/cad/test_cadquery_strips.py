@@ -167,7 +167,7 @@ class TestSketch:
         assert sketch.faces(tag="strip").vals()
 
     def test_no_edges(self):
-        with pytest.raises(InputError, match="draw edges"):
+        with pytest.raises(InputError, match="Draw edges"):
             cq.Sketch().elasticStrip(SHEET, max_width=3)
 
 

@@ -91,7 +91,7 @@ class TestBuild123d:
 
     def test_an_animation_has_its_own_ending(self, rib, tmp_path):
         slider = rib.slider(end=(110, 0))
-        with pytest.raises(ec.InputError, match=r"rib.gltf: .* name the file .glb"):
+        with pytest.raises(ec.InputError, match=r"rib.gltf: .* name ending in .glb"):
             slider.write_glb(tmp_path / "rib.gltf")
         with pytest.raises(ec.InputError, match="a whole number, 2 or more"):
             slider.write_glb(tmp_path / "rib.glb", frames=2.5)

@@ -31,7 +31,7 @@ def test_unknown_version(version, monkeypatch):
     import OCP
 
     monkeypatch.setattr(OCP, "__version__", version)
-    with pytest.raises(MissingDependencyError, match=r"only 7\.x and 8\.x are known"):
+    with pytest.raises(MissingDependencyError, match=r"works with 7\.x and 8\.x"):
         occt.make_solid(PLATE)
 
 

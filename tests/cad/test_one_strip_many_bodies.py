@@ -100,7 +100,7 @@ class TestBuild123d:
 
     def test_faces_and_bodies_are_no_curves(self):
         for drawn in (bd.Box(30, 20, 10), bd.Face.make_rect(30, 20), bd.Box(30, 20, 10).faces()):
-            with pytest.raises(InputError, match="give one of its edges"):
+            with pytest.raises(InputError, match="Use one of its edges"):
                 bd_strips.BentStrip(drawn, SHEET, max_width=5)
         bd_strips.BentStrip(bd.Box(30, 20, 10).edges()[0], SHEET, max_width=5)
 
@@ -181,7 +181,7 @@ class TestCadQuery:
         base, backing = rib.assembly.children
         assert (rib.assembly.name, base.name, backing.name) == ("L", "L_2", "L_backing")
         assert base.color.toTuple() != backing.color.toTuple()
-        with pytest.raises(InputError, match="give one of its edges"):
+        with pytest.raises(InputError, match="Use one of its edges"):
             cq_strips.bent_strip(base.obj, SHEET, max_width=5)
         assert base.obj.Volume() + backing.obj.Volume() == pytest.approx(rib.Volume())
 

@@ -38,7 +38,7 @@ LIBRARIES = [pytest.param(name, marks=getattr(pytest.mark, name)) for name in ("
 class TestWarnings:
     def test_tabs_that_cross(self, library):
         body, (text,) = made(library, ring(355), 10)
-        assert "shorten the tabs" in text
+        assert "Shorten the tabs" in text
         low, high = self_contact(body.strip)
         assert -10 < low < 0
         assert body.strip.rod.length - 1 < high < body.strip.rod.length + 10

@@ -40,11 +40,11 @@ def test_several_lines_and_misses_are_told(bodies):
         ],
     )
     assert len(ring.lines) == 2
-    assert "falls into 2 lines" in ring.reports[0]
+    assert "has 2 separate lines" in ring.reports[0]
     assert missed.lines == ()
     assert "misses the shape" in missed.reports[0]
     for nothing in (None, SimpleNamespace(wrapped=None), object()):
-        with pytest.raises(InputError, match="no shape to cut: give a solid"):
+        with pytest.raises(InputError, match="no shape to cut"):
             shape_sections(nothing, [])
     with pytest.raises(InputError, match="sequence of Frames"):
         shape_sections(bodies[0], ring.frame)

@@ -97,16 +97,16 @@ def test_shapes_on_the_way(arch_strip):
 @pytest.mark.parametrize(
     ("ask", "says"),
     [
-        (lambda strip: Travel(strip, Frame(), (1e4, 0)), "give a nearer point"),
-        (lambda strip: Travel(strip, Frame(), strip.rod.position[-1]), "there already"),
+        (lambda strip: Travel(strip, Frame(), (1e4, 0)), "Choose a nearer point"),
+        (lambda strip: Travel(strip, Frame(), strip.rod.position[-1]), "already in this position"),
         (lambda strip: Travel(strip, Frame(), 3.0), "two numbers"),
-        (lambda strip: Travel(strip, Frame()), "one of both"),
-        (lambda strip: Travel(strip, Frame(), angle=strip.rod.angle[-1]), "there already"),
+        (lambda strip: Travel(strip, Frame()), "but not both"),
+        (lambda strip: Travel(strip, Frame(), angle=strip.rod.angle[-1]), "already in this position"),
         (
             lambda strip: Travel(strip, Frame(), angle=strip.rod.angle[-1] + 0.2).rod(20.0),
-            "20 degrees: the travel",
+            "20 degrees, outside the travel",
         ),
-        (lambda strip: Travel(strip, Frame(), END).rod(99.0), "the travel goes from 0 to"),
+        (lambda strip: Travel(strip, Frame(), END).rod(99.0), "outside the travel"),
         (lambda strip: Travel(strip, Frame(), END).rods(1), "2 or more"),
     ],
 )

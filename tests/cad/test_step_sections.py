@@ -69,8 +69,8 @@ def test_files_without_a_surface(tmp_path):
     )
     (tmp_path / "bad.step").write_text("nonsense")
     for name, sentence in (
-        ("e.step", "it holds no faces to cut"),
-        ("bad.step", "no STEP file that OpenCASCADE can read"),
+        ("e.step", "It has no faces to cut"),
+        ("bad.step", "OpenCASCADE cannot read this file as STEP"),
     ):
         result = run("sections", tmp_path / name, "--radial", 3, code=2)
         assert sentence in result.stderr

@@ -55,8 +55,11 @@ def test_two_kernels_in_one_environment(folder):
         said = " ".join((told.stdout + told.stderr).split())
         assert told.returncode == 0, said
         assert (folder / written).exists()
-        assert "cadquery-ocp 7.8.1.1 and cadquery-ocp-novtk 8.0.1.1 lie in one environment" in said
-        assert "make an environment for build123d and one for CadQuery" in said
+        assert (
+            "cadquery-ocp 7.8.1.1 and cadquery-ocp-novtk 8.0.1.1 overwrite each other in the same environment"
+            in said
+        )
+        assert "Make separate environments for build123d and CadQuery" in said
     assert not list(folder.glob("*/**/*.step"))
 
 
@@ -68,7 +71,7 @@ def test_a_library_of_the_system_that_is_missing(folder):
     told = run(folder, "strip", "arch.svg", "--sheet", "birch-plywood-0.8", "--max-width", "30", "-o", "out")
     assert told.returncode == 0, told.stderr
     assert "libGL.so.1" in told.stdout
-    assert "install what it names" in told.stdout
+    assert "Install the named package" in told.stdout
     (folder / "part.step").write_text("ISO-10303-21;\n")
     read = run(folder, "check", "part.step")
     assert read.returncode == 2
@@ -88,5 +91,5 @@ def test_a_library_that_stands_on_it(library, folder):
     )  # fmt: skip
     last = told.stderr.strip().splitlines()[-1]
     assert last.startswith(f"ImportError: elastica_cad.{library} needs ")
-    assert "cannot be loaded (libGL.so.1: cannot open): install what it names" in last
+    assert "cannot be loaded (libGL.so.1: cannot open). Install the named package" in last
     assert "pip install" not in last

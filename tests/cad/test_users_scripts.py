@@ -203,7 +203,7 @@ class TestCadQuery:
             ),
             "walls is not an option of a fixture: did you mean wall": lambda: rib.fixture(walls=3),
             "not 'middle'": lambda: rib.end_face("middle"),
-            "give a point in space, or two numbers": lambda: rib.bent(end="x"),
+            "Pass a point in space, or two numbers": lambda: rib.bent(end="x"),
             "face, shell or solid, not int": lambda: cq_strips.section_strips(
                 5, cq.Plane.XZ(), SHEET, max_width=9
             ),
@@ -266,7 +266,7 @@ class TestWhatAScriptExpects:
 
     def test_a_curve_drawn_in_metres_is_refused(self):
         edge = cq.Edge.makeSpline([cq.Vector(x / 1000, y / 1000) for x, y in self.POINTS])
-        with pytest.raises(InputError, match="draw it in millimetres"):
+        with pytest.raises(InputError, match="Draw it in millimetres"):
             cq_strips.bent_strip(edge, SHEET, max_width=12)
 
     def test_a_fixture_of_cadquery_has_its_own_name_and_colour(self):

@@ -193,7 +193,7 @@ def test_a_dropped_file_brings_its_curves():
 def test_no_file_is_opened_by_its_name(do, keys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     told = answer({"do": do, "kind": "kit", "design": design(**keys)})
-    assert told["refused"]["text"].startswith("the page opens no file")
+    assert told["refused"]["text"].startswith("The page cannot open a file")
 
 
 @pytest.mark.parametrize(
@@ -208,7 +208,7 @@ def test_a_dropped_design_opens_no_file_either(text, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     ec.write_curves([ec.PlaneCurve.spline(ARCH)], "arch.json")
     told = answer({"do": "read", "name": "a.toml", "text": f"schema = 1\n{text}\n"})
-    assert told["refused"]["text"].startswith("the page opens no file")
+    assert told["refused"]["text"].startswith("The page cannot open a file")
 
 
 def test_a_kind_of_file_that_is_not_made_is_named():

@@ -60,5 +60,5 @@ def test_what_is_what():
     assert not is_one_of(TWO, (1, -1))
     assert require_flag(np.True_, "x") is True
     assert several("x", ONE, np.ndarray, "array") == (ONE,)
-    with pytest.raises(ec.InputError, match="do not go together"):
+    with pytest.raises(ec.InputError, match="do not match"):
         alike(a=[1, 2, 3], b=[1, 2])

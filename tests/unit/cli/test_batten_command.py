@@ -219,7 +219,7 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
     ("arguments", "said"),
     [
         (("--stock", 25, 8, "--rod", 6), "--stock WIDTH THICKNESS for a strip, or --rod"),
-        ((), "say what the batten is made of"),
+        ((), "The material of the batten is missing"),
         (
             ("--stock", 25, 8, "--at", 95),
             r"asks for less at the thin end .*: move the camber to at most \d\d\.\d %",
@@ -230,10 +230,10 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
             r"move the camber to at least \d\d\.\d % of the chord",
         ),
         (("--stock", 25, 8, "--least", 6, "--at", 70), r"move the camber to at most \d\d\.\d % of the chord"),
-        (("--stock", 25, 8, "--bore", 0.5), "--bore is of a tube"),
+        (("--stock", 25, 8, "--bore", 0.5), "--bore applies to tubes"),
         (("--stock", 25, 8, "--every", 0.1), "--every is 0.1 mm"),
         (("--stock", 25, 8, "--name", "a/b"), "Leave out /"),
-        (("--rod", 8, "--leaves", 4), "--leaves are of a strip"),
+        (("--rod", 8, "--leaves", 4), "--leaves applies to strips"),
         (("--stock", 25, 8, "--full", 95), "the part of full size is 95 % of the batten: give 0 to 80"),
         (("--stock", 25, 8, "--leaves", 1), "2<=x<=50"),
     ],

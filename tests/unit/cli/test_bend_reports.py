@@ -178,7 +178,7 @@ def test_what_a_finished_strip_has_no_use_for_is_refused(tmp_path):
     data = json.loads((tmp_path / "sine.json").read_text())
     data["request"]["sheet"] = {"record": "os"}
     (tmp_path / "bad.json").write_text(json.dumps(data))
-    assert "make the report again" in run("bend bad.json", cwd=tmp_path, code=2).stderr
+    assert "Make the report again" in run("bend bad.json", cwd=tmp_path, code=2).stderr
     del data["request"]
     (tmp_path / "old.json").write_text(json.dumps(data))
     assert bent("bend old.json --to 250 0 -o bent", tmp_path)["travel"] is None

@@ -59,7 +59,7 @@ def test_a_clamp_that_gives_way_is_told(report, tmp_path):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("chord = 'wide'", "chord is no number"),
+        ("chord = 'wide'", "chord is not a number"),
         ("chord = ", "cannot be read"),
         ("", "an empty file is not among the expected"),
     ],
@@ -75,7 +75,7 @@ def test_a_file_that_is_no_report(tmp_path):
     path = tmp_path / "other.json"
     path.write_text("{}")
     told = run("compare", path, code=2)
-    assert "is no report of an open strip" in told.output
+    assert "is not the report of an open strip" in told.output
 
 
 def changed_records():
@@ -104,7 +104,7 @@ def test_a_damaged_report(report, tmp_path, keys, value):
     table[last] = value
     damaged = tmp_path / "damaged.json"
     damaged.write_text(json.dumps(record))
-    with pytest.raises(InputError, match="no report of an open strip"):
+    with pytest.raises(InputError, match="not the report of an open strip"):
         read_measuring(damaged)
 
 
@@ -112,7 +112,7 @@ def test_a_damaged_report(report, tmp_path, keys, value):
 def test_a_report_of_another_kind(tmp_path, text):
     file = tmp_path / "other.json"
     file.write_text(text)
-    with pytest.raises(InputError, match="no report of an open strip"):
+    with pytest.raises(InputError, match="not the report of an open strip"):
         read_measuring(file)
 
 

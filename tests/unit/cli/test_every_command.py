@@ -138,14 +138,14 @@ def test_what_stays_in_mm_is_told_where_lengths_are_inches(folder):
     words = ("strip", "bow.txt", *SHEET, "--max-width", "1", "--units", "inch", "--json")
     slot = ("--set", "slots = [{ at = 60, width = 1.27 }]", "--natural-curvature", "0")
     told = json.loads(run(*words, *slot, "-o", "a", cwd=folder).stdout)
-    assert [text for text in told["notes"] if "whatever --units says" in text] == [
-        'Note: --set: lengths are mm, as in design files; 5 inches are "5*inch", whatever --units says',
-        "Note: --natural-curvature: in 1/mm, of which 1/inch is 0.03937, whatever --units says",
+    assert [text for text in told["notes"] if "not in --units" in text] == [
+        'Note: --set: lengths are in mm, as in design files, and not in --units; 5 inches are "5*inch"',
+        "Note: --natural-curvature: the value is in 1/mm, not in --units; 1/inch is 0.03937",
     ]
     inches = ("--set", 'slots = [{ at = "60/25.4*inch", width = "0.05*inch" }]')
     run(*words, *inches, "-o", "b", cwd=folder)
     plain = run(*words[:4], "--max-width", "25.4", *slot[:2], "-o", "c", "--json", cwd=folder)
-    assert not any("whatever --units says" in text for text in json.loads(plain.stdout)["notes"])
+    assert not any("not in --units" in text for text in json.loads(plain.stdout)["notes"])
     cut = [(folder / name / "bow.svg").read_text().partition("</desc>")[2] for name in "bc"]
     assert cut[0] == cut[1]
     assert cut[0]
@@ -214,7 +214,7 @@ def test_watching_remakes_what_changes_and_survives_mistakes(folder):
         finally:
             process.kill()
             process.wait()
-    assert "no longer watching" in log.read_text()
+    assert "stopped watching" in log.read_text()
     assert "Traceback" not in log.read_text()
 
 

@@ -230,7 +230,7 @@ def test_what_slots_do_is_told(crossed, tmp_path):
         assert 0 < held[name]["parts"]["slots"] < 5
     model = read_design(crossed, ec.read_curves).model()
     assert held["A"]["deviation"] == pytest.approx(model.held()[0].deviation, abs=1e-3)
-    (note,) = (line for line in result.stderr.splitlines() if "farther from their design" in line)
+    (note,) = (line for line in result.stderr.splitlines() if "deviate from their design" in line)
     assert f"A {held['A']['deviation']:.2g} mm" in note
     assert f"B {held['B']['deviation']:.2g} mm" in note
 

@@ -45,7 +45,7 @@ def test_two_curves_become_cutting_files_bodies_picture_and_report(made):
 def test_a_design_file_asks_for_the_same(made, tmp_path):
     """What a laser takes is told, where no kerf makes up for it."""
     said = run("pair", EXAMPLES / "clip.toml", "-o", tmp_path)
-    assert "a laser's cut of 0.2 mm leaves 0.751 mm of 0.951 mm where it is thinnest, and 49 %" in said.stderr
+    assert "A laser cut of 0.2 mm leaves 0.751 mm of 0.951 mm at the thinnest place, and 49 %" in said.stderr
     reports = [json.loads((folder / "clip.json").read_text()) for folder in (made[0], tmp_path)]
     assert reports[0]["least_thickness_mm"] == pytest.approx(reports[1]["least_thickness_mm"], rel=1e-9)
 

@@ -253,7 +253,7 @@ def test_folder_unknown_sheet_and_bad_numbers(drawn, tmp_path):
             ("strip", drawn, *good, "--set", "cut.tolerance=1e-12", "--set", "cut.curves=polyline"),
             "tolerance is 1e-12",
         ),
-        (("strip", drawn, *good, "--keep-length"), "add --nearest"),
+        (("strip", drawn, *good, "--keep-length"), "Add --nearest"),
         (("strip", drawn, *good, "--nearest", "--set", "samples=99"), "samples can be set only"),
     ]
     for arguments, words in cases:

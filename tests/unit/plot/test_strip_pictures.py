@@ -129,7 +129,7 @@ def test_the_ending_says_what_is_written(tmp_path, ending, begins):
 
 @pytest.mark.parametrize("name", ["a.jpg", "a", ".svg"])
 def test_other_endings_are_refused(tmp_path, name):
-    with pytest.raises(InputError, match="no ending of a picture"):
+    with pytest.raises(InputError, match="not have the suffix of a picture"):
         plot.save_figure(plot.strip(made("arch")), tmp_path / name)
 
 

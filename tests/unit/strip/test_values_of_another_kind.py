@@ -121,9 +121,7 @@ SLIPS = {
     "nearest_rods takes a list of curves, not a str": lambda: nearest_rods("arch.dxf", Limits()),
     "strips are 3: give a list of Placed": lambda: touching_widths(3),
     "strips are 'ab'": lambda: touching_widths("ab"),
-    "the name of a file or folder is needed, such as 'arch.dxf', not 3": lambda: write_drawing(
-        STRIP.drawing(), 3
-    ),
+    "3 is not the name of a file or folder": lambda: write_drawing(STRIP.drawing(), 3),
     "'arch.dxf', not None": lambda: write_curves([ROD.curve], None),
     "'arch.dxf', not \\[": lambda: read_curves([1, 2]),
     "the model is a list: give a Model": lambda: save_model([STRIP], "out"),
