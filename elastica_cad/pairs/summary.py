@@ -19,7 +19,7 @@ def pair_rows(part: Flexure, *, quick: bool = False) -> tuple[Row, ...]:
     path = [] if quick else [Row(note("Force"), _force(part))]
     first, second = part.rest_deviations
     rest = note(
-        "at rest {far} and {other} from the curves, because forces stretch the part",
+        "{far} and {other} from the curves at rest, because forces stretch the part",
         far=about(first), other=about(second),
     )  # fmt: skip
     rows = [_size(part), _strain(part, quick=quick), _stability(part), *path, Row(note("Accuracy"), rest)]

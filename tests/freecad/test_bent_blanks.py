@@ -30,12 +30,14 @@ def bent(document, sketch):
 
 
 def test_a_strip_tells_its_blank_first(document, bent):
-    assert bent.Verdict == "A strip bent beforehand takes this curve. There are remarks."
+    assert bent.Verdict == "A pre-bent strip takes this curve. There are remarks."
     assert bent.Reasons[0] == EVEN
     change(bent, Thickness=4)
-    assert bent.Verdict.startswith("A strip bent beforehand would break on this curve.")
+    assert bent.Verdict.startswith("A pre-bent strip would break on this curve.")
     change(bent, Thickness=0.8, Follow="Nearest", RatioLimit=1.2)
-    assert re.match("A strip bent beforehand takes a curve .* mm from this one", bent.Verdict), bent.Verdict
+    assert re.match("A pre-bent strip takes a curve at most .* mm from this curve", bent.Verdict), (
+        bent.Verdict
+    )
     change(bent, NaturalCurvature=0.0, Follow="Exactly")
     assert [bent.Verdict, bent.Reasons] == ["A flat strip takes this curve.", []]
 
@@ -43,7 +45,7 @@ def test_a_strip_tells_its_blank_first(document, bent):
 def test_a_curve_that_such_a_strip_cannot_take(document, drawn):
     made = strip.create(document, drawn(BAD))
     change(made, NaturalCurvature=-0.0005)
-    assert made.Verdict == "A strip bent beforehand cannot take this curve."
+    assert made.Verdict == "A pre-bent strip cannot take this curve."
 
 
 def test_a_blank_along_the_strip_is_the_property_blank(document, bent):

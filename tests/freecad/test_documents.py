@@ -151,17 +151,17 @@ def test_what_goes_on_after_a_strip_is_told_before_it_is_exported(document, sket
     assert hole.State == ["Up-to-date"]
     assert body.Shape.Volume < feature.Shape.Volume - 1, "it takes something away"
     (said,) = later_feature_messages(feature)
-    assert said.startswith("Strip is followed by Hole, which these files leave out: ")
+    assert said.startswith("The files do not contain Hole, which was added after Strip. ")
     box = document.addObject("Part::Box", "Box")
     cut, rounded, away = (document.addObject(f"Part::{kind}", kind) for kind in ("Cut", "Chamfer", "Cut"))
     cut.Base, cut.Tool, rounded.Base, away.Base, away.Tool = body, box, twin, box, body
-    assert later_feature_messages(feature)[0].startswith("Strip is followed by Hole, Cut, Chamfer, which")
+    assert later_feature_messages(feature)[0].startswith("The files do not contain Hole, Cut, Chamfer, which")
     nest.report_left_out(
         laid
     )  # as the window does a moment after a recompute: the nest does not hang on them
     (said,) = laid.LeftOut
     assert said.startswith(
-        "Strip is followed by Hole, Cut, Chamfer, which the nest leaves out: make it in the strip"
+        "The nest does not contain Hole, Cut, Chamfer, which was added after Strip. Add it to the strip"
     )
     laid.touch()
     document.recompute()
@@ -477,13 +477,13 @@ def test_sheets_on_a_disk_that_nobody_may_write_to(monkeypatch):
         with monkeypatch.context() as patched:
             patched.setattr(Path, "unlink", refuse)
             with pytest.raises(
-                InputError, match=r"elastica-sheets.toml can't be changed: Read-only file system; "
+                InputError, match=r"elastica-sheets.toml cannot be changed: Read-only file system. "
             ):
                 library.save_own_sheets([])
         assert library.own_sheets() == {"my-board": own}
         with monkeypatch.context() as patched:
             patched.setattr(Path, "mkdir", refuse)
-            with pytest.raises(InputError, match="can't be changed: Read-only"):
+            with pytest.raises(InputError, match="cannot be changed: Read-only"):
                 library.save_own_sheets([own])
     finally:
         library.save_own_sheets([])

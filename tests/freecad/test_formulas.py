@@ -33,11 +33,11 @@ def made(document, sketch):
 def test_a_formula_out_of_range_is_told(made, name, formula, gives, takes):
     made.setExpression(name, formula)
     said = told(made)
-    assert said.startswith(f"Strip.{name} has the formula {formula}, which gives {gives}: it takes 0 to ")
+    assert said.startswith(f"Strip.{name} has the formula {formula}, which gives {gives}. Use 0 to ")
     assert takes in said
-    assert said.endswith("; mend the formula, or take it away")
+    assert said.endswith(". Correct or remove the formula.")
     assert made.Reasons == [said]
-    with pytest.raises(InputError, match="mend the formula"):
+    with pytest.raises(InputError, match="Correct or remove the formula"):
         cuts_of([made])
     made.setExpression(name, "0")
     assert told(made) == ""
@@ -53,7 +53,7 @@ def test_a_formula_within_range_is_taken(document, made):
         assert [told(made), made.Style] == ["", style]
     made.setExpression("Style", "Cells.kind")
     cells.set("A1", "3")
-    assert told(made).startswith("Strip.Style has the formula Cells.kind, which gives 3: ")
+    assert told(made).startswith("Strip.Style has the formula Cells.kind, which gives 3. ")
 
 
 @pytest.mark.parametrize("formula", ["7", "-1", "3", "1e9", "<<Nope>>", "<<>>"])
@@ -116,7 +116,7 @@ def test_a_word_that_comes_and_goes_leaves_what_was_chosen_before(document, made
     assert [told(made), made.Style] == ["", "Perforated"]
     for word in ("Perforatd", "Nope"):
         cells.set("A1", word)
-        assert told(made).startswith(f"Strip.Style has the formula Cells.kind, which gives {word}: ")
+        assert told(made).startswith(f"Strip.Style has the formula Cells.kind, which gives {word}. ")
         assert made.Style == "Perforated"
     cells.set("A1", "Plain")
     assert [told(made), made.Style] == ["", "Plain"]
@@ -130,7 +130,7 @@ def test_other_features_tell_it_too(document, made):
     twin.setExpression("Layer", "2")
     whole.setExpression("Fit", "2")
     document.recompute()
-    assert told(twin).startswith("Flat.Layer has the formula 2, which gives 2: it takes 0 to 1, ")
+    assert told(twin).startswith("Flat.Layer has the formula 2, which gives 2. Use 0 to 1, ")
     assert told(whole).startswith("Model.Fit has the formula 2, ")
 
 
@@ -141,9 +141,7 @@ def test_a_formula_whose_spreadsheet_is_gone(document, made):
     made.setExpression("Style", "Cells.A1")
     assert told(made) == ""
     document.removeObject(cells.Name)
-    with pytest.raises(
-        InputError, match=r"the formula of Style cannot be computed \(Cells.A1\): mend it, or"
-    ):
+    with pytest.raises(InputError, match=r"The formula of Style cannot be computed \(Cells.A1\). Correct or"):
         strip.strip_of(made)
     assert strip.is_stale(made, {made.Name})
     assert not strip.could_follow_another(made)

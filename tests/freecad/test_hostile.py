@@ -193,10 +193,10 @@ def test_a_formula_that_cannot_be_computed(document, sketch, lost):
     document.recompute()
     if lost == "cell":
         cells.set("A1", "=1/0")
-        says = r"^Numbers cannot be made \(.*\): mend it first$"
+        says = r"^Numbers cannot be made \(.*\). Correct it first.$"
     else:
         document.removeObject(cells.Name)
-        says = r"^the formula of MaxWidth cannot be computed \(.*Numbers.*\): mend it, or take it away$"
+        says = r"^The formula of MaxWidth cannot be computed \(.*Numbers.*\). Correct or remove the formula.$"
     document.recompute()
     with pytest.raises(InputError, match=says):
         cuts_of([feature])

@@ -44,10 +44,10 @@ def test_files_that_are_gone_and_edges_behind_links(tmp_path):
     found = launching.run_window("lost.py", tmp_path)
     assert found["tracebacks"] == 0
     missing = {
-        "file": f"Imported reads {tmp_path}/spline.brep, which is missing: put that file back, or name another in "
-        "its property FileName, and recompute the document",
-        "document": "Curve links to Sketch in source.FCStd, which is missing: put that file back or open it, and "
-        "recompute the document",
+        "file": f"Imported reads {tmp_path}/spline.brep, which is missing. Restore the file or set another "
+        "FileName, and recompute the document.",
+        "document": "Curve links to Sketch in source.FCStd, which is missing. Restore or open the file, and "
+        "recompute the document.",
     }
     for kind, sentence in missing.items():
         seen, reasons, volume = found[f"{kind} there"]
@@ -62,9 +62,9 @@ def test_files_that_are_gone_and_edges_behind_links(tmp_path):
     assert found["export"] == lost
     seen, reasons, volume = found["numbers there"]
     (told,) = found["numbers lost, told"]
-    assert told.startswith("Strip, Strip flat, Nest, Fixtures: the formula of MaxWidth cannot be computed (")
+    assert told.startswith("Strip, Strip flat, Nest, Fixtures: The formula of MaxWidth cannot be computed (")
     sentence = told.partition("Fixtures: ")[2]
-    assert sentence.endswith("): mend it, or take it away")
+    assert sentence.endswith("). Correct or remove the formula.")
     assert found["numbers lost"] == [dict.fromkeys(seen, False), [f"T{sentence[1:]}"], volume]
     assert found["panel of the formula"] == f"There is no strip.\nT{sentence[1:]}"
     assert found["export of the formula"] == sentence

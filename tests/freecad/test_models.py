@@ -169,10 +169,10 @@ def test_what_hangs_on_a_link_to_what_was_deleted_says_so(document, standing):
     assert standing[0].Visibility, "it is well, and nothing stands for it"
     (sentence,) = whole.Reports
     assert sentence.startswith(
-        "Link links to what was deleted: choose another object in its property LinkedObj"
+        "Link links to a deleted object. Choose another object in its property LinkedObj"
     )
     assert why_not_made(made[1]) == sentence
-    with pytest.raises(InputError, match=r"^Link links to what was deleted"):
+    with pytest.raises(InputError, match=r"^Link links to a deleted object"):
         cuts_of([standing[0], link])
     document.removeObject(link.Name)
     document.recompute()

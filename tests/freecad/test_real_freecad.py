@@ -275,13 +275,11 @@ def test_a_maker_at_work(tmp_path):
     assert "touch along a line" in words
     assert seen == [True, True]
     assert found["export first"].startswith("Written to")
-    assert found["export again"].endswith(
-        "exists already: choose another folder, or tick the box that overwrites"
-    )
+    assert found["export again"].endswith("exists already. Choose another folder, or allow overwriting.")
     assert (
         found["export nowhere"]
         == found["export to nobody"]
-        == "write the whole path of the folder, or press Browse"
+        == "Enter the full path of the folder, or press Browse."
     )
     assert found["export too far"].endswith("File name too long; choose another folder")
 
@@ -382,7 +380,7 @@ def test_the_card_over_an_open_sketch(tmp_path):
     found = launching.run_window("card.py", tmp_path)
     assert found["searching"][0]
     assert found["found"] == ["Use the nearest curve", True]
-    for words in ("curvature", "inflection off it", "more than the sheet bears", "nearest curve"):
+    for words in ("curvature", "inflection off it", "above the sheet's limit", "nearest curve"):
         assert words.replace(" ", "&nbsp;") in found["legend"]
     assert "laid&nbsp;flat" not in found["legend"], "what is not shown is not explained"
     assert found["wheel goes through"]
@@ -392,7 +390,7 @@ def test_the_card_over_an_open_sketch(tmp_path):
     poles, shown, verdict = found["drawn"]
     assert shown == poles <= 24
     assert verdict == "can"
-    assert f"Drawn with {poles} poles to drag" in found["cost"]
+    assert f"Drawn with {poles} poles, " in found["cost"]
 
 
 @pytest.mark.campaign
@@ -413,7 +411,7 @@ def test_a_periodic_spline_by_the_mouse_and_strips_that_fail(tmp_path):
     assert last == "Strip002: A flat strip takes this curve."
     heading, verdict, words = found["card"]
     assert [heading, verdict] == ["snaps into another shape; tips over sideways", "breaks"]
-    assert words.startswith("it does not stay in this shape")
+    assert words.startswith("the strip snaps into another shape")
 
 
 @pytest.mark.campaign
@@ -543,7 +541,7 @@ def test_strips_that_run_through_each_other_are_told_a_moment_later(tmp_path):
     assert found["slotted again"]
     assert found["states"] == [["Up-to-date"], ["Up-to-date"]]
     told, opened = found["broken link"]
-    assert told.startswith("Link links to what was deleted: choose another object"), "no part goes in silence"
+    assert told.startswith("Link links to a deleted object. Choose another object"), "no part goes in silence"
     assert not opened
 
 
@@ -578,7 +576,7 @@ def test_macros_do_what_the_hand_did(tmp_path):
 @pytest.mark.campaign
 def test_arrays_and_clones_are_cut_as_often_as_they_stand(tmp_path):
     found = launching.run_window("copies.py", tmp_path)
-    assert found["followed"].startswith("Strip is followed by Cut, which these files leave out: make it in")
+    assert found["followed"].startswith("The files do not contain Cut, which was added after Strip. Add it")
     assert found["grey for an array"] == [False] * 4
     assert not found["grey for an image"]
     assert found["image"] == ["Part::Mirroring", {"Strip": 1}, {"Strip": 2}, [True] * 3]

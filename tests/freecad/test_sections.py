@@ -148,7 +148,7 @@ def test_closed_sections_alone_are_told_once(document, ball):
     made = curves.section(document, [ball])
     document.recompute()
     assert made.getStatusString() == (
-        "every section is a closed line, and a strip has two ends: choose under Closed lines how they are divided"
+        "Every section is a closed line, but a strip has two ends. Choose how to divide the lines in Closed lines."
     )
     assert [made.ThroughX.Value, made.ThroughY.Value] == [0, 7.3]
     change(made, Closed=CLOSED[1])
@@ -212,7 +212,9 @@ def test_a_path_of_two_chains_is_told(document):
     lines.Shape = Part.Compound(
         [Part.makeLine(App.Vector(x, 0, 0), App.Vector(x + 50, 0, 0)) for x in (0, 90)]
     )
-    with pytest.raises(InputError, match="Lines has 2 chains of edges: choose the edges of one as the path"):
+    with pytest.raises(
+        InputError, match=r"Lines has 2 chains of edges\. Choose the edges of a single chain as the path."
+    ):
         path_points(lines)
 
 

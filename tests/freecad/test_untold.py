@@ -17,27 +17,24 @@ def test_what_is_easily_overlooked_is_told(tmp_path):
     found = launching.run_window("untold.py", tmp_path)
     bend = "Pre-bend it to a radius of 250 mm along its whole length, to the same side as its final bend "
     verdict, reason, *_ = found["blank"].splitlines()
-    assert verdict == "A strip bent beforehand takes this curve. There are remarks."
+    assert verdict == "A pre-bent strip takes this curve. There are remarks."
     assert reason.startswith(bend)
     assert found["blank, flat part"].startswith(f"Strip: {bend}")
     assert f"Strip: {bend}" in found["blank, export"]
     assert found["blank, written"].splitlines()[-1].startswith(f"Strip: {bend}")
     (row,) = csv.DictReader(io.StringIO(found["blank, cut list"]))
     assert row["bent_beforehand"].startswith(bend)
-    words = "which the nest leaves out: make it in the strip itself"
-    assert found["nest told"].startswith(f"Strip is followed by Notch, {words}")
-    assert found["nest"].startswith(f"Strip is followed by Notch, Rounded, {words}")
+    words = "which was added after Strip. Add it to the strip"
+    assert found["nest told"].startswith(f"The nest does not contain Notch, {words}")
+    assert found["nest"].startswith(f"The nest does not contain Notch, Rounded, {words}")
     assert found["nest of the strip alone"] == [[], ""]
-    formula = (
-        "Strip.Style has the formula Cells.A1, which gives 4: it takes 0 to 2, or a name such as <<Plain>>; "
-    )
-    assert found["formula"] == f"There is no strip.\n{formula}mend the formula, or take it away"
+    formula = "Strip.Style has the formula Cells.A1, which gives 4. Use 0 to 2, or a name such as <<Plain>>. "
+    assert found["formula"] == f"There is no strip.\n{formula}Correct or remove the formula."
     assert found["formula mended"] == ["Perforated", "Up-to-date"]
     assert found["body without a sketch"] == (
-        "Body holds no sketch for a strip: draw a spline in a sketch of its own, or select the edge that the strip "
-        "is to follow"
+        "Body has no sketch for a strip. Draw a spline in a separate sketch, or select the edge for the strip."
     )
-    several = "Body holds several sketches (Drawn, Profile): select the one that the strip is to follow"
+    several = "Body has several sketches (Drawn, Profile). Select the sketch for the strip."
     assert found["body with two sketches"] == several
     assert found["body and its sketch"] == [["Drawn", []]]
     assert found["body"] == ["Drawn", "A flat strip takes this curve.", ["Up-to-date"]]
@@ -52,5 +49,5 @@ def test_what_is_easily_overlooked_is_told(tmp_path):
     assert [found["closed with its document"], found["buttons left"]] == [True, False]
     assert found["the other's step"], "what is begun in another document is not taken back"
     said, hidden, _ = found["deleted"]
-    assert said == "what this panel works on was deleted: press Cancel"
+    assert said == "The edited object was deleted. Press Cancel."
     assert not hidden

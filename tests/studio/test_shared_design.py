@@ -37,7 +37,9 @@ def save(studio, then):
     return studio.until(then)
 
 
-@pytest.mark.parametrize("choice", ["Keep mine", "Take the file's", "Keep both", "Close"])
+@pytest.mark.parametrize(
+    "choice", ["Keep this page's design", "Use the file's design", "Keep both designs", "Close"]
+)
 def test_two_tabs_save_one_file(path, tmp_path, choice):
     downloads = tmp_path / "downloads"
     downloads.mkdir()
@@ -54,7 +56,7 @@ def test_two_tabs_save_one_file(path, tmp_path, choice):
         assert width(path) == 31
         studio.click(choice, "dialog button")
         studio.until(lambda: not studio.all("dialog[open]"))
-        if choice == "Keep mine":
+        if choice == "Keep this page's design":
             studio.until(lambda: width(path) == 32)
             studio.until(lambda: "Saved" in studio.text(".said"))
         elif choice == "Close":
@@ -62,7 +64,7 @@ def test_two_tabs_save_one_file(path, tmp_path, choice):
             save(studio, lambda: studio.all("dialog[open]"))
         else:
             studio.until(lambda: shown(studio) == 31)
-            if choice == "Keep both":
+            if choice == "Keep both designs":
                 mine = studio.until(lambda: list(downloads.glob("*.toml")))
                 assert width(mine[0]) == 32
             studio.click("Undo")
@@ -86,7 +88,7 @@ def test_the_file_outweighs_the_address_of_a_tab_unless_the_user_says_so(path, t
             change(studio, 35)
             studio.until(lambda: "#" in studio.browser.current_url)
             port = server.port
-        studio.until(lambda: "server has ended" in studio.text(".said"))
+        studio.until(lambda: "server has stopped" in studio.text(".said"))
         assert studio.verdict() == ""
         path.write_text(path.read_text().replace("max_width = 40", "max_width = 21  # by hand"))
         with running(path, "--port", port, cwd=tmp_path) as server:
@@ -102,7 +104,7 @@ def test_the_file_outweighs_the_address_of_a_tab_unless_the_user_says_so(path, t
             studio.browser.switch_to.window(kept)  # it has the new cookie, and finds its server again
             studio.until(lambda: studio.all("dialog[open]"))
             assert shown(studio) == 35
-            studio.click("Take the file's", "dialog button")
+            studio.click("Use the file's design", "dialog button")
             studio.until(lambda: shown(studio) == 21)
             studio.until(lambda: studio.verdict().startswith("It can"))
 
@@ -111,7 +113,7 @@ def test_the_file_outweighs_the_address_of_a_tab_unless_the_user_says_so(path, t
             studio.browser.refresh()
             studio.until(lambda: "another design than the file" in studio.text(".said"))
             assert shown(studio) == 21
-            studio.click("Take it", ".said button")
+            studio.click("Use it", ".said button")
             studio.until(lambda: shown(studio) == 36)
             save(studio, lambda: width(path) == 36)
             assert "by hand" in path.read_text()

@@ -210,7 +210,9 @@ def test_a_lamp_of_twelve_strips_from_an_empty_page(server, tmp_path):
         studio.type("#field-Around-the-axis-x-0", "12")
         studio.choose("#field-Holders", "rings")
         studio.until(lambda: "12 strips" in studio.text(".said") and "2 sheets" in studio.text(".said"))
-        studio.until(lambda: studio.verdict() == "It can be made, with care")  # tabs rock in one thin ring
+        studio.until(
+            lambda: studio.verdict() == "It can be made; read the warnings"
+        )  # tabs rock in one thin ring
         path = studio.download("kit", "strip.zip")
     print(f"a lamp within {time.monotonic() - began:.0f} s")
     with ZipFile(path) as packed:
@@ -234,7 +236,7 @@ def test_what_holds_the_copies_is_part_of_the_verdict(server, tmp_path):
         studio.until(lambda: studio.verdict() == "It cannot be made")
         assert "does not reach through the second plate" in studio.text(".verdict")
         studio.type("#field-gap", "")
-        studio.until(lambda: studio.verdict() == "It can be made, with care")
+        studio.until(lambda: studio.verdict() == "It can be made; read the warnings")
         assert "14 pieces" in studio.text(".said")
         studio.type("#field-ends-length", "40")
         studio.type("#field-gap", "12")
@@ -247,7 +249,7 @@ def test_the_end_of_the_server_is_told_and_the_design_stays(tmp_path):
         with running() as server:
             studio.open(server.address)
             studio.start("arch")
-        studio.until(lambda: "server has ended" in studio.text(".said"))
+        studio.until(lambda: "server has stopped" in studio.text(".said"))
         assert len(studio.all("g.points circle")) == 9
 
 

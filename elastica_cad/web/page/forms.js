@@ -1,6 +1,6 @@
 // Controls made of declared fields: the server says what can be asked, and in which words and units.
 
-const LABELS = { true: "yes", false: "no", base: "base plate", fixtures: "printed blocks", stand: "whatever fits" }; // of values
+const LABELS = { true: "yes", false: "no", base: "base plate", fixtures: "printed blocks", stand: "first that fits" }; // of values
 const PER = { mm: 1, cm: 10, m: 1000, in: 25.4, inch: 25.4, '"': 25.4 };
 
 export function html(name, attributes = {}, ...children) {

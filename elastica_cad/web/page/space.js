@@ -12,14 +12,14 @@ export class Space {
     try {
       this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
     } catch {
-      host.textContent = t("This browser shows no 3D: it needs WebGL.");
+      host.textContent = t("This browser cannot show 3D. Use a browser with WebGL.");
       return;
     }
     const canvas = this.renderer.domElement, gl = this.renderer.getContext(), told = gl.getExtension("WEBGL_debug_renderer_info");
     this.isSlow = /swiftshader|llvmpipe|software/i.test(told ? gl.getParameter(told.UNMASKED_RENDERER_WEBGL) : "");
     Object.assign(canvas, { tabIndex: 0 });
     canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", t("The bent strip in space; arrow keys turn it"));
+    canvas.setAttribute("aria-label", t("Bent strip in space. Arrow keys turn the view."));
     host.append(canvas);
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(35, 1, 1, 1e5);

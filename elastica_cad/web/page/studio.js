@@ -24,7 +24,7 @@ export function mount(root, channel, hello, { linked = null, unread = false, add
   const studio = new Studio(root, channel, hello, history, { address, onchange });
   studio.build(LANGUAGES[chosen] ? chosen : "en");
   if (other) studio.offer(linked);
-  if (unread) studio.tell(studio.t("The address of this page holds no design that can be read."));
+  if (unread) studio.tell(studio.t("The design in this page's address cannot be read."));
   if (hello.refused) studio.ask({ do: "open" }); // which says in the language of the page why the file was not read
   return studio;
 }
@@ -71,7 +71,7 @@ class Studio {
     this.numbers = html("dl", { class: "numbers" });
     this.point = html("div", { class: "point", hidden: true });
     this.dialog = html("dialog", { "aria-label": t("Start from") });
-    this.bar = html("input", { type: "range", min: 0, max: FURTHEST, step: "any", value: 1, "aria-label": t("Bend it"), oninput: () => this.bent() });
+    this.bar = html("input", { type: "range", min: 0, max: FURTHEST, step: "any", value: 1, "aria-label": t("Bend"), oninput: () => this.bent() });
     this.forces = html("output", { class: "forces" });
     this.whole = html("input", { type: "checkbox", id: "whole", checked: this.whole?.checked ?? Boolean(this.design.revolution), onchange: () => this.model() });
     this.fields = html("div", { class: "fields" });
@@ -79,7 +79,7 @@ class Studio {
     const plane = document.createElementNS("http://www.w3.org/2000/svg", "svg");
     plane.setAttribute("tabindex", 0);
     plane.setAttribute("role", "group");
-    plane.setAttribute("aria-label", t("The drawing: Tab goes to its points, arrow keys move them, Insert adds one, Delete removes one"));
+    plane.setAttribute("aria-label", t("Drawing of the curve. Tab selects a control point, arrow keys move it, Insert adds a point, Delete removes it."));
     this.flat = document.createElementNS("http://www.w3.org/2000/svg", "svg");
     this.flat.setAttribute("role", "img");
     this.flat.setAttribute("aria-label", t("Flat strip"));
@@ -100,7 +100,7 @@ class Studio {
           button("Fit", () => this.drawing.fit()), button("Zoom in", () => this.drawing.zoom(1.25)), button("Zoom out", () => this.drawing.zoom(0.8)),
           select("Snap", SNAPS.map((step) => [`${step}`, step ? `${t("Snap")} ${step} mm` : `${t("Snap")} ${t("off")}`]), (step) => { this.drawing.snap = +step; this.drawing.paint(); }, "0"),
           button("Start from", () => this.starts(), { "data-do": "starts" }), button("Open", () => file.click(), { title: t("Drop SVG, DXF or CSV on the drawing") }), file,
-          button("Nearest curve", () => this.nearest(), { class: "nearest" }), button("Sheets that can do it", () => this.sheets(), { class: "sheets" }),
+          button("Nearest curve", () => this.nearest(), { class: "nearest" }), button("Suitable sheets", () => this.sheets(), { class: "sheets" }),
           this.pairing, this.hello.file ? button("Save", () => this.save(), { class: "save", title: this.hello.file }) : null,
           this.address ? button("Copy link", () => this.link()) : null,
           menu,
@@ -108,7 +108,7 @@ class Studio {
       html("section", { class: "plane", "aria-label": t("Draw") }, plane, this.legend(), this.point),
       html("section", { class: "told", tabindex: "0", "aria-label": t("Strip") }, this.say, this.verdict, this.numbers),
       html("section", { class: "space", "aria-label": t("Bent strip") }, space,
-        html("div", { class: "bend" }, html("label", {}, t("Bend it"), this.bar), this.forces),
+        html("div", { class: "bend" }, html("label", {}, t("Bend"), this.bar), this.forces),
         html("div", { class: "whole" }, this.whole, html("label", { for: "whole" }, t("Show the whole model")))),
       html("section", { class: "flat", "aria-label": t("Flat strip") }, this.flat),
       html("section", { class: "settings", "aria-label": t("Settings") }, html("h2", {}, t("Settings")), this.which, this.fields),
@@ -294,7 +294,7 @@ class Studio {
     const stops = (answer?.rows ?? []).filter((row) => row.stops).map((row) => row.text);
     const warnings = refused ? [] : [...stops, ...(assembly?.warnings ?? [])];
     const state = refused ? "no" : warnings.length ? "care" : answer || assembly ? "yes" : "";
-    const title = { yes: "It can be made", care: "It can be made, with care", no: "It cannot be made" }[state] ?? (this.design.revolution || this.lost ? "" : "Draw at least three points");
+    const title = { yes: "It can be made", care: "It can be made; read the warnings", no: "It cannot be made" }[state] ?? (this.design.revolution || this.lost ? "" : "Draw at least three points");
     const texts = refused ? [refused.message] : state ? [...warnings, ...(answer && answer.deviation == null ? [answer.text] : [])]
       : title ? [t("Click on the drawing to set the first points of a curve, or start from an example.")] : [];
     const said = [title, ...texts].join();
@@ -355,7 +355,7 @@ class Studio {
     }
     this.assembly = null;
     this.paint(null);
-    this.tell(this.t("The server has ended. Your design stays in this page and its address: run elastica studio again."));
+    this.tell(this.t("The server has stopped. Your design is kept in this page and its address. Run elastica studio again."));
   }
 
   // The file is not as this page read it last: the user chooses, and nothing is lost.
@@ -378,24 +378,24 @@ class Studio {
     const changed = `${this.hello.file}: ${t("The file was changed since this page read it.")}`;
     this.tell(changed);
     this.ask1(changed,
-      choice("Keep mine", "This page's design is written into the file.", () => {
+      choice("Keep this page's design", "This page's design replaces the design in the file.", () => {
         this.mark = mark;
         this.save();
       }),
-      ...(design ? [choice("Take the file's", "It is shown here, and Undo brings this page's design back.", take),
-        choice("Keep both", "This page's design is downloaded, then the file's is shown.", async () => { if (await this.download("design")) take(); })] : []));
+      ...(design ? [choice("Use the file's design", "The file's design is shown. Undo restores this page's design.", take),
+        choice("Keep both designs", "This page's design is downloaded. Then the file's design is shown.", async () => { if (await this.download("design")) take(); })] : []));
   }
 
   // The address holds another design than the file, which is shown.
   offer(design) {
     const { t } = this, done = () => this.tell("");
-    this.tell(`${t("The address of this page holds another design than the file, which is shown.")} `,
+    this.tell(`${t("The design in this page's address differs from the file. The file's design is shown.")} `,
       html("button", { type: "button", class: "take", onclick: () => {
         this.history.replace(design);
         this.drawing.fit();
         done();
-      } }, t("Take it")),
-      html("button", { type: "button", onclick: done }, t("Leave it")));
+      } }, t("Use it")),
+      html("button", { type: "button", onclick: done }, t("Discard it")));
   }
 
   // ---- what is done by one click
@@ -429,12 +429,12 @@ class Studio {
       this.drawing.show({ ghost: null });
       this.tell("");
     };
-    this.tell(`${t("The nearest curve is off by")} ${this.number(answer.deviation)} mm. ${[answer.text, ...answer.advice].join(" ")} `,
+    this.tell(`${t("The nearest curve differs by at most")} ${this.number(answer.deviation)} mm. ${[answer.text, ...answer.advice].join(" ")} `,
       html("button", { type: "button", class: "take", onclick: () => {
         this.history.change((design) => { design.strips[this.strip].curve = answer.curve; });
         done();
-      } }, t("Take it")),
-      html("button", { type: "button", onclick: done }, t("Leave it")));
+      } }, t("Use it")),
+      html("button", { type: "button", onclick: done }, t("Discard it")));
   }
 
   async sheets() {
@@ -445,9 +445,9 @@ class Studio {
       html("td", {}, html("button", { type: "button", onclick: () => {
         this.history.change((design) => { tableOf(design, this.strip, "sheet").sheet = row.name; });
         this.dialog.close();
-      } }, titles[row.name])), html("td", {}, t(row.fits ? "fits" : "does not")),
-      html("td", {}, row.used == null ? row.text : `${Math.round(100 * row.used)} % ${t("of what the sheet bears")}, ${row.mass} g`)));
-    this.ask1(t("Sheets that can do it"), html("table", {}, html("tbody", {}, ...rows)));
+      } }, titles[row.name])), html("td", {}, t(row.fits ? "fits" : "does not fit")),
+      html("td", {}, row.used == null ? row.text : `${Math.round(100 * row.used)} % ${t("of the sheet's limit")}, ${row.mass} g`)));
+    this.ask1(t("Suitable sheets"), html("table", {}, html("tbody", {}, ...rows)));
   }
 
   ask1(title, ...content) {
@@ -569,7 +569,7 @@ const holderOf = (design) => HOLDERS.find((key) => key in design);
 const holding = (design) => design.revolution ?? design[holderOf(design)];
 const copyField = (name, value) => ({ name, common: true, group: "Copies", unit: "", help: name, default: null, ...value });
 const COPIES = [
-  copyField("Around the axis x = 0", {
+  copyField("Copies around the axis x = 0", {
     kind: "count",
     get: (design) => design.patterns?.find((one) => one.rotate)?.rotate.count,
     set: (design, count) => {
@@ -590,7 +590,7 @@ const COPIES = [
     set: (design, sheet) => { if (design[holderOf(design)] && holderOf(design) !== "fixtures") design[holderOf(design)].sheet = sheet ?? "mdf-3"; },
   }),
   copyField("gap", {
-    kind: "number", unit: "mm", help: "Two plates so far apart hold inclined tabs.", get: (design) => holding(design)?.gap,
+    kind: "number", unit: "mm", help: "Distance between the two plates that hold inclined tabs.", get: (design) => holding(design)?.gap,
     set: (design, gap) => { if (holding(design)) put(holding(design), ["gap"], gap); },
   }),
 ];

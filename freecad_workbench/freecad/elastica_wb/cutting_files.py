@@ -42,8 +42,8 @@ def later_feature_messages(obj: Any) -> list[str]:
     """Return a warning if later features, which the files omit, change a strip, a model or a plate."""
     words = translate(
         "Elastica",
-        "{strip} is followed by {later}, which these files leave out: make it in the strip itself "
-        "(slots, tabs, holes), or draw it into the files",
+        "The files do not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, "
+        "holes), or draw it in the files.",
     )
     later = later_features(obj)
     return [words.format(strip=obj.Label, later=later)] if later else []

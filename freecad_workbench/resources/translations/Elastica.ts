@@ -8,15 +8,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far a real strip strays from its design, by the model, what that leaves open, and its sheet</source>
+        <source>Expected deviation of a real strip from its design, due to the model, its uncertainty and the sheet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How it strays as made and held, and by what</source>
+        <source>Deviation of the strip as made and held, with its causes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Largest distance of the strip, as it is made and held, from its design</source>
+        <source>Largest deviation of the strip, as made and held, from its design</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -24,7 +24,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Features that follow what is cut, and are left out</source>
+        <source>Later features that the cut parts do not contain</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -32,31 +32,31 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Later strips are pushed on from here; zero leaves it open</source>
+        <source>Direction from which later strips are pushed on; zero for any direction</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How many slots fit into each other</source>
+        <source>Number of joints of two slots</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What was found on the way</source>
+        <source>Messages of the last recompute</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Strips that run into each other where no slot lets them, found a moment after the rest</source>
+        <source>Collisions of strips outside their slots, known a moment after the other results</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The strip whose flat part this is</source>
+        <source>Strip of this flat part</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Of a laminated strip the base, or the backing</source>
+        <source>Layer of a laminated strip: base or backing</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The model whose slots it gets; none for a strip by itself</source>
+        <source>Model whose slots the part gets; none for a single strip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -64,7 +64,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What the shape is: the strip as bent, or as cut</source>
+        <source>Shape of the feature: the strip as bent or as cut</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -76,51 +76,51 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The sheet's numbers, so that the file opens anywhere</source>
+        <source>Data of the sheet, so that the file opens on every computer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make up for anticlastic bending in the widths, where the sheet's Poisson ratio is known</source>
+        <source>Compensate anticlastic bending in the widths if the sheet's Poisson ratio is known</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make up for slots, narrow tabs and holes in the widths</source>
+        <source>Compensate slots, narrow tabs and holes in the widths</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Most of ligaments or backing, summed across; 0 for what fits</source>
+        <source>Largest total width of ligaments or backing; 0 for the largest that fits</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How stiffness becomes material</source>
+        <source>Style: plain, perforated or laminated</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sheet that is glued on in a laminated strip</source>
+        <source>Sheet of the backing of a laminated strip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The backing's numbers</source>
+        <source>Data of the backing's sheet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What holds the start of the curve</source>
+        <source>Support at the start of the curve</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What holds the end of the curve</source>
+        <source>Support at the end of the curve</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Does the strip carry its own weight?</source>
+        <source>Include the strip's own weight</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Direction in space in which things fall</source>
+        <source>Direction of gravity in space</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Elasto-gravity length; 0 takes the sheet's</source>
+        <source>Elasto-gravity length; 0 for the value of the sheet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -136,7 +136,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Instead of it along the strip: stations = [0, 300], curvatures = [0, 0.01]</source>
+        <source>Curvature before bending that varies along the strip: stations = [0, 300], curvatures = [0, 0.01]</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -148,19 +148,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Largest strain in percent; 0 takes the sheet's</source>
+        <source>Largest strain in percent; 0 for the limit of the sheet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Does MarginLimit count?</source>
+        <source>Apply MarginLimit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Does the strain limit count?</source>
+        <source>Apply the strain limit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Least length; counts with MostLength</source>
+        <source>Smallest length; applies together with MostLength</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -172,7 +172,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Which ends stay where they are</source>
+        <source>Ends that keep their position</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -180,7 +180,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Whose tangents KeepTangents keeps</source>
+        <source>Ends whose tangents KeepTangents keeps</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -216,15 +216,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How many of it are cut</source>
+        <source>Number of copies to cut</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Can a flat strip take the curve?</source>
+        <source>Verdict on the strip and its curve</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Why not, and what else to know</source>
+        <source>Reasons and remarks</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -236,15 +236,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stability margin; positive means that it stays</source>
+        <source>Stability margin; positive means stable</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Where along the strip stability is lost; 0 where it is not</source>
+        <source>Place along the strip where stability is lost; 0 for a stable strip</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Largest strain, in percent of what the sheet bears</source>
+        <source>Largest strain, in percent of the sheet's limit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -268,35 +268,35 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hidden until it can be made again</source>
+        <source>Hidden because its recompute failed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shown until its model can be made again</source>
+        <source>Shown because the recompute of its model failed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tells the request that the shape was made from</source>
+        <source>Identifies the request from which the shape was made</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What the curve moves with</source>
+        <source>Objects with which the curve moves</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A model, or strips, whose tabs go through it</source>
+        <source>Model or strips whose tabs go through the plate</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What the plate is cut from</source>
+        <source>Sheet of the plate</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The sheet's numbers</source>
+        <source>Data of the sheet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A model, or strips, whose ends are held</source>
+        <source>Model or strips whose ends are held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -312,11 +312,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Least distance between parts and from the edge</source>
+        <source>Smallest distance between parts, and from the edge</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How many sheets are needed</source>
+        <source>Number of sheets</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -324,7 +324,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Angle that half planes are spread over</source>
+        <source>Angle over which half planes are spread</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -332,87 +332,87 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far a curve may be from the section</source>
+        <source>Largest distance of a curve from the section</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the curve moves at most</source>
+        <source>Largest displacement of the curve</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the end is moved along x</source>
+        <source>Displacement of the end along x</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the end is moved along y</source>
+        <source>Displacement of the end along y</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the end is turned</source>
+        <source>Rotation of the end</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the start is moved along x</source>
+        <source>Displacement of the start along x</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the start is moved along y</source>
+        <source>Displacement of the start along y</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the start is turned</source>
+        <source>Rotation of the start</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How many curves there are</source>
+        <source>Number of curves</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How many planes there are</source>
+        <source>Number of planes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How the planes stand to each other</source>
+        <source>Arrangement of the planes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sketch, wire or edges that planes stand across</source>
+        <source>Sketch, wire or edges perpendicular to the planes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The axis of half planes passes here: x</source>
+        <source>Point on the axis of half planes: x</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The axis of half planes passes here: y</source>
+        <source>Point on the axis of half planes: y</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The axis of half planes passes here: z</source>
+        <source>Point on the axis of half planes: z</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The strip that is bent further</source>
+        <source>Strip to bend</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waves shorter than this are smoothed away; 0 keeps them</source>
+        <source>Shortest wavelength that is kept; 0 keeps all waves</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What becomes of closed lines</source>
+        <source>Treatment of closed lines</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What planes stand across, or half planes about</source>
+        <source>Axis perpendicular to the planes, or common to the half planes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Margin against tipping over sideways, positive where it stays in its plane; 0 where undecided</source>
+        <source>Sideways stability margin; positive means stable, 0 undecided</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Does it stay in the plane of its curve?</source>
+        <source>Sideways stability</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -467,11 +467,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{strip} is followed by {later}, which these files leave out: make it in the strip itself (slots, tabs, holes), or draw it into the files</source>
+        <source>The files do not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, holes), or draw it in the files.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{strip} is followed by {later}, which the nest leaves out: make it in the strip itself (slots, tabs, holes), or draw it into the cutting files</source>
+        <source>The nest does not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, holes), or draw it in the cutting files.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -483,7 +483,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>write the whole path of the folder, or press Browse</source>
+        <source>Enter the full path of the folder, or press Browse.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -503,11 +503,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>what this panel works on was deleted: press Cancel</source>
+        <source>The edited object was deleted. Press Cancel.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>tick what is to be made</source>
+        <source>Select blocks or a plate.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -667,7 +667,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Carries its weight</source>
+        <source>Own weight</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -983,7 +983,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How many</source>
+        <source>Number</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1007,7 +1007,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Must stay in its shape</source>
+        <source>Must be stable</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1195,7 +1195,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Takes this feature's place and follows nothing any more</source>
+        <source>Replaces this feature by objects that no longer follow its source</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1219,7 +1219,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>more than the sheet bears</source>
+        <source>above the sheet's limit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1262,31 +1262,31 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the start is moved along x</source>
+        <source>Displacement of the start along x</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the start is moved along y</source>
+        <source>Displacement of the start along y</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the start is turned, degrees</source>
+        <source>Rotation of the start, degrees</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the end is moved along x</source>
+        <source>Displacement of the end along x</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the end is moved along y</source>
+        <source>Displacement of the end along y</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the end is turned, degrees</source>
+        <source>Rotation of the end, degrees</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show the way from rest in small steps</source>
+        <source>Show the path from rest in small steps</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1360,7 +1360,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far a reading may be off</source>
+        <source>Uncertainty of a reading</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1483,11 +1483,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Width that the cut takes away; outlines are set off by half of it</source>
+        <source>Width removed by the cut; outlines are offset by half of it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far arcs and lines may be from the spline</source>
+        <source>Largest distance of arcs and lines from the spline</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1499,7 +1499,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Where the files go; asked for where it is empty</source>
+        <source>Folder of the files; an empty field opens a dialog</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1507,7 +1507,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Without this nothing that exists is changed</source>
+        <source>If this is off, existing files are not changed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1582,7 +1582,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the foot sticks out on either side; 0 for none</source>
+        <source>Width of the foot on either side; 0 for none</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1594,11 +1594,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What the plate is cut from</source>
+        <source>Sheet of the plate</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Where the upper face of the plate lies, along z</source>
+        <source>Position of the upper face of the plate along z</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1685,7 +1685,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Width that the cut takes away; outlines are set off by half of it</source>
+        <source>Width removed by the cut; outlines are offset by half of it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1701,7 +1701,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far arcs and lines may be from the spline</source>
+        <source>Largest distance of arcs and lines from the spline</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1835,11 +1835,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All sheets that are known, yours first</source>
+        <source>All known sheets, your own first</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name under which your sheet is kept</source>
+        <source>Name of your sheet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1859,15 +1859,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Width that your machine cuts away</source>
+        <source>Width removed by the cut of your machine</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How much it narrows while it is stretched, a share</source>
+        <source>Transverse contraction as a fraction of the stretch</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Where the numbers come from</source>
+        <source>Source of the data</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1894,7 +1894,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How many varied strips are bent</source>
+        <source>Number of varied strips</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1931,7 +1931,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Say whether a flat strip can take the selected curve, and if not why and where</source>
+        <source>Check whether a flat strip can take the selected curve, and show reasons and places</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1997,7 +1997,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Give the selected strips an even width and glue narrower strips on that make them stiff enough</source>
+        <source>Give the selected strips an even width, with narrower glued strips that set their stiffness</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2030,7 +2030,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Lay everything that must be cut for the selected strips, models and base plates on sheets</source>
+        <source>Nest all cut parts of the selected strips, models and base plates on sheets</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2041,7 +2041,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Give the selected strips an even width and let holes make them as soft as they must be</source>
+        <source>Give the selected strips an even width, with holes that set their stiffness</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2074,7 +2074,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look at the sheets that are known, with their sources, and keep your own</source>
+        <source>Show the known sheets with their sources, and store your own sheets</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2085,7 +2085,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make the flat strip that bends into the selected spline: the bent part and, linked to it, the flat one</source>
+        <source>Make the strip that bends into the selected spline: the bent part and the linked flat part</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2096,7 +2096,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Find how far the bent strip strays when sheet, cut and clamps vary within their ranges</source>
+        <source>Compute the deviation of the bent strip when sheet, cut and clamps vary within their ranges</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -4,64 +4,64 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>How far a real strip strays from its design, by the model, what that leaves open, and its sheet</source>
-        <translation>Wie weit ein wirklicher Streifen von seinem Entwurf abweicht: laut Modell, durch das, was es offen lässt, und durch die Platte</translation>
+        <source>Expected deviation of a real strip from its design, due to the model, its uncertainty and the sheet</source>
+        <translation>Erwartete Abweichung eines wirklichen Streifens von seinem Entwurf, durch Modell, dessen Unsicherheit und Platte</translation>
     </message>
     <message>
-        <source>How it strays as made and held, and by what</source>
-        <translation>Wie er, gemacht und gehalten, abweicht und wodurch</translation>
+        <source>Deviation of the strip as made and held, with its causes</source>
+        <translation>Abweichung des Streifens, wie er gemacht und gehalten ist, mit ihren Ursachen</translation>
     </message>
     <message>
-        <source>Largest distance of the strip, as it is made and held, from its design</source>
-        <translation>Größter Abstand des Streifens, wie er gemacht und gehalten ist, von seinem Entwurf</translation>
+        <source>Largest deviation of the strip, as made and held, from its design</source>
+        <translation>Größte Abweichung des Streifens, wie er gemacht und gehalten ist, von seinem Entwurf</translation>
     </message>
     <message>
         <source>The strips, in the order of assembly</source>
         <translation>Die Streifen in der Reihenfolge des Zusammenbaus</translation>
     </message>
     <message>
-        <source>Features that follow what is cut, and are left out</source>
-        <translation>Formelemente, die auf das folgen, was geschnitten wird, und ausgelassen sind</translation>
+        <source>Later features that the cut parts do not contain</source>
+        <translation>Spätere Formelemente, die in den Schnittteilen fehlen</translation>
     </message>
     <message>
         <source>Cut slots where strips cross</source>
         <translation>Schlitze, wo Streifen sich kreuzen</translation>
     </message>
     <message>
-        <source>Later strips are pushed on from here; zero leaves it open</source>
-        <translation>Spätere Streifen werden von hier aufgeschoben; null lässt es offen</translation>
+        <source>Direction from which later strips are pushed on; zero for any direction</source>
+        <translation>Richtung, aus der spätere Streifen aufgeschoben werden; null für beliebig</translation>
     </message>
     <message>
-        <source>How many slots fit into each other</source>
-        <translation>Wie viele Schlitze ineinander passen</translation>
+        <source>Number of joints of two slots</source>
+        <translation>Anzahl der Verbindungen aus zwei Schlitzen</translation>
     </message>
     <message>
-        <source>What was found on the way</source>
-        <translation>Was unterwegs gefunden wurde</translation>
+        <source>Messages of the last recompute</source>
+        <translation>Meldungen der letzten Berechnung</translation>
     </message>
     <message>
-        <source>Strips that run into each other where no slot lets them, found a moment after the rest</source>
-        <translation>Streifen, die ineinander laufen, wo kein Schlitz sie lässt; einen Augenblick nach dem Übrigen gefunden</translation>
+        <source>Collisions of strips outside their slots, known a moment after the other results</source>
+        <translation>Kollisionen von Streifen außerhalb ihrer Schlitze, kurz nach den anderen Ergebnissen bekannt</translation>
     </message>
     <message>
-        <source>The strip whose flat part this is</source>
-        <translation>Der Streifen, dessen flaches Teil dies ist</translation>
+        <source>Strip of this flat part</source>
+        <translation>Streifen dieses flachen Teils</translation>
     </message>
     <message>
-        <source>Of a laminated strip the base, or the backing</source>
-        <translation>Vom laminierten Streifen die Grundlage oder die Auflage</translation>
+        <source>Layer of a laminated strip: base or backing</source>
+        <translation>Schicht eines laminierten Streifens: Grundschicht oder Verstärkung</translation>
     </message>
     <message>
-        <source>The model whose slots it gets; none for a strip by itself</source>
-        <translation>Das Modell, dessen Schlitze es bekommt; keines für einen einzelnen Streifen</translation>
+        <source>Model whose slots the part gets; none for a single strip</source>
+        <translation>Modell, dessen Schlitze das Teil erhält; keines für einen einzelnen Streifen</translation>
     </message>
     <message>
         <source>Sketch, or edges of an object, that the strip follows</source>
         <translation>Skizze oder Kanten eines Objekts, denen der Streifen folgt</translation>
     </message>
     <message>
-        <source>What the shape is: the strip as bent, or as cut</source>
-        <translation>Was die Form ist: der Streifen gebogen oder wie geschnitten</translation>
+        <source>Shape of the feature: the strip as bent or as cut</source>
+        <translation>Form des Elements: der Streifen gebogen oder wie geschnitten</translation>
     </message>
     <message>
         <source>Material the strip is cut from</source>
@@ -72,52 +72,52 @@
         <translation>Dicke der Platte; messen Sie Ihre</translation>
     </message>
     <message>
-        <source>The sheet's numbers, so that the file opens anywhere</source>
-        <translation>Die Zahlen der Platte, damit sich die Datei überall öffnet</translation>
+        <source>Data of the sheet, so that the file opens on every computer</source>
+        <translation>Daten der Platte, damit die Datei auf jedem Rechner lesbar ist</translation>
     </message>
     <message>
-        <source>Make up for anticlastic bending in the widths, where the sheet's Poisson ratio is known</source>
-        <translation>Querkrümmung in den Breiten ausgleichen, wo die Querdehnzahl der Platte bekannt ist</translation>
+        <source>Compensate anticlastic bending in the widths if the sheet's Poisson ratio is known</source>
+        <translation>Querwölbung durch die Breiten ausgleichen, wenn die Querkontraktionszahl der Platte bekannt ist</translation>
     </message>
     <message>
-        <source>Make up for slots, narrow tabs and holes in the widths</source>
-        <translation>Schlitze, schmale Laschen und Löcher in den Breiten ausgleichen</translation>
+        <source>Compensate slots, narrow tabs and holes in the widths</source>
+        <translation>Schlitze, schmale Laschen und Löcher durch die Breiten ausgleichen</translation>
     </message>
     <message>
-        <source>Most of ligaments or backing, summed across; 0 for what fits</source>
-        <translation>Höchstens so viel Steg oder Auflage, quer summiert; 0 für was passt</translation>
+        <source>Largest total width of ligaments or backing; 0 for the largest that fits</source>
+        <translation>Größte Gesamtbreite von Stegen oder Verstärkung; 0 für die größte passende</translation>
     </message>
     <message>
-        <source>How stiffness becomes material</source>
-        <translation>Wie aus Steifigkeit Material wird</translation>
+        <source>Style: plain, perforated or laminated</source>
+        <translation>Bauart: schlicht, gelocht oder laminiert</translation>
     </message>
     <message>
-        <source>Sheet that is glued on in a laminated strip</source>
-        <translation>Platte, die beim laminierten Streifen aufgeklebt wird</translation>
+        <source>Sheet of the backing of a laminated strip</source>
+        <translation>Platte der Verstärkung eines laminierten Streifens</translation>
     </message>
     <message>
-        <source>The backing's numbers</source>
-        <translation>Die Zahlen der Auflage</translation>
+        <source>Data of the backing's sheet</source>
+        <translation>Daten der Platte der Verstärkung</translation>
     </message>
     <message>
-        <source>What holds the start of the curve</source>
-        <translation>Was den Anfang der Kurve hält</translation>
+        <source>Support at the start of the curve</source>
+        <translation>Lager am Anfang der Kurve</translation>
     </message>
     <message>
-        <source>What holds the end of the curve</source>
-        <translation>Was das Ende der Kurve hält</translation>
+        <source>Support at the end of the curve</source>
+        <translation>Lager am Ende der Kurve</translation>
     </message>
     <message>
-        <source>Does the strip carry its own weight?</source>
-        <translation>Trägt der Streifen sein eigenes Gewicht?</translation>
+        <source>Include the strip's own weight</source>
+        <translation>Eigengewicht des Streifens berücksichtigen</translation>
     </message>
     <message>
-        <source>Direction in space in which things fall</source>
-        <translation>Richtung im Raum, in die Dinge fallen</translation>
+        <source>Direction of gravity in space</source>
+        <translation>Richtung der Schwerkraft im Raum</translation>
     </message>
     <message>
-        <source>Elasto-gravity length; 0 takes the sheet's</source>
-        <translation>Elasto-Gravitationslänge; 0 nimmt die der Platte</translation>
+        <source>Elasto-gravity length; 0 for the value of the sheet</source>
+        <translation>Elasto-Gravitationslänge; 0 für den Wert der Platte</translation>
     </message>
     <message>
         <source>Masses hung on the strip: at = 90, mass = 3 (mm, g)</source>
@@ -132,8 +132,8 @@
         <translation>Krümmung des Streifens vor dem Biegen, 1/mm</translation>
     </message>
     <message>
-        <source>Instead of it along the strip: stations = [0, 300], curvatures = [0, 0.01]</source>
-        <translation>Stattdessen entlang des Streifens: stations = [0, 300], curvatures = [0, 0.01]</translation>
+        <source>Curvature before bending that varies along the strip: stations = [0, 300], curvatures = [0, 0.01]</source>
+        <translation>Vorkrümmung, die sich entlang des Streifens ändert: stations = [0, 300], curvatures = [0, 0.01]</translation>
     </message>
     <message>
         <source>Follow the curve exactly, or the nearest one within limits</source>
@@ -144,20 +144,20 @@
         <translation>Kleinste Stabilitätsreserve; 5 ist sicher stabil</translation>
     </message>
     <message>
-        <source>Largest strain in percent; 0 takes the sheet's</source>
-        <translation>Größte Dehnung in Prozent; 0 nimmt die der Platte</translation>
+        <source>Largest strain in percent; 0 for the limit of the sheet</source>
+        <translation>Größte Dehnung in Prozent; 0 für die Grenze der Platte</translation>
     </message>
     <message>
-        <source>Does MarginLimit count?</source>
-        <translation>Zählt MarginLimit?</translation>
+        <source>Apply MarginLimit</source>
+        <translation>MarginLimit anwenden</translation>
     </message>
     <message>
-        <source>Does the strain limit count?</source>
-        <translation>Zählt die Dehnungsgrenze?</translation>
+        <source>Apply the strain limit</source>
+        <translation>Dehnungsgrenze anwenden</translation>
     </message>
     <message>
-        <source>Least length; counts with MostLength</source>
-        <translation>Kleinste Länge; zählt mit MostLength</translation>
+        <source>Smallest length; applies together with MostLength</source>
+        <translation>Kleinste Länge; gilt zusammen mit MostLength</translation>
     </message>
     <message>
         <source>Largest length; 0 for no limits</source>
@@ -168,16 +168,16 @@
         <translation>Größte Breite, die das Verhältnis begrenzt; 0 für keine</translation>
     </message>
     <message>
-        <source>Which ends stay where they are</source>
-        <translation>Welche Enden bleiben, wo sie sind</translation>
+        <source>Ends that keep their position</source>
+        <translation>Enden, die ihre Lage behalten</translation>
     </message>
     <message>
         <source>Keep the tangents of both ends</source>
         <translation>Die Tangenten beider Enden behalten</translation>
     </message>
     <message>
-        <source>Whose tangents KeepTangents keeps</source>
-        <translation>Wessen Tangenten KeepTangents behält</translation>
+        <source>Ends whose tangents KeepTangents keeps</source>
+        <translation>Enden, deren Tangenten KeepTangents beibehält</translation>
     </message>
     <message>
         <source>Keep inflections on the curve's inflection line</source>
@@ -212,16 +212,16 @@
         <translation>Die letzte Lasche ganz</translation>
     </message>
     <message>
-        <source>How many of it are cut</source>
-        <translation>Wie viele davon geschnitten werden</translation>
+        <source>Number of copies to cut</source>
+        <translation>Anzahl der zu schneidenden Stücke</translation>
     </message>
     <message>
-        <source>Can a flat strip take the curve?</source>
-        <translation>Kann ein flacher Streifen die Kurve annehmen?</translation>
+        <source>Verdict on the strip and its curve</source>
+        <translation>Urteil über den Streifen und seine Kurve</translation>
     </message>
     <message>
-        <source>Why not, and what else to know</source>
-        <translation>Warum nicht, und was sonst zu wissen ist</translation>
+        <source>Reasons and remarks</source>
+        <translation>Gründe und Hinweise</translation>
     </message>
     <message>
         <source>Results that make the strip fail</source>
@@ -232,16 +232,16 @@
         <translation>Größte durch kleinste Steifigkeit</translation>
     </message>
     <message>
-        <source>Stability margin; positive means that it stays</source>
-        <translation>Stabilitätsreserve; positiv heißt, dass er bleibt</translation>
+        <source>Stability margin; positive means stable</source>
+        <translation>Stabilitätsreserve; positiv heißt stabil</translation>
     </message>
     <message>
-        <source>Where along the strip stability is lost; 0 where it is not</source>
-        <translation>Wo am Streifen die Stabilität verloren geht; 0, wo nicht</translation>
+        <source>Place along the strip where stability is lost; 0 for a stable strip</source>
+        <translation>Stelle entlang des Streifens, an der die Stabilität verloren geht; 0 bei einem stabilen Streifen</translation>
     </message>
     <message>
-        <source>Largest strain, in percent of what the sheet bears</source>
-        <translation>Größte Dehnung in Prozent dessen, was die Platte erträgt</translation>
+        <source>Largest strain, in percent of the sheet's limit</source>
+        <translation>Größte Dehnung in Prozent der Grenze der Platte</translation>
     </message>
     <message>
         <source>Largest strain of the skin, in percent</source>
@@ -264,36 +264,36 @@
         <translation>Masse in Gramm</translation>
     </message>
     <message>
-        <source>Hidden until it can be made again</source>
-        <translation>Verborgen, bis es sich wieder herstellen lässt</translation>
+        <source>Hidden because its recompute failed</source>
+        <translation>Ausgeblendet, weil die Berechnung fehlschlug</translation>
     </message>
     <message>
-        <source>Shown until its model can be made again</source>
-        <translation>Sichtbar, bis sich das Modell wieder herstellen lässt</translation>
+        <source>Shown because the recompute of its model failed</source>
+        <translation>Eingeblendet, weil die Berechnung seines Modells fehlschlug</translation>
     </message>
     <message>
-        <source>Tells the request that the shape was made from</source>
-        <translation>Sagt, aus welcher Anfrage die Form entstand</translation>
+        <source>Identifies the request from which the shape was made</source>
+        <translation>Kennung der Anforderung, aus der die Form entstand</translation>
     </message>
     <message>
-        <source>What the curve moves with</source>
-        <translation>Womit sich die Kurve bewegt</translation>
+        <source>Objects with which the curve moves</source>
+        <translation>Objekte, mit denen sich die Kurve bewegt</translation>
     </message>
     <message>
-        <source>A model, or strips, whose tabs go through it</source>
-        <translation>Ein Modell oder Streifen, deren Laschen hindurchgehen</translation>
+        <source>Model or strips whose tabs go through the plate</source>
+        <translation>Modell oder Streifen, deren Laschen durch die Platte gehen</translation>
     </message>
     <message>
-        <source>What the plate is cut from</source>
-        <translation>Woraus die Platte geschnitten wird</translation>
+        <source>Sheet of the plate</source>
+        <translation>Material der Platte</translation>
     </message>
     <message>
-        <source>The sheet's numbers</source>
-        <translation>Die Zahlen der Platte</translation>
+        <source>Data of the sheet</source>
+        <translation>Daten der Platte</translation>
     </message>
     <message>
-        <source>A model, or strips, whose ends are held</source>
-        <translation>Ein Modell oder Streifen, deren Enden gehalten werden</translation>
+        <source>Model or strips whose ends are held</source>
+        <translation>Modell oder Streifen, deren Enden gehalten werden</translation>
     </message>
     <message>
         <source>Strips, models and base plates to be cut</source>
@@ -308,19 +308,19 @@
         <translation>Höhe einer Platte</translation>
     </message>
     <message>
-        <source>Least distance between parts and from the edge</source>
+        <source>Smallest distance between parts, and from the edge</source>
         <translation>Kleinster Abstand zwischen Teilen und vom Rand</translation>
     </message>
     <message>
-        <source>How many sheets are needed</source>
-        <translation>Wie viele Platten gebraucht werden</translation>
+        <source>Number of sheets</source>
+        <translation>Anzahl der Platten</translation>
     </message>
     <message>
         <source>Show live feedback while this sketch is open</source>
         <translation>Sofortige Rückmeldung zeigen, während diese Skizze offen ist</translation>
     </message>
     <message>
-        <source>Angle that half planes are spread over</source>
+        <source>Angle over which half planes are spread</source>
         <translation>Winkel, über den Halbebenen verteilt sind</translation>
     </message>
     <message>
@@ -328,88 +328,88 @@
         <translation>Körper, Flächen und Netze, die geschnitten werden</translation>
     </message>
     <message>
-        <source>How far a curve may be from the section</source>
-        <translation>Wie weit eine Kurve vom Schnitt abweichen darf</translation>
+        <source>Largest distance of a curve from the section</source>
+        <translation>Größter Abstand einer Kurve vom Schnitt</translation>
     </message>
     <message>
-        <source>How far the curve moves at most</source>
-        <translation>Wie weit die Kurve sich höchstens bewegt</translation>
+        <source>Largest displacement of the curve</source>
+        <translation>Größte Verschiebung der Kurve</translation>
     </message>
     <message>
-        <source>How far the end is moved along x</source>
-        <translation>Wie weit das Ende entlang x verschoben ist</translation>
+        <source>Displacement of the end along x</source>
+        <translation>Verschiebung des Endes entlang x</translation>
     </message>
     <message>
-        <source>How far the end is moved along y</source>
-        <translation>Wie weit das Ende entlang y verschoben ist</translation>
+        <source>Displacement of the end along y</source>
+        <translation>Verschiebung des Endes entlang y</translation>
     </message>
     <message>
-        <source>How far the end is turned</source>
-        <translation>Wie weit das Ende gedreht ist</translation>
+        <source>Rotation of the end</source>
+        <translation>Drehung des Endes</translation>
     </message>
     <message>
-        <source>How far the start is moved along x</source>
-        <translation>Wie weit der Anfang entlang x verschoben ist</translation>
+        <source>Displacement of the start along x</source>
+        <translation>Verschiebung des Anfangs entlang x</translation>
     </message>
     <message>
-        <source>How far the start is moved along y</source>
-        <translation>Wie weit der Anfang entlang y verschoben ist</translation>
+        <source>Displacement of the start along y</source>
+        <translation>Verschiebung des Anfangs entlang y</translation>
     </message>
     <message>
-        <source>How far the start is turned</source>
-        <translation>Wie weit der Anfang gedreht ist</translation>
+        <source>Rotation of the start</source>
+        <translation>Drehung des Anfangs</translation>
     </message>
     <message>
-        <source>How many curves there are</source>
-        <translation>Wie viele Kurven es sind</translation>
+        <source>Number of curves</source>
+        <translation>Anzahl der Kurven</translation>
     </message>
     <message>
-        <source>How many planes there are</source>
-        <translation>Wie viele Ebenen es sind</translation>
+        <source>Number of planes</source>
+        <translation>Anzahl der Ebenen</translation>
     </message>
     <message>
-        <source>How the planes stand to each other</source>
-        <translation>Wie die Ebenen zueinander stehen</translation>
+        <source>Arrangement of the planes</source>
+        <translation>Anordnung der Ebenen</translation>
     </message>
     <message>
-        <source>Sketch, wire or edges that planes stand across</source>
-        <translation>Skizze, Draht oder Kanten, zu denen die Ebenen quer stehen</translation>
+        <source>Sketch, wire or edges perpendicular to the planes</source>
+        <translation>Skizze, Draht oder Kanten senkrecht zu den Ebenen</translation>
     </message>
     <message>
-        <source>The axis of half planes passes here: x</source>
-        <translation>Hier geht die Achse der Halbebenen durch: x</translation>
+        <source>Point on the axis of half planes: x</source>
+        <translation>Punkt auf der Achse der Halbebenen: x</translation>
     </message>
     <message>
-        <source>The axis of half planes passes here: y</source>
-        <translation>Hier geht die Achse der Halbebenen durch: y</translation>
+        <source>Point on the axis of half planes: y</source>
+        <translation>Punkt auf der Achse der Halbebenen: y</translation>
     </message>
     <message>
-        <source>The axis of half planes passes here: z</source>
-        <translation>Hier geht die Achse der Halbebenen durch: z</translation>
+        <source>Point on the axis of half planes: z</source>
+        <translation>Punkt auf der Achse der Halbebenen: z</translation>
     </message>
     <message>
-        <source>The strip that is bent further</source>
-        <translation>Der Streifen, der weiter gebogen wird</translation>
+        <source>Strip to bend</source>
+        <translation>Zu biegender Streifen</translation>
     </message>
     <message>
-        <source>Waves shorter than this are smoothed away; 0 keeps them</source>
-        <translation>Kürzere Wellen als diese werden geglättet; 0 behält sie</translation>
+        <source>Shortest wavelength that is kept; 0 keeps all waves</source>
+        <translation>Kürzeste Wellenlänge, die erhalten bleibt; 0 behält alle Wellen</translation>
     </message>
     <message>
-        <source>What becomes of closed lines</source>
-        <translation>Was aus geschlossenen Linien wird</translation>
+        <source>Treatment of closed lines</source>
+        <translation>Behandlung geschlossener Linien</translation>
     </message>
     <message>
-        <source>What planes stand across, or half planes about</source>
-        <translation>Wozu die Ebenen quer stehen, oder worum Halbebenen</translation>
+        <source>Axis perpendicular to the planes, or common to the half planes</source>
+        <translation>Achse senkrecht zu den Ebenen oder gemeinsame Achse der Halbebenen</translation>
     </message>
     <message>
-        <source>Margin against tipping over sideways, positive where it stays in its plane; 0 where undecided</source>
-        <translation>Reserve gegen seitliches Kippen, positiv, wo er in seiner Ebene bleibt; 0, wo es offen ist</translation>
+        <source>Sideways stability margin; positive means stable, 0 undecided</source>
+        <translation>Seitliche Stabilitätsreserve; positiv heißt stabil, 0 offen</translation>
     </message>
     <message>
-        <source>Does it stay in the plane of its curve?</source>
-        <translation>Bleibt er in der Ebene seiner Kurve?</translation>
+        <source>Sideways stability</source>
+        <translation>Seitliche Stabilität</translation>
     </message>
 </context>
 <context>
@@ -463,12 +463,12 @@
         <translation>DXF-Dateien sind hier von der Version R12, Kurven als Bögen: die Bibliothek ezdxf fehlt.</translation>
     </message>
     <message>
-        <source>{strip} is followed by {later}, which these files leave out: make it in the strip itself (slots, tabs, holes), or draw it into the files</source>
-        <translation>Auf {strip} folgt {later}, was diese Dateien auslassen: im Streifen selbst anlegen (Schlitze, Laschen, Löcher) oder in die Dateien einzeichnen</translation>
+        <source>The files do not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, holes), or draw it in the files.</source>
+        <translation>Die Dateien enthalten {later} nicht, das nach {strip} hinzugefügt wurde. Ergänzen Sie es im Streifen (Schlitze, Laschen, Löcher), oder zeichnen Sie es in die Dateien.</translation>
     </message>
     <message>
-        <source>{strip} is followed by {later}, which the nest leaves out: make it in the strip itself (slots, tabs, holes), or draw it into the cutting files</source>
-        <translation>Auf {strip} folgt {later}, was die Schachtelung auslässt: im Streifen selbst anlegen (Schlitze, Laschen, Löcher) oder in die Schneiddateien einzeichnen</translation>
+        <source>The nest does not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, holes), or draw it in the cutting files.</source>
+        <translation>Die Schachtelung enthält {later} nicht, das nach {strip} hinzugefügt wurde. Ergänzen Sie es im Streifen (Schlitze, Laschen, Löcher), oder zeichnen Sie es in die Schneiddateien.</translation>
     </message>
     <message>
         <source>choose a folder for the files</source>
@@ -479,8 +479,8 @@
         <translation>gibt es schon: einen anderen Ordner wählen oder das Überschreiben ankreuzen</translation>
     </message>
     <message>
-        <source>write the whole path of the folder, or press Browse</source>
-        <translation>bitte den ganzen Pfad des Ordners schreiben oder Durchsuchen drücken</translation>
+        <source>Enter the full path of the folder, or press Browse.</source>
+        <translation>Geben Sie den vollständigen Pfad des Ordners an, oder drücken Sie Durchsuchen.</translation>
     </message>
     <message>
         <source>Ranges are those of the sheet.</source>
@@ -499,12 +499,12 @@
         <translation>Angehalten.</translation>
     </message>
     <message>
-        <source>what this panel works on was deleted: press Cancel</source>
-        <translation>was dieses Bedienfeld bearbeitet, wurde gelöscht: Abbrechen drücken</translation>
+        <source>The edited object was deleted. Press Cancel.</source>
+        <translation>Das bearbeitete Objekt wurde gelöscht. Drücken Sie Abbrechen.</translation>
     </message>
     <message>
-        <source>tick what is to be made</source>
-        <translation>bitte ankreuzen, was erzeugt werden soll</translation>
+        <source>Select blocks or a plate.</source>
+        <translation>Wählen Sie Blöcke oder eine Platte.</translation>
     </message>
     <message>
         <source>Use the nearest curve</source>
@@ -663,8 +663,8 @@
         <translation>Ende ist gehalten</translation>
     </message>
     <message>
-        <source>Carries its weight</source>
-        <translation>Trägt sein Gewicht</translation>
+        <source>Own weight</source>
+        <translation>Eigengewicht</translation>
     </message>
     <message>
         <source>Tab at the start</source>
@@ -979,7 +979,7 @@
         <translation>Der Streifen wird gebogen</translation>
     </message>
     <message>
-        <source>How many</source>
+        <source>Number</source>
         <translation>Anzahl</translation>
     </message>
     <message>
@@ -1003,8 +1003,8 @@
         <translation>Darf nicht brechen</translation>
     </message>
     <message>
-        <source>Must stay in its shape</source>
-        <translation>Muss in seiner Form bleiben</translation>
+        <source>Must be stable</source>
+        <translation>Muss stabil sein</translation>
     </message>
     <message>
         <source>Planes</source>
@@ -1191,8 +1191,8 @@
         <translation>Skizzen zum Bearbeiten machen</translation>
     </message>
     <message>
-        <source>Takes this feature's place and follows nothing any more</source>
-        <translation>Tritt an die Stelle dieses Features und folgt nichts mehr</translation>
+        <source>Replaces this feature by objects that no longer follow its source</source>
+        <translation>Ersetzt dieses Element durch Objekte, die der Quelle nicht mehr folgen</translation>
     </message>
     <message>
         <source>flat</source>
@@ -1215,8 +1215,8 @@
         <translation>nächste Kurve</translation>
     </message>
     <message>
-        <source>more than the sheet bears</source>
-        <translation>mehr, als die Platte verträgt</translation>
+        <source>above the sheet's limit</source>
+        <translation>über der Grenze der Platte</translation>
     </message>
     <message>
         <source>the line must not meet the curve here</source>
@@ -1258,31 +1258,31 @@
         <translation>Abspielen</translation>
     </message>
     <message>
-        <source>How far the start is moved along x</source>
-        <translation>Wie weit der Anfang entlang x verschoben wird</translation>
+        <source>Displacement of the start along x</source>
+        <translation>Verschiebung des Anfangs entlang x</translation>
     </message>
     <message>
-        <source>How far the start is moved along y</source>
-        <translation>Wie weit der Anfang entlang y verschoben wird</translation>
+        <source>Displacement of the start along y</source>
+        <translation>Verschiebung des Anfangs entlang y</translation>
     </message>
     <message>
-        <source>How far the start is turned, degrees</source>
-        <translation>Um wie viel Grad der Anfang gedreht wird</translation>
+        <source>Rotation of the start, degrees</source>
+        <translation>Drehung des Anfangs in Grad</translation>
     </message>
     <message>
-        <source>How far the end is moved along x</source>
-        <translation>Wie weit das Ende entlang x verschoben wird</translation>
+        <source>Displacement of the end along x</source>
+        <translation>Verschiebung des Endes entlang x</translation>
     </message>
     <message>
-        <source>How far the end is moved along y</source>
-        <translation>Wie weit das Ende entlang y verschoben wird</translation>
+        <source>Displacement of the end along y</source>
+        <translation>Verschiebung des Endes entlang y</translation>
     </message>
     <message>
-        <source>How far the end is turned, degrees</source>
-        <translation>Um wie viel Grad das Ende gedreht wird</translation>
+        <source>Rotation of the end, degrees</source>
+        <translation>Drehung des Endes in Grad</translation>
     </message>
     <message>
-        <source>Show the way from rest in small steps</source>
+        <source>Show the path from rest in small steps</source>
         <translation>Zeigt den Weg aus der Ruhelage in kleinen Schritten</translation>
     </message>
 </context>
@@ -1356,8 +1356,8 @@
         <translation>Überhang = Durchhang in mm, ein Paar je Messung</translation>
     </message>
     <message>
-        <source>How far a reading may be off</source>
-        <translation>Wie weit eine Ablesung daneben liegen kann</translation>
+        <source>Uncertainty of a reading</source>
+        <translation>Unsicherheit einer Ablesung</translation>
     </message>
     <message>
         <source>Name of the calibrated sheet in your library</source>
@@ -1479,12 +1479,12 @@
         <translation>Die älteste Version, die Ihr Programm liest, ist die sicherste</translation>
     </message>
     <message>
-        <source>Width that the cut takes away; outlines are set off by half of it</source>
-        <translation>Breite, die der Schnitt wegnimmt; Umrisse werden um die Hälfte versetzt</translation>
+        <source>Width removed by the cut; outlines are offset by half of it</source>
+        <translation>Breite, die der Schnitt entfernt; Umrisse werden um die Hälfte versetzt</translation>
     </message>
     <message>
-        <source>How far arcs and lines may be from the spline</source>
-        <translation>Wie weit Bögen und Linien vom Spline abweichen dürfen</translation>
+        <source>Largest distance of arcs and lines from the spline</source>
+        <translation>Größter Abstand der Bögen und Geraden vom Spline</translation>
     </message>
     <message>
         <source>Machines that cut every line would cut the tabs off at their guide lines</source>
@@ -1495,16 +1495,16 @@
         <translation>Hilfslinien und Namen der Gegenstreifen</translation>
     </message>
     <message>
-        <source>Where the files go; asked for where it is empty</source>
-        <translation>Wohin die Dateien kommen; wird gefragt, wenn es leer ist</translation>
+        <source>Folder of the files; an empty field opens a dialog</source>
+        <translation>Ordner der Dateien; ein leeres Feld öffnet einen Dialog</translation>
     </message>
     <message>
         <source>Choose the folder</source>
         <translation>Den Ordner wählen</translation>
     </message>
     <message>
-        <source>Without this nothing that exists is changed</source>
-        <translation>Ohne dies wird nichts Vorhandenes geändert</translation>
+        <source>If this is off, existing files are not changed</source>
+        <translation>Ist dies aus, werden vorhandene Dateien nicht geändert</translation>
     </message>
 </context>
 <context>
@@ -1578,8 +1578,8 @@
         <translation>Kleinste Dicke um die Tasche</translation>
     </message>
     <message>
-        <source>How far the foot sticks out on either side; 0 for none</source>
-        <translation>Wie weit der Fuß auf jeder Seite vorsteht; 0 für keinen</translation>
+        <source>Width of the foot on either side; 0 for none</source>
+        <translation>Breite des Fußes auf jeder Seite; 0 für keinen</translation>
     </message>
     <message>
         <source>Diameter of the screw holes in the foot; 0 for none</source>
@@ -1590,12 +1590,12 @@
         <translation>Eine Platte mit einem Schlitz für jede Lasche, die hindurchgeht</translation>
     </message>
     <message>
-        <source>What the plate is cut from</source>
-        <translation>Woraus die Platte geschnitten wird</translation>
+        <source>Sheet of the plate</source>
+        <translation>Material der Platte</translation>
     </message>
     <message>
-        <source>Where the upper face of the plate lies, along z</source>
-        <translation>Wo die Oberseite der Platte liegt, entlang z</translation>
+        <source>Position of the upper face of the plate along z</source>
+        <translation>Lage der Plattenoberseite entlang z</translation>
     </message>
     <message>
         <source>Room beside a tab on either side</source>
@@ -1681,8 +1681,8 @@
         <translation>Länge der Laschen neuer Streifen</translation>
     </message>
     <message>
-        <source>Width that the cut takes away; outlines are set off by half of it</source>
-        <translation>Breite, die der Schnitt wegnimmt; Umrisse werden um die Hälfte versetzt</translation>
+        <source>Width removed by the cut; outlines are offset by half of it</source>
+        <translation>Breite, die der Schnitt entfernt; Umrisse werden um die Hälfte versetzt</translation>
     </message>
     <message>
         <source>Added to the width of slots in new models and plates</source>
@@ -1697,8 +1697,8 @@
         <translation>Splines wie gezeichnet, oder Bögen oder Linien für Maschinen, die nur das nehmen</translation>
     </message>
     <message>
-        <source>How far arcs and lines may be from the spline</source>
-        <translation>Wie weit Bögen und Linien vom Spline abweichen dürfen</translation>
+        <source>Largest distance of arcs and lines from the spline</source>
+        <translation>Größter Abstand der Bögen und Geraden vom Spline</translation>
     </message>
     <message>
         <source>In sketches that strips follow, and in those made from this workbench</source>
@@ -1831,12 +1831,12 @@
         <translation>Meine Platte entfernen</translation>
     </message>
     <message>
-        <source>All sheets that are known, yours first</source>
-        <translation>Alle bekannten Platten, Ihre zuerst</translation>
+        <source>All known sheets, your own first</source>
+        <translation>Alle bekannten Platten, eigene zuerst</translation>
     </message>
     <message>
-        <source>Name under which your sheet is kept</source>
-        <translation>Name, unter dem Ihre Platte bewahrt wird</translation>
+        <source>Name of your sheet</source>
+        <translation>Name Ihrer Platte</translation>
     </message>
     <message>
         <source>As measured with a caliper</source>
@@ -1855,16 +1855,16 @@
         <translation>Größte Dehnung der Außenhaut, bevor die Platte bricht oder gebogen bleibt</translation>
     </message>
     <message>
-        <source>Width that your machine cuts away</source>
-        <translation>Breite, die Ihre Maschine wegschneidet</translation>
+        <source>Width removed by the cut of your machine</source>
+        <translation>Breite, die der Schnitt Ihrer Maschine entfernt</translation>
     </message>
     <message>
-        <source>How much it narrows while it is stretched, a share</source>
-        <translation>Wie stark sie beim Dehnen schmaler wird, als Anteil</translation>
+        <source>Transverse contraction as a fraction of the stretch</source>
+        <translation>Querkontraktion als Anteil der Dehnung</translation>
     </message>
     <message>
-        <source>Where the numbers come from</source>
-        <translation>Woher die Zahlen stammen</translation>
+        <source>Source of the data</source>
+        <translation>Quelle der Daten</translation>
     </message>
     <message>
         <source>Takes this sheet out of your library</source>
@@ -1890,8 +1890,8 @@
         <translation>Starten</translation>
     </message>
     <message>
-        <source>How many varied strips are bent</source>
-        <translation>Wie viele veränderte Streifen gebogen werden</translation>
+        <source>Number of varied strips</source>
+        <translation>Anzahl der variierten Streifen</translation>
     </message>
     <message>
         <source>Bends them all; Escape stops it</source>
@@ -1927,8 +1927,8 @@
         <translation>Kurve prüfen</translation>
     </message>
     <message>
-        <source>Say whether a flat strip can take the selected curve, and if not why and where</source>
-        <translation>Sagt, ob ein flacher Streifen die gewählte Kurve annehmen kann, und wenn nicht, warum und wo</translation>
+        <source>Check whether a flat strip can take the selected curve, and show reasons and places</source>
+        <translation>Prüfen, ob ein flacher Streifen die gewählte Kurve annehmen kann, mit Gründen und Stellen</translation>
     </message>
 </context>
 <context>
@@ -1993,8 +1993,8 @@
         <translation>Laminieren</translation>
     </message>
     <message>
-        <source>Give the selected strips an even width and glue narrower strips on that make them stiff enough</source>
-        <translation>Den gewählten Streifen eine gleichmäßige Breite geben und schmalere aufkleben, die sie steif genug machen</translation>
+        <source>Give the selected strips an even width, with narrower glued strips that set their stiffness</source>
+        <translation>Den gewählten Streifen gleichmäßige Breite geben, mit schmaleren aufgeklebten Streifen für die Steifigkeit</translation>
     </message>
 </context>
 <context>
@@ -2026,8 +2026,8 @@
         <translation>Auf Platten schachteln</translation>
     </message>
     <message>
-        <source>Lay everything that must be cut for the selected strips, models and base plates on sheets</source>
-        <translation>Alles, was für die gewählten Streifen, Modelle und Grundplatten zu schneiden ist, auf Platten legen</translation>
+        <source>Nest all cut parts of the selected strips, models and base plates on sheets</source>
+        <translation>Alle Schnittteile der gewählten Streifen, Modelle und Grundplatten auf Platten schachteln</translation>
     </message>
 </context>
 <context>
@@ -2037,8 +2037,8 @@
         <translation>Lochen</translation>
     </message>
     <message>
-        <source>Give the selected strips an even width and let holes make them as soft as they must be</source>
-        <translation>Den gewählten Streifen eine gleichmäßige Breite geben und sie durch Löcher so weich machen wie nötig</translation>
+        <source>Give the selected strips an even width, with holes that set their stiffness</source>
+        <translation>Den gewählten Streifen gleichmäßige Breite geben, mit Löchern für die Steifigkeit</translation>
     </message>
 </context>
 <context>
@@ -2070,8 +2070,8 @@
         <translation>Plattenbibliothek</translation>
     </message>
     <message>
-        <source>Look at the sheets that are known, with their sources, and keep your own</source>
-        <translation>Bekannte Platten mit ihren Quellen ansehen und eigene behalten</translation>
+        <source>Show the known sheets with their sources, and store your own sheets</source>
+        <translation>Bekannte Platten mit ihren Quellen zeigen und eigene Platten speichern</translation>
     </message>
 </context>
 <context>
@@ -2081,8 +2081,8 @@
         <translation>Streifen aus Skizze</translation>
     </message>
     <message>
-        <source>Make the flat strip that bends into the selected spline: the bent part and, linked to it, the flat one</source>
-        <translation>Den flachen Streifen erzeugen, der sich in den gewählten Spline biegt: das gebogene Teil und, damit verknüpft, das flache</translation>
+        <source>Make the strip that bends into the selected spline: the bent part and the linked flat part</source>
+        <translation>Den Streifen erzeugen, der sich in den gewählten Spline biegt: das gebogene Teil und das damit verknüpfte flache</translation>
     </message>
 </context>
 <context>
@@ -2092,8 +2092,8 @@
         <translation>Toleranzstudie</translation>
     </message>
     <message>
-        <source>Find how far the bent strip strays when sheet, cut and clamps vary within their ranges</source>
-        <translation>Ermitteln, wie weit der gebogene Streifen abweicht, wenn Platte, Schnitt und Klemmen in ihren Bereichen schwanken</translation>
+        <source>Compute the deviation of the bent strip when sheet, cut and clamps vary within their ranges</source>
+        <translation>Abweichung des gebogenen Streifens berechnen, wenn Platte, Schnitt und Klemmen in ihren Bereichen schwanken</translation>
     </message>
 </context>
 <context>

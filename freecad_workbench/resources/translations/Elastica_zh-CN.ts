@@ -4,64 +4,64 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>How far a real strip strays from its design, by the model, what that leaves open, and its sheet</source>
-        <translation>实际条带偏离设计的程度:按模型计算的偏差、模型未确定的部分以及板材带来的偏差</translation>
+        <source>Expected deviation of a real strip from its design, due to the model, its uncertainty and the sheet</source>
+        <translation>实际条带与设计的预期偏差，来自模型、其不确定性和板材</translation>
     </message>
     <message>
-        <source>How it strays as made and held, and by what</source>
-        <translation>按实际制作和夹持如何偏离，以及原因</translation>
+        <source>Deviation of the strip as made and held, with its causes</source>
+        <translation>条带制成并固定后的偏差及其原因</translation>
     </message>
     <message>
-        <source>Largest distance of the strip, as it is made and held, from its design</source>
-        <translation>条带按实际制作和夹持后与设计的最大距离</translation>
+        <source>Largest deviation of the strip, as made and held, from its design</source>
+        <translation>条带制成并固定后与设计的最大偏差</translation>
     </message>
     <message>
         <source>The strips, in the order of assembly</source>
         <translation>按装配顺序排列的条</translation>
     </message>
     <message>
-        <source>Features that follow what is cut, and are left out</source>
-        <translation>排在被切割件之后、未被包含的特征</translation>
+        <source>Later features that the cut parts do not contain</source>
+        <translation>切割件中不包含的后续特征</translation>
     </message>
     <message>
         <source>Cut slots where strips cross</source>
         <translation>在条带相交处开槽</translation>
     </message>
     <message>
-        <source>Later strips are pushed on from here; zero leaves it open</source>
-        <translation>后装的条从此方向推入；零表示不限定</translation>
+        <source>Direction from which later strips are pushed on; zero for any direction</source>
+        <translation>后装条带的推入方向；零表示任意</translation>
     </message>
     <message>
-        <source>How many slots fit into each other</source>
-        <translation>互相插接的槽数</translation>
+        <source>Number of joints of two slots</source>
+        <translation>两槽相扣的接头数</translation>
     </message>
     <message>
-        <source>What was found on the way</source>
-        <translation>过程中的发现</translation>
+        <source>Messages of the last recompute</source>
+        <translation>上次重新计算的消息</translation>
     </message>
     <message>
-        <source>Strips that run into each other where no slot lets them, found a moment after the rest</source>
-        <translation>在没有槽口之处互相穿入的条带；在其余结果之后片刻得出</translation>
+        <source>Collisions of strips outside their slots, known a moment after the other results</source>
+        <translation>条带在槽之外的碰撞，比其他结果稍后得出</translation>
     </message>
     <message>
-        <source>The strip whose flat part this is</source>
-        <translation>此平面件所属的条</translation>
+        <source>Strip of this flat part</source>
+        <translation>此平面零件所属的条带</translation>
     </message>
     <message>
-        <source>Of a laminated strip the base, or the backing</source>
-        <translation>层合条的基层或背层</translation>
+        <source>Layer of a laminated strip: base or backing</source>
+        <translation>层压条带的层：基层或背层</translation>
     </message>
     <message>
-        <source>The model whose slots it gets; none for a strip by itself</source>
-        <translation>提供槽的模型；单独的条留空</translation>
+        <source>Model whose slots the part gets; none for a single strip</source>
+        <translation>零件采用其槽的模型；单独条带则不选</translation>
     </message>
     <message>
         <source>Sketch, or edges of an object, that the strip follows</source>
         <translation>条所跟随的草图或对象的边</translation>
     </message>
     <message>
-        <source>What the shape is: the strip as bent, or as cut</source>
-        <translation>形状：弯曲的条或切割的条</translation>
+        <source>Shape of the feature: the strip as bent or as cut</source>
+        <translation>特征的形状：弯曲后的条带或切割件</translation>
     </message>
     <message>
         <source>Material the strip is cut from</source>
@@ -72,52 +72,52 @@
         <translation>板材厚度；请实测</translation>
     </message>
     <message>
-        <source>The sheet's numbers, so that the file opens anywhere</source>
-        <translation>板材数据，使文件在任何地方都能打开</translation>
+        <source>Data of the sheet, so that the file opens on every computer</source>
+        <translation>板材数据，使文件可在任何电脑上打开</translation>
     </message>
     <message>
-        <source>Make up for anticlastic bending in the widths, where the sheet's Poisson ratio is known</source>
-        <translation>在已知板材泊松比时，用宽度补偿反向弯曲</translation>
+        <source>Compensate anticlastic bending in the widths if the sheet's Poisson ratio is known</source>
+        <translation>若已知板材泊松比，则在宽度中补偿横向反弯</translation>
     </message>
     <message>
-        <source>Make up for slots, narrow tabs and holes in the widths</source>
-        <translation>用宽度补偿槽口、窄接片和孔</translation>
+        <source>Compensate slots, narrow tabs and holes in the widths</source>
+        <translation>在宽度中补偿槽、窄插片和孔</translation>
     </message>
     <message>
-        <source>Most of ligaments or backing, summed across; 0 for what fits</source>
-        <translation>横向肋或背层总宽上限；0 表示可容纳的最大值</translation>
+        <source>Largest total width of ligaments or backing; 0 for the largest that fits</source>
+        <translation>条梁或背层的最大总宽度；0 表示可容纳的最大值</translation>
     </message>
     <message>
-        <source>How stiffness becomes material</source>
-        <translation>刚度如何变为材料</translation>
+        <source>Style: plain, perforated or laminated</source>
+        <translation>样式：素面、穿孔或层压</translation>
     </message>
     <message>
-        <source>Sheet that is glued on in a laminated strip</source>
-        <translation>层合条粘上的板材</translation>
+        <source>Sheet of the backing of a laminated strip</source>
+        <translation>层压条带背层的板材</translation>
     </message>
     <message>
-        <source>The backing's numbers</source>
-        <translation>背层数据</translation>
+        <source>Data of the backing's sheet</source>
+        <translation>背层板材的数据</translation>
     </message>
     <message>
-        <source>What holds the start of the curve</source>
-        <translation>曲线起点的约束</translation>
+        <source>Support at the start of the curve</source>
+        <translation>曲线起点的支承</translation>
     </message>
     <message>
-        <source>What holds the end of the curve</source>
-        <translation>曲线终点的约束</translation>
+        <source>Support at the end of the curve</source>
+        <translation>曲线终点的支承</translation>
     </message>
     <message>
-        <source>Does the strip carry its own weight?</source>
-        <translation>条是否承受自重？</translation>
+        <source>Include the strip's own weight</source>
+        <translation>计入条带自重</translation>
     </message>
     <message>
-        <source>Direction in space in which things fall</source>
-        <translation>空间中物体下落的方向</translation>
+        <source>Direction of gravity in space</source>
+        <translation>空间中的重力方向</translation>
     </message>
     <message>
-        <source>Elasto-gravity length; 0 takes the sheet's</source>
-        <translation>弹性重力长度；0 取板材的值</translation>
+        <source>Elasto-gravity length; 0 for the value of the sheet</source>
+        <translation>弹性重力长度；0 表示采用板材的值</translation>
     </message>
     <message>
         <source>Masses hung on the strip: at = 90, mass = 3 (mm, g)</source>
@@ -132,8 +132,8 @@
         <translation>弯曲前条的曲率，1/mm</translation>
     </message>
     <message>
-        <source>Instead of it along the strip: stations = [0, 300], curvatures = [0, 0.01]</source>
-        <translation>改为沿条带给出：stations = [0, 300], curvatures = [0, 0.01]</translation>
+        <source>Curvature before bending that varies along the strip: stations = [0, 300], curvatures = [0, 0.01]</source>
+        <translation>沿条带变化的预弯曲率：stations = [0, 300], curvatures = [0, 0.01]</translation>
     </message>
     <message>
         <source>Follow the curve exactly, or the nearest one within limits</source>
@@ -144,20 +144,20 @@
         <translation>最小稳定裕度；5 为可靠稳定</translation>
     </message>
     <message>
-        <source>Largest strain in percent; 0 takes the sheet's</source>
-        <translation>最大应变（百分比）；0 取板材的值</translation>
+        <source>Largest strain in percent; 0 for the limit of the sheet</source>
+        <translation>最大应变（%）；0 表示采用板材极限</translation>
     </message>
     <message>
-        <source>Does MarginLimit count?</source>
-        <translation>MarginLimit 是否有效？</translation>
+        <source>Apply MarginLimit</source>
+        <translation>应用 MarginLimit</translation>
     </message>
     <message>
-        <source>Does the strain limit count?</source>
-        <translation>应变限制是否有效？</translation>
+        <source>Apply the strain limit</source>
+        <translation>应用应变极限</translation>
     </message>
     <message>
-        <source>Least length; counts with MostLength</source>
-        <translation>最小长度；与 MostLength 一起有效</translation>
+        <source>Smallest length; applies together with MostLength</source>
+        <translation>最小长度；与 MostLength 一起生效</translation>
     </message>
     <message>
         <source>Largest length; 0 for no limits</source>
@@ -168,16 +168,16 @@
         <translation>限制刚度比的最大宽度；0 表示无</translation>
     </message>
     <message>
-        <source>Which ends stay where they are</source>
-        <translation>哪些端点保持不动</translation>
+        <source>Ends that keep their position</source>
+        <translation>保持位置的端点</translation>
     </message>
     <message>
         <source>Keep the tangents of both ends</source>
         <translation>保持两端切线</translation>
     </message>
     <message>
-        <source>Whose tangents KeepTangents keeps</source>
-        <translation>KeepTangents 保持哪端的切线</translation>
+        <source>Ends whose tangents KeepTangents keeps</source>
+        <translation>KeepTangents 所保持切线的端点</translation>
     </message>
     <message>
         <source>Keep inflections on the curve's inflection line</source>
@@ -212,16 +212,16 @@
         <translation>终点端片的完整参数</translation>
     </message>
     <message>
-        <source>How many of it are cut</source>
-        <translation>切割数量</translation>
+        <source>Number of copies to cut</source>
+        <translation>切割份数</translation>
     </message>
     <message>
-        <source>Can a flat strip take the curve?</source>
-        <translation>平条能否弯成此曲线？</translation>
+        <source>Verdict on the strip and its curve</source>
+        <translation>对条带及其曲线的判定</translation>
     </message>
     <message>
-        <source>Why not, and what else to know</source>
-        <translation>不能的原因及其他须知</translation>
+        <source>Reasons and remarks</source>
+        <translation>原因和提示</translation>
     </message>
     <message>
         <source>Results that make the strip fail</source>
@@ -232,16 +232,16 @@
         <translation>最大刚度与最小刚度之比</translation>
     </message>
     <message>
-        <source>Stability margin; positive means that it stays</source>
-        <translation>稳定裕度；正值表示能保持</translation>
+        <source>Stability margin; positive means stable</source>
+        <translation>稳定裕度；为正表示稳定</translation>
     </message>
     <message>
-        <source>Where along the strip stability is lost; 0 where it is not</source>
-        <translation>沿条失稳的位置；0 表示不失稳</translation>
+        <source>Place along the strip where stability is lost; 0 for a stable strip</source>
+        <translation>条带上失稳的位置；稳定时为 0</translation>
     </message>
     <message>
-        <source>Largest strain, in percent of what the sheet bears</source>
-        <translation>最大应变占板材可承受值的百分比</translation>
+        <source>Largest strain, in percent of the sheet's limit</source>
+        <translation>最大应变，占板材极限的百分比</translation>
     </message>
     <message>
         <source>Largest strain of the skin, in percent</source>
@@ -264,36 +264,36 @@
         <translation>质量（克）</translation>
     </message>
     <message>
-        <source>Hidden until it can be made again</source>
-        <translation>隐藏直至可再次制成</translation>
+        <source>Hidden because its recompute failed</source>
+        <translation>因重新计算失败而隐藏</translation>
     </message>
     <message>
-        <source>Shown until its model can be made again</source>
-        <translation>显示直至其模型可再次制成</translation>
+        <source>Shown because the recompute of its model failed</source>
+        <translation>因其模型重新计算失败而显示</translation>
     </message>
     <message>
-        <source>Tells the request that the shape was made from</source>
-        <translation>记录生成形状的请求</translation>
+        <source>Identifies the request from which the shape was made</source>
+        <translation>标识生成形状的请求</translation>
     </message>
     <message>
-        <source>What the curve moves with</source>
-        <translation>曲线随之移动的容器</translation>
+        <source>Objects with which the curve moves</source>
+        <translation>曲线随之移动的对象</translation>
     </message>
     <message>
-        <source>A model, or strips, whose tabs go through it</source>
-        <translation>端片穿过底板的模型或条</translation>
+        <source>Model or strips whose tabs go through the plate</source>
+        <translation>插片穿过此板的模型或条带</translation>
     </message>
     <message>
-        <source>What the plate is cut from</source>
+        <source>Sheet of the plate</source>
         <translation>底板的板材</translation>
     </message>
     <message>
-        <source>The sheet's numbers</source>
+        <source>Data of the sheet</source>
         <translation>板材数据</translation>
     </message>
     <message>
-        <source>A model, or strips, whose ends are held</source>
-        <translation>端部被固定的模型或条</translation>
+        <source>Model or strips whose ends are held</source>
+        <translation>端部被固定的模型或条带</translation>
     </message>
     <message>
         <source>Strips, models and base plates to be cut</source>
@@ -308,11 +308,11 @@
         <translation>板材高度</translation>
     </message>
     <message>
-        <source>Least distance between parts and from the edge</source>
+        <source>Smallest distance between parts, and from the edge</source>
         <translation>零件之间及到边缘的最小距离</translation>
     </message>
     <message>
-        <source>How many sheets are needed</source>
+        <source>Number of sheets</source>
         <translation>所需板材数</translation>
     </message>
     <message>
@@ -320,96 +320,96 @@
         <translation>打开此草图时显示实时反馈</translation>
     </message>
     <message>
-        <source>Angle that half planes are spread over</source>
-        <translation>半平面所分布的角度</translation>
+        <source>Angle over which half planes are spread</source>
+        <translation>半平面分布的角度</translation>
     </message>
     <message>
         <source>Bodies, surfaces and meshes that are cut</source>
         <translation>被切割的实体、曲面和网格</translation>
     </message>
     <message>
-        <source>How far a curve may be from the section</source>
-        <translation>曲线可偏离截面的距离</translation>
+        <source>Largest distance of a curve from the section</source>
+        <translation>曲线与截面的最大距离</translation>
     </message>
     <message>
-        <source>How far the curve moves at most</source>
-        <translation>曲线移动的最大距离</translation>
+        <source>Largest displacement of the curve</source>
+        <translation>曲线的最大位移</translation>
     </message>
     <message>
-        <source>How far the end is moved along x</source>
-        <translation>终点沿 x 移动的距离</translation>
+        <source>Displacement of the end along x</source>
+        <translation>终点沿 x 的位移</translation>
     </message>
     <message>
-        <source>How far the end is moved along y</source>
-        <translation>终点沿 y 移动的距离</translation>
+        <source>Displacement of the end along y</source>
+        <translation>终点沿 y 的位移</translation>
     </message>
     <message>
-        <source>How far the end is turned</source>
-        <translation>终点转动的角度</translation>
+        <source>Rotation of the end</source>
+        <translation>终点的转角</translation>
     </message>
     <message>
-        <source>How far the start is moved along x</source>
-        <translation>起点沿 x 移动的距离</translation>
+        <source>Displacement of the start along x</source>
+        <translation>起点沿 x 的位移</translation>
     </message>
     <message>
-        <source>How far the start is moved along y</source>
-        <translation>起点沿 y 移动的距离</translation>
+        <source>Displacement of the start along y</source>
+        <translation>起点沿 y 的位移</translation>
     </message>
     <message>
-        <source>How far the start is turned</source>
-        <translation>起点转动的角度</translation>
+        <source>Rotation of the start</source>
+        <translation>起点的转角</translation>
     </message>
     <message>
-        <source>How many curves there are</source>
-        <translation>曲线的数量</translation>
+        <source>Number of curves</source>
+        <translation>曲线数</translation>
     </message>
     <message>
-        <source>How many planes there are</source>
-        <translation>平面的数量</translation>
+        <source>Number of planes</source>
+        <translation>平面数</translation>
     </message>
     <message>
-        <source>How the planes stand to each other</source>
-        <translation>各平面之间的相互位置</translation>
+        <source>Arrangement of the planes</source>
+        <translation>平面的排列</translation>
     </message>
     <message>
-        <source>Sketch, wire or edges that planes stand across</source>
-        <translation>平面所垂直的草图、线框或边</translation>
+        <source>Sketch, wire or edges perpendicular to the planes</source>
+        <translation>与平面垂直的草图、线框或边</translation>
     </message>
     <message>
-        <source>The axis of half planes passes here: x</source>
-        <translation>半平面的轴通过此处：x</translation>
+        <source>Point on the axis of half planes: x</source>
+        <translation>半平面轴上的点：x</translation>
     </message>
     <message>
-        <source>The axis of half planes passes here: y</source>
-        <translation>半平面的轴通过此处：y</translation>
+        <source>Point on the axis of half planes: y</source>
+        <translation>半平面轴上的点：y</translation>
     </message>
     <message>
-        <source>The axis of half planes passes here: z</source>
-        <translation>半平面的轴通过此处：z</translation>
+        <source>Point on the axis of half planes: z</source>
+        <translation>半平面轴上的点：z</translation>
     </message>
     <message>
-        <source>The strip that is bent further</source>
-        <translation>被继续弯曲的条带</translation>
+        <source>Strip to bend</source>
+        <translation>要弯曲的条带</translation>
     </message>
     <message>
-        <source>Waves shorter than this are smoothed away; 0 keeps them</source>
-        <translation>短于此值的波纹会被抹平；0 则保留</translation>
+        <source>Shortest wavelength that is kept; 0 keeps all waves</source>
+        <translation>保留的最短波长；0 表示全部保留</translation>
     </message>
     <message>
-        <source>What becomes of closed lines</source>
-        <translation>如何处理闭合线</translation>
+        <source>Treatment of closed lines</source>
+        <translation>闭合线的处理</translation>
     </message>
     <message>
-        <source>What planes stand across, or half planes about</source>
-        <translation>平面所垂直的轴，或半平面所围绕的轴</translation>
+        <source>Axis perpendicular to the planes, or common to the half planes</source>
+        <translation>垂直于平面的轴，或半平面的公共轴</translation>
     </message>
     <message>
-        <source>Margin against tipping over sideways, positive where it stays in its plane; 0 where undecided</source>
-        <translation>抗侧倾的裕度，为正时条带留在其平面内；未定时为 0</translation>
+        <source>Sideways stability margin; positive means stable, 0 undecided</source>
+        <translation>侧向稳定裕度；为正表示稳定，0 表示未定</translation>
     </message>
     <message>
-        <source>Does it stay in the plane of its curve?</source>
-        <translation>条带是否留在其曲线所在的平面内？</translation>
+        <source>Sideways stability</source>
+        <translation>侧向稳定性</translation>
     </message>
 </context>
 <context>
@@ -463,12 +463,12 @@
         <translation>此处 DXF 文件为 R12 版本，曲线写为圆弧：缺少库 ezdxf。</translation>
     </message>
     <message>
-        <source>{strip} is followed by {later}, which these files leave out: make it in the strip itself (slots, tabs, holes), or draw it into the files</source>
-        <translation>{strip} 之后还有 {later}，这些文件不包含它：请在条带本身中制作（槽、端片、孔），或在文件中补画</translation>
+        <source>The files do not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, holes), or draw it in the files.</source>
+        <translation>文件不包含在 {strip} 之后添加的 {later}。请在条带中添加（槽、插片、孔），或画入文件。</translation>
     </message>
     <message>
-        <source>{strip} is followed by {later}, which the nest leaves out: make it in the strip itself (slots, tabs, holes), or draw it into the cutting files</source>
-        <translation>{strip} 之后还有 {later}，排样不包含它：请在条带本身中制作（槽、端片、孔），或在切割文件中补画</translation>
+        <source>The nest does not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, holes), or draw it in the cutting files.</source>
+        <translation>排料不包含在 {strip} 之后添加的 {later}。请在条带中添加（槽、插片、孔），或画入切割文件。</translation>
     </message>
     <message>
         <source>choose a folder for the files</source>
@@ -479,8 +479,8 @@
         <translation>已存在：请选择另一个文件夹，或勾选覆盖已有文件</translation>
     </message>
     <message>
-        <source>write the whole path of the folder, or press Browse</source>
-        <translation>请写出文件夹的完整路径，或按浏览</translation>
+        <source>Enter the full path of the folder, or press Browse.</source>
+        <translation>请输入文件夹的完整路径，或按“浏览”。</translation>
     </message>
     <message>
         <source>Ranges are those of the sheet.</source>
@@ -499,12 +499,12 @@
         <translation>已停止。</translation>
     </message>
     <message>
-        <source>what this panel works on was deleted: press Cancel</source>
-        <translation>此面板所处理的对象已被删除：请按取消</translation>
+        <source>The edited object was deleted. Press Cancel.</source>
+        <translation>所编辑的对象已被删除。请按“取消”。</translation>
     </message>
     <message>
-        <source>tick what is to be made</source>
-        <translation>请勾选要生成的内容</translation>
+        <source>Select blocks or a plate.</source>
+        <translation>请选择固定块或底板。</translation>
     </message>
     <message>
         <source>Use the nearest curve</source>
@@ -663,8 +663,8 @@
         <translation>终点约束</translation>
     </message>
     <message>
-        <source>Carries its weight</source>
-        <translation>承受自重</translation>
+        <source>Own weight</source>
+        <translation>自重</translation>
     </message>
     <message>
         <source>Tab at the start</source>
@@ -979,7 +979,7 @@
         <translation>正在弯曲条带</translation>
     </message>
     <message>
-        <source>How many</source>
+        <source>Number</source>
         <translation>数量</translation>
     </message>
     <message>
@@ -1003,8 +1003,8 @@
         <translation>不得断裂</translation>
     </message>
     <message>
-        <source>Must stay in its shape</source>
-        <translation>必须保持形状</translation>
+        <source>Must be stable</source>
+        <translation>必须稳定</translation>
     </message>
     <message>
         <source>Planes</source>
@@ -1191,8 +1191,8 @@
         <translation>生成可编辑的草图</translation>
     </message>
     <message>
-        <source>Takes this feature's place and follows nothing any more</source>
-        <translation>取代此特征，且不再跟随任何对象</translation>
+        <source>Replaces this feature by objects that no longer follow its source</source>
+        <translation>用不再跟随来源的对象替换此特征</translation>
     </message>
     <message>
         <source>flat</source>
@@ -1215,8 +1215,8 @@
         <translation>最近的曲线</translation>
     </message>
     <message>
-        <source>more than the sheet bears</source>
-        <translation>超过板材承受能力</translation>
+        <source>above the sheet's limit</source>
+        <translation>超过板材极限</translation>
     </message>
     <message>
         <source>the line must not meet the curve here</source>
@@ -1258,31 +1258,31 @@
         <translation>播放</translation>
     </message>
     <message>
-        <source>How far the start is moved along x</source>
-        <translation>起点沿 x 移动的距离</translation>
+        <source>Displacement of the start along x</source>
+        <translation>起点沿 x 的位移</translation>
     </message>
     <message>
-        <source>How far the start is moved along y</source>
-        <translation>起点沿 y 移动的距离</translation>
+        <source>Displacement of the start along y</source>
+        <translation>起点沿 y 的位移</translation>
     </message>
     <message>
-        <source>How far the start is turned, degrees</source>
-        <translation>起点转动的角度（度）</translation>
+        <source>Rotation of the start, degrees</source>
+        <translation>起点的转角（度）</translation>
     </message>
     <message>
-        <source>How far the end is moved along x</source>
-        <translation>终点沿 x 移动的距离</translation>
+        <source>Displacement of the end along x</source>
+        <translation>终点沿 x 的位移</translation>
     </message>
     <message>
-        <source>How far the end is moved along y</source>
-        <translation>终点沿 y 移动的距离</translation>
+        <source>Displacement of the end along y</source>
+        <translation>终点沿 y 的位移</translation>
     </message>
     <message>
-        <source>How far the end is turned, degrees</source>
-        <translation>终点转动的角度（度）</translation>
+        <source>Rotation of the end, degrees</source>
+        <translation>终点的转角（度）</translation>
     </message>
     <message>
-        <source>Show the way from rest in small steps</source>
+        <source>Show the path from rest in small steps</source>
         <translation>逐步显示从静止位置开始的过程</translation>
     </message>
 </context>
@@ -1356,8 +1356,8 @@
         <translation>悬伸 = 下垂（mm），每次测量一对</translation>
     </message>
     <message>
-        <source>How far a reading may be off</source>
-        <translation>读数可能的误差</translation>
+        <source>Uncertainty of a reading</source>
+        <translation>读数的误差</translation>
     </message>
     <message>
         <source>Name of the calibrated sheet in your library</source>
@@ -1479,12 +1479,12 @@
         <translation>您的程序能读取的最旧版本最稳妥</translation>
     </message>
     <message>
-        <source>Width that the cut takes away; outlines are set off by half of it</source>
-        <translation>切割损耗宽度；轮廓偏移其一半</translation>
+        <source>Width removed by the cut; outlines are offset by half of it</source>
+        <translation>切割去除的宽度；轮廓偏移其一半</translation>
     </message>
     <message>
-        <source>How far arcs and lines may be from the spline</source>
-        <translation>圆弧和直线可偏离样条的距离</translation>
+        <source>Largest distance of arcs and lines from the spline</source>
+        <translation>圆弧和直线与样条的最大距离</translation>
     </message>
     <message>
         <source>Machines that cut every line would cut the tabs off at their guide lines</source>
@@ -1495,16 +1495,16 @@
         <translation>辅助线和配合板条的名称</translation>
     </message>
     <message>
-        <source>Where the files go; asked for where it is empty</source>
-        <translation>文件存放处；为空时会询问</translation>
+        <source>Folder of the files; an empty field opens a dialog</source>
+        <translation>文件所在文件夹；留空则弹出对话框</translation>
     </message>
     <message>
         <source>Choose the folder</source>
         <translation>选择文件夹</translation>
     </message>
     <message>
-        <source>Without this nothing that exists is changed</source>
-        <translation>不选则不改动已有文件</translation>
+        <source>If this is off, existing files are not changed</source>
+        <translation>不勾选则不更改已有文件</translation>
     </message>
 </context>
 <context>
@@ -1578,8 +1578,8 @@
         <translation>槽周围的最小壁厚</translation>
     </message>
     <message>
-        <source>How far the foot sticks out on either side; 0 for none</source>
-        <translation>底脚每侧伸出的长度；0 表示无</translation>
+        <source>Width of the foot on either side; 0 for none</source>
+        <translation>底脚每侧的宽度；0 表示无</translation>
     </message>
     <message>
         <source>Diameter of the screw holes in the foot; 0 for none</source>
@@ -1590,12 +1590,12 @@
         <translation>一块底板，每个穿过的插片有一个槽</translation>
     </message>
     <message>
-        <source>What the plate is cut from</source>
-        <translation>底板所用板材</translation>
+        <source>Sheet of the plate</source>
+        <translation>底板的板材</translation>
     </message>
     <message>
-        <source>Where the upper face of the plate lies, along z</source>
-        <translation>底板上表面的 z 高度</translation>
+        <source>Position of the upper face of the plate along z</source>
+        <translation>板上表面沿 z 的位置</translation>
     </message>
     <message>
         <source>Room beside a tab on either side</source>
@@ -1681,8 +1681,8 @@
         <translation>新条带插片的长度</translation>
     </message>
     <message>
-        <source>Width that the cut takes away; outlines are set off by half of it</source>
-        <translation>切割损耗宽度；轮廓偏移其一半</translation>
+        <source>Width removed by the cut; outlines are offset by half of it</source>
+        <translation>切割去除的宽度；轮廓偏移其一半</translation>
     </message>
     <message>
         <source>Added to the width of slots in new models and plates</source>
@@ -1697,8 +1697,8 @@
         <translation>按所绘样条，或为只接受圆弧或直线的机器转换</translation>
     </message>
     <message>
-        <source>How far arcs and lines may be from the spline</source>
-        <translation>圆弧和直线可偏离样条的距离</translation>
+        <source>Largest distance of arcs and lines from the spline</source>
+        <translation>圆弧和直线与样条的最大距离</translation>
     </message>
     <message>
         <source>In sketches that strips follow, and in those made from this workbench</source>
@@ -1831,12 +1831,12 @@
         <translation>删除我的板材</translation>
     </message>
     <message>
-        <source>All sheets that are known, yours first</source>
-        <translation>所有已知板材，您的在前</translation>
+        <source>All known sheets, your own first</source>
+        <translation>所有已知板材，自己的在前</translation>
     </message>
     <message>
-        <source>Name under which your sheet is kept</source>
-        <translation>保存板材所用的名称</translation>
+        <source>Name of your sheet</source>
+        <translation>您的板材名称</translation>
     </message>
     <message>
         <source>As measured with a caliper</source>
@@ -1855,15 +1855,15 @@
         <translation>板材断裂或残留弯曲前的最大表面应变</translation>
     </message>
     <message>
-        <source>Width that your machine cuts away</source>
-        <translation>机器切去的宽度</translation>
+        <source>Width removed by the cut of your machine</source>
+        <translation>您的机器切割去除的宽度</translation>
     </message>
     <message>
-        <source>How much it narrows while it is stretched, a share</source>
-        <translation>拉伸时变窄的比例</translation>
+        <source>Transverse contraction as a fraction of the stretch</source>
+        <translation>横向收缩与拉伸之比</translation>
     </message>
     <message>
-        <source>Where the numbers come from</source>
+        <source>Source of the data</source>
         <translation>数据来源</translation>
     </message>
     <message>
@@ -1890,8 +1890,8 @@
         <translation>运行</translation>
     </message>
     <message>
-        <source>How many varied strips are bent</source>
-        <translation>弯曲的变化条带数量</translation>
+        <source>Number of varied strips</source>
+        <translation>变化条带的数量</translation>
     </message>
     <message>
         <source>Bends them all; Escape stops it</source>
@@ -1927,8 +1927,8 @@
         <translation>检查曲线</translation>
     </message>
     <message>
-        <source>Say whether a flat strip can take the selected curve, and if not why and where</source>
-        <translation>判断平条带能否弯成所选曲线；若不能，说明原因和位置</translation>
+        <source>Check whether a flat strip can take the selected curve, and show reasons and places</source>
+        <translation>检查平条带能否弯成所选曲线，并显示原因和位置</translation>
     </message>
 </context>
 <context>
@@ -1993,8 +1993,8 @@
         <translation>层压</translation>
     </message>
     <message>
-        <source>Give the selected strips an even width and glue narrower strips on that make them stiff enough</source>
-        <translation>使所选条带等宽，并粘贴较窄的条带以获得足够刚度</translation>
+        <source>Give the selected strips an even width, with narrower glued strips that set their stiffness</source>
+        <translation>使所选条带等宽，并粘贴较窄的条带调节刚度</translation>
     </message>
 </context>
 <context>
@@ -2026,8 +2026,8 @@
         <translation>在板材上排样</translation>
     </message>
     <message>
-        <source>Lay everything that must be cut for the selected strips, models and base plates on sheets</source>
-        <translation>将所选条带、模型和底板的全部切割件排布到板材上</translation>
+        <source>Nest all cut parts of the selected strips, models and base plates on sheets</source>
+        <translation>将所选条带、模型和底板的全部切割件排到板材上</translation>
     </message>
 </context>
 <context>
@@ -2037,8 +2037,8 @@
         <translation>打孔</translation>
     </message>
     <message>
-        <source>Give the selected strips an even width and let holes make them as soft as they must be</source>
-        <translation>使所选条带等宽，并用孔使其达到所需柔度</translation>
+        <source>Give the selected strips an even width, with holes that set their stiffness</source>
+        <translation>使所选条带等宽，并用孔调节刚度</translation>
     </message>
 </context>
 <context>
@@ -2070,7 +2070,7 @@
         <translation>板材库</translation>
     </message>
     <message>
-        <source>Look at the sheets that are known, with their sources, and keep your own</source>
+        <source>Show the known sheets with their sources, and store your own sheets</source>
         <translation>查看已知板材及其来源，并保存自己的板材</translation>
     </message>
 </context>
@@ -2081,8 +2081,8 @@
         <translation>由草图生成条带</translation>
     </message>
     <message>
-        <source>Make the flat strip that bends into the selected spline: the bent part and, linked to it, the flat one</source>
-        <translation>生成可弯成所选样条的平条带：弯曲零件及与之链接的平展零件</translation>
+        <source>Make the strip that bends into the selected spline: the bent part and the linked flat part</source>
+        <translation>生成可弯成所选样条的条带：弯曲件及与之关联的平面件</translation>
     </message>
 </context>
 <context>
@@ -2092,8 +2092,8 @@
         <translation>公差研究</translation>
     </message>
     <message>
-        <source>Find how far the bent strip strays when sheet, cut and clamps vary within their ranges</source>
-        <translation>研究板材、切割和夹持在其范围内变化时弯曲条带的偏差</translation>
+        <source>Compute the deviation of the bent strip when sheet, cut and clamps vary within their ranges</source>
+        <translation>计算板材、切割和夹持在其范围内变化时弯曲条带的偏差</translation>
     </message>
 </context>
 <context>

@@ -46,7 +46,8 @@ DRAW = (
         name="Elastica_Check",
         text=QT_TRANSLATE_NOOP("Elastica_Check", "Check curve"),
         tip=QT_TRANSLATE_NOOP(
-            "Elastica_Check", "Say whether a flat strip can take the selected curve, and if not why and where"
+            "Elastica_Check",
+            ("Check whether a flat strip can take the selected curve, and show reasons and places"),
         ),
         run=actions.check,
         has_subject=actions.has_curve,
@@ -93,7 +94,7 @@ STRIPS = (
         text=QT_TRANSLATE_NOOP("Elastica_Strip", "Strip from sketch"),
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Strip",
-            "Make the flat strip that bends into the selected spline: the bent part and, linked to it, the flat one",  # noqa: E501
+            "Make the strip that bends into the selected spline: the bent part and the linked flat part",
         ),
         run=actions.make_strips,
         has_subject=actions.has_curve,
@@ -115,7 +116,7 @@ STRIPS = (
         text=QT_TRANSLATE_NOOP("Elastica_Perforate", "Perforate"),
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Perforate",
-            "Give the selected strips an even width and let holes make them as soft as they must be",
+            "Give the selected strips an even width, with holes that set their stiffness",
         ),
         run=actions.perforate,
         has_subject=HAS_STRIP,
@@ -126,7 +127,7 @@ STRIPS = (
         text=QT_TRANSLATE_NOOP("Elastica_Laminate", "Laminate"),
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Laminate",
-            "Give the selected strips an even width and glue narrower strips on that make them stiff enough",
+            "Give the selected strips an even width, with narrower glued strips that set their stiffness",
         ),
         run=actions.laminate,
         has_subject=HAS_STRIP,
@@ -149,7 +150,7 @@ STRIPS = (
         text=QT_TRANSLATE_NOOP("Elastica_Tolerance", "Tolerance study"),
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Tolerance",
-            "Find how far the bent strip strays when sheet, cut and clamps vary within their ranges",
+            "Compute the deviation of the bent strip when sheet, cut and clamps vary within their ranges",
         ),
         run=partial(open_on, TolerancePanel, chosen_strip),
         has_subject=HAS_STRIP,
@@ -182,7 +183,7 @@ MODELS = (
         text=QT_TRANSLATE_NOOP("Elastica_Nest", "Nest on sheets"),
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Nest",
-            "Lay everything that must be cut for the selected strips, models and base plates on sheets",
+            "Nest all cut parts of the selected strips, models and base plates on sheets",
         ),
         run=actions.make_nest,
         has_subject=HAS_PARTS,
@@ -205,7 +206,7 @@ WORKSHOP = (
         name="Elastica_Sheets",
         text=QT_TRANSLATE_NOOP("Elastica_Sheets", "Sheet library"),
         tip=QT_TRANSLATE_NOOP(
-            "Elastica_Sheets", "Look at the sheets that are known, with their sources, and keep your own"
+            "Elastica_Sheets", "Show the known sheets with their sources, and store your own sheets"
         ),
         run=partial(show_panel, SheetsPanel),
         in_sketch=True,

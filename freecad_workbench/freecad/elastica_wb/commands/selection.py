@@ -91,14 +91,14 @@ def _sketch_in(body: Any) -> Any:
     candidates = [sketch for sketch in ours if not users[sketch]] or ours
     if not candidates:
         raise InputError(
-            "{body} holds no sketch for a strip: draw a spline in a sketch of its own, or select "
-            "the edge that the strip is to follow",
+            "{body} has no sketch for a strip. Draw a spline in a separate sketch, or select the edge for "
+            "the strip.",
             body=body.Label,
         )
     if len(candidates) > 1:
         names = ", ".join(sketch.Label for sketch in candidates)
         raise InputError(
-            "{body} holds several sketches ({names}): select the one that the strip is to follow",
+            "{body} has several sketches ({names}). Select the sketch for the strip.",
             body=body.Label,
             names=names,
         )

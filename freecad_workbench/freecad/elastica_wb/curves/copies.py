@@ -104,7 +104,7 @@ def _copies(obj: Any, place: App.Matrix) -> Iterator[Shown]:
         return
     if _size(obj) != SAME:
         raise InputError(
-            "{object} is scaled, and a strip of another size bends otherwise: set its Scale to 1",
+            "{object} is scaled, but a strip of another size bends differently. Set its Scale to 1.",
             object=obj.Label,
         )
     for part, where in parts:

@@ -91,8 +91,8 @@ def _read(brep: BinaryBrep) -> Part.Shape:
             os.unlink(name)
     except OSError as error:
         raise InputError(
-            "the shape cannot pass through a temporary file ({why}): make that folder writable, "
-            "with room in it",
+            "The temporary file for the shape cannot be written ({why}). Make its folder writable and free "
+            "some space.",
             why=error,
         ) from error
     return shape

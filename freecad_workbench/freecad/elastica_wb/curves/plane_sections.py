@@ -84,7 +84,7 @@ class Family:
             The axis or family is unknown, or planes or path are missing.
         """
         if self.kind not in FAMILIES or self.axis not in AXES or self.count < 1:
-            raise InputError("choose a family, an axis (X, Y or Z) and one plane or more")
+            raise InputError("choose a family, an axis (X, Y or Z) and at least 1 plane")
         axis, middle = AXES[self.axis], np.array(tuple(box.Center))
         if self.kind == "parallel":
             low, high = (getattr(box, f"{self.axis}{side}") for side in ("Min", "Max"))
@@ -103,7 +103,7 @@ class Family:
             frames = radial_planes(point, axis, np.radians(turns), zero=zero)
             return [(f"{v:.4g}°", frame) for v, frame in zip(turns, frames, strict=True)]
         if self.path is None:
-            raise InputError("choose a path: a sketch or a wire that the planes stand across")
+            raise InputError("choose a path: a sketch or a wire that is perpendicular to the planes")
         along = np.abs(self.path[-1] - self.path[0])
         up = (0.0, 1.0, 0.0) if along[2] > 0.9 * np.linalg.norm(along) else (0.0, 0.0, 1.0)
         frames = planes_along(self.path, self.count, up=up)
@@ -149,7 +149,7 @@ def path_points(source: Any, names: Iterable[str] = ()) -> FloatArray:
     chains = Part.sortEdges(edges) if edges else []
     if len(chains) != 1:
         raise InputError(
-            "{source} has {count} chains of edges: choose the edges of one as the path",
+            "{source} has {count} chains of edges. Choose the edges of a single chain as the path.",
             source=source.Label,
             count=len(chains),
         )

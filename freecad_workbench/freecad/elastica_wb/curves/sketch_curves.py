@@ -146,7 +146,7 @@ def edge_called(source: Any, name: str) -> Any:
     except (ValueError, IndexError, Part.OCCError) as error:
         called = name.lstrip("?")  # FreeCAD 1.x marks names of lost elements
         raise InputError(
-            "{source} has no {part} any more: choose the curve anew", source=source.Label, part=called
+            "{source} no longer has {part}. Choose the curve again.", source=source.Label, part=called
         ) from error
     return element
 
@@ -176,13 +176,11 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
         raise InputError(lost)
     shape = Part.getShape(source)
     if shape.isNull():
-        raise InputError("{source} has no shape: choose a sketch, an edge or a wire", source=source.Label)
+        raise InputError("{source} has no shape. Choose a sketch, an edge or a wire.", source=source.Label)
     if names:
         return [edge for name in names for edge in edge_called(source, name).Edges]
     if shape.Faces and not is_outline(shape):
-        raise InputError(
-            "{source} has many edges: choose the ones that the strip is to follow", source=source.Label
-        )
+        raise InputError("{source} has many edges. Choose the edges for the strip.", source=source.Label)
     return list(shape.Edges)
 
 

@@ -26,9 +26,11 @@ class BasePlateFeature(Feature):
     """A base plate. The plane z = 0 of its placement is its upper face."""
 
     properties = (
-        Property("LinkListGlobal", "Sources", "Base plate", "A model, or strips, whose tabs go through it"),
-        Property("Enumeration", "Sheet", "Base plate", "What the plate is cut from"),
-        Property("String", "SheetData", "Base plate", "The sheet's numbers", hidden=True),
+        Property(
+            "LinkListGlobal", "Sources", "Base plate", "Model or strips whose tabs go through the plate"
+        ),
+        Property("Enumeration", "Sheet", "Base plate", "Sheet of the plate"),
+        Property("String", "SheetData", "Base plate", "Data of the sheet", hidden=True),
         *(declared_property(field, "Base plate", name) for name, field in SIZES.items()),
         REPORTS,
         CONTAINERS,

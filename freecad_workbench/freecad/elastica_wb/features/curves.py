@@ -70,22 +70,22 @@ class BentFeature(Feature):
     """The curve of a strip whose ends were moved and turned."""
 
     properties = (
-        Property("LinkGlobal", "Strip", "Bent", "The strip that is bent further"),
-        Property("Distance", "StartX", "Bent", "How far the start is moved along x"),
-        Property("Distance", "StartY", "Bent", "How far the start is moved along y"),
-        Property("Distance", "EndX", "Bent", "How far the end is moved along x"),
-        Property("Distance", "EndY", "Bent", "How far the end is moved along y"),
-        Property("Angle", "StartAngle", "Bent", "How far the start is turned"),
-        Property("Angle", "EndAngle", "Bent", "How far the end is turned"),
-        result("Length", "LargestMove", "How far the curve moves at most"),
-        result("Float", "Margin", "Stability margin; positive means that it stays"),
+        Property("LinkGlobal", "Strip", "Bent", "Strip to bend"),
+        Property("Distance", "StartX", "Bent", "Displacement of the start along x"),
+        Property("Distance", "StartY", "Bent", "Displacement of the start along y"),
+        Property("Distance", "EndX", "Bent", "Displacement of the end along x"),
+        Property("Distance", "EndY", "Bent", "Displacement of the end along y"),
+        Property("Angle", "StartAngle", "Bent", "Rotation of the start"),
+        Property("Angle", "EndAngle", "Bent", "Rotation of the end"),
+        result("Length", "LargestMove", "Largest displacement of the curve"),
+        result("Float", "Margin", "Stability margin; positive means stable"),
         REPORTS,
     )
 
     def make(self, obj: Any) -> None:
         """Bend the strip to its new ends and show its curve."""
         if not is_strip(obj.Strip):
-            raise InputError("the strip is missing: choose one in the property Strip")
+            raise InputError("The strip is missing. Choose a strip in the property Strip.")
         rest = strip_of(obj.Strip).rod_to_bend
         rod = moved(rest, {name: getattr(obj, name).Value for name in MOVES})
         obj.Shape = spline_geometry(rod.curve).toShape()
@@ -99,20 +99,24 @@ class SectionFeature(Feature):
 
     properties = (
         Property("LinkListGlobal", "Sources", "Section", "Bodies, surfaces and meshes that are cut"),
-        Property("Enumeration", "Family", "Section", "How the planes stand to each other", list(FAMILIES)),
-        Property("Integer", "Count", "Section", "How many planes there are", 5),
+        Property("Enumeration", "Family", "Section", "Arrangement of the planes", list(FAMILIES)),
+        Property("Integer", "Count", "Section", "Number of planes", 5),
         Property(
-            "Enumeration", "Axis", "Section", "What planes stand across, or half planes about", list(AXES)
+            "Enumeration",
+            "Axis",
+            "Section",
+            "Axis perpendicular to the planes, or common to the half planes",
+            list(AXES),
         ),
-        Property("Distance", "ThroughX", "Section", "The axis of half planes passes here: x"),
-        Property("Distance", "ThroughY", "Section", "The axis of half planes passes here: y"),
-        Property("Distance", "ThroughZ", "Section", "The axis of half planes passes here: z"),
-        Property("Angle", "Sweep", "Section", "Angle that half planes are spread over", 360.0),
-        Property("LinkSubGlobal", "Path", "Section", "Sketch, wire or edges that planes stand across"),
-        Property("Enumeration", "Closed", "Section", "What becomes of closed lines", list(CLOSED)),
-        Property("Length", "Tolerance", "Section", "How far a curve may be from the section", 0.05),
-        Property("Length", "Waves", "Section", "Waves shorter than this are smoothed away; 0 keeps them"),
-        result("Integer", "Curves", "How many curves there are"),
+        Property("Distance", "ThroughX", "Section", "Point on the axis of half planes: x"),
+        Property("Distance", "ThroughY", "Section", "Point on the axis of half planes: y"),
+        Property("Distance", "ThroughZ", "Section", "Point on the axis of half planes: z"),
+        Property("Angle", "Sweep", "Section", "Angle over which half planes are spread", 360.0),
+        Property("LinkSubGlobal", "Path", "Section", "Sketch, wire or edges perpendicular to the planes"),
+        Property("Enumeration", "Closed", "Section", "Treatment of closed lines", list(CLOSED)),
+        Property("Length", "Tolerance", "Section", "Largest distance of a curve from the section", 0.05),
+        Property("Length", "Waves", "Section", "Shortest wavelength that is kept; 0 keeps all waves"),
+        result("Integer", "Curves", "Number of curves"),
         REPORTS,
     )
 
@@ -122,12 +126,14 @@ class SectionFeature(Feature):
         curves = [curve for _, body_curves in sections for curve in body_curves]
         if not curves and remarks and all(AT_TWO_PLACES in remark.all_changes for remark in remarks):
             raise InputError(
-                "every section is a closed line, and a strip has two ends: choose under Closed lines how "
-                "they are divided"
+                "Every section is a closed line, but a strip has two ends. Choose how to divide the lines in "
+                "Closed lines."
             )
         if not curves:
             raise InputError(
-                sentences(remarks) if remarks else "the planes miss the object: move them, or take more"
+                sentences(remarks)
+                if remarks
+                else ("The planes do not meet the object. Move the planes, or add planes.")
             )
         shapes = [spline_geometry(curve.curve, curve.frame).toShape() for curve in curves]
         whole = Part.Compound(shapes)
@@ -188,7 +194,7 @@ def draw_into(obj: Any) -> None:
     """Replace the curve in a sketch by its nearest curve, and delete the feature."""
     sketch, curve = obj.Curve[0], _curve_to_drag(obj)
     if not is_sketch(sketch):
-        raise InputError("{object} is no sketch: nothing can be drawn into it", object=sketch.Label)
+        raise InputError("{object} is not a sketch, so no curve can be drawn in it", object=sketch.Label)
     obj.Document.removeObject(obj.Name)
     curve_into(sketch, curve)
 

@@ -34,7 +34,7 @@ class FixturesFeature(Feature):
     """The printed blocks for all tabs, as one compound."""
 
     properties = (
-        Property("LinkListGlobal", "Sources", "Fixtures", "A model, or strips, whose ends are held"),
+        Property("LinkListGlobal", "Sources", "Fixtures", "Model or strips whose ends are held"),
         *(declared_property(field, "Fixtures", name) for name, field in SIZES.items()),
         REPORTS,
         CONTAINERS,
@@ -45,7 +45,7 @@ class FixturesFeature(Feature):
         model = source_model(obj.Sources, shown=True)
         blocks = _blocks(obj, model)
         if not blocks:
-            raise InputError("no strip here has a tab to be held: give the strips tabs")
+            raise InputError("The strips have no tabs to hold. Add tabs to the strips.")
         inner = container(obj).inverse()
         kept = in_steps(QT_TRANSLATE_NOOP("Elastica", "Making the blocks"), blocks, block_shape)
         shapes = [block.copy(False) for block in kept]

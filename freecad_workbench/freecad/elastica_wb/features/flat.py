@@ -28,20 +28,20 @@ class FlatFeature(Feature):
     """Proxy of the flat part. The user may place it anywhere."""
 
     properties = (
-        Property("LinkGlobal", "Strip", "Strip", "The strip whose flat part this is"),
-        Property("Enumeration", "Layer", "Strip", "Of a laminated strip the base, or the backing", LAYERS),
-        Property("LinkGlobal", "Model", "Strip", "The model whose slots it gets; none for a strip by itself"),
+        Property("LinkGlobal", "Strip", "Strip", "Strip of this flat part"),
+        Property("Enumeration", "Layer", "Strip", "Layer of a laminated strip: base or backing", LAYERS),
+        Property("LinkGlobal", "Model", "Strip", "Model whose slots the part gets; none for a single strip"),
     )
 
     def make(self, obj: Any) -> None:
         """Show the flat shape of the strip."""
         if obj.Strip is None or not is_strip(obj.Strip):
-            raise InputError("the strip is missing: choose one in the property Strip")
+            raise InputError("The strip is missing. Choose a strip in the property Strip.")
         strip = _slotted(obj)
         layer = LAYERS.index(obj.Layer)
         if layer >= len(strip.layers):
             raise InputError(
-                "{strip} is not laminated: it has no backing; choose the layer Base", strip=obj.Strip.Label
+                "{strip} is not laminated and has no backing. Choose the layer Base.", strip=obj.Strip.Label
             )
         obj.Shape = flat_shape(strip, layer)
 
@@ -72,7 +72,7 @@ def _slotted(obj: Any) -> Strip:
         return shown_strip(obj.Strip)
     if not is_model(obj.Model) or obj.Strip not in obj.Model.Strips:
         raise InputError(
-            "{strip} does not belong to {model}: choose its model, or none",
+            "{strip} does not belong to {model}. Choose the strip's model, or no model.",
             strip=obj.Strip.Label,
             model=obj.Model.Label,
         )

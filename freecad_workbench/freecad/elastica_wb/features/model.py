@@ -57,15 +57,15 @@ class ModelFeature(Feature):
             "Vector",
             "Above",
             "Model",
-            "Later strips are pushed on from here; zero leaves it open",
+            "Direction from which later strips are pushed on; zero for any direction",
             App.Vector(),
         ),
-        result("Integer", "Joints", "How many slots fit into each other"),
+        result("Integer", "Joints", "Number of joints of two slots"),
         REPORTS,
         result(
             "StringList",
             "Overlaps",
-            "Strips that run into each other where no slot lets them, found a moment after the rest",
+            "Collisions of strips outside their slots, known a moment after the other results",
         ),
         CONTAINERS,
     )
@@ -127,7 +127,7 @@ def model_of(obj: Any, *, shown: bool = False) -> Model:
     """
     other = next((strip for strip in obj.Strips if not is_strip(strip)), None)
     if other is not None:
-        raise InputError("{object} is no strip: a model is made of strips", object=other.Label)
+        raise InputError("{object} is not a strip. Choose strips for the model.", object=other.Label)
     options: tuple[tuple[str, Any], ...] = ()
     if obj.Interlock:
         above = tuple(obj.Above) if obj.Above.Length > 0 else None
@@ -197,7 +197,7 @@ def strips_model(
     Copies, such as links and arrays, count too. `shown` takes the strips as their shapes show them.
     """
     if not strips:
-        raise InputError("the model has no strips: choose some in the property Strips")
+        raise InputError("The model has no strips. Choose strips in the property Strips.")
     places = [(strip, _numbers(world)) for obj in strips for strip, world in _standing(obj, shown)]
     return in_background(
         QT_TRANSLATE_NOOP("Elastica", "Putting the model together"), _model, tuple(places), name, options
@@ -209,7 +209,7 @@ def _standing(obj: Any, shown: bool) -> Iterator[tuple[Strip, App.Placement]]:
     strip_in, model_in = (shown_strip, shown_model) if shown else (strip_of, model_of)
     standing = list(shown_strips(obj))
     if not any(is_strip(original) or is_model(original) for original, *_ in standing):
-        raise InputError("{object} is no strip: a model is made of strips", object=obj.Label)
+        raise InputError("{object} is not a strip. Choose strips for the model.", object=obj.Label)
     for original, place, is_image in standing:
         if is_strip(original):
             world = drawn_curve(original.Curve, original).world if original is obj else place

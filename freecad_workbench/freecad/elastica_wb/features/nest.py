@@ -30,10 +30,10 @@ class NestFeature(Feature):
         Property("LinkListGlobal", "Sources", "Nest", "Strips, models and base plates to be cut"),
         Property("Length", "SheetWidth", "Nest", "Width of a sheet, along its grain", 600.0),
         Property("Length", "SheetHeight", "Nest", "Height of a sheet", 400.0),
-        Property("Length", "Margin", "Nest", "Least distance between parts and from the edge", 2.0),
-        result("Integer", "Sheets", "How many sheets are needed"),
+        Property("Length", "Margin", "Nest", "Smallest distance between parts, and from the edge", 2.0),
+        result("Integer", "Sheets", "Number of sheets"),
         REPORTS,
-        result("StringList", "LeftOut", "Features that follow what is cut, and are left out"),
+        result("StringList", "LeftOut", "Later features that the cut parts do not contain"),
     )
 
     def make(self, obj: Any) -> None:
@@ -56,8 +56,8 @@ def report_left_out(obj: Any) -> None:
     """Write which features come after the nested pieces. The nest does not include them."""
     words = translate(
         "Elastica",
-        "{strip} is followed by {later}, which the nest leaves out: make it in the strip itself (slots, "
-        "tabs, holes), or draw it into the cutting files",
+        "The nest does not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, "
+        "holes), or draw it in the cutting files.",
     )
     try:
         later_by_label = {original.Label: later_features(original) for original in counted(obj.Sources)}

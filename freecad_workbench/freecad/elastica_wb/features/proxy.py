@@ -39,19 +39,27 @@ from freecad.elastica_wb.host.words import report_error
 from elastica_cad.errors import ElasticaError, InputError
 
 CONTAINERS = Property(
-    "LinkListGlobal", "Containers", "Curve", "What the curve moves with", [], result=True, hidden=True
+    "LinkListGlobal",
+    "Containers",
+    "Curve",
+    "Objects with which the curve moves",
+    [],
+    result=True,
+    hidden=True,
 )
 """Containers that move the curve but not the feature. The feature is recomputed when they move."""
 
 HIDDEN_BY_ERROR = Property(
-    "Bool", "HiddenByError", "Result", "Hidden until it can be made again", hidden=True
+    "Bool", "HiddenByError", "Result", "Hidden because its recompute failed", hidden=True
 )
 """Marks features that an error hid, because their shapes are outdated."""
 
-SHOWN_BY_ERROR = result("Bool", "ShownByError", "Shown until its model can be made again", hidden=True)
+SHOWN_BY_ERROR = result(
+    "Bool", "ShownByError", "Shown because the recompute of its model failed", hidden=True
+)
 """Marks strips that are shown because their model failed, so that the user sees something with an error."""
 
-REPORTS = result("StringList", "Reports", "What was found on the way")
+REPORTS = result("StringList", "Reports", "Messages of the last recompute")
 
 FOLLOWED = ("Curve", "Sources", "Strips")
 """Properties with the objects that a feature depends on."""

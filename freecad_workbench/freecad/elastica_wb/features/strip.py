@@ -104,11 +104,11 @@ class StripFeature(Feature):
         """Replace the results by the error."""
         reasons, verdict = [str(error)], "There is no strip."
         if isinstance(error, NotRealizable):
-            bent = "A strip bent beforehand cannot take this curve."
+            bent = "A pre-bent strip cannot take this curve."
             verdict = bent if error.check.bent_beforehand else "A flat strip cannot take this curve."
             reasons = list(error.check.reasons)
         elif isinstance(error, StrainError):
-            bent = "A strip bent beforehand would break on this curve."
+            bent = "A pre-bent strip would break on this curve."
             verdict = bent if obj.NaturalCurvature else "A flat strip would break on this curve."
             put(obj, StrainUse=error.refusal.values["percent"])
         put(
@@ -164,8 +164,8 @@ def shown_strips(obj: Any) -> Iterator[Standing]:
         strip = next(filter(is_strip, repeated(standing[0])), None)
         if strip is not None:
             raise InputError(
-                "{pattern} makes its copies of {strip} part of one body, and leaves out those that do "
-                "not touch it: delete it, and repeat the strip by an array of the workbench Draft",
+                "{pattern} merges the copies of {strip} into one body and drops copies that do not touch it. "
+                "Delete {pattern}, and repeat the strip with an array of the workbench Draft.",
                 pattern=standing[0].Label,
                 strip=strip.Label,
             )
@@ -213,7 +213,10 @@ def show_held(obj: Any) -> None:
     try:
         held = held_shape(strip_of(obj))
         message = (
-            note("it takes no shape near its design: hold it nearer to its curve")
+            note(
+                "The held strip does not take a shape near its design. Hold the ends nearer to their "
+                "designed positions."
+            )
             if held is None
             else str(held)
         )
@@ -263,18 +266,18 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
     words = [fault.words for fault in faults if not (refused and fault.number == "LargestStrain")]
     fails = note("The strip fails: {faults}.", faults=sentences(words, "; ")) if words else ""
     taken = "" if faults else note(
-        "A strip bent beforehand takes this curve." if bent else "A flat strip takes this curve."
+        "A pre-bent strip takes this curve." if bent else "A flat strip takes this curve."
     )  # fmt: skip
     if not faults and rod.check is not None and rod.check.undecided is not None:
         taken = rod.check.verdict
     if changed is not None:
         taken = note(
-            "A strip bent beforehand takes a curve {far} from this one." if bent else
-            "A flat strip takes a curve {far} from this one.",
+            "A pre-bent strip takes a curve at most {far} from this curve." if bent else
+            "A flat strip takes a curve at most {far} from this curve.",
             far=Length(changed),
         )  # fmt: skip
     if refused:
-        breaks = "A strip bent beforehand would break on this curve."
+        breaks = "A pre-bent strip would break on this curve."
         fails, taken = note(breaks if bent else "A flat strip would break on this curve."), fails
     put(
         obj,

@@ -91,37 +91,44 @@ FIELDS = dict(_one_to_one())
 
 PROPERTIES = (
     Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
-    Property("Enumeration", "Form", "Curve", "What the shape is: the strip as bent, or as cut", FORMS),
+    Property("Enumeration", "Form", "Curve", "Shape of the feature: the strip as bent or as cut", FORMS),
     Property("Enumeration", "Sheet", "Sheet", "Material the strip is cut from"),
     Property("Length", "Thickness", "Sheet", "Thickness of the sheet; measure yours", 1.0),
     Property(
-        "String", "SheetData", "Sheet", "The sheet's numbers, so that the file opens anywhere", hidden=True
+        "String",
+        "SheetData",
+        "Sheet",
+        "Data of the sheet, so that the file opens on every computer",
+        hidden=True,
     ),
-    Property("Bool", "Compensate", "Width", "Make up for slots, narrow tabs and holes in the widths"),
+    Property("Bool", "Compensate", "Width", "Compensate slots, narrow tabs and holes in the widths"),
     Property(
         "Bool",
         "Anticlastic",
         "Width",
-        "Make up for anticlastic bending in the widths, where the sheet's Poisson ratio is known",
+        "Compensate anticlastic bending in the widths if the sheet's Poisson ratio is known",
         # off in files of earlier versions, so that their widths stay the same
     ),
     Property(
-        "Length", "MaterialWidth", "Style", "Most of ligaments or backing, summed across; 0 for what fits"
+        "Length",
+        "MaterialWidth",
+        "Style",
+        ("Largest total width of ligaments or backing; 0 for the largest that fits"),
     ),
-    Property("Enumeration", "Style", "Style", "How stiffness becomes material", STYLES),
-    Property("Enumeration", "Backing", "Style", "Sheet that is glued on in a laminated strip"),
-    Property("String", "BackingData", "Style", "The backing's numbers", hidden=True),
-    Property("Enumeration", "StartSupport", "Mechanics", "What holds the start of the curve", ENDS),
-    Property("Enumeration", "EndSupport", "Mechanics", "What holds the end of the curve", ENDS),
-    Property("Bool", "Gravity", "Mechanics", "Does the strip carry its own weight?"),
+    Property("Enumeration", "Style", "Style", "Style: plain, perforated or laminated", STYLES),
+    Property("Enumeration", "Backing", "Style", "Sheet of the backing of a laminated strip"),
+    Property("String", "BackingData", "Style", "Data of the backing's sheet", hidden=True),
+    Property("Enumeration", "StartSupport", "Mechanics", "Support at the start of the curve", ENDS),
+    Property("Enumeration", "EndSupport", "Mechanics", "Support at the end of the curve", ENDS),
+    Property("Bool", "Gravity", "Mechanics", "Include the strip's own weight"),
     Property(
         "Vector",
         "GravityDirection",
         "Mechanics",
-        "Direction in space in which things fall",
+        "Direction of gravity in space",
         App.Vector(0, 0, -1),
     ),
-    Property("Length", "GravityLength", "Mechanics", "Elasto-gravity length; 0 takes the sheet's"),
+    Property("Length", "GravityLength", "Mechanics", "Elasto-gravity length; 0 for the value of the sheet"),
     Property("StringList", "Loads", "Mechanics", "Masses hung on the strip: at = 90, mass = 3 (mm, g)"),
     Property("String", "WeightLaw", "Mechanics", "All weight in newtons: alpha = 0.001, own = true"),
     Property("Float", "NaturalCurvature", "Mechanics", "Curvature of the strip before bending, 1/mm"),
@@ -129,7 +136,7 @@ PROPERTIES = (
         "String",
         "Blank",
         "Mechanics",
-        "Instead of it along the strip: stations = [0, 300], curvatures = [0, 0.01]",
+        "Curvature before bending that varies along the strip: stations = [0, 300], curvatures = [0, 0.01]",
     ),
     Property(
         "Enumeration",
@@ -139,15 +146,15 @@ PROPERTIES = (
         FOLLOW,
     ),
     Property("Float", "MarginLimit", "Nearest", "Least stability margin; 5 is safely stable", 5.0),
-    Property("Float", "StrainLimit", "Nearest", "Largest strain in percent; 0 takes the sheet's"),
-    Property("Bool", "LimitMargin", "Nearest", "Does MarginLimit count?", True),
-    Property("Bool", "LimitStrain", "Nearest", "Does the strain limit count?", True),
-    Property("Length", "LeastLength", "Nearest", "Least length; counts with MostLength"),
+    Property("Float", "StrainLimit", "Nearest", "Largest strain in percent; 0 for the limit of the sheet"),
+    Property("Bool", "LimitMargin", "Nearest", "Apply MarginLimit", True),
+    Property("Bool", "LimitStrain", "Nearest", "Apply the strain limit", True),
+    Property("Length", "LeastLength", "Nearest", "Smallest length; applies together with MostLength"),
     Property("Length", "MostLength", "Nearest", "Largest length; 0 for no limits"),
     Property("Length", "MostWidth", "Nearest", "Largest width, which bounds the ratio; 0 for none"),
-    Property("Enumeration", "KeepEnds", "Nearest", "Which ends stay where they are", KEPT_ENDS),
+    Property("Enumeration", "KeepEnds", "Nearest", "Ends that keep their position", KEPT_ENDS),
     Property("Bool", "KeepTangents", "Nearest", "Keep the tangents of both ends"),
-    Property("Enumeration", "TangentEnds", "Nearest", "Whose tangents KeepTangents keeps", TANGENT_ENDS),
+    Property("Enumeration", "TangentEnds", "Nearest", "Ends whose tangents KeepTangents keeps", TANGENT_ENDS),
     Property("Bool", "KeepLine", "Nearest", "Keep inflections on the curve's inflection line"),
     Property("FloatList", "InflectionLine", "Nearest", "Two points of another line: x, y, x, y"),
     Property("Length", "StartTab", "Ends", "Length of the tab at the start", TAB_LENGTH),
@@ -156,36 +163,38 @@ PROPERTIES = (
     Property("Length", "TabHole", "Ends", "Diameter of a hole in the middle of each tab; 0 for none"),
     Property("String", "StartTabKeys", "Ends", "The first tab in full: length = 12, chamfer = 2"),
     Property("String", "EndTabKeys", "Ends", "The last tab in full"),
-    Property("Integer", "Quantity", "Ends", "How many of it are cut", 1),
-    result("String", "Verdict", "Can a flat strip take the curve?"),
-    result("StringList", "Reasons", "Why not, and what else to know"),
+    Property("Integer", "Quantity", "Ends", "Number of copies to cut", 1),
+    result("String", "Verdict", "Verdict on the strip and its curve"),
+    result("StringList", "Reasons", "Reasons and remarks"),
     result("StringList", "Fails", "Results that make the strip fail", hidden=True),
     result("Float", "Ratio", "Largest stiffness over least stiffness"),
-    result("Float", "Margin", "Stability margin; positive means that it stays"),
-    result("Length", "ConjugatePoint", "Where along the strip stability is lost; 0 where it is not"),
-    result("Integer", "StrainUse", "Largest strain, in percent of what the sheet bears"),
+    result("Float", "Margin", "Stability margin; positive means stable"),
+    result("Length", "ConjugatePoint", "Place along the strip where stability is lost; 0 for a stable strip"),
+    result("Integer", "StrainUse", "Largest strain, in percent of the sheet's limit"),
     result("Float", "LargestStrain", "Largest strain of the skin, in percent"),
     result("Length", "Deviation", "Largest distance from the drawn curve"),
-    result(
-        "Length", "HeldDeviation", "Largest distance of the strip, as it is made and held, from its design"
-    ),
+    result("Length", "HeldDeviation", "Largest deviation of the strip, as made and held, from its design"),
     result(
         "Length",
         "ExpectedDeviation",
-        "How far a real strip strays from its design, by the model, what that leaves open, and its sheet",
+        "Expected deviation of a real strip from its design, due to the model, its uncertainty and the sheet",
     ),
-    result("String", "Held", "How it strays as made and held, and by what"),
+    result("String", "Held", "Deviation of the strip as made and held, with its causes"),
     result(
         "Float",
         "SidewaysMargin",
-        "Margin against tipping over sideways, positive where it stays in its plane; 0 where undecided",
+        "Sideways stability margin; positive means stable, 0 undecided",
     ),
-    result("String", "Sideways", "Does it stay in the plane of its curve?"),
+    result("String", "Sideways", "Sideways stability"),
     result("Length", "Length", "Length of the free part along the curve"),
     result("Length", "NarrowestWidth", "Width of the narrowest place"),
     result("Float", "Mass", "Mass in grams"),
     result(
-        "String", "MadeFrom", "Tells the request that the shape was made from", hidden=True, transient=True
+        "String",
+        "MadeFrom",
+        "Identifies the request from which the shape was made",
+        hidden=True,
+        transient=True,
     ),
     CONTAINERS,
     *(
@@ -317,13 +326,13 @@ def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
     for name, value in (lengths | {"the length of the curve": drawn.curve.length}).items():
         if value > LONGEST_MM:
             raise InputError(
-                "{name} is {size}, more than a kilometre: is its unit right?",
+                "{name} is {size}, more than a kilometre. Check its unit.",
                 name=note(name),
                 size=Length(value),
             )
     if 0 < lengths["Thickness"] < THINNEST_MM:
         raise InputError(
-            "the thickness of the sheet is {thickness}, less than any foil's: is its unit right?",
+            "The thickness of the sheet is {thickness}, less than any foil. Check its unit.",
             thickness=Length(lengths["Thickness"]),
         )
 
@@ -397,8 +406,8 @@ def _range(obj: Any, kind: str) -> list[float] | None:
         return None
     if not 0 < least <= most:
         raise InputError(
-            "Least{name} is {least:g} and Most{name} is {most:g}: give both, the least above 0 "
-            "and not above the most",
+            "Least{name} is {least:g} and Most{name} is {most:g}. Set both: Least{name} above 0 and at most "
+            "Most{name}.",
             name=kind,
             least=Length(least),
             most=Length(most),

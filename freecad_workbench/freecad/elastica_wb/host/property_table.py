@@ -126,15 +126,15 @@ def _require_choice(obj: Any, name: str, formula: str) -> None:
         given = obj.evalExpression(formula)
     except Exception as error:  # FreeCAD raises many classes of errors
         raise InputError(
-            "the formula of {name} cannot be computed ({formula}): mend it, or take it away",
+            "The formula of {name} cannot be computed ({formula}). Correct or remove the formula.",
             name=name,
             formula=formula,
         ) from error
     if not _is_choice(given, choices):
         called, a_name = f"{obj.Name}.{name}", f"<<{choices[0]}>>"
         raise InputError(
-            "{property} has the formula {formula}, which gives {given}: it takes 0 to {most}, or a "
-            "name such as {name}; mend the formula, or take it away",
+            "{property} has the formula {formula}, which gives {given}. Use 0 to {most}, or a name such as "
+            "{name}. Correct or remove the formula.",
             property=called,
             formula=formula,
             given=given,

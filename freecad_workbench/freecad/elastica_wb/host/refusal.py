@@ -123,7 +123,7 @@ def why_not_computed(obj: Any) -> str:
         return ""
     reason = " ".join(match[1].split())
     return worded(note(
-        "the formula of {property} cannot be computed ({reason}): mend it, or take it away",
+        "The formula of {property} cannot be computed ({reason}). Correct or remove the formula.",
         property=match[2], reason=reason,
     ))  # fmt: skip
 
@@ -138,13 +138,13 @@ def broken_link_message(obj: Any) -> str:
     lost = LOST_LINK.search(str(obj.getStatusString()))
     if lost:
         return note(
-            "{object} links to {lost} in {file}, which is missing: put that file back or open it, and "
-            "recompute the document",
+            "{object} links to {lost} in {file}, which is missing. Restore or open the file, and recompute "
+            "the document.",
             object=obj.Label, lost=lost[1], file=lost[2],
         )  # fmt: skip
     return note(
-        "{object} links to what was deleted: choose another object in its property "
-        "LinkedObject, or delete the link",
+        "{object} links to a deleted object. Choose another object in its property LinkedObject, or delete "
+        "the link.",
         object=obj.Label,
     )
 
@@ -157,11 +157,11 @@ def _why_not_made_by_others(obj: Any) -> str:
     file = getattr(obj, "FileName", "")
     if isinstance(file, str) and file and not os.path.exists(file):
         return note(
-            "{object} reads {file}, which is missing: put that file back, or name another in its "
-            "property FileName, and recompute the document",
+            "{object} reads {file}, which is missing. Restore the file or set another FileName, and "
+            "recompute the document.",
             object=obj.Label,
             file=file,
         )
     return note(
-        "{object} cannot be made ({why}): mend it first", object=obj.Label, why=" ".join(status.split())
+        "{object} cannot be made ({why}). Correct it first.", object=obj.Label, why=" ".join(status.split())
     )

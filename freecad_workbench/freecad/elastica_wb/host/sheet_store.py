@@ -60,7 +60,7 @@ def save_own_sheets(sheets: Iterable[Sheet]) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise InputError(
-            "{path} can't be changed: {reason}; allow it to be written", path=path, reason=reason(error)
+            "{path} cannot be changed: {reason}. Make the file writable.", path=path, reason=reason(error)
         ) from error
     write_atomically(path, text.encode(), force=True)
 
@@ -89,7 +89,7 @@ def sheet_called(name: str, kept: str = "") -> Sheet:
     if kept:
         return sheet_from_text(name, kept)
     raise InputError(
-        "there is no sheet called {name!r} here: choose another one, or add it to the sheet library",
+        "The sheet {name!r} is unknown. Choose another sheet, or add {name!r} to the sheet library.",
         name=name,
     )
 
@@ -111,5 +111,5 @@ def sheet_from_text(name: str, text: str) -> Sheet:
         return sheets_from_table(tomllib.loads(text)["sheets"], where="this document")[name]
     except (tomllib.TOMLDecodeError, RecursionError, KeyError) as error:
         raise InputError(
-            "the sheet {name!r} kept in this document cannot be read: choose another one", name=name
+            "The sheet {name!r} stored in this document cannot be read. Choose another sheet.", name=name
         ) from error

@@ -47,7 +47,7 @@ class Part:
 PARTS = {
     "comb": Part((0.13, 0.49, 0.83), "▬", QT_TRANSLATE_NOOP("Elastica", "curvature"), 1.0),
     "strained": Part(
-        COLORS[Verdict.CANNOT], "▬", QT_TRANSLATE_NOOP("Elastica", "more than the sheet bears"), 1.0
+        COLORS[Verdict.CANNOT], "▬", QT_TRANSLATE_NOOP("Elastica", "above the sheet's limit"), 1.0
     ),
     "width": Part((0.66, 0.44, 0.20), "▬", QT_TRANSLATE_NOOP("Elastica", "the strip laid flat"), 2.0),
     "line": Part(COLORS[Verdict.CAN], "▬", QT_TRANSLATE_NOOP("Elastica", "inflection line"), 2.0),

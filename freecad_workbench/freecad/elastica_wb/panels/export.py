@@ -94,7 +94,7 @@ class ExportPanel(Panel):
             if error.refusal.kind != "exists":
                 raise
             raise InputError(
-                "{path} exists already: choose another folder, or tick the box that overwrites",
+                "{path} exists already. Choose another folder, or allow overwriting.",
                 path=error.refusal.values["path"],
             ) from error
 
@@ -107,7 +107,7 @@ class ExportPanel(Panel):
         # ~ stays if the home folder does not exist
         folder = Path(os.path.expanduser(self.form.folder.text().strip()))
         if not folder.is_absolute():  # users do not know FreeCAD's working directory
-            raise InputError(translate("Elastica", "write the whole path of the folder, or press Browse"))
+            raise InputError(translate("Elastica", "Enter the full path of the folder, or press Browse."))
         with progress(
             QT_TRANSLATE_NOOP("Elastica", "Writing files"), len(self.pieces) + len(self.strips)
         ) as go_on:

@@ -38,7 +38,7 @@ class FixturesPanel(Panel):
         """Make the fixtures. An error keeps the panel open."""
         form = self.form
         if not (form.plate.isChecked() or form.blocks.isChecked()):
-            raise InputError(translate("Elastica", "tick what is to be made"))
+            raise InputError(translate("Elastica", "Select blocks or a plate."))
         holders = []
         if form.plate.isChecked():  # first, because its errors should not wait for the blocks
             holders.append(recorded(baseplate.create, self.document, self.sources))

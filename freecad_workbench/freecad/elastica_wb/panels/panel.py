@@ -158,7 +158,7 @@ class Panel:
     def _all_there(self) -> None:
         """Raise an error if the user deleted an object of the panel."""
         if not all(map(lives, self.subjects)):
-            raise InputError(translate("Elastica", "what this panel works on was deleted: press Cancel"))
+            raise InputError(translate("Elastica", "The edited object was deleted. Press Cancel."))
 
     def _safely_changed(self) -> None:
         with self.telling():

@@ -121,7 +121,7 @@ class PropertyPanel(Panel):
             button = QtWidgets.QPushButton(translate("Elastica", words))
             button.setObjectName(work.__name__)
             button.setToolTip(
-                translate("Elastica", "Takes this feature's place and follows nothing any more")
+                translate("Elastica", "Replaces this feature by objects that no longer follow its source")
             )
             button.clicked.connect(lambda *_, work=work: self._replace(work))
             outer.addWidget(button)
@@ -347,7 +347,7 @@ LABELS = {
     "Clearance": QT_TRANSLATE_NOOP("Elastica", "Clearance"),
     "Closed": QT_TRANSLATE_NOOP("Elastica", "Closed lines"),
     "Columns": QT_TRANSLATE_NOOP("Elastica", "Columns of holes"),
-    "Count": QT_TRANSLATE_NOOP("Elastica", "How many"),
+    "Count": QT_TRANSLATE_NOOP("Elastica", "Number"),
     "EndSupport": QT_TRANSLATE_NOOP("Elastica", "End is held"),
     "EndTab": QT_TRANSLATE_NOOP("Elastica", "Tab at the end"),
     "EngravedText": QT_TRANSLATE_NOOP("Elastica", "Engraved text"),
@@ -357,14 +357,14 @@ LABELS = {
     "Foot": QT_TRANSLATE_NOOP("Elastica", "Foot (0 = none)"),
     "FootHeight": QT_TRANSLATE_NOOP("Elastica", "Height of the foot"),
     "Form": QT_TRANSLATE_NOOP("Elastica", "Shape shown"),
-    "Gravity": QT_TRANSLATE_NOOP("Elastica", "Carries its weight"),
+    "Gravity": QT_TRANSLATE_NOOP("Elastica", "Own weight"),
     "Interlock": QT_TRANSLATE_NOOP("Elastica", "Cut slots where strips cross"),
     "KeepEnds": QT_TRANSLATE_NOOP("Elastica", "Keep the ends"),
     "KeepLength": QT_TRANSLATE_NOOP("Elastica", "Keep the length"),
     "KeepSymmetry": QT_TRANSLATE_NOOP("Elastica", "Keep the symmetry"),
     "KeepTangents": QT_TRANSLATE_NOOP("Elastica", "Keep end tangents"),
     "Layer": QT_TRANSLATE_NOOP("Elastica", "Layer"),
-    "LimitMargin": QT_TRANSLATE_NOOP("Elastica", "Must stay in its shape"),
+    "LimitMargin": QT_TRANSLATE_NOOP("Elastica", "Must be stable"),
     "LimitStrain": QT_TRANSLATE_NOOP("Elastica", "Must not break"),
     "Margin": QT_TRANSLATE_NOOP("Elastica", "Distance between parts"),
     "MarginLimit": QT_TRANSLATE_NOOP("Elastica", "Least stability margin"),

@@ -142,13 +142,13 @@ def _nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
                 curve = coarse_curve(near.rod, spans)
                 if _keeps_limits(replace(spec, curve=curve)):
                     return curve, note(
-                        "Drawn with {count} poles to drag, {far} from the curve before; with {most} poles, too "
-                        "many to drag, it would be {near} away.",
+                        "Drawn with {count} poles, {far} from the original curve. With {most} poles, too "
+                        "many to drag, the distance would be {near}.",
                         count=len(curve.control_points), far=Length(near.deviation),
                         most=len(nearest.curve.control_points), near=Length(nearest.deviation),
                     )  # fmt: skip
     return nearest.curve, note(
-        "Drawn with {count} poles, too many to drag: with fewer it would break its limits.",
+        "Drawn with {count} poles, too many to drag. With fewer poles the curve would exceed its limits.",
         count=len(nearest.curve.control_points),
     )
 

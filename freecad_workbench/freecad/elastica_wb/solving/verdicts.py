@@ -56,10 +56,10 @@ def strip_faults(strip: Strip) -> Iterator[Fault]:
     stability = judged(strip.rod)
     if stability is not None and not stability.stable:
         sentence = note(
-            "it does not stay in this shape: the stability margin is {margin:.3g}"
+            "the strip snaps into another shape; its stability margin is {margin:.3g}"
             if stability.conjugate_point is None else
-            "it does not stay in this shape: the stability margin is {margin:.3g} (conjugate point {s} from "
-            "its start)",
+            "the strip snaps into another shape; its stability margin is {margin:.3g} (conjugate point {s} "
+            "from its start)",
             margin=stability.margin, s=Length(stability.conjugate_point or 0.0),
         )  # fmt: skip
         yield Fault(note("snaps into another shape"), sentence, "Margin")
@@ -75,8 +75,8 @@ def width_fault(length: float, width: float | None) -> Fault | None:
     if width is None or length >= SLENDER * width:
         return None
     sentence = note(
-        "The strip would be {width} wide and {length} long: a strip bends as computed where it is "
-        "{times:.0f} times as long as wide; draw a longer curve, or make the strip narrower.",
+        "The strip would be {width} wide and {length} long. It bends as computed only if its length is at "
+        "least {times:.0f} times its width. Draw a longer curve, or make the strip narrower.",
         width=Length(width), length=Length(length), times=SLENDER,
     )  # fmt: skip
     return Fault(note("too short for its width"), sentence, "Length")
@@ -168,10 +168,10 @@ def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
     """Return an answer as one sentence for the status bar."""
     if isinstance(answer, Strip):
         return note(
-            "A strip bent beforehand takes this curve: {width} wide, stiffness ratio {ratio:.3g}, strain "
-            "{used} % of what the sheet bears." if is_bent_beforehand(answer) else
+            "A pre-bent strip takes this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} % "
+            "of the sheet's limit." if is_bent_beforehand(answer) else
             "A flat strip takes this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} % of "
-            "what the sheet bears.",
+            "the sheet's limit.",
             width=Span.of(*answer.width.extremes), ratio=answer.rod.ratio, used=answer.strain_verdict.percent,
         )  # fmt: skip
     if isinstance(answer, NotRealizable):
@@ -192,10 +192,10 @@ def _too_sharp(curve: PlaneCurve, samples: CurveSamples, spec: StripSpec) -> Fau
     if judged.allowed:
         return None
     words = note(
-        "It would break {s} from the start: its radius there is {radius}, the sheet bears {least}; use a "
-        "thinner sheet or a gentler curve." if judged.refused else
-        "It is strained beyond its limit {s} from the start: its radius there is {radius}, the sheet bears "
-        "{least}; {outcome}; use a thinner sheet or a gentler curve.",
+        "The strip would break {s} from the start: its radius there is {radius}, the smallest radius of the "
+        "sheet {least}. Use a thinner sheet or a gentler curve." if judged.refused else
+        "The strain exceeds its limit {s} from the start: the radius there is {radius}, the smallest radius "
+        "of the sheet {least}; {outcome}. Use a thinner sheet or a gentler curve.",
         s=Length(place), radius=Length(1 / bend), least=Length(judged.used / bend), outcome=note(judged.outcome),
     )  # fmt: skip
     return Fault(strain_words(judged), words, "LargestStrain")
