@@ -234,7 +234,7 @@ def test_edges_and_chains(document):
     place = wire.Shape.Edges[1].valueAt(sum(wire.Shape.Edges[1].ParameterRange) / 2)
     assert in_document(feature).isInside(place, 1e-6, True)
     for name in ("Edge7", "?Edge7"):  # as FreeCAD 1.x marks what it does not find again
-        with pytest.raises(InputError, match="has no Edge7 any more"):
+        with pytest.raises(InputError, match="no longer has Edge7"):
             drawn_curve((wire, (name,)))
 
 
@@ -248,11 +248,11 @@ def test_the_outline_of_a_face(document):
     assert made.Length.Value == pytest.approx(120 * math.pi, rel=1e-9)
     hole = Part.Wire(Part.makeCircle(20, App.Vector(10, 20, 30)))
     change(ring, Shape=Part.Face([Part.Wire(circle), hole]))
-    assert "choose the ones that the strip is to follow" in made.getStatusString()
+    assert "Choose the edges for the strip" in made.getStatusString()
     ring.Shape = Part.makeCylinder(60, 20).Faces[0]
     made.touch()
     document.recompute()
-    assert "choose the ones that the strip is to follow" in made.getStatusString()
+    assert "Choose the edges for the strip" in made.getStatusString()
 
 
 def test_a_chain_in_a_sketch(document):
@@ -357,7 +357,7 @@ def test_nearest_follows_when_asked(document, drawn):
     assert feature.Ratio <= 3.5 * (1 + 1e-6)
     assert feature.Shape.isValid()
     change(feature, Sheet="card-200gsm", StrainLimit=0, Anyway=False)
-    assert "from this one" in feature.Verdict
+    assert "from this curve" in feature.Verdict
     assert feature.StrainUse <= 100
 
 

@@ -505,7 +505,7 @@ def test_holders_of_links_and_arrays(document, crossing):
     assert gaps == pytest.approx([0] * 6, abs=1e-3)
     assert len(second.Shape.Solids) == 2
     change(link, Scale=2)
-    assert "set its Scale to 1" in all_of_them.getStatusString()
+    assert "Set its Scale to 1" in all_of_them.getStatusString()
     link.Scale = 1
     other = new(model.create, document, [crossing[1], link])
     assert "a model is made of strips" in other.getStatusString()
@@ -526,7 +526,7 @@ def test_links_containers_and_flat_parts_are_counted(document, standing):
     assert [cut.piece.count for cut in cuts_of([first, lying])] == [1], "the same piece, bent and flat"
     assert [cut.piece.count for cut in cuts_of([first, spread])] == [6]
     link.Scale = 2
-    with pytest.raises(InputError, match="set its Scale to 1"):
+    with pytest.raises(InputError, match="Set its Scale to 1"):
         cuts_of([link])
 
 
