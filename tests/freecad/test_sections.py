@@ -192,7 +192,7 @@ def test_broken_meshes_are_reported_and_cut(document):
 def test_a_mesh_with_a_place_that_is_none(document):
     spoiled = document.addObject("Mesh::Feature", "Spoiled")
     spoiled.Mesh = Mesh.Mesh([(0.0, 0.0, 0.0), (90.0, 0.0, 0.0), (0.0, 90.0, float("nan"))])
-    with pytest.raises(InputError, match=r"a coordinate is nan mm.*export it again"):
+    with pytest.raises(InputError, match=r"a coordinate is nan mm.*export the file again"):
         curves.section(document, [spoiled])
 
 
