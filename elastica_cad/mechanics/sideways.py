@@ -165,7 +165,7 @@ def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> flo
     nu = require_number(poisson_ratio, "poisson_ratio")
     if not -1 < nu < 1:
         raise InputError(
-            "poisson_ratio is {poisson_ratio}: it must lie between -1 and 1", poisson_ratio=poisson_ratio
+            "poisson_ratio is {poisson_ratio}: it must be between -1 and 1", poisson_ratio=poisson_ratio
         )
     ratio = even_shear_ratio(nu) if shear_ratio is None else require_number(shear_ratio, "shear_ratio")
     if not 0 < ratio < np.inf:

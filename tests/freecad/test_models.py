@@ -82,7 +82,7 @@ def test_strips_that_run_into_each_other_are_told(document, crossing, drawn):
     change(made, Interlock=False)
     assert overlaps(made) == model.overlaps_of(made)
     (told,) = made.Overlaps
-    assert re.fullmatch(r"A at [0-9.]+ mm runs through B at [0-9.]+ mm: slot them .*", told)
+    assert re.fullmatch(r"A at [0-9.]+ mm passes through B at [0-9.]+ mm: cut slots .*", told)
     document.recompute([made])
     assert made.State == ["Up-to-date"]
     assert list(made.Overlaps) == [told], "what is known is not forgotten"
@@ -270,7 +270,7 @@ def test_fixtures_hold_every_end(document, standing):
     assert blocks.Shape.distToShape(made.Shape)[0] < 1e-3
     # pockets lean for tabs that bend; the straight tabs of the bodies, of some 600 mm3, run into them a little
     assert blocks.Shape.common(made.Shape).Volume < 60
-    assert ["no play" in said for said in blocks.Reports] == [True]
+    assert ["no clearance" in said for said in blocks.Reports] == [True]
     single = new(fixtures.create, document, [standing[0]])
     assert len(single.Shape.childShapes()) == 2
     standing[0].StartTab = standing[0].EndTab = 0
