@@ -98,7 +98,7 @@ def test_sentences(wave, tmp_path, options, sentence):
 def test_a_flat_box_has_no_corners(tmp_path):
     file = ec.write_curves([ec.PlaneCurve.line((0, 0), (100, 0))], tmp_path / "flat.json")
     result = run("reshape", file, "--top-right", 100, 20, code=2)
-    assert "measures 100 by 0 mm: too thin for handles" in result.stderr
+    assert "measures 100 by 0 mm, too thin for handles" in result.stderr
 
 
 DESIGN = """
@@ -134,7 +134,7 @@ def test_design_files_reshape_any_curve(tmp_path):
 @pytest.mark.parametrize(
     ("reshape", "sentence"),
     [
-        ("{}", r"curve: reshape: reshape must hold corners"),
+        ("{}", r"curve: reshape: New positions are missing"),
         ("{ middle = [1, 2] }", "unknown key 'middle'"),
         ("{ top_left = [1, 2], to = [[1, 2]] }", "to must be a list of four points"),
         ("{ handles = [[1, 2]], to = [[1, 2]] }", "handles must be a list of four points"),
