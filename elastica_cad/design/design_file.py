@@ -111,19 +111,21 @@ class Design:
             As `StripSpec.make` and `Model.interlock`, in one error for all parts, with their names. Sections that
             no strip can follow are left out and reported; if none is left, the first error is raised.
         """
-        made: dict[Any, Strip] = {}
+        strips: dict[Any, Strip] = {}
         placed: list[Placed] = []
         failed: list[ElasticaError] = []
         refused: list[ElasticaError] = []
         for entry in self.entries:
             key = _likeness(entry)
-            if key not in made:
+            if key not in strips:
                 try:
-                    made[key] = _make(entry, slotted=self.interlock is not None)
+                    strips[key] = _make(entry, slotted=self.interlock is not None)
                 except (NotRealizable, NotConvergedError, InputError) as problem:
                     (failed if entry.section else refused).append(problem)
                     continue
-            strip = replace(made[key], label=entry.label, engrave=entry.spec.engrave, slots=entry.spec.slots)
+            strip = replace(
+                strips[key], label=entry.label, engrave=entry.spec.engrave, slots=entry.spec.slots
+            )
             placed.append(Placed(strip, entry.frame.origin, entry.frame.x_axis, entry.frame.y_axis))
             if done is not None:
                 done(entry.label)

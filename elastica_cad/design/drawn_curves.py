@@ -80,8 +80,8 @@ class Reshape:
     to: Annotated[Handles | None, Option("New positions of the handles.", "mm")] = None
 
     def __post_init__(self) -> None:
-        own = [target for target in (self.handles, self.to) if target is not None]
-        if bool(own) == bool(self.corners) or len(own) == 1:
+        targets = [target for target in (self.handles, self.to) if target is not None]
+        if bool(targets) == bool(self.corners) or len(targets) == 1:
             raise InputError(
                 "New positions are missing. Set corners of the curve's bounding box ({corners}), or four "
                 "handles and four points `to`.",
@@ -268,14 +268,14 @@ def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneC
     InputError
         Unknown keys or values, missing files, or invalid curves; the message names the place.
     """
-    given = table.raw(key)
-    if given is None:
+    value = table.raw(key)
+    if value is None:
         raise InputError(
             "{place} is missing. Add a file, formulae x, y and t, an ellipse or a spline.",
             place=table.place(key),
         )
-    if isinstance(given, str):
-        return CurveOfFile(file=given).drawn(reader, table.place(key), table)
+    if isinstance(value, str):
+        return CurveOfFile(file=value).drawn(reader, table.place(key), table)
     curve = table.table(key)
     kinds = [kind for kind in CURVES if kind in curve.data]
     if len(kinds) != 1:

@@ -38,7 +38,9 @@ def measuring_record(measuring: Measuring) -> dict[str, Any]:
         "marks": list(measuring.marks),
         "expected": dict(measuring.expected),
         "uncertain": dict(measuring.uncertain),
-        "causes": {cause: [dict(change) for change in own] for cause, own in measuring.causes.items()},
+        "causes": {
+            cause: [dict(change) for change in changes] for cause, changes in measuring.causes.items()
+        },
         "shape": [list(point) for point in measuring.shape],
     }
 
@@ -80,8 +82,8 @@ def read_measuring(path: FilePath) -> Measuring:
         ) from error
 
 
-def _measures(given: Mapping[str, Any]) -> dict[str, float]:
-    return {name: _number(given[name]) for name in (*LENGTHS, *ANGLES)}
+def _measures(readings: Mapping[str, Any]) -> dict[str, float]:
+    return {name: _number(readings[name]) for name in (*LENGTHS, *ANGLES)}
 
 
 def _number(value: Any) -> float:
@@ -99,11 +101,11 @@ def read_readings(path: FilePath) -> dict[str, float]:
         The file is missing or not TOML, or a reading is not a number.
     """
     try:
-        given = parse_toml(path.read_text(encoding="utf-8"))
+        table = parse_toml(path.read_text(encoding="utf-8"))
     except (OSError, ValueError, RecursionError) as error:
         raise InputError("{path} cannot be read: {error}", path=path, error=error) from error
     readings = {}
-    for name, value in given.items():
+    for name, value in table.items():
         try:
             readings[name] = _number(value)
         except (TypeError, ValueError) as error:

@@ -152,7 +152,7 @@ def compose_start_page(
     True
     """
     pictures = [file for file in files if file.endswith(".png")]
-    shown = "".join(
+    listed_files = "".join(
         f'<figure><a href="{quote(file)}"><img src="{quote(file)}" alt="{html_text(files[file])}"></a>'
         f"<figcaption>{html_text(files[file])}: {html_text(PurePosixPath(file).name)}</figcaption></figure>"
         for file in pictures
@@ -167,6 +167,6 @@ def compose_start_page(
     return (
         f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{html_text(name)}</title>'
         f"<style>{STYLE}</style></head><body><h1>{html_text(name)}</h1>{paragraphs}"
-        f"{f'<h2>Before you cut</h2><ul>{warned}</ul>' if warned else ''}{shown}"
+        f"{f'<h2>Before you cut</h2><ul>{warned}</ul>' if warned else ''}{listed_files}"
         f"<h2>Files</h2><table><tr><th>file</th><th>what it is</th></tr>{rows}</table></body></html>\n"
     )

@@ -199,20 +199,20 @@ def read_kit(top: Table, reader: Reader) -> KitSpec:
     """Read from a whole design what is made beside the strips: holders, nesting, cutting, coupons."""
     known = {entry.name: entry for entry in fields_of(DesignKeys)}
 
-    def given(key: str) -> dict[str, Any]:
+    def options_of(key: str) -> dict[str, Any]:
         return {key: reader.value(known[key].kind, top, key)} if top.has(key) else {}
 
-    nesting = given("nest").get("nest", Nesting())
-    extras = given("extras").get("extras", Extras())
+    nesting = options_of("nest").get("nest", Nesting())
+    extras = options_of("extras").get("extras", Extras())
     return KitSpec(
         nesting=nesting,
-        cutting=given("cut").get("cut", Cutting()),
+        cutting=options_of("cut").get("cut", Cutting()),
         holders=tuple(_read_holders(top, reader, nesting)),
         coupon=extras.coupon,
         reference_bar=extras.reference_bar,
         pages=extras.pages,
-        **given("shop"),
-        **given("ignore_limits"),
+        **options_of("shop"),
+        **options_of("ignore_limits"),
     )
 
 

@@ -96,8 +96,8 @@ def _drawn_blank(
 
 def _limits(strain: bool | float | None = None, *, sheet: Sheet | None, **limits: Any) -> Limits:
     """Return the limits of a strip; `strain` True is the strain limit of the sheet."""
-    own = None if isinstance(strain, bool) else strain
-    return Limits(sheet=sheet if strain else None, strain=own, **limits)
+    limit = None if isinstance(strain, bool) else strain
+    return Limits(sheet=sheet if strain else None, strain=limit, **limits)
 
 
 def _cutting(kerf: float | str = KERF, **options: Any) -> Cutting:
@@ -143,9 +143,12 @@ def fields_of(record: Record) -> tuple[Field, ...]:
     """
     if (renamed := getattr(record, "FIELDS", None)) is not None:
         return tuple(replace(entry, name=key) for key, entry in renamed().items())
-    own, beside = declared(record), getattr(record, "BESIDE", None)
-    without = {*getattr(record, "WITHOUT", ()), *(entry.name for entry in own)}
-    return (*(entry for entry in (fields_of(beside) if beside else ()) if entry.name not in without), *own)
+    declared_here, beside = declared(record), getattr(record, "BESIDE", None)
+    without = {*getattr(record, "WITHOUT", ()), *(entry.name for entry in declared_here)}
+    return (
+        *(entry for entry in (fields_of(beside) if beside else ()) if entry.name not in without),
+        *declared_here,
+    )
 
 
 def word_of(record: Record) -> str | None:
@@ -193,13 +196,13 @@ class Reader:
         if record in BY_KIND:
             kinds = BY_KIND[record]
             record = kinds[table.text("kind", next(iter(kinds)), tuple(kinds))]
-        given = self.given(record, table)
+        values = self.given(record, table)
         make = MADE_BY.get(record, record)
         parameters = signature(make).parameters if callable(make) else {}
         if "sheet" in parameters and "sheet" not in {entry.name for entry in declared(record)}:
-            given["sheet"] = self.sheet
+            values["sheet"] = self.sheet
         with table.naming():
-            return make(**given)
+            return make(**values)
 
     def given(self, record: Record, table: Table) -> dict[str, Any]:
         """Return the values of the fields that a table gives, by name; unknown and missing keys are refused."""
@@ -306,8 +309,8 @@ def _read_sheet(reader: Reader, table: Table, key: str) -> Sheet:
     name = table.text(key)
     with table.naming(key):
         sheet = reader.sheets[name] if name in reader.sheets else Sheet.named(name)
-        own = table.maybe("thickness") if key == "sheet" else None
-        return sheet if own is None else sheet.with_thickness(own)
+        thickness = table.maybe("thickness") if key == "sheet" else None
+        return sheet if thickness is None else sheet.with_thickness(thickness)
 
 
 def _read_supports(reader: Reader, table: Table, key: str) -> Supports:
@@ -481,8 +484,8 @@ def put(table: dict[str, Any], path: str, value: Any) -> None:
     InputError
         A value on the path is not a table.
     """
-    *way, last = path.split(".")
-    for key in way:
+    *parents, last = path.split(".")
+    for key in parents:
         inner = table.setdefault(key, {})
         if not isinstance(inner, dict):
             raise InputError(

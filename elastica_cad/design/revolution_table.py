@@ -66,7 +66,7 @@ class RevolutionTable:
         InputError
             It has no or several definitions, or is impossible.
         """
-        ways = [way for way in ("points", "curve", "a") if getattr(self, way) not in (None, ())]
+        ways = [form for form in ("points", "curve", "a") if getattr(self, form) not in (None, ())]
         if len(ways) != 1:
             raise InputError(
                 "The meridian is missing. Add one of points, curve, or {own_keys}.",
@@ -74,11 +74,11 @@ class RevolutionTable:
             )
         if self.curve is not None or self.points:
             return meridian_through(self.curve or list(self.points), ring=self.ring)
-        given: Any = [getattr(self, key) for key in OWN_KEYS]
+        values: Any = [getattr(self, key) for key in OWN_KEYS]
         missing = [key for key in OWN_KEYS if getattr(self, key) is None]
         if missing:
             raise InputError("{key} is missing. Add a number or a formula in quotes.", key=missing[0])
-        return meridian(*given, ring=self.ring)
+        return meridian(*values, ring=self.ring)
 
     def model(self, name: str) -> Model:
         """Make all strips, and the rings.

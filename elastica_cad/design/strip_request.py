@@ -83,9 +83,9 @@ class FinishedStrip:
             Something else.
         """
         try:
-            given = _decoded(dict(record))
-            stiffness, scale = given.pop("stiffness"), given.pop("bending_stiffness")
-            spec = StripSpec(curve, smooth=0.0, straight_ends=False, ignore_limits=True, **given)
+            values = _decoded(dict(record))
+            stiffness, scale = values.pop("stiffness"), values.pop("bending_stiffness")
+            spec = StripSpec(curve, smooth=0.0, straight_ends=False, ignore_limits=True, **values)
             return cls(spec, stiffness, scale)
         except (ElasticaError, KeyError, TypeError, ValueError) as problem:
             raise InputError(
@@ -173,14 +173,14 @@ def read_request(path: Path) -> Any:
 def request_record(spec: StripSpec, strip: Strip) -> dict[str, Any]:
     """Return the request for a finished strip, on its rest shape, as plain data for JSON."""
     plane = spec.in_plane
-    given = {field.name: getattr(plane, field.name) for field in fields(plane) if field.name not in SOLVED}
+    values = {field.name: getattr(plane, field.name) for field in fields(plane) if field.name not in SOLVED}
     rod = strip.rod
-    given |= {
+    values |= {
         "sheet": spec.material, "ends": spec.tabs, "samples": rod.s.size,
         "law": rod.section if isinstance(spec.law, LeavesLaw) else spec.law,
         "stiffness": rod.profile, "bending_stiffness": strip.bending_stiffness,
     }  # fmt: skip
-    return {name: _encoded(value) for name, value in given.items()}
+    return {name: _encoded(value) for name, value in values.items()}
 
 
 def _encoded(value: Any) -> Any:
@@ -203,10 +203,10 @@ def _encoded(value: Any) -> Any:
 
 def _decoded(value: Any) -> Any:
     if isinstance(value, Mapping):
-        given = {key: _decoded(item) for key, item in value.items() if key != "record"}
+        values = {key: _decoded(item) for key, item in value.items() if key != "record"}
         if value.get("record") == NominalRatio.__name__:
-            return NominalRatio(given["value"])
-        return RECORDS[value["record"]](**given) if "record" in value else given
+            return NominalRatio(values["value"])
+        return RECORDS[value["record"]](**values) if "record" in value else values
     if isinstance(value, list):
         return tuple(map(_decoded, value))
     return float(value) if value in ("inf", "-inf") else value

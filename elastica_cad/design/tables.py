@@ -452,12 +452,12 @@ class Table:
 
     def row(self, key: str) -> tuple[float, ...]:
         """Return a list of numbers of any length, empty where it is not given."""
-        given = self.raw(key, ())
-        if not isinstance(given, Sequence) or isinstance(given, str):
+        values = self.raw(key, ())
+        if not isinstance(values, Sequence) or isinstance(values, str):
             raise InputError(
-                "{key} is {given}. Write numbers in brackets.", key=self.place(key), given=quoted(given)
+                "{key} is {given}. Write numbers in brackets.", key=self.place(key), given=quoted(values)
             )
-        return self.vector(key, len(given), ())
+        return self.vector(key, len(values), ())
 
     def points(self, key: str, size: int, count: int | None = None) -> list[tuple[float, ...]]:
         """Return points of `size` numbers each: `count` of them, or any number."""

@@ -98,12 +98,12 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
     flat = np.column_stack([points[:, 2]] * 3)
     turn = np.arctan2(points[:, 1], points[:, 0])
     # tabs are straight: their points are at angles below 0 or above that of the arc
-    for end, way in ((0.0, -1.0), (TURN_RAD, 1.0)):
+    for end, sign in ((0.0, -1.0), (TURN_RAD, 1.0)):
         along = np.array([-np.sin(end), np.cos(end)])
-        beyond = way * (points[:, :2] @ along)
+        beyond = sign * (points[:, :2] @ along)
         off = points[:, :2] @ (along[1], -along[0]) - radius
-        on_tab = (way * (turn - end) > 0) & (np.abs(off) < radius / 2) & (beyond > 0)
-        flat[on_tab, 0] = end * radius + way * beyond[on_tab]
+        on_tab = (sign * (turn - end) > 0) & (np.abs(off) < radius / 2) & (beyond > 0)
+        flat[on_tab, 0] = end * radius + sign * beyond[on_tab]
         flat[on_tab, 2] = off[on_tab]
         turn[on_tab] = np.nan
     bent = np.isfinite(turn)

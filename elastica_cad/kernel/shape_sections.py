@@ -115,10 +115,10 @@ def _thinned(points: FloatArray) -> FloatArray:
     if len(points) <= MOST:
         return points
     s = lengths_along(points)
-    kept = np.unique(np.searchsorted(s, np.linspace(0.0, s[-1], MOST // 2)).clip(0, len(s) - 1))
-    kept[0] = 0
-    todo = list(zip(kept[:-1].tolist(), kept[1:].tolist(), strict=True))
-    indices = set(kept.tolist())
+    samples = np.unique(np.searchsorted(s, np.linspace(0.0, s[-1], MOST // 2)).clip(0, len(s) - 1))
+    samples[0] = 0
+    todo = list(zip(samples[:-1].tolist(), samples[1:].tolist(), strict=True))
+    indices = set(samples.tolist())
     while todo:
         a, b = todo.pop()
         if b - a < 2:

@@ -328,8 +328,8 @@ def write_strip_step(
     }
     parts = [
         NamedShape(f"{called} {form}", shape, sheet_color(sheet))
-        for form, made in shapes.items()
-        for called, shape, sheet in zip(names[: len(made)], made, sheets[: len(made)], strict=True)
+        for form, solids in shapes.items()
+        for called, shape, sheet in zip(names[: len(solids)], solids, sheets[: len(solids)], strict=True)
     ]
     write_step(parts, path, name=name, force=force)
 

@@ -63,13 +63,13 @@ def model_parts(
 def end_angles(angles: object) -> tuple[float | None, float | None]:
     """Return the angles at start and end in rad, and warn if the given degrees look like radians."""
     pair = angles_in_rad(angles)
-    given = [degrees(angle) for angle in pair if angle]
-    if given and all(abs(angle) < LEAST_DEGREES and round(angle, 9) % 1 for angle in given):
-        shown = ", ".join(f"{angle:.4g}" for angle in given)
+    nonzero = [degrees(angle) for angle in pair if angle]
+    if nonzero and all(abs(angle) < LEAST_DEGREES and round(angle, 9) % 1 for angle in nonzero):
+        listed = ", ".join(f"{angle:.4g}" for angle in nonzero)
         warn(
             note(
                 "Angles are in degrees, and {shown} is small. Convert radians with numpy.degrees(...).",
-                shown=shown,
+                shown=listed,
             )
         )
     return pair
@@ -129,8 +129,8 @@ def numbers_of(point: Point) -> tuple[float, ...]:
     TypeError, ValueError
         The object is neither.
     """
-    given: Any = point.toTuple() if hasattr(point, "toTuple") else point
-    return tuple(map(float, given))
+    numbers: Any = point.toTuple() if hasattr(point, "toTuple") else point
+    return tuple(map(float, numbers))
 
 
 class BendOptions(TypedDict, total=False):

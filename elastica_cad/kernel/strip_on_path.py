@@ -109,9 +109,9 @@ def make_strip_on(
             warn_of_strip(path)
             return MadeStrip(path, frame or Frame())
         return MadeStrip(path.strip, frame or path.frame, path.deviation)
-    given = type(path).__name__
-    if given in NO_CURVES:
-        raise InputError(f"A {given} is not a curve. Pass {NO_CURVES[given]}.")
+    kind = type(path).__name__
+    if kind in NO_CURVES:
+        raise InputError(f"A {kind} is not a curve. Pass {NO_CURVES[kind]}.")
     if sheet is None:
         raise InputError('A strip for a curve needs a sheet. Pass a Sheet or its name, such as "mdf-3".')
     if _is_vector(options.get("gravity")):
@@ -162,10 +162,10 @@ def make_fixture_on(
 
     sizes = {name: options.pop(name) for name in FIXTURE_SIZES if name in options}
     _refuse_unknown(options, FIXTURE_SIZES)
-    made = make_strip_on(path, sheet, workplane=workplane, **options)
+    result = make_strip_on(path, sheet, workplane=workplane, **options)
     ground = None if floor is None else _frame_of(floor)
     engrave = None if engrave is None else str(engrave)
-    return made, EndFixture.of(made.strip, end, made.frame, floor=ground, engrave=engrave, **sizes)
+    return result, EndFixture.of(result.strip, end, result.frame, floor=ground, engrave=engrave, **sizes)
 
 
 def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[SectionCurve, ...]":

@@ -127,7 +127,7 @@ class StripResult:
         return Kit(tuple(files), report)
 
     def _drawn(
-        self, name: str, made: Callable[[Strip], Drawing], request: StripFiles, *, pdf: bool
+        self, name: str, draw: Callable[[Strip], Drawing], request: StripFiles, *, pdf: bool
     ) -> list[File]:
         """Return the files of a drawing beside the cut pattern, for each requested format."""
         cutting = request.cutting
@@ -135,7 +135,7 @@ class StripResult:
         return [
             File(
                 cutting.file_name(f"{self.name}-{name}", kind),
-                partial(self._write_drawing, made, kind, request),
+                partial(self._write_drawing, draw, kind, request),
                 f"{name} {kind}",
             )
             for kind in kinds
@@ -161,9 +161,9 @@ class StripResult:
         return tuple(replace(drawing, name=layer.called(self.name)) for drawing, layer in named)
 
     def _write_drawing(
-        self, made: Callable[[Strip], Drawing], kind: str, request: StripFiles, path: Path
+        self, draw: Callable[[Strip], Drawing], kind: str, request: StripFiles, path: Path
     ) -> None:
-        drawing = replace(made(self.strip), name=path.stem)
+        drawing = replace(draw(self.strip), name=path.stem)
         if kind == "pdf":
             from elastica_cad.plot.template_pages import save_template
 

@@ -98,11 +98,11 @@ def shape_parts(
     parts: Iterable[AssemblyPart], make: Callable[[AssemblyPart], Shape]
 ) -> Iterator[tuple[AssemblyPart, Shape]]:
     """Yield each part with its shape; `make` is called once for all parts that share their solids."""
-    made: dict[int, Shape] = {}
+    shapes: dict[int, Shape] = {}
     for part in parts:
-        if id(part.solids) not in made:
-            made[id(part.solids)] = make(part)
-        yield part, made[id(part.solids)]
+        if id(part.solids) not in shapes:
+            shapes[id(part.solids)] = make(part)
+        yield part, shapes[id(part.solids)]
 
 
 def single_holders(holders: Iterable[Holder]) -> Iterator[SingleHolder]:

@@ -111,9 +111,11 @@ def strips_may_meet(strips: Sequence[RuledStrip], rooms: FloatArray | None = Non
     sizes = (boxes[:, 1] - boxes[:, 0]) / 2
     rooms = rooms + _ROUNDING * (np.abs(centers).max(initial=0.0) + sizes.max(initial=0.0))
     seen = np.empty((len(strips), len(strips)), dtype=bool)
-    for own, box, room, sees, origin in zip(axes, boxes, rooms, seen, origins, strict=True):
-        center = (centers - origin) @ own.T
-        half = (np.abs(own @ np.swapaxes(axes, 1, 2)) @ sizes[..., None])[..., 0] + (rooms + room)[:, None]
+    for box_axes, box, room, sees, origin in zip(axes, boxes, rooms, seen, origins, strict=True):
+        center = (centers - origin) @ box_axes.T
+        half = (np.abs(box_axes @ np.swapaxes(axes, 1, 2)) @ sizes[..., None])[..., 0] + (rooms + room)[
+            :, None
+        ]
         sees[:] = np.all((box[0] <= center + half) & (box[1] >= center - half), axis=1)
     return np.asarray(seen & seen.T)
 
@@ -125,8 +127,8 @@ def _over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
     each = -(-STATIONS // (panels.size - 1))
     inner = (panels[:-1, None] + np.diff(panels)[:, None] * np.arange(each) / each).ravel()
     t = np.append(inner, panels[-1])
-    s, points, way = curve.arc_length(t) * length / curve.length, curve.evaluate(t), curve.evaluate(t, 1)
-    ahead, thirds = way / np.hypot(*way.T)[:, None], np.diff(s)[:, None] / 3
+    s, points, velocity = curve.arc_length(t) * length / curve.length, curve.evaluate(t), curve.evaluate(t, 1)
+    ahead, thirds = velocity / np.hypot(*velocity.T)[:, None], np.diff(s)[:, None] / 3
     handles = np.stack([points[:-1] + thirds * ahead[:-1], points[1:] - thirds * ahead[1:]], axis=1)
     coefficients = np.concatenate([points[:1], handles.reshape(-1, 2), points[-1:]])
     return SplineFunction(np.pad(np.repeat(s, 2), 2, mode="edge"), coefficients, 3)
@@ -163,8 +165,8 @@ def _bracketed_zeros(
         root = np.where(moving, high - g * (high - low) / slope, root)
         h = function(root)
         crossed = np.sign(h) * np.sign(g) <= 0
-        kept = 1.0 - h / np.where(g != 0, g, 1.0)
-        low, f = np.where(crossed, high, low), np.where(crossed, g, f * np.where(kept > 0, kept, 0.5))
+        ratio = 1.0 - h / np.where(g != 0, g, 1.0)
+        low, f = np.where(crossed, high, low), np.where(crossed, g, f * np.where(ratio > 0, ratio, 0.5))
         high, g = root, h
     return root
 
@@ -436,9 +438,9 @@ def _joined(
             i = after[0]
             left.discard(i)
             s_a, s_b = pieces[i]
-            way = 1 if ends[i][1] == key else -1
-            chain.insert(0, (s_a[::way], s_b[::way]))
-            key = ends[i][0 if way == 1 else 1]
+            step = 1 if ends[i][1] == key else -1
+            chain.insert(0, (s_a[::step], s_b[::step]))
+            key = ends[i][0 if step == 1 else 1]
         return chain
 
     chains = []
@@ -561,9 +563,9 @@ class Crossing:
         """
         if self.room[which, end] < ON_EDGE_MM:
             return float(end)
-        origin, way = (self.start, -1) if end == 0 else (self.end, 1)
+        origin, step = (self.start, -1) if end == 0 else (self.end, 1)
         nodes = self.locus.nodes
-        q = np.concatenate([[origin], nodes[(nodes - origin) * way > 0][::way]])
+        q = np.concatenate([[origin], nodes[(nodes - origin) * step > 0][::step]])
         m = margins(self.strips, self.locus.at(q))[:, 2 * which : 2 * which + 2]
         outside = np.flatnonzero(m.min(axis=1) < 0)
         if not outside.size:

@@ -66,18 +66,18 @@ class PlacedTab:
         require_record(strip, Strip, "what a tab is of", "a Strip, as make_strip makes one")
         require_ends([end])
         place = frame_or_plain(frame)
-        k, way = (0, -1.0) if end == "start" else (-1, 1.0)
+        k, sign = (0, -1.0) if end == "start" else (-1, 1.0)
         alpha = float(strip.rod.angle[k])
-        out = way * place.direction([np.cos(alpha), np.sin(alpha)])
+        out = sign * place.direction([np.cos(alpha), np.sin(alpha)])
         origin = place.point(strip.rod.position[k])
-        tab, own = strip.ends[k], strip.end_widths[k]
+        tab, end_width = strip.ends[k], strip.end_widths[k]
         if name is not None:
             require_record(name, str, "the name of a tab", "a text")
         called = name or strip.label or "strip"
         return cls(
-            Frame(origin, out, way * place.z_axis),
+            Frame(origin, out, sign * place.z_axis),
             tab.length,
-            tab.width or own,
+            tab.width or end_width,
             strip.end_thicknesses[k],
             tab.holes,
             tab_name(called, end),
@@ -425,13 +425,13 @@ def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[FlatSo
     ]
 
 
-def _groove(way: Segment, width: float) -> Path:
+def _groove(middle: Segment, width: float) -> Path:
     """Return the outline of a groove along a line or an arc, or a dot if it is shorter than wide."""
-    if way.length <= width:
-        return Path.circle(way.at(0.5), width / 2)
-    ends, along = way.at(np.array([0.0, 1.0])), way.tangent_at(np.array([0.0, 1.0]))
+    if middle.length <= width:
+        return Path.circle(middle.at(0.5), width / 2)
+    ends, along = middle.at(np.array([0.0, 1.0])), middle.tangent_at(np.array([0.0, 1.0]))
     off = width / 2 * np.column_stack([-along[:, 1], along[:, 0]])
-    bulge = np.tan(way.sweep / 4) if isinstance(way, Arc) else 0.0
+    bulge = np.tan(middle.sweep / 4) if isinstance(middle, Arc) else 0.0
     return Path.polyline([*(ends - off), *(ends + off)[::-1]], [bulge, 0.0, -bulge, 0.0], closed=True)
 
 
@@ -515,14 +515,16 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
 
 def _crossed(placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Sequence["_Prism"]]) -> list[int]:
     """Return the blocks that a strip runs through, except those at its own ends."""
-    own = {PlacedTab.of(placed.strip, end, placed.frame).key for end in ENDS}
+    tab_keys = {PlacedTab.of(placed.strip, end, placed.frame).key for end in ENDS}
     rod, frame = placed.strip.rod, placed.frame
     s = np.linspace(0.0, rod.length, int(rod.length / PITCH_MM) + 2)
     half = placed.strip.width(s) / 2
     across = np.linspace(-1.0, 1.0, int(2 * half.max() / PITCH_MM) + 2)
     middle = frame.point(np.column_stack([np.interp(s, rod.s, x) for x in rod.position.T]))
     points = (middle[:, None] + np.multiply.outer(half, across)[..., None] * frame.z_axis).reshape(-1, 3)
-    return [k for k, block in enumerate(blocks) if block.tab.key not in own and _reach_into(points, parts[k])]
+    return [
+        k for k, block in enumerate(blocks) if block.tab.key not in tab_keys and _reach_into(points, parts[k])
+    ]
 
 
 def _reach_into(points: FloatArray, parts: Sequence["_Prism"]) -> bool:

@@ -219,8 +219,8 @@ def slotted_frame(
     if gap is not None:
         pairs = [lean_pair(placed, (plates[k], plates[k + 2])) for k in (0, 1)]
         plates = [pair[k] for k in (0, 1) for pair in pairs]
-    made = (plan.rib(sheet, tongue, depth, behind=behind, step=step) for plan in plans)
-    return SlottedFrame(tuple(plates), tuple(rib.checked(options) for rib in made))
+    candidates = (plan.rib(sheet, tongue, depth, behind=behind, step=step) for plan in plans)
+    return SlottedFrame(tuple(plates), tuple(rib.checked(options) for rib in candidates))
 
 
 @dataclass
@@ -457,8 +457,8 @@ def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
         places.append(place)
     names = distinct(name for name, _ in shapes)
     for foot, place in zip(feet, places, strict=True):
-        name, (own, corners) = names[place], shapes[place]
-        yield foot if name == own else replace(foot, name=name, label=_label(name, corners))
+        name, (own_name, corners) = names[place], shapes[place]
+        yield foot if name == own_name else replace(foot, name=name, label=_label(name, corners))
 
 
 def _label(name: str, corners: np.ndarray) -> Text:

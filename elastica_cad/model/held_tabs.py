@@ -47,7 +47,7 @@ def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
     met = begin + u[..., None] * (finish - begin)
     # the tab's z axis points away from the strip's upper side, to the right of the curve
     walls = met[..., [0, 2]] * (1.0, -1.0)
-    return [(*which, own) for which, own in zip(through, walls, strict=True)]
+    return [(*which, wall) for which, wall in zip(through, walls, strict=True)]
 
 
 def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
@@ -181,12 +181,12 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
 
 def _tipping(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float]:
     """Return the angles, degrees, by which a strip can tip in a seat towards its other end and away from it."""
-    own, other = (
+    here, other = (
         PlacedTab.of(member.strip, k, member.frame).frame for k in sorted(ENDS, key=lambda k: k != end)
     )
     right, left = np.abs(np.degrees(seat.turning))
     # where the tab turns to the left of the curve, the strip before it turns to the right, which is its z axis
-    lies_right = (other.origin - own.origin) @ own.z_axis > 0
+    lies_right = (other.origin - here.origin) @ here.z_axis > 0
     return (left, right) if lies_right else (right, left)
 
 

@@ -28,9 +28,14 @@ CLOSE_MM = 1e-6
 
 
 def _bent_slot_width(
-    own: RuledStrip, other: RuledStrip, rows: FloatArray, mates: FloatArray, *, thickness: tuple[float, float]
+    ruled: RuledStrip,
+    other: RuledStrip,
+    rows: FloatArray,
+    mates: FloatArray,
+    *,
+    thickness: tuple[float, float],
 ) -> FloatArray:
-    """Return the widths (n,), mm, of a slot in strip `own` that lets the faces of strip `other` through.
+    """Return the widths (n,), mm, of a slot in strip `ruled` that lets the faces of strip `other` through.
 
     Half the width is on either side of the centre line. For flat sheets it is `slot_width` without clearance.
     Bent sheets curve away from the line on which their middle surfaces meet, by (w / 2)^2 kappa / 2. This shifts
@@ -38,7 +43,7 @@ def _bent_slot_width(
 
     Parameters
     ----------
-    own, other : RuledStrip
+    ruled, other : RuledStrip
     rows, mates : (n, 2) array
         Centre line of the slot in both flat patterns, mm.
     thickness : (own, other)
@@ -52,7 +57,7 @@ def _bent_slot_width(
     along = np.gradient(rows, np.arange(len(rows)), axis=0, edge_order=2)
     along /= np.hypot(*along.T)[:, None]
     across = np.column_stack([-along[:, 1], along[:, 0]])
-    ways = across[:, :1] * own.motion(rows[:, 0])[1] + across[:, 1:] * own.axis
+    ways = across[:, :1] * ruled.motion(rows[:, 0])[1] + across[:, 1:] * ruled.axis
     tangents = other.motion(mates[:, 0])[1]
     slopes = np.stack([ways, -tangents, -np.broadcast_to(other.axis, tangents.shape)], axis=2)
     inverse, rows, mates, across = (
@@ -62,9 +67,9 @@ def _bent_slot_width(
     z = np.repeat(list(product((-0.5, 0.5), repeat=2)), len(along), axis=0) * thickness
     x = np.zeros((len(rows), 3))  # across the slot, and along and across the other strip
     error = np.full(len(rows), np.inf)
-    farthest = own.length + other.length  # where faces do not meet, steps would grow beyond all numbers
+    farthest = ruled.length + other.length  # where faces do not meet, steps would grow beyond all numbers
     for _ in range(MOST_STEPS):
-        here = _on_face(own, rows + x[:, :1] * across, z[:, :1])
+        here = _on_face(ruled, rows + x[:, :1] * across, z[:, :1])
         there = _on_face(other, mates + x[:, 1:], z[:, 1:])
         error = np.abs(here - there).max(axis=1)
         if not (error > CLOSE_MM).any():
@@ -226,14 +231,14 @@ _slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDi
 
 def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[Hashable, Strip]) -> Placed:
     """Return the placed strip with more slots; it shares the layers of a strip in `drawn` with the same cut."""
-    known, made = _slotted.get(placed, (None, placed))
+    known, slotted = _slotted.get(placed, (None, placed))
     if known != slots:
         strip = replace(placed.strip, slots=(*placed.strip.slots, *slots)) if slots else placed.strip
         first = drawn.setdefault(cut_key(strip), strip)
         _refuse_faults(first, name)
-        made = placed.with_strip(strip.cut_as(first)) if slots else placed
-        _slotted[placed] = slots, made
-    return made
+        slotted = placed.with_strip(strip.cut_as(first)) if slots else placed
+        _slotted[placed] = slots, slotted
+    return slotted
 
 
 def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[tuple[int, int]]:
@@ -313,11 +318,11 @@ class _Cutter:
             last = crossing.beyond(which, end)
             p = crossing.at(crossing.evenly(crossing.middle, float(end if last is None else last), PITCH_MM))
             rows, mates = _turned((p.first, p.second), which)
-            own, other = (strip_thickness(self.strips[i]) for i in _turned(members, which))
-            widths = slot_width(p.angle, own=own, other=other, clearance=self.clearance, fit=self.fit)
+            thickness, other = (strip_thickness(self.strips[i]) for i in _turned(members, which))
+            widths = slot_width(p.angle, own=thickness, other=other, clearance=self.clearance, fit=self.fit)
             if self.fit == "exact":
                 sheets = _turned(crossing.strips, which)
-                bent = _bent_slot_width(*sheets, rows, mates, thickness=(own, other))
+                bent = _bent_slot_width(*sheets, rows, mates, thickness=(thickness, other))
                 widths = np.maximum(widths, bent + self.clearance)
             strip = self.strips[members[which]]
             if self.clearance >= float(strip.width(rows[0, 0])):
@@ -370,10 +375,10 @@ class _Cutter:
         if np.linalg.norm(np.cross(a.axis, b.axis)) > PARALLEL_RAD:
             return
         reach = sum(strip_thickness(self.strips[i]) for i in members) / 2
-        own, other = (a.frame.local(strip.motion(strip.stations)[0]) for strip in (a, b))
-        distance = np.hypot(*(own[:, None, :2] - other[None, :, :2]).transpose(2, 0, 1))
+        nodes, other = (a.frame.local(strip.motion(strip.stations)[0]) for strip in (a, b))
+        distance = np.hypot(*(nodes[:, None, :2] - other[None, :, :2]).transpose(2, 0, 1))
         nearest = distance.argmin(axis=1)
-        apart = np.abs(other[nearest, 2] - own[:, 2])
+        apart = np.abs(other[nearest, 2] - nodes[:, 2])
         overlap = a.half_width(a.stations) + b.half_width(b.stations)[nearest] > apart
         touch = (distance.min(axis=1) < reach) & overlap
         spacing = float(np.diff(a.stations).max())
@@ -446,7 +451,7 @@ def _refuse_faults(strip: Strip, name: str) -> None:
     try:
         whole = strip.outline.closed
     except InputError as error:
-        own = f"{strip.label or 'strip'}: "
-        raise InputError("{name}: {rest}", name=name, rest=str(error).removeprefix(own)) from error
+        begin = f"{strip.label or 'strip'}: "
+        raise InputError("{name}: {rest}", name=name, rest=str(error).removeprefix(begin)) from error
     if not whole:
         raise InputError("{name}: the slots divide the strip", name=name)

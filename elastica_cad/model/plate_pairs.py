@@ -180,9 +180,9 @@ def _leans(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, 
             if key in seats:
                 alike = cut, index, seats[key].places
                 if alike not in known:
-                    made = member.strip.as_made
-                    ratio = made.tab_ratios(made.loaded)[index]
-                    known[alike] = lean_against(made.loaded, index, seats[key], ratio)
+                    as_made = member.strip.as_made
+                    ratio = as_made.tab_ratios(as_made.loaded)[index]
+                    known[alike] = lean_against(as_made.loaded, index, seats[key], ratio)
                 leans[key] = known[alike]
     return leans
 
@@ -192,9 +192,9 @@ def _moved(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
     slots, walls = list(plate.slots), slot_walls(plate)
     # left of the curve is -z of the tab; its projection is the direction within the plate
     ways = np.array([(tab.frame.x_axis, -tab.frame.z_axis) for _, tab, _ in walls]).reshape(-1, 2, 3)
-    for (k, tab, own), (into, left) in zip(walls, (ways @ plate.frame.axes.T)[..., :2], strict=True):
+    for (k, tab, wall), (into, left) in zip(walls, (ways @ plate.frame.axes.T)[..., :2], strict=True):
         if (lean := leans.get(tab.key)) is not None:
-            slots[k] = _moved_slot(slots[k], own, into, left, lean)
+            slots[k] = _moved_slot(slots[k], wall, into, left, lean)
     return tuple(slots)
 
 
@@ -283,13 +283,15 @@ def facing_plates(placed: Sequence[Placed], sheet: Sheet, options: PlateOptions)
     tabs = tabs_to_hold(placed)
     outs = np.array([tab.frame.x_axis for tab in tabs])
     _, _, axes = np.linalg.svd(outs)
-    way = outs @ axes[0] > 0
+    is_upward = outs @ axes[0] > 0
     sides = [
-        [tab for tab, is_first in zip(tabs, way, strict=True) if is_first == side] for side in (False, True)
+        [tab for tab, upward in zip(tabs, is_upward, strict=True) if upward == side] for side in (False, True)
     ]
     groups = sorted((side for side in sides if side), key=lambda side: min(tab.tip[2] for tab in side))
     called = (replace(options, name=f"{options.name}-{side}") for side in ("low", "high"))
-    return tuple(_plate(side, sheet, own) for side, own in zip(groups, called, strict=False))
+    return tuple(
+        _plate(side, sheet, plate_options) for side, plate_options in zip(groups, called, strict=False)
+    )
 
 
 def _plate(tabs: Sequence[PlacedTab], sheet: Sheet, options: PlateOptions) -> BasePlate:

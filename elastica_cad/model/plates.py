@@ -388,9 +388,10 @@ def _gaps(first: FloatArray, others: FloatArray) -> FloatArray:
 
     The bound is exact where a side of one rectangle faces the other rectangle.
     """
-    own, theirs = _across(first), _across(others)
+    sides, theirs = _across(first), _across(others)
     return np.asarray(
-        np.maximum(_apart(first @ own, others @ own), _apart(first @ theirs, others @ theirs)), dtype=float
+        np.maximum(_apart(first @ sides, others @ sides), _apart(first @ theirs, others @ theirs)),
+        dtype=float,
     )
 
 

@@ -108,11 +108,14 @@ def touching_widths(
 
 
 def _bound(
-    own: tuple[PlaneCurve, Frame], other: tuple[PlaneCurve, Frame], gap: float, names: tuple[str, str]
+    placed_curve: tuple[PlaneCurve, Frame],
+    other: tuple[PlaneCurve, Frame],
+    gap: float,
+    names: tuple[str, str],
 ) -> _Bound:
     """Return the plane between two strips, moved towards the first strip by the gap, in its coordinates."""
-    frame, opposite = own[1], other[1]
-    middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (own, other)]
+    frame, opposite = placed_curve[1], other[1]
+    middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (placed_curve, other)]
     z, r = frame.z_axis, opposite.z_axis
     z = z * np.sign((middles[1] - frame.origin) @ z)
     r = r * np.sign((middles[0] - opposite.origin) @ r)

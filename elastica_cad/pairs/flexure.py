@@ -390,11 +390,11 @@ class Flexure:
         require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
         low, high = -self.overhang(0.0), self.pair.length + self.overhang(self.pair.length)
 
-        def side(way: int) -> PlaneCurve:
+        def side(side_sign: int) -> PlaneCurve:
             def points(s: FloatArray) -> FloatArray:
                 position, angle = line.at(s)
                 normal = np.column_stack([-np.sin(angle), np.cos(angle)])
-                return np.asarray(position + way * self.thickness_at(s)[:, None] / 2 * normal)
+                return np.asarray(position + side_sign * self.thickness_at(s)[:, None] / 2 * normal)
 
             breaks = [(place, 1) for place in (0.0, self.pair.length) if low < place < high]
             knots, rows = adaptive_spline(points, (low, high), degree=3, tolerance=SIDE_MM, breaks=breaks)
@@ -435,24 +435,24 @@ class Flexure:
             self._pad_corners(line, length + self.overhang(length), 1),
         )
 
-    def _pad_corners(self, line: "CentreLine", s: float, way: int) -> list[FloatArray]:
+    def _pad_corners(self, line: "CentreLine", s: float, sign: int) -> list[FloatArray]:
         """Return the four corners of a pad, anticlockwise from the right side."""
-        position, along, across = self._root(line, s, way)
+        position, along, across = self._root(line, s, sign)
         half = self.pad_width / 2 * across
         far = position + self.pad.length * along
         return [position - half, far - half, far + half, position + half]
 
-    def _root(self, line: "CentreLine", s: float, way: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+    def _root(self, line: "CentreLine", s: float, sign: int) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Return the middle of a pad's inner edge, the outward direction, and the direction to its left."""
         position, angle = (value[0] for value in line.at(np.array([s])))
-        along = way * np.array([np.cos(angle), np.sin(angle)])
+        along = sign * np.array([np.cos(angle), np.sin(angle)])
         return position, along, np.array([-along[1], along[0]])
 
     def hole_places(self, line: "CentreLine") -> FloatArray:
         """Return the centres of the holes (2, 2, 2) of the start and end pads, from the root outward."""
         places = []
-        for s, way in ((-self.overhang(0.0), -1), (self.pair.length + self.overhang(self.pair.length), 1)):
-            position, along, _ = self._root(line, s, way)
+        for s, sign in ((-self.overhang(0.0), -1), (self.pair.length + self.overhang(self.pair.length), 1)):
+            position, along, _ = self._root(line, s, sign)
             places.append([position + d * along for d in (self.pad.inset, self.pad.length - self.pad.inset)])
         return np.array(places)
 
@@ -515,12 +515,12 @@ class Flexure:
     def pushed(self) -> tuple[float, FloatArray]:
         """Arc length (mm) where a bistable part is pushed, and displacement of this point between the states."""
         first, second = self.rods
-        way = second.position - first.position
-        far = np.hypot(*way.T)
+        distances = second.position - first.position
+        far = np.hypot(*distances.T)
         i = int(np.abs(first.s - (first.length / 2 if self.push_at is None else self.push_at)).argmin())
         if self.push_at is None and far[i] < FAR_SHARE * far.max():
             i = int(far.argmax())
-        return float(first.s[i]), np.asarray(way[i])
+        return float(first.s[i]), np.asarray(distances[i])
 
     @cached_property
     def travel(self) -> FlexureTravel:
@@ -569,7 +569,9 @@ class Flexure:
     @property
     def travel_strain(self) -> float:
         """Largest strain on the path between the states, and back if the part is bistable."""
-        return max(float(way.strain.max()) for way in (self.travel, self.travel_back) if way is not None)
+        return max(
+            float(travel.strain.max()) for travel in (self.travel, self.travel_back) if travel is not None
+        )
 
     def _pushed(self, start: Rod, goal: Rod) -> FlexureTravel:
         path, B = self._push_finely(start, self.scale), self.bending_stiffness
@@ -584,10 +586,10 @@ class Flexure:
 
     def _push(self, start: Rod, scale: float, *snap: float) -> PushPath:
         """Push the point straight to its place in the other state, with finer steps up to a snap (mm)."""
-        at, way = self.pushed
-        way = way if start is self.rods[0] else -way
-        travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*snap, float(np.hypot(*way)))]
-        return push_path(start, at, way, np.unique(travel), thickness=scale)
+        at, push = self.pushed
+        push = push if start is self.rods[0] else -push
+        travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*snap, float(np.hypot(*push)))]
+        return push_path(start, at, push, np.unique(travel), thickness=scale)
 
     def _push_finely(self, start: Rod, scale: float) -> PushPath:
         path = self._push(start, scale)
@@ -659,9 +661,9 @@ class Flexure:
         near = np.abs(s[:, None] - s[None]) <= APART * (half[:, None] + half[None]) + s[1] - s[0]
         return float(np.where(near, np.inf, apart).min())
 
-    def _gap_on_the_way(self, way: FlexureTravel) -> float:
+    def _gap_on_the_way(self, travel: FlexureTravel) -> float:
         """Return the least `_gap` of some shapes between the states, mm."""
-        shapes = way.position[:: max(1, len(way.position) // SHAPES)]
+        shapes = travel.position[:: max(1, len(travel.position) // SHAPES)]
         gaps = [self._gap(self.line_through(shape)) for shape in shapes]
         return min(gaps)
 
@@ -676,7 +678,7 @@ class Flexure:
         """Yield the errors that prevent making and using the part."""
         thin, least = self.scale, LEAST_PRINTED_MM if self.printed else LEAST_CUT_MM
         if thin < least * (1 - 1e-6):
-            made = "printed" if self.printed else "cut"
+            verb = "printed" if self.printed else "cut"
             share = rounded_up(least / thin, 3)
             yield InputError(
                 "{sheet} allows a strain of {strain:.2g} %, so the thinnest place can be at most {thin:.3g} "
@@ -684,7 +686,7 @@ class Flexure:
                 "times as large ({needs} long) or closer to each other, or use a sheet that allows more "
                 "strain",
                 sheet=self.sheet.name, strain=100 * self.sheet.max_strain, thin=Length(thin), least=Length(least),
-                made=made, share=share, needs=Length(share * self.pair.length),
+                made=verb, share=share, needs=Length(share * self.pair.length),
             )  # fmt: skip
         worst = max(self.strain)
         verdict = judge_strain(self.sheet, worst)
@@ -720,7 +722,7 @@ class Flexure:
                 )
         messages += self.rest_warnings
         try:
-            way = self.travel
+            travel = self.travel
         except NotConvergedError as error:
             messages.append(
                 note("no path between the states was found: {error}", severity="warning", error=str(error))
@@ -731,10 +733,10 @@ class Flexure:
                 messages.append(note("between the states the strain reaches {most:.2g} %, but the sheet "
                                      "withstands {limit:.2g} % for long", severity="warning", most=100 * most,
                                   limit=100 * self.sheet.max_strain))  # fmt: skip
-            if (gap := self._gap_on_the_way(way)) < LEAST_GAP_MM:
+            if (gap := self._gap_on_the_way(travel)) < LEAST_GAP_MM:
                 messages.append(note("between the states the part comes within {gap} of itself",
                                   severity="warning", gap=Length(max(gap, 0.0))))  # fmt: skip
-            if not way.reached and self.bistable == self.pair.bistable:
+            if not travel.reached and self.bistable == self.pair.bistable:
                 messages.append(note("the pushed part does not end in the second state: push it at another "
                                      "place, or guide it by hand", severity="warning"))  # fmt: skip
         return tuple(messages)
@@ -764,7 +766,7 @@ class Flexure:
     def as_dict(self) -> dict[str, Any]:
         """Numbers, texts and lists for a report."""
         low, high = self.thickness_range
-        way, pair = self.travel, self.pair
+        travel, pair = self.travel, self.pair
         report = {
             "sheet": self.sheet.name,
             "length_mm": pair.length,
@@ -783,11 +785,11 @@ class Flexure:
             "sideways": [verdict.word for verdict in self.sideways],
             "stretch_mm": self.stretch,
             "rest_deviation_mm": list(self.rest_deviations),
-            "largest_force_N": way.largest_force,
+            "largest_force_N": travel.largest_force,
             "largest_force_range_N": list(self.force_range),
-            "snap_travel_mm": way.snap,
-            "work_N_mm": way.work,
-            "reaches_second_state": way.reached,
+            "snap_travel_mm": travel.snap,
+            "work_N_mm": travel.work,
+            "reaches_second_state": travel.reached,
             "reports": [str(message) for message in self.warnings],
         }
         if pair.bistable:
@@ -897,8 +899,8 @@ def _lines(corners: Sequence[FloatArray]) -> list[Line | Arc | Spline]:
 
 def _distinct(places: FloatArray) -> list[FloatArray]:
     """Return the places without repetition."""
-    kept: list[FloatArray] = []
+    distinct: list[FloatArray] = []
     for place in places:
-        if all(np.hypot(*(place - other)) > 0.01 for other in kept):
-            kept.append(place)
-    return kept
+        if all(np.hypot(*(place - other)) > 0.01 for other in distinct):
+            distinct.append(place)
+    return distinct

@@ -238,22 +238,22 @@ class _Drawn:
         """Return (alpha, beta) (3,) for the clamps and a length, or None if no small change is sufficient."""
         _, weight, angle, _, turns = self._nodes
         start, end, angles = self.clamps
-        own = self.curve.at(np.array([0.0, self.curve.length]))
+        clamped = self.curve.at(np.array([0.0, self.curve.length]))
         numbers = np.zeros(3)
         steps = max(1, ceil(abs(log(length / self.curve.length)) / LONGEST_STEP))
         for k in range(1, steps + 1):
             share = k / steps
             size = self.curve.length * (length / self.curve.length) ** share
-            held = own.angle + share * (angles - own.angle)
-            chord = own.position[1] - own.position[0]
+            held = clamped.angle + share * (angles - clamped.angle)
+            chord = clamped.position[1] - clamped.position[0]
             chord = chord + share * (end - start - chord)
             for _ in range(NEWTON_STEPS):
-                theta = angle + (held[0] - own.angle[0]) + turns[:-1] @ numbers
+                theta = angle + (held[0] - clamped.angle[0]) + turns[:-1] @ numbers
                 tangent = np.array([np.cos(theta), np.sin(theta)])
                 normal = np.array([-tangent[1], tangent[0]])
                 missed = np.append(
                     tangent @ weight - chord / size,
-                    turns[-1] @ numbers - (held[1] - held[0] - own.angle[1] + own.angle[0]),
+                    turns[-1] @ numbers - (held[1] - held[0] - clamped.angle[1] + clamped.angle[0]),
                 )
                 if np.abs(missed).max() <= MET:
                     break
@@ -283,15 +283,19 @@ class _Drawn:
             raise NotConvergedError(f"no small change of the curve leads to the length {length}")
         start, _, angles = self.clamps
         curve = self.curve
-        own = curve.at(np.array([0.0]))
-        if not numbers.any() and np.array_equal(start, own.position[0]) and angles[0] == own.angle[0]:
+        start_pose = curve.at(np.array([0.0]))
+        if (
+            not numbers.any()
+            and np.array_equal(start, start_pose.position[0])
+            and angles[0] == start_pose.angle[0]
+        ):
             return curve
         scale = curve.length / length
         edges, *_, turns = self._nodes
         turn = PanelFunction.through(turns[:-1].reshape(-1, NODES.size, 3) @ numbers)
 
         def tangent(s: FloatArray) -> FloatArray:
-            theta = curve.at(np.minimum(s * scale, curve.length)).angle + (angles[0] - own.angle[0])
+            theta = curve.at(np.minimum(s * scale, curve.length)).angle + (angles[0] - start_pose.angle[0])
             theta = theta + turn.at(*locate_in_panels(edges, s / length))
             return np.column_stack([np.cos(theta), np.sin(theta)])
 

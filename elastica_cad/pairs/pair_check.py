@@ -347,9 +347,9 @@ class PairedPanels:
         far = np.where(left[:, None], panels.stretch @ LEFT.T, -(panels.stretch @ RIGHT.T)) / size
         near = np.arange(panels.count) + ~left
         for place, turn in zip(at[double], zip(*(turn[double] for turn in turns), strict=True), strict=True):
-            own = (near == place) & (panels.zero_left | panels.zero_right)
+            beside_zero = (near == place) & (panels.zero_left | panels.zero_right)
             for row, tangent_there in zip(step, turn, strict=True):  # a double zero: N' vanishes as well
-                row[own] -= far[own, :, None] * tangent_there
+                row[beside_zero] -= far[beside_zero, :, None] * tangent_there
         difference_rows = base[:, None, :] + _rows(np.zeros(far.shape), *step)
         nodes = [end[:-1, None] + a / size for end, a in zip(edges, from_left, strict=True)]
         zero, ones = np.zeros((*far.shape, 2)), np.ones((*far.shape, 1))
@@ -381,8 +381,8 @@ class PairedPanels:
         _, sigma, vt = svd(rows, full_matrices=False)
         rank = int(np.count_nonzero(sigma > DEPENDENT_SHARE * sigma[0]))
         # only rounding is left if the conditions exclude every stiffness
-        made = np.abs(self._difference @ free).max(initial=0.0) > CONGRUENT_SHARE
-        return (free @ vt[:rank].T, free @ vt[rank:].T) if made else (free[:, :0], free)
+        is_free = np.abs(self._difference @ free).max(initial=0.0) > CONGRUENT_SHARE
+        return (free @ vt[:rank].T, free @ vt[rank:].T) if is_free else (free[:, :0], free)
 
     @property
     def _difference(self) -> FloatArray:

@@ -74,17 +74,17 @@ def rod_as_built(rod: Rod, layout: Layout, layers: Sequence[Layer]) -> Rod:
     softer = layout.bending_stiffness * wanted / has
     EI = layout.bending_stiffness * _stiffness_of_cells(rod, wanted) / _cell_means(softer, n)
     least = float(EI.min())
-    made = replace(rod.with_stiffness(Profile.interpolate(rod.s, EI)), bending_stiffness=least)
+    built = replace(rod.with_stiffness(Profile.interpolate(rod.s, EI)), bending_stiffness=least)
     if rod.gravity is None:
-        return made
+        return built
     weight = rod.weight or Weight()
     newtons = layout.weight_per_length(material, backing) if law is None else law.weight_per_length(material)
     if newtons is not None:
         along = Profile.interpolate(rod.s, _cell_means(newtons, n))
-        return replace(made, weight=replace(weight, alpha=along, beta=0.0))
+        return replace(built, weight=replace(weight, alpha=along, beta=0.0))
     if rod.weight is None:
-        return made
-    return replace(made, weight=weight.scaled(beta=least / layout.bending_stiffness))
+        return built
+    return replace(built, weight=weight.scaled(beta=least / layout.bending_stiffness))
 
 
 def _stiffness_of_cells(rod: Rod, stiffness: FloatArray) -> FloatArray:
@@ -222,12 +222,12 @@ class Curl:
     designed: FloatArray
     factor: BendFactor
 
-    def on(self, made: Rod) -> Rod:
-        """Return a rod whose stiffness depends on its bend, and equals that of `made` in the designed shape."""
-        below = made.law
+    def on(self, rod: Rod) -> Rod:
+        """Return a rod whose stiffness depends on its bend, and equals that of `rod` in the designed shape."""
+        below = rod.law
         if isinstance(below, CurlingLaw):  # a design whose ends were moved; it curls in the same way
             below = below.below
-        return replace(made, law=CurlingLaw(self.factor, self.designed, made.natural_curvature, below))
+        return replace(rod, law=CurlingLaw(self.factor, self.designed, rod.natural_curvature, below))
 
 
 def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
@@ -251,10 +251,10 @@ def _curl_of(rod: Rod, layout: Layout) -> Curl | None:
     return None if factor is None else Curl(factor(rod.curvature), factor)
 
 
-def curling_by_design(made: Rod, design: Rod, layout: Layout) -> Rod:
+def curling_by_design(rod: Rod, design: Rod, layout: Layout) -> Rod:
     """Return a rod whose stiffness depends on its bend if its design assumes so, else the rod itself."""
     curl = _curl_of(design, layout) if design.follows_bend else None
-    return made if curl is None else curl.on(made)
+    return rod if curl is None else curl.on(rod)
 
 
 def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:

@@ -115,17 +115,17 @@ class _Ring:
 
     def without(self, short: set[int]) -> "_Ring | None":
         """Return the ring without some sides, or None if fewer than two sides remain."""
-        kept = [j for j, k in enumerate(self.sides) if k not in short]
-        if len(kept) < 2:
+        long_sides = [j for j, k in enumerate(self.sides) if k not in short]
+        if len(long_sides) < 2:
             return None
         gaps = []
-        for j, following in zip(kept, [*kept[1:], kept[0] + len(self.sides)], strict=True):
+        for j, following in zip(long_sides, [*long_sides[1:], long_sides[0] + len(self.sides)], strict=True):
             gap = self.gaps[j]
             for m in range(j + 1, following):
                 k = m % len(self.sides)
                 gap = (*gap, self.sides[k], *self.gaps[k])
             gaps.append(gap)
-        return _Ring([self.sides[j] for j in kept], gaps)
+        return _Ring([self.sides[j] for j in long_sides], gaps)
 
 
 def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment]) -> bool:

@@ -138,8 +138,8 @@ def _cut(segment: Segment, ramp: float) -> _Cut | None:
     if pace(segment) is None:
         return _Cut(curve, list(pairwise([first, *kinks, last])), None)
     joints = [(first, first, first), *_joints(curve, kinks, ramp), (last, last, last)]
-    kept = [(low, high) for (_, _, low), (_, high, _) in pairwise(joints)]
-    return _Cut(curve, kept, [(a, b) for (a, _, _), (b, _, _) in pairwise(joints)])
+    spans = [(low, high) for (_, _, low), (_, high, _) in pairwise(joints)]
+    return _Cut(curve, spans, [(a, b) for (a, _, _), (b, _, _) in pairwise(joints)])
 
 
 def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:

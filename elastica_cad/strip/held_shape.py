@@ -346,13 +346,13 @@ USUAL_TOLERANCE = MakingTolerance()
 
 
 def sheet_effects(
-    made: Rod, design: Rod, sheet: Sheet, breadth: FloatArray | None, tolerance: MakingTolerance
+    rod: Rod, design: Rod, sheet: Sheet, breadth: FloatArray | None, tolerance: MakingTolerance
 ) -> dict[str, float]:
     """Return the deviation from the rest shape, mm, due to sheet, cut and clamps, by cause, from one linear solve.
 
     Parameters
     ----------
-    made : Rod
+    rod : Rod
         The strip as made, at rest.
     design : Rod
         Design on the same nodes, from whose shape distances are measured.
@@ -361,8 +361,8 @@ def sheet_effects(
         Width at the nodes of each part cut side by side, mm, or None if nothing is cut to width.
     tolerance : MakingTolerance
     """
-    n, M = made.s.size, made.moment
-    phases = 2 * np.pi * made.s[:, None] / made.length + np.pi * np.arange(PHASES) / PHASES
+    n, M = rod.s.size, rod.moment
+    phases = 2 * np.pi * rod.s[:, None] / rod.length + np.pi * np.arange(PHASES) / PHASES
     wave = M[:, None] * np.cos(phases)
     changes = {"thickness": 3 * tolerance.thickness_wave * wave}  # E I ~ h^3
     # at the angle theta to the grain, 1 / E grows by up to sin^2(theta) (E / G - 2 nu - 2)
@@ -373,11 +373,11 @@ def sheet_effects(
         changes["modulus"] = (tolerance.modulus / (1 - tolerance.modulus) * M)[:, None]
     if breadth is not None:
         changes["kerf"] = (M * tolerance.kerf / breadth)[:, None]
-    for k, end in enumerate(made.supports.ends):
+    for k, end in enumerate(rod.supports.ends):
         if end.angle and not closes(design):
             turned = changes[f"clamp at the {('start', 'end')[k]}"] = np.zeros((n, 1))
-            turned[-k] = made.stiffness[-k] * tolerance.clamps / made.discrete.node_lengths[-k]
-    moved = shape_responses(made, np.hstack([*changes.values()]))
+            turned[-k] = rod.stiffness[-k] * tolerance.clamps / rod.discrete.node_lengths[-k]
+    moved = shape_responses(rod, np.hstack([*changes.values()]))
     owner = np.repeat(np.arange(len(changes)), [columns.shape[1] for columns in changes.values()])
     far = np.array([strayed(design, design.position + moved[:, k]) for k in range(owner.size)])
     return {cause: float(far[owner == k].max()) for k, cause in enumerate(changes)}

@@ -131,9 +131,9 @@ class Layer:
         loops = self.outline, *self.holes
         which, points = chords_of_all([line for loop in loops for line in loop.segments], FLAT_MM)
         # each segment ends at the start of the next segment
-        kept = np.append(which[1:] == which[:-1], False)
-        loop = np.repeat(np.arange(len(loops)), [len(line.segments) for line in loops])[which[kept]]
-        begins, points = np.searchsorted(loop, np.arange(len(loops))), points[kept]
+        same_loop = np.append(which[1:] == which[:-1], False)
+        loop = np.repeat(np.arange(len(loops)), [len(line.segments) for line in loops])[which[same_loop]]
+        begins, points = np.searchsorted(loop, np.arange(len(loops))), points[same_loop]
         ends = np.roll(points, -1, axis=0)
         ends[np.append(begins[1:], loop.size) - 1] = points[begins]
         return loop, points.T, ends.T

@@ -46,7 +46,7 @@ def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
 
 
 def _correct_widths(
-    made: Rod, drift: FloatArray, basis: FloatArray, kept: FloatArray, *, largest: float
+    rod: Rod, drift: FloatArray, basis: FloatArray, correction: FloatArray, *, largest: float
 ) -> FloatArray:
     """Return coefficients (m,) of the change of width that removes a drift to first order.
 
@@ -55,31 +55,32 @@ def _correct_widths(
 
     Parameters
     ----------
-    made : Rod
+    rod : Rod
         Rod as made and held, in balance.
     drift : (n, 2) array
         Displacements of its nodes from the design, mm. For a closed strip only the shape counts.
     basis : (n, m) array
         Basis of the changes: see `_width_basis`.
-    kept : (m,) array
+    correction : (m,) array
         Coefficients of the present change.
     largest : float
         Bound of the coefficients.
     """
-    moved = shape_responses(
-        made, made.moment[:, None] * basis, made.nodal_load[:, None, :] * basis[:, :, None]
-    )
+    moved = shape_responses(rod, rod.moment[:, None] * basis, rod.nodal_load[:, None, :] * basis[:, :, None])
     A, left = np.moveaxis(moved[1:], 1, 2).reshape(-1, basis.shape[1]), drift[1:].ravel()
-    if closes(made):
-        A, left = _without_motion(made.position[1:], A), _without_motion(made.position[1:], left)
+    if closes(rod):
+        A, left = _without_motion(rod.position[1:], A), _without_motion(rod.position[1:], left)
     scale = float(np.abs(A).max()) * np.sqrt(len(A))
     identity = np.eye(basis.shape[1])
     # the whole change must be small and smooth
     whole = scale * np.concatenate([SMOOTHING * np.diff(identity, n=2, axis=0), SIZE * identity])
-    system, wanted = np.concatenate([A, whole]), np.concatenate([-left, -whole @ kept])
+    system, wanted = np.concatenate([A, whole]), np.concatenate([-left, -whole @ correction])
     from scipy.optimize import lsq_linear
 
-    return np.asarray(kept + lsq_linear(system, wanted, (-largest - kept, largest - kept), method="bvls").x)
+    return np.asarray(
+        correction
+        + lsq_linear(system, wanted, (-largest - correction, largest - correction), method="bvls").x
+    )
 
 
 def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:

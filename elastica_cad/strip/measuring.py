@@ -91,8 +91,8 @@ leave open
         require_record(strip, Strip, "the strip", "a Strip")
         if strip.is_closed:
             raise InputError("a closed strip has no ends to measure from: measure its widths instead")
-        made, held = strip.as_made, strip.held()
-        design, loaded = made.design, made.loaded
+        as_made, held = strip.as_made, strip.held()
+        design, loaded = as_made.design, as_made.loaded
         n, M, s = design.s.size, loaded.moment, design.s
         phases = 2 * np.pi * s / design.length
         columns: dict[str, list[FloatArray]] = {
@@ -105,19 +105,19 @@ leave open
         reversed_share = design.stiffness[::-1] / design.stiffness - 1
         if np.abs(reversed_share).max() > UNEVEN_SHARE:
             columns["end for end"] = [M * reversed_share]
-        if made.curl is not None and strip.layout.backing is not None:
-            over = made.curl.factor(-design.curvature) / made.curl.factor(design.curvature) - 1
+        if as_made.curl is not None and strip.layout.backing is not None:
+            over = as_made.curl.factor(-design.curvature) / as_made.curl.factor(design.curvature) - 1
             columns["wrong side"] = [M * over]
         columns["ends apart"] = [np.zeros(n)]
         if loaded.gravity is not None:
             columns["thinner sheet"] = [np.zeros(n)]
-        owners = [cause for cause, own in columns.items() for _ in own]
+        owners = [cause for cause, column_list in columns.items() for _ in column_list]
         chord = design.position[-1] - design.position[0]
         apart, loads = np.zeros((len(owners), 2)), np.zeros((n, len(owners), 2))
         apart[owners.index("ends apart")] = chord / np.hypot(*chord)
         if "thinner sheet" in owners:  # E I ~ h^3, weight ~ h
             loads[:, owners.index("thinner sheet")] = 0.02 * loaded.nodal_load
-        moments = np.column_stack([column for own in columns.values() for column in own])
+        moments = np.column_stack([column for column_list in columns.values() for column in column_list])
         moved = shape_responses(loaded, moments, loads, apart)
         expected = _measured(design.position)
         causes: dict[str, list[dict[str, float]]] = {}
@@ -130,7 +130,7 @@ leave open
             tuple(share * design.length for share in MARKS),
             expected,
             uncertain,
-            {cause: tuple(own) for cause, own in causes.items()},
+            {cause: tuple(change_list) for cause, change_list in causes.items()},
             tuple(map(tuple, design.position[:: max(1, n // SKETCHED)].tolist())),
         )
 

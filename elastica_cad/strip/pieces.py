@@ -169,7 +169,7 @@ class FlatShape:
         if np.abs(self._size - other._size).max() > SAME_MM * self._size[0]:
             return False
         ways = WAYS if self.bent is None else WAYS[:1]  # turning a pre-bent strip changes its bend
-        return any(self._covers(other, way) for way in ways)
+        return any(self._covers(other, signs) for signs in ways)
 
     @cached_property
     def _size(self) -> FloatArray:
@@ -178,15 +178,15 @@ class FlatShape:
         width, height = np.diff(layers[0].outline.bounds, axis=0)[0]
         return np.array([layers[0].outline.length, width, height, *(np.sqrt(layer.area) for layer in layers)])
 
-    def _covers(self, other: "FlatShape", way: tuple[int, int]) -> bool:
+    def _covers(self, other: "FlatShape", signs: tuple[int, int]) -> bool:
         """Return True if the other shape's loops, in this position and centred on this shape, coincide with it."""
         middles = [shape.layers[0].outline.bounds.mean(axis=0) for shape in (self, other)]
-        shift = middles[0] - way * middles[1]
+        shift = middles[0] - signs * middles[1]
         for layer, others in zip(self.layers, other.layers, strict=True):
-            if not _along(layer.outline, _samples(others.outline) * way + shift):
+            if not _along(layer.outline, _samples(others.outline) * signs + shift):
                 return False
             for hole in others.holes:
-                points, middle = _samples(hole) * way + shift, hole.bounds.mean(axis=0) * way + shift
+                points, middle = _samples(hole) * signs + shift, hole.bounds.mean(axis=0) * signs + shift
                 near = [
                     candidate
                     for candidate in layer.holes

@@ -55,9 +55,9 @@ def _with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Fram
     return frames
 
 
-def turned(frame: Frame, way: int) -> Frame:
-    """Return the frame, with half a turn about its z axis if `way` is -1."""
-    return frame if way == 1 else Frame(frame.origin, -frame.x_axis, -frame.y_axis)
+def turned(frame: Frame, sign: int) -> Frame:
+    """Return the frame, with half a turn about its z axis if `sign` is -1."""
+    return frame if sign == 1 else Frame(frame.origin, -frame.x_axis, -frame.y_axis)
 
 
 GLUE_MM = 5e-4
@@ -137,7 +137,7 @@ class FlatSolid:
         thick = centred_thickness(strip)
         middle = frame.shifted(z=thick / 2)
         places = _joint_places(strip).items()
-        on_middle = {name: turned(middle.shifted(x, y), way) for name, (x, y, way) in places}
+        on_middle = {name: turned(middle.shifted(x, y), sign) for name, (x, y, sign) in places}
         joints = _with_faces(on_middle, thick)
         return tuple(
             cls(
@@ -213,9 +213,9 @@ def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | Ro
         upright, across = Frame(frame.shifted(z=-lowest).origin, frame.x_axis, frame.z_axis), frame.y_axis
     joints = {
         name: turned(
-            Frame(upright.point(place), upright.direction((np.cos(angle), np.sin(angle))), across), way
+            Frame(upright.point(place), upright.direction((np.cos(angle), np.sin(angle))), across), sign
         )
-        for name, place, angle, way in zip(("start", "end"), places, angles, (-1, 1), strict=True)
+        for name, place, angle, sign in zip(("start", "end"), places, angles, (-1, 1), strict=True)
     }
     if isinstance(section, RoundLaw):
         return RoundSolid(strip, upright, bent, section.bore, joints)
@@ -263,10 +263,10 @@ class BentSolid:
         """
         stations = [0.0, *(float(part.knots[-1]) for part in self.maps if isinstance(part, BentMap))]
         frames = {}
-        for name, (x, y, way) in self.places.items():
+        for name, (x, y, sign) in self.places.items():
             shape = self.maps[int(np.searchsorted(stations, x))]
             tangent = shape.frame_at(x) if isinstance(shape, BentMap) else shape
-            frames[name] = turned(tangent.shifted(x, y), way)
+            frames[name] = turned(tangent.shifted(x, y), sign)
         return _with_faces(frames, self.between) if self.between else frames
 
     @cached_property

@@ -56,7 +56,7 @@ Loads: TypeAlias = "tuple[PointMass, ...] | Weight"
 """Masses hung on a strip in addition to its own weight, or the whole weight in newtons."""
 
 
-def pull_in_plane(given: GravityOption, sheet: Sheet, frame: Frame | None) -> tuple[Gravity | None, float]:
+def pull_in_plane(gravity: GravityOption, sheet: Sheet, frame: Frame | None) -> tuple[Gravity | None, float]:
     """Return gravity in the plane of a strip's curve, and the fraction of a weight that acts in the plane.
 
     Raises
@@ -64,11 +64,11 @@ def pull_in_plane(given: GravityOption, sheet: Sheet, frame: Frame | None) -> tu
     InputError
         The value is not a direction, or it is a direction in space without a `frame`.
     """
-    if given is None or isinstance(given, bool):
-        return (sheet.gravity() if given else None), 1.0
-    if isinstance(given, Gravity):
-        return given, 1.0
-    direction = _direction(given)
+    if gravity is None or isinstance(gravity, bool):
+        return (sheet.gravity() if gravity else None), 1.0
+    if isinstance(gravity, Gravity):
+        return gravity, 1.0
+    direction = _direction(gravity)
     if len(direction) == 2:
         return sheet.gravity(direction), 1.0
     if frame is None:
@@ -97,12 +97,16 @@ def _hung_weight(loads: Loads, share: float) -> Weight | None:
     return Weight(masses=felt, own=True) if felt else None
 
 
-def _direction(given: object) -> tuple[float, ...]:
+def _direction(direction: object) -> tuple[float, ...]:
     """Return the two or three numbers of the direction of gravity."""
-    row = tuple(given) if isinstance(given, Sequence | np.ndarray) and not isinstance(given, str) else ()
+    row = (
+        tuple(direction)
+        if isinstance(direction, Sequence | np.ndarray) and not isinstance(direction, str)
+        else ()
+    )
     if len(row) not in (2, 3) or not all(is_number(number) for number in row) or not any(row):
         raise InputError(
-            f"gravity is {given!r}: give True, a Gravity record, or the direction in which things "
+            f"gravity is {direction!r}: give True, a Gravity record, or the direction in which things "
             "fall as two numbers in the drawing or three in space, not all zero, such as (0, -1) or "
             "(0, 0, -1)",
             where={"field": "gravity"},
@@ -523,7 +527,7 @@ class StripSpec(EqualByValue):
 
     def __post_init__(self) -> None:
         require_curve(self.curve)
-        given = Sheet.of(self.sheet)
+        sheet = Sheet.of(self.sheet)
         object.__setattr__(self, "supports", require_supports(self.supports))
         require_natural_curvature(self.natural_curvature)
         require_declared(StripSpec, vars(self))
@@ -538,7 +542,7 @@ class StripSpec(EqualByValue):
             raise InputError(NO_WIDTH, where={"field": "max_width"})
         _check_seam(self.seam_position, self.curve)
         settled = {
-            "sheet": given,
+            "sheet": sheet,
             "loads": self.loads
             if isinstance(self.loads, Weight)
             else several("loads", self.loads, PointMass, "PointMass"),

@@ -113,30 +113,30 @@ class TabSeat:
         left, right = (side @ rotation + (0.0, shift) for side in (self.left, self.right))
         return TabSeat(left, right, self.thickness, self.name)
 
-    def gaps(self, shift: float, turn: float, way: int) -> FloatArray:
+    def gaps(self, shift: float, turn: float, sign: int) -> FloatArray:
         """Return the gap (k,), mm, between each edge and the tab's face; negative if they overlap.
 
         The end of the free part is `shift` mm to the left of the design, and the strip's tangent is turned by
-        `turn` rad anticlockwise. `way` is +1 at the end of the strip and -1 at its start, where the tab points
+        `turn` rad anticlockwise. `sign` is +1 at the end of the strip and -1 at its start, where the tab points
         backwards.
         """
         cos, sin = np.cos(turn), np.sin(turn)
         into, left, side = self.edges
-        return np.asarray(side * (-way * into * sin + (left - shift) * cos) - self.thickness / 2)
+        return np.asarray(side * (-sign * into * sin + (left - shift) * cos) - self.thickness / 2)
 
-    def slopes(self, shift: float, turn: float, way: int) -> FloatArray:
+    def slopes(self, shift: float, turn: float, sign: int) -> FloatArray:
         """Return the derivatives (k, 2) of `gaps` by shift and turn."""
         cos, sin = np.cos(turn), np.sin(turn)
         into, left, side = self.edges
-        return np.column_stack([-cos * side, side * (-way * into * cos - (left - shift) * sin)])
+        return np.column_stack([-cos * side, side * (-sign * into * cos - (left - shift) * sin)])
 
-    def bends(self, shift: float, turn: float, way: int) -> FloatArray:
+    def bends(self, shift: float, turn: float, sign: int) -> FloatArray:
         """Return the second derivatives (k, 2, 2) of `gaps` by shift and turn."""
         cos, sin = np.cos(turn), np.sin(turn)
         into, left, side = self.edges
         second = np.zeros((side.size, 2, 2))
         second[:, 0, 1] = second[:, 1, 0] = sin * side
-        second[:, 1, 1] = side * (way * into * sin - (left - shift) * cos)
+        second[:, 1, 1] = side * (sign * into * sin - (left - shift) * cos)
         return second
 
     @cached_property
@@ -308,7 +308,7 @@ SEATING = 1e4  # factor on the stiffness of the ends while tabs bend into their 
 
 
 def rest_in_seats(
-    made: Rod,
+    rod: Rod,
     design: Rod,
     seats: tuple[TabSeat | None, TabSeat | None],
     tab_stiffness: tuple[float, float] = (np.inf, np.inf),
@@ -322,7 +322,7 @@ def rest_in_seats(
 
     Parameters
     ----------
-    made : Rod
+    rod : Rod
         Rod to hold.
     design : Rod
         Rod with the designed positions of the ends.
@@ -342,10 +342,10 @@ def rest_in_seats(
         if seat is not None and design.supports.ends[k].angle
     ]
     if not seated:
-        return bend(made, start=design.position[0], end=design.position[-1]), (EndPose(), EndPose())
-    problem = _Held(made, design, tuple(seated))
+        return bend(rod, start=design.position[0], end=design.position[-1]), (EndPose(), EndPose())
+    problem = _Held(rod, design, tuple(seated))
     q = np.zeros(problem.slices[-1].stop)
-    rod = problem.bent(q, made)
+    rod = problem.bent(q, rod)
     stiffness = problem.end_stiffness(q, rod)
     firm = _made_definite(stiffness)
     # first bend the tabs into their seats, else walls that a straight tab meets move the strip far away
@@ -567,7 +567,7 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
         E I of the tab over the rod's B; a rigid tab by default.
     """
     end, length = SeatedEnd(index, seat, tab_stiffness), design.length
-    load, piece, way, n = end.load(design, end.left(design), length), end.piece, end.way, 2 + end.pieces
+    load, piece, sign, n = end.load(design, end.left(design), length), end.piece, end.way, 2 + end.pieces
     shift = turn = 0.0
     pressed = max(map(abs, load))
     if pressed == 0:
@@ -583,8 +583,8 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
         step = _step_within(H, g, end.walls(q, length), length, [0], scale=H[0, 0]).x
         q[2:] += step[2:]
         # move the holder instead of the tab
-        shift, turn = shift - float(step[0]), turn - way * float(step[1]) / length
+        shift, turn = shift - float(step[0]), turn - sign * float(step[1]) / length
         if np.abs(step).max() <= LEANED_SHARE * length:
             break
         end = SeatedEnd(index, seat.moved(shift, turn), tab_stiffness)
-    return Lean(shift, turn, q[2:] * way / length, piece)
+    return Lean(shift, turn, q[2:] * sign / length, piece)

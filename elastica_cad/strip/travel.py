@@ -315,9 +315,9 @@ def bend_strip(
     )  # fmt: skip
 
 
-def _directions(end: FloatArray, own: FloatArray) -> FloatArray:
+def _directions(end: FloatArray, first_direction: FloatArray) -> FloatArray:
     """Return unit vectors (k, 2) along the path of the end relative to the start; 0 if it does not move."""
-    first = end[0] if len(end) > 1 else own
+    first = end[0] if len(end) > 1 else first_direction
     before = np.concatenate([[first], end[:-1]])
     after = np.concatenate([end[1:], end[-1:]])
     steps = after - before

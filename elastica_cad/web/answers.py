@@ -177,15 +177,15 @@ def _strip(request: Mapping[str, Any]) -> Record:
     record: Record = {"theorem": _theorem(check), "text": str(check)}
     try:
         rod = solve_rod(spec.rod_spec)
-        made = spec.make(rod)
+        strip = spec.make(rod)
     except ElasticaError as problem:
         return record | _drawn(spec) | refused(problem)
     near = rod if isinstance(rod, NearestRod) else None
-    record |= _shape(made) | {
-        "flat": _flat(made.drawings()),
-        "length": round(made.rod.length, 2),
+    record |= _shape(strip) | {
+        "flat": _flat(strip.drawings()),
+        "length": round(strip.rod.length, 2),
         "deviation": None if near is None else round(near.deviation, 3),
-        "rows": _rows(strip_rows(made, near, quick=bool(request.get("live")))),
+        "rows": _rows(strip_rows(strip, near, quick=bool(request.get("live")))),
     }
     return record | (_drawn(spec) if spec.may_change else {})
 
@@ -210,17 +210,17 @@ def _theorem(check: EquilibriumCheck) -> Record:
     }
 
 
-def _shape(made: Strip, rod: Rod | None = None) -> Record:
+def _shape(strip: Strip, rod: Rod | None = None) -> Record:
     """Places along a strip from tab to tab: where it is, how wide, how bent and how strained."""
-    rod = rod or made.rod
+    rod = rod or strip.rod
     k = np.unique(np.linspace(0, rod.s.size - 1, DRAWN_NODES + 1).round().astype(int))
     s, kappa = rod.s[k], rod.curvature[k]
     rest = np.broadcast_to(rod.natural_curvature, rod.s.shape)[k]
-    layers = made.layout.strains(Bends(np.abs(kappa - rest), s))
+    layers = strip.layout.strains(Bends(np.abs(kappa - rest), s))
     share = np.max([layer.strain / layer.limit for layer in layers], axis=0)
-    position, width = rod.position[k], made.width(s)
+    position, width = rod.position[k], strip.width(s)
     along = np.column_stack([np.cos(rod.angle[k]), np.sin(rod.angle[k])])
-    first, last = made.ends
+    first, last = strip.ends
     ends = [position[:1] - first.length * along[:1], position, position[-1:] + last.length * along[-1:]]
     wide = [first.width or width[0], *width, last.width or width[-1]]
     return {
@@ -290,26 +290,26 @@ def _sheets(request: Mapping[str, Any]) -> Record:
         row: Record = {"name": name, "fits": False}
         rows.append(row)
         try:
-            made = spec.changed(sheet=Sheet.named(name)).make()
+            strip = spec.changed(sheet=Sheet.named(name)).make()
         except ElasticaError as problem:
             row["text"] = str(problem)
             continue
-        row |= {"used": round(made.strain_verdict.used, 3), "mass": float(f"{made.mass:.4g}")}
-        row |= {"fits": made.strain_verdict.allowed}
+        row |= {"used": round(strip.strain_verdict.used, 3), "mass": float(f"{strip.mass:.4g}")}
+        row |= {"fits": strip.strain_verdict.allowed}
     return {"sheets": rows}
 
 
 def _bend(request: Mapping[str, Any]) -> Record:
     """Return the shapes of the strip from flat to its design and beyond, with end forces and snap-through."""
     spec = _spec(request)
-    made = spec.make()
-    start, end, angles = made.rod.position[0], made.rod.position[-1], made.rod.angle[[0, -1]]
-    way = end - start
-    if not np.hypot(*way) > 0:
+    strip = spec.make()
+    start, end, angles = strip.rod.position[0], strip.rod.position[-1], strip.rod.angle[[0, -1]]
+    chord = end - start
+    if not np.hypot(*chord) > 0:
         raise InputError("A closed strip has no ends to move. Open it to bend it here.")
-    out = np.arctan2(way[1], way[0])
-    flat = start + NEARLY_FLAT * made.rod.length * np.array([np.cos(out), np.sin(out)])
-    held = [support.angle for support in made.rod.supports.ends]
+    out = np.arctan2(chord[1], chord[0])
+    flat = start + NEARLY_FLAT * strip.rod.length * np.array([np.cos(out), np.sin(out)])
+    held = [support.angle for support in strip.rod.supports.ends]
     level = out + 2 * np.pi * np.round((angles.mean() - out) / (2 * np.pi))
 
     def led(part: float, there: FloatArray, turn: float) -> Record:
@@ -318,17 +318,17 @@ def _bend(request: Mapping[str, Any]) -> Record:
         return {"end": end + part * (there - end), "angles": tuple(turned)}
 
     parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
-    pulled = bend_strip(made, [led(part, flat, 1.0) for part in parts])
-    frames = [_frame(made, pulled, k, 1 - parts[k]) for k in range(len(parts))][::-1]
+    pulled = bend_strip(strip, [led(part, flat, 1.0) for part in parts])
+    frames = [_frame(strip, pulled, k, 1 - parts[k]) for k in range(len(parts))][::-1]
     with suppress(ElasticaError):  # pressed beyond what it takes, it shows the way from flat alone
         more = np.arange(1, PRESSED_STEPS + 1) / PRESSED_STEPS
-        pressed = bend_strip(made, [led(part, end - PRESSED_SHARE * way, 0.0) for part in more])
-        frames += [_frame(made, pressed, k, 1 + PRESSED_SHARE * more[k]) for k in range(len(more))]
+        pressed = bend_strip(strip, [led(part, end - PRESSED_SHARE * chord, 0.0) for part in more])
+        frames += [_frame(strip, pressed, k, 1 + PRESSED_SHARE * more[k]) for k in range(len(more))]
     return {"frames": frames}
 
 
-def _frame(made: Strip, travel: Any, k: int, part: float) -> Record:
-    shape = _shape(made, travel.rods[k])
+def _frame(strip: Strip, travel: Any, k: int, part: float) -> Record:
+    shape = _shape(strip, travel.rods[k])
     return {
         "part": round(float(part), 4),
         "force": float(f"{np.hypot(*travel.end_force[k]):.3g}"),
@@ -453,13 +453,13 @@ def with_point_near(curve: PlaneCurve, point: object) -> PlaneCurve:
     """
     from scipy.interpolate import insert
 
-    given = np.asarray(
+    place = np.asarray(
         point if isinstance(point, list | tuple) and len(point) == 2 else (np.nan, 0), dtype=float
     )
-    if not np.isfinite(given).all():
+    if not np.isfinite(place).all():
         raise InputError("The position of a control point is {point!r}. Use two numbers in mm.", point=point)
     t = np.linspace(*curve.domain, 2001)[1:-1]
-    at = t[np.argmin(np.hypot(*(curve.evaluate(t) - given).T))]
+    at = t[np.argmin(np.hypot(*(curve.evaluate(t) - place).T))]
     weights = np.ones(len(curve.control_points)) if curve.weights is None else curve.weights
     rows = [*(curve.control_points * weights[:, None]).T, weights]
     knots, new, degree = insert(at, (curve.knots, rows, curve.degree))

@@ -60,10 +60,10 @@ def studio(curve: PlaneCurve | None = None, **keys: Any) -> "AnyWidget":
         require_curve(curve)
     table: dict[str, Any] = {"spline": [], "degree": 4} if curve is None else curve_table(curve)
     design = {"schema": 1, "name": "strip", "sheet": SHEET, "max_width": MAX_WIDTH, **keys}
-    made: AnyWidget = _widget()(
+    widget: AnyWidget = _widget()(
         design=design | {"strips": [{"label": "A1", "curve": table}]}, hello=page_words() | {"starts": {}}
     )
-    return made
+    return widget
 
 
 @cache

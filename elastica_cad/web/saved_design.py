@@ -126,16 +126,16 @@ def compose_design(tables: Mapping[str, Any], before: str = "") -> str:
     return tomlkit.dumps(document)
 
 
-def _update(kept: Any, given: Mapping[str, Any]) -> None:
-    for key in [key for key in kept if key not in given]:
-        del kept[key]
-    for key, value in given.items():
-        if value is None or (key in kept and kept[key] == value):
+def _update(saved: Any, changes: Mapping[str, Any]) -> None:
+    for key in [key for key in saved if key not in changes]:
+        del saved[key]
+    for key, value in changes.items():
+        if value is None or (key in saved and saved[key] == value):
             continue
-        if isinstance(value, Mapping) and isinstance(kept.get(key), Mapping):
-            _update(kept[key], value)
-        elif is_tables(value) and is_tables(kept.get(key)) and len(value) == len(kept[key]):
-            for entry, other in zip(kept[key], value, strict=True):
+        if isinstance(value, Mapping) and isinstance(saved.get(key), Mapping):
+            _update(saved[key], value)
+        elif is_tables(value) and is_tables(saved.get(key)) and len(value) == len(saved[key]):
+            for entry, other in zip(saved[key], value, strict=True):
                 _update(entry, other)
         else:
-            kept[key] = value
+            saved[key] = value

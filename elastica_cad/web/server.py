@@ -72,8 +72,8 @@ class Entrance:
         origin = seen.headers.get("origin", "" if seen.scope["type"] == "websocket" else f"http://{host}")
         if origin != f"http://{host}":
             return "This server answers to its own page only.\n"
-        given = seen.query_params.get("token") or seen.cookies.get(self.cookie, "")
-        return "" if hmac.compare_digest(given.encode(), self.token.encode()) else NO_ENTRY
+        token = seen.query_params.get("token") or seen.cookies.get(self.cookie, "")
+        return "" if hmac.compare_digest(token.encode(), self.token.encode()) else NO_ENTRY
 
 
 class Guard:
@@ -99,8 +99,8 @@ class Guard:
                 headers["Cross-Origin-Resource-Policy"] = "same-origin"
                 headers["Cache-Control"] = "no-cache"
                 if not refusal and "token" in seen.query_params:
-                    kept = f"{self.entrance.cookie}={self.entrance.token}"
-                    headers.append("Set-Cookie", f"{kept}; Path=/; HttpOnly; SameSite=Strict")
+                    cookie = f"{self.entrance.cookie}={self.entrance.token}"
+                    headers.append("Set-Cookie", f"{cookie}; Path=/; HttpOnly; SameSite=Strict")
             await send(message)
 
         if not refusal:

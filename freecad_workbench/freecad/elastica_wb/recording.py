@@ -21,8 +21,11 @@ def recorded(make: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
     modules = [make.__module__, *(["elastica_cad"] if any(map(_is_curve, arguments)) else [])]
     for module in modules:  # Gui.addModule records only modules that were not loaded before
         Gui.doCommand(f"import {module}")
-    given = [*map(_written, arguments), *(f"{name}={_written(value)}" for name, value in options.items())]
-    Gui.doCommand(f"{MADE} = {make.__module__}.{make.__name__}({', '.join(given)})")
+    arguments_text = [
+        *map(_written, arguments),
+        *(f"{name}={_written(value)}" for name, value in options.items()),
+    ]
+    Gui.doCommand(f"{MADE} = {make.__module__}.{make.__name__}({', '.join(arguments_text)})")
     return getattr(__main__, MADE)
 
 

@@ -236,8 +236,8 @@ def chosen_strips(*, least: int = 1) -> list[Any]:
     InputError
         There are fewer than `least` strips.
     """
-    shown = [shape for obj in Gui.Selection.getSelection() for shape in originals(obj)]
-    strips = [original.Strip if is_flat(original) else original for original in shown]
+    shapes = [shape for obj in Gui.Selection.getSelection() for shape in originals(obj)]
+    strips = [original.Strip if is_flat(original) else original for original in shapes]
     chosen = list(dict.fromkeys(original for original in strips if is_strip(original)))
     everything = [obj for obj in App.ActiveDocument.Objects if is_strip(obj)]
     if not chosen and least == 1 and len(everything) == 1:

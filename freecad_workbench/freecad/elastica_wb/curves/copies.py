@@ -88,11 +88,11 @@ def not_repeated(objects: Iterable[Any]) -> list[Any]:
     Such are the bases of Draft arrays and of bodies, the strips of models, and the members of Part compounds.
     """
     objects = list(objects)
-    shown = [item.Base for item in objects if _is_draft(item, "Array")]
-    shown += [item.BaseFeature for item in objects if item.TypeId == BASE]
-    shown += [held for item in objects if item.TypeId == COMPOUND for held in item.Links]
-    shown += [strip for item in objects for strip in getattr(item, "Strips", ())]
-    return [item for item in objects if item not in shown]
+    repeated_shapes = [item.Base for item in objects if _is_draft(item, "Array")]
+    repeated_shapes += [item.BaseFeature for item in objects if item.TypeId == BASE]
+    repeated_shapes += [held for item in objects if item.TypeId == COMPOUND for held in item.Links]
+    repeated_shapes += [strip for item in objects for strip in getattr(item, "Strips", ())]
+    return [item for item in objects if item not in repeated_shapes]
 
 
 def _copies(obj: Any, place: App.Matrix) -> Iterator[Shown]:
@@ -143,8 +143,8 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
     """Return the parts that an object shows unmirrored."""
     if _is_container(obj):
         inside = _inside(obj)
-        kept = not_repeated(part for part, _ in inside)
-        return [(part, where) for part, where in inside if part in kept]
+        single = not_repeated(part for part, _ in inside)
+        return [(part, where) for part, where in inside if part in single]
     if _is_draft(obj, "Clone"):
         if len(obj.Objects) == 1:  # a clone of one object ignores its placement
             return [(obj.Objects[0], App.Placement())]
@@ -156,16 +156,16 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
     if obj.TypeId == BASE:
         return [(obj.BaseFeature, App.Placement())] if obj.BaseFeature else None
     is_array = _is_draft(obj, "Array")
-    shown = obj.Base if is_array else link_target(obj)
-    if shown is None:
+    target = obj.Base if is_array else link_target(obj)
+    if target is None:
         return None
     if is_array and not hasattr(obj, "LinkTransform"):  # this array stores only shapes
         inner = obj.Placement.inverse()
-        return [(shown, inner * part.Placement) for part in obj.Shape.childShapes()]
-    inner_place = shown.Placement if obj.LinkTransform else App.Placement()
+        return [(target, inner * part.Placement) for part in obj.Shape.childShapes()]
+    inner_place = target.Placement if obj.LinkTransform else App.Placement()
     elements = [part.Placement for part in getattr(obj, "ElementList", ())]
     places = elements or getattr(obj, "PlacementList", ()) or [App.Placement()]
-    return [(shown, place * inner_place) for place in places]
+    return [(target, place * inner_place) for place in places]
 
 
 def _inside(group: Any) -> list[tuple[Any, App.Placement]]:

@@ -97,14 +97,14 @@ def is_blank(sketch: Any) -> bool:
 
 def linked(obj: Any) -> Any:
     """Return the object that a link or an element of a link array shows. Other objects are returned unchanged."""
-    shown = link_target(obj)
-    return obj if shown is None else linked(shown)
+    target = link_target(obj)
+    return obj if target is None else linked(target)
 
 
 def link_target(obj: Any) -> Any:
     """Return the target of a link, also inside a container. None for a broken link and for other objects."""
-    shown = getattr(obj, "LinkedObject", None) if obj.TypeId.startswith(LINK) else None
-    return obj.getLinkedObject(False) if isinstance(shown, tuple) else shown
+    target = getattr(obj, "LinkedObject", None) if obj.TypeId.startswith(LINK) else None
+    return obj.getLinkedObject(False) if isinstance(target, tuple) else target
 
 
 def picked(root: Any, path: str) -> tuple[Any, str]:
@@ -219,9 +219,9 @@ def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
     Constraints of a spline with hidden poles stay. Visible poles are deleted with the old spline.
     """
     spline = spline_geometry(curve)
-    shown = [c.First for c in sketch.Constraints if c.Type == "InternalAlignment" and c.Second == number]
-    if shown:
-        sketch.delGeometries([number, *shown])
+    poles = [c.First for c in sketch.Constraints if c.Type == "InternalAlignment" and c.Second == number]
+    if poles:
+        sketch.delGeometries([number, *poles])
         number = None
     if number is None:
         return int(sketch.addGeometry(spline, False))

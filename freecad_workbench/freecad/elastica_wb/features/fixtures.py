@@ -47,8 +47,8 @@ class FixturesFeature(Feature):
         if not blocks:
             raise InputError("The strips have no tabs to hold. Add tabs to the strips.")
         inner = container(obj).inverse()
-        kept = in_steps(QT_TRANSLATE_NOOP("Elastica", "Making the blocks"), blocks, block_shape)
-        shapes = [block.copy(False) for block in kept]
+        block_shapes = in_steps(QT_TRANSLATE_NOOP("Elastica", "Making the blocks"), blocks, block_shape)
+        shapes = [block.copy(False) for block in block_shapes]
         for block in shapes:
             block.Placement = inner * block.Placement
         obj.Shape = Part.Compound(shapes)

@@ -110,8 +110,8 @@ def _lying(strip: Any) -> Iterator[App.BoundBox]:
     """Yield the bounding boxes of the other strips and of all flat parts in the strip's container."""
     group = strip.getParentGeoFeatureGroup()
     for obj in strip.Document.Objects:
-        shown = is_flat(obj) or (is_strip(obj) and obj is not strip)
-        if shown and obj.getParentGeoFeatureGroup() is group and obj.Shape.BoundBox.isValid():
+        is_flat_shape = is_flat(obj) or (is_strip(obj) and obj is not strip)
+        if is_flat_shape and obj.getParentGeoFeatureGroup() is group and obj.Shape.BoundBox.isValid():
             yield obj.Shape.BoundBox
 
 

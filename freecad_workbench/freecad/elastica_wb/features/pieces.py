@@ -119,16 +119,16 @@ def _cuts(obj: Any) -> list[Cut]:
 def later_features(obj: Any) -> str:
     """Return the labels of the features that come after a strip, a model or a plate, or after its flat part."""
     flat = [user for user in obj.InList if is_flat(user)]
-    return ", ".join(dict.fromkeys(label for shown in (obj, *flat) for label in _later(shown)))
+    return ", ".join(dict.fromkeys(label for feature in (obj, *flat) for label in _later(feature)))
 
 
 def _later(obj: Any) -> Iterator[str]:
     """Yield the labels of the features that change an object's shape, nearest first."""
     todo, seen = [obj], {obj}
     while todo:
-        shown = todo.pop(0)
-        for user in shown.InList:
-            takes = _takes(user, shown)
+        current = todo.pop(0)
+        for user in current.InList:
+            takes = _takes(user, current)
             if user in seen or not (takes or user.TypeId in SHOWN_BY):
                 continue
             seen.add(user)
@@ -142,5 +142,5 @@ def _takes(user: Any, obj: Any) -> bool:
     """Return True if a feature changes the shape of an object."""
     if user.TypeId.startswith("PartDesign::") and user.TypeId not in SHOWN_BY:
         return getattr(user, "BaseFeature", None) == obj
-    kept = (getattr(user, name) for name in CHANGED.get(user.TypeId, ()))
-    return any(obj in bases if isinstance(bases, list) else obj == bases for bases in kept)
+    links = (getattr(user, name) for name in CHANGED.get(user.TypeId, ()))
+    return any(obj in bases if isinstance(bases, list) else obj == bases for bases in links)

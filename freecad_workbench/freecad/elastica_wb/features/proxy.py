@@ -118,29 +118,29 @@ class Feature(Unsaved):
             return
         if name in FOLLOWED and CONTAINERS.name in obj.PropertiesList:
             put(obj, Containers=_containers(obj))
-        kept = self.sheets.get(name)
-        if kept in obj.PropertiesList and self.chosen is not None:  # the same sheet was chosen again
+        numbers_name = self.sheets.get(name)
+        if numbers_name in obj.PropertiesList and self.chosen is not None:  # the same sheet was chosen again
             with suppress(InputError):  # the next recompute reports the error
-                sheet = sheet_called(getattr(obj, name), getattr(obj, kept))
-                put(obj, **{kept: text_of(sheet)})
+                sheet = sheet_called(getattr(obj, name), getattr(obj, numbers_name))
+                put(obj, **{numbers_name: text_of(sheet)})
                 if name == "Sheet" and "Thickness" in obj.PropertiesList:
                     put(obj, Thickness=sheet.thickness)
 
     def keep_sheets(self, obj: Any) -> None:
         """Update the list of sheets, and mark the feature for recompute if the user changed its sheet."""
         measured = {name: getattr(obj, name) for name in ("Thickness",) if name in obj.PropertiesList}
-        kept = {name: getattr(obj, name) for name in self.sheets.values()}
+        saved = {name: getattr(obj, name) for name in self.sheets.values()}
         for name in self.sheets:
             chosen = getattr(obj, name)
             choices = list(dict.fromkeys([*sheet_list(), chosen]))
             if choices != obj.getEnumerationsOfProperty(name):
                 setattr(obj, name, choices)
                 setattr(obj, name, chosen)
-        put(obj, **{name: getattr(value, "Value", value) for name, value in (kept | measured).items()})
+        put(obj, **{name: getattr(value, "Value", value) for name, value in (saved | measured).items()})
         for name, numbers in self.sheets.items():
             with suppress(InputError):
-                old = sheet_from_text(getattr(obj, name), kept[numbers])
-                new = sheet_called(old.name, kept[numbers])
+                old = sheet_from_text(getattr(obj, name), saved[numbers])
+                new = sheet_called(old.name, saved[numbers])
                 if new != old:
                     obj.touch()
                 if name == "Sheet" and measured and obj.Thickness.Value == old.thickness:

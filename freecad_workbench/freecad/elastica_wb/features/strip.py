@@ -147,8 +147,8 @@ def _recolor(strip: Any, before: str) -> None:
     with suppress(InputError):  # the sheet may not exist any more
         old, new = (sheet_color(sheet_called(name)) for name in (before, strip.Sheet))
         for view in [obj.ViewObject for obj in (strip, *strip.InList)]:
-            shown = getattr(view, "ShapeColor", ())[:3]
-            if shown and all(abs(a - b) < SAME_COLOR for a, b in zip(shown, old, strict=True)):
+            color = getattr(view, "ShapeColor", ())[:3]
+            if color and all(abs(a - b) < SAME_COLOR for a, b in zip(color, old, strict=True)):
                 view.ShapeColor = new
 
 
@@ -306,5 +306,5 @@ def is_edited(obj: Any) -> bool:
         return False
     import FreeCADGui as Gui
 
-    shown = Gui.getDocument(obj.Document.Name).getInEdit()
-    return shown is not None and shown.Object == obj.Curve[0]
+    edited = Gui.getDocument(obj.Document.Name).getInEdit()
+    return edited is not None and edited.Object == obj.Curve[0]

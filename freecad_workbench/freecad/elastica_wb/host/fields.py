@@ -75,9 +75,9 @@ def value_of(widget: Any) -> Any:
     if isinstance(widget, QtWidgets.QLineEdit):
         return widget.text()
     if _is_quantity(widget):
-        shown, exact = float(widget.property("rawValue")), widget.property(EXACT)
+        displayed, exact = float(widget.property("rawValue")), widget.property(EXACT)
         # FreeCAD's box keeps only what it shows: a kerf of 0.2 mm would become 0.01 in
-        return float(exact) if exact is not None and shown == widget.property(SHOWN) else shown
+        return float(exact) if exact is not None and displayed == widget.property(SHOWN) else displayed
     return widget.value()
 
 
@@ -225,7 +225,7 @@ class _Keeper(QtCore.QObject):
 def _settle(box: Any) -> None:
     """Store the typed value. The box sends no signal if its rounded value is the same as before."""
     with suppress(RuntimeError):  # the panel was closed
-        shown = float(box.property("rawValue"))
-        box.setProperty(EXACT, shown)
-        box.setProperty(SHOWN, shown)
-        send_change(box, shown)
+        displayed = float(box.property("rawValue"))
+        box.setProperty(EXACT, displayed)
+        box.setProperty(SHOWN, displayed)
+        send_change(box, displayed)

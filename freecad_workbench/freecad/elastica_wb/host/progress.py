@@ -44,13 +44,13 @@ def progress(title: str, count: int = 0) -> Iterator[Step]:
     from freecad.elastica_wb.host.resources import translate
 
     bar, escape, began = App.Base.ProgressIndicator(), EscapeKey(), time.monotonic()
-    shown = 0
+    steps = 0
 
     def step(done: int) -> bool:
-        nonlocal shown
-        while shown < done or not count:
+        nonlocal steps
+        while steps < done or not count:
             bar.next()
-            shown += 1
+            steps += 1
             if not count:
                 break
         if not count or time.monotonic() - began > QUIET_S:

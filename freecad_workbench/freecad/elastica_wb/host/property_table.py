@@ -86,18 +86,18 @@ def values_of(obj: Any, fields: Mapping[str, Field]) -> dict[str, Any]:
 def ensure(obj: Any, table: Iterable[Property]) -> None:
     """Add missing properties, replace those of another type, and set how the editor shows them."""
     for entry in table:
-        kept = None
+        value = None
         if entry.name in obj.PropertiesList and obj.getTypeIdOfProperty(entry.name) != entry.type_id:
-            kept = getattr(obj, entry.name)
+            value = getattr(obj, entry.name)
             obj.removeProperty(entry.name)
         if entry.name not in obj.PropertiesList:
             flags = (OUTPUT if entry.result else 0) | (TRANSIENT if entry.transient else 0)
             obj.addProperty(entry.type_id, entry.name, entry.group, entry.translated_help, flags)
             if entry.default is not None:
                 setattr(obj, entry.name, entry.default)
-            if kept is not None:
+            if value is not None:
                 with suppress(TypeError, ValueError):
-                    setattr(obj, entry.name, kept)
+                    setattr(obj, entry.name, value)
         obj.setEditorMode(entry.name, (1 if entry.result else 0) | (2 if entry.hidden else 0))
 
 
@@ -123,31 +123,31 @@ def _formulas(obj: Any) -> dict[str, str]:
 def _require_choice(obj: Any, name: str, formula: str) -> None:
     choices = obj.getEnumerationsOfProperty(name)
     try:
-        given = obj.evalExpression(formula)
+        value = obj.evalExpression(formula)
     except Exception as error:  # FreeCAD raises many classes of errors
         raise InputError(
             "The formula of {name} cannot be computed ({formula}). Correct or remove the formula.",
             name=name,
             formula=formula,
         ) from error
-    if not _is_choice(given, choices):
+    if not _is_choice(value, choices):
         called, a_name = f"{obj.Name}.{name}", f"<<{choices[0]}>>"
         raise InputError(
             "{property} has the formula {formula}, which gives {given}. Use 0 to {most}, or a name such as "
             "{name}. Correct or remove the formula.",
             property=called,
             formula=formula,
-            given=given,
+            given=value,
             most=len(choices) - 1,
             name=a_name,
         )
 
 
-def _is_choice(given: Any, choices: list[str]) -> bool:
-    if isinstance(given, str):
-        return given in choices
+def _is_choice(value: Any, choices: list[str]) -> bool:
+    if isinstance(value, str):
+        return value in choices
     # FreeCAD truncates a number
-    return isinstance(given, (int, float)) and -1 < given < len(choices)
+    return isinstance(value, (int, float)) and -1 < value < len(choices)
 
 
 def is_misread(obj: Any, name: str) -> bool:

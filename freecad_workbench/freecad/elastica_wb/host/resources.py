@@ -58,8 +58,8 @@ def quantities_of(name: str) -> dict[str, float]:
     values = {}
     for widget in tree.iter("widget"):
         if widget.get("class") == "Gui::QuantitySpinBox":
-            given = widget.findtext("property[@name='rawValue']/double")
-            values[widget.get("name", "")] = float(given or 0.0)
+            value = widget.findtext("property[@name='rawValue']/double")
+            values[widget.get("name", "")] = float(value or 0.0)
     return values
 
 

@@ -77,7 +77,7 @@ def default_sheet() -> str:
     return name if name in sheet_list() else preferences.DEFAULTS["DefaultSheet"]
 
 
-def sheet_called(name: str, kept: str = "") -> Sheet:
+def sheet_called(name: str, saved: str = "") -> Sheet:
     """Return the sheet of that name. If the library has no such sheet, return the copy in the document (TOML)."""
     user_sheets = own_sheets()
     if name in user_sheets:
@@ -86,8 +86,8 @@ def sheet_called(name: str, kept: str = "") -> Sheet:
         return _built_in(name)
     if name in sheet_names():
         return Sheet.named(name)
-    if kept:
-        return sheet_from_text(name, kept)
+    if saved:
+        return sheet_from_text(name, saved)
     raise InputError(
         "The sheet {name!r} is unknown. Choose another sheet, or add {name!r} to the sheet library.",
         name=name,

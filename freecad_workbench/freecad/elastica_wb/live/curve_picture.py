@@ -72,8 +72,8 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     except ElasticaError as error:
         cannot = Answer(Verdict.CANNOT, translate("Elastica", "cannot"), str(error))
         return Picture(cannot, False, *_combs(curve.sample(TEETH), spec, scale))
-    shown = smoothing.curve if smoothing.moved else curve  # including its straight ends
-    samples = shown.sample(TEETH)
+    drawn_curve = smoothing.curve if smoothing.moved else curve  # including its straight ends
+    samples = drawn_curve.sample(TEETH)
     comb, strained = _combs(samples, spec, scale)
     places = dict(check.off_line) or dict.fromkeys(check.inflections, 0.0)
     good = [s for s, d in places.items() if abs(d) <= ON_LINE * check.length]
@@ -83,7 +83,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     marks = _at(check.curve, named)
     on_line, off_line, crossings = np.split(marks, [len(good), len(good) + len(bad)])
     return Picture(
-        answer=quick_answer(shown, samples, spec, check),
+        answer=quick_answer(drawn_curve, samples, spec, check),
         realizable=None if spec.gravity_in_plane is not None and check.realizable else check.realizable,
         comb=comb,
         strained=strained,

@@ -84,7 +84,7 @@ class Dragged:
 
     def _pole_circles(self, spline: int) -> list[int | None]:
         """Return, for each pole, the number of the construction circle that shows it."""
-        shown: list[int | None] = []
+        pole_circles: list[int | None] = []
         taken: set[int] = set()
         for pole in self._geometry[spline].getPoles():
             circles = {
@@ -94,10 +94,10 @@ class Dragged:
             }
             near = min(circles, default=SOLVED_MM)
             circle = circles[near] if near < SOLVED_MM else None
-            shown.append(circle)
+            pole_circles.append(circle)
             if circle is not None:
                 taken.add(circle)
-        return shown
+        return pole_circles
 
     def _fits(self, points: Sequence[Sequence[float]], shift: int) -> bool:
         """Return True if the drawn points match the geometry at rest."""

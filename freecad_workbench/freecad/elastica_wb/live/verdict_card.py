@@ -61,10 +61,10 @@ class VerdictCard(QtCore.QObject):
         self._soon = later(self._place, LOOKED_MS, self)
         self._camera = sensor(coin.SoNodeSensor, self._looks_elsewhere)
 
-    def show(self, answer: Answer, sentence: str, shown: Mapping[str, int]) -> None:
-        """Show a verdict. `sentence` is in the user's units, and `shown` counts the points of each part."""
+    def show(self, answer: Answer, sentence: str, counts: Mapping[str, int]) -> None:
+        """Show a verdict. `sentence` is in the user's units, and `counts` counts the points of each part."""
         with suppress(RuntimeError):  # the view was closed
-            self._show(answer, sentence, _legend(shown))
+            self._show(answer, sentence, _legend(counts))
         self.answer = answer
 
     def _show(self, answer: Answer, sentence: str, legend: str) -> None:
@@ -165,13 +165,13 @@ class VerdictCard(QtCore.QObject):
         return corners[self._corner]
 
 
-def _legend(shown: Mapping[str, int]) -> str:
+def _legend(counts: Mapping[str, int]) -> str:
     """Return the legend of the colours in use."""
     return " &nbsp; ".join(
         f'<span style="color: {hex_of(part.color)};">{part.sign}</span>'
         f"&nbsp;{translate('Elastica', part.words).replace(' ', '&nbsp;')}"
         for name, part in PARTS.items()
-        if shown[name]
+        if counts[name]
     )
 
 

@@ -113,9 +113,9 @@ class BetweenClamps:
         except ElasticaError as error:
             self.found = None
             self.card.show_message(str(error), good=False)
-        shown = np.zeros((0, 2)) if self.found is None else self.found.rod.position
+        points = np.zeros((0, 2)) if self.found is None else self.found.rod.position
         order = [2, 0, 1, 3]  # from handle to handle through both ends
-        self.preview.show(np.zeros((0, 2)), shown, None if self.angles is None else self._places()[order])
+        self.preview.show(np.zeros((0, 2)), points, None if self.angles is None else self._places()[order])
 
     def _draw(self) -> None:
         """Draw the present curve, in one undo step."""

@@ -53,10 +53,10 @@ class FixturesPanel(Panel):
                 record_value(holders[-1], name, self.value(name.lower()))
             self._make(holders)
 
-    def _make(self, made: list[Any]) -> None:
+    def _make(self, features: list[Any]) -> None:
         self.document.recompute()
-        failed = list(dict.fromkeys(filter(None, map(why_not_made, made))))
+        failed = list(dict.fromkeys(filter(None, map(why_not_made, features))))
         if failed:
-            for obj in made:
+            for obj in features:
                 record_call(self.document, "removeObject", obj.Name)
             raise InputError("; ".join(failed))
