@@ -74,7 +74,7 @@ def _refuse_many_inserts(document: "Drawing") -> None:
     check_count(
         total,
         MOST_SHAPES,
-        "entities, those of its blocks counted",
+        "entities, including those of its blocks",
         "leave out blocks, or explode one of them",
     )
 
@@ -156,7 +156,7 @@ def read_dxf_drawing(
     with np.errstate(over="ignore", invalid="ignore"):  # check_places refuses values that are not finite
         drawn = collect_curves(
             file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flatten_run,
-            nothing="holds no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
+            nothing="has no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
             fit_tolerance=fit_tolerance, shown=shown, corners=corners,
         )  # fmt: skip
     return replace(drawn, unit=known)

@@ -81,8 +81,8 @@ def _require_schema(data: dict[str, Any]) -> None:
     name, _, version = str(schema).partition("/")
     if name not in ("elastica-curves", "elastica-report"):
         raise InputError(
-            "has the schema {schema}; curves are read from {curves_schema!r} and from reports of "
-            "strips: give one of those",
+            "has the schema {schema}, but curves are read only from {curves_schema!r} and from reports of "
+            "strips: give such a file",
             schema=quoted(schema),
             curves_schema=CURVES_SCHEMA,
         )

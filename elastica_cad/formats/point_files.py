@@ -613,7 +613,7 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
     check_count(count, 4 * MOST_PIECES, "control points", "leave some out")
     if len(rows) - 1 != count:
         raise InputError(
-            "line {number} announces {count} control points, but {given} lines follow",
+            "line {number} announces {count} control points, but {given} lines follow: correct the count",
             number=number,
             count=count,
             given=len(rows) - 1,

@@ -66,7 +66,7 @@ def read_svg_drawing(
     shapes = _Shapes(tree)
     drawn = collect_curves(
         file, _runs(file, shapes, to_mm), tree.skipped, tolerance=tolerance, fit_tolerance=fit_tolerance,
-        nothing="holds no curve: draw a path, line, polyline, circle, ellipse or rectangle that is shown",
+        nothing="has no curve: draw a path, line, polyline, circle, ellipse or rectangle that is shown",
         corners=corners, shown=Provenance(place=place, unit="mm" if np.all(scale == 1) else "user units"),
     )  # fmt: skip
     return replace(drawn, unit=known, remarks=(*drawn.remarks, *shapes.remarks()))

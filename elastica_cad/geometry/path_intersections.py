@@ -245,7 +245,7 @@ def clip_across(path: Path, low: float, high: float) -> Path:
         if not meets(run[-1], following[0]):
             if abs(run[-1].end[0] - following[0].start[0]) > JOIN:
                 raise InputError(
-                    "the part between x = {low:g} and {high:g} is not in one piece",
+                    "the part between x = {low:g} and {high:g} is not in one piece: give another range",
                     low=low,
                     high=Length(high),
                 )

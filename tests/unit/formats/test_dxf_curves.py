@@ -508,9 +508,9 @@ def test_file_without_curves_says_what_it_holds(drawing):
         space.add_point((1, 2))
         space.add_point((3, 2))
 
-    with pytest.raises(InputError, match=r"drawn\.dxf: holds no curve .*\(found only 2 POINT, 1 TEXT\)"):
+    with pytest.raises(InputError, match=r"drawn\.dxf: has no curve .*\(found only 2 POINT, 1 TEXT\)"):
         drawing(draw)
-    with pytest.raises(InputError, match="holds no curve"):
+    with pytest.raises(InputError, match="has no curve"):
         drawing(lambda space, _: None)
 
 
@@ -520,7 +520,7 @@ def test_file_without_curves_says_what_it_holds(drawing):
 def test_other_files_are_no_dxf_files(tmp_path, data):
     path = tmp_path / "bad.dxf"
     path.write_bytes(data)
-    with pytest.raises(InputError, match=r"bad\.dxf: (is not a readable DXF file|holds no curve)"):
+    with pytest.raises(InputError, match=r"bad\.dxf: (is not a readable DXF file|has no curve)"):
         read_curves(path)
 
 
@@ -553,7 +553,7 @@ def test_a_file_cut_short_anywhere_is_refused_in_words_or_read(drawing, tmp_path
 
 
 def test_pieces_of_no_length_are_told(drawing):
-    with pytest.raises(InputError, match=r"holds no curve .*\(found only 1 LINE of no length\)"):
+    with pytest.raises(InputError, match=r"has no curve .*\(found only 1 LINE of no length\)"):
         drawing(lambda space, _: space.add_line((3, 3), (3, 3)))
 
 

@@ -68,7 +68,7 @@ def given(path):
     try:
         drawing = read_drawing(path)
     except ElasticaError as problem:
-        return "no curve" if "holds no curve" in str(problem) else str(problem)
+        return "no curve" if "has no curve" in str(problem) else str(problem)
     found = Counter()
     for one in drawing:
         kind = "no curve" if one.problem else verdict(one.curve)

@@ -55,7 +55,7 @@ def test_what_is_no_file_of_that_kind_gets_one_sentence(tmp_path, suffix):
 
 def test_unknown_suffix(tmp_path):
     (tmp_path / "a.dwg").write_text("x")
-    with pytest.raises(InputError, match=r"a\.dwg ends in '\.dwg', .* use \.dxf, \.svg, \.svgz, \.csv"):
+    with pytest.raises(InputError, match=r"a\.dwg ends in '\.dwg', .* Use \.dxf, \.svg, \.svgz, \.csv"):
         read_curves(tmp_path / "a.dwg")
     (tmp_path / "plain").write_text("x")
     with pytest.raises(InputError, match="ends in ''"):
@@ -92,7 +92,7 @@ def test_what_is_saved_is_read_back(tmp_path, suffix):
     [
         ("one.csv", "3,4\n", "needs at least two different points: draw it again, or leave it out"),
         ("null.json", "null", "has no record.*: give a file that elastica wrote"),
-        ("other.json", "{}", "reports of strips: give one of those"),
+        ("other.json", "{}", "reports of strips: give such a file"),
         (
             "far.svg",
             '<svg><path d="M 0 0 L 1e40 2"/></svg>',

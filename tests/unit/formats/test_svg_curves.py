@@ -190,7 +190,7 @@ def test_degenerate_segments_are_passed_over(svg):
     (b"hello", "is not an SVG file"),
     (b"<html><body/></html>", "begins with <html>"),
     (b"<svg><path d='M 0 0 L 1 1'/>", "is not an SVG file"),
-    (b"<svg xmlns='http://www.w3.org/2000/svg'><text>a</text></svg>", "holds no curve"),
+    (b"<svg xmlns='http://www.w3.org/2000/svg'><text>a</text></svg>", "has no curve"),
     (b"<svg><path d='M 0 0 L 10 10 L 3'/></svg>", "path data"),
     (b"\x00\x01\x02", "is not an SVG file"),
 ])  # fmt: skip
