@@ -364,6 +364,23 @@ ROWS_OF = {
     ("check", "arch.svg"): ("Read", "Verdict", "Widths", "Sheets"),
     MAKE: ("Size", "Strain", "Stability", "Hold", "Accuracy", "Files"),
     NEAR: ("Curve", "Change", "Warning"),
+    ("bend", "--straight", "120", *PLY, "--to", "97", "0", "--steps", "4", "-o", "o"): ("Shape", "Force"),
+    (
+        "batten",
+        "--sheet",
+        "pom-1",
+        "--length",
+        "900",
+        "--camber",
+        "9",
+        "--at",
+        "45",
+        "--rod",
+        "8",
+        "-o",
+        "o",
+    ): ("Camber",),
+    ("model", "pavilion.toml", *QUICK, "--no-effects", "-o", "o"): ("Model", "Note"),
 }
 """Commands, and the labels of rows that they print."""
 
@@ -374,6 +391,7 @@ def _labels(row, folder):
     (command,) = (words for words, labels in ROWS_OF.items() if label in labels)
     assert not unknown_options(row[-1])
     drawn(folder)
+    typed(folder, "new", "pavilion")
     assert re.search(rf"^(! )?{label} ", typed(folder, *command, code=None), re.MULTILINE)
 
 
