@@ -67,8 +67,8 @@ class Measuring:
     --------
     >>> measuring = Measuring((), {"chord": 100.0}, {"chord": 0.5}, {"ends apart": ({"chord": 1.0},)})
     >>> print(*measuring.compare({"chord": 100.4}), sep="; ")
-    chord: 100.4 measured, 100 expected, give or take 0.5; all of it lies within what sheet, cut, clamps and model \
-leave open
+    chord: 100.4 measured, 100 +/- 0.5 expected; all measurements are within the expected uncertainty of sheet, \
+cut, clamps and model
     """
 
     marks: tuple[float, ...]
