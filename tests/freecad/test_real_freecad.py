@@ -348,7 +348,7 @@ def check_first_use(found):
     assert found["strip"][0] == ["Up-to-date"]
     said, numbers, footnote = found["held"]
     assert footnote == said
-    assert re.search("made and held|gemacht und gehalten", said)
+    assert re.search("from its design|von seinem Entwurf", said)
     rows = dict(re.findall(r"<td>(\w+)&nbsp;&nbsp;</td><td>(.*?)</td>", numbers))
     assert list(rows) in (
         ["Size", "Strain", "Stability", "Hold", "Accuracy"],
