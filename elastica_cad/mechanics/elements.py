@@ -5,7 +5,8 @@ A force f on the strip at the station p = gamma(s_j) makes the moment
     M(s) = a + <b, gamma(s)> - sum over s_j < s of det(f_j, gamma(s) - p_j),
 
 so M is continuous, its slope steps, and lambda steps by f_j. Each element has one or two unknown numbers, and M is
-linear in them as it is in a and b. A tie acts at two stations with opposite forces.
+linear in them as it is in a and b. A tie acts at two stations with opposite forces. The page "Forces between the
+ends" of the manual has the derivation in short.
 """
 
 from collections.abc import Iterable, Sequence
@@ -247,12 +248,15 @@ def _station(at: Place, curve: PlaneCurve, element: Element | PointForce) -> flo
                 element=noun_of(element), point=Point(at), off=Length(off),
             )  # fmt: skip
         return s
-    if not 0 <= at <= curve.length:
+    near = AT_END_SHARE * curve.length
+    if not -near <= at <= curve.length + near:
         raise InputError(
             "The {element} at {at:.6g} is not on the curve. Give a place from 0 to {length:.6g}.",
             element=noun_of(element), at=Length(at), length=Length(curve.length),
         )  # fmt: skip
-    return at
+    if at <= near:
+        return 0.0
+    return at if at < curve.length - near else curve.length
 
 
 def _foot(curve: PlaneCurve, point: FloatArray) -> float:

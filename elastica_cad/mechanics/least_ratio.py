@@ -525,7 +525,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
         warnings = (*warnings, warning)
     warnings = (*warnings, *_slack_warnings(balance))
     if request.needs_line and check.zeros and np.hypot(*b[0]) > 0:
-        check = replace(check, line=_moment_line(moment[0], b[0], nodes.position[0]))
+        check = replace(check, line=InflectionLine.of_moment(float(moment[0]), b[0], nodes.position[0]))
     weight = balance.weight
     if weight is not None:  # beta K stays what it is when K is divided by its least value
         weight = weight.scaled(beta=least)
@@ -550,13 +550,6 @@ def _slack_warnings(balance: BalancedStiffness) -> tuple[str, ...]:
         )
         for one in slack_elements(balance.between, force)
     )  # fmt: skip
-
-
-def _moment_line(moment: float, b: FloatArray, position: FloatArray) -> InflectionLine:
-    """Return the line on which M = moment + <b, x - position> vanishes."""
-    size = np.hypot(*b)
-    foot = position - b * moment / size**2
-    return InflectionLine((float(foot[0]), float(foot[1])), (float(b[1] / size), float(-b[0] / size)))
 
 
 _SETTLED_SHARE = 1e-5

@@ -363,6 +363,7 @@ class CutCurve:
         zeros = np.array([zero.s for zero in check.zeros])
         kinks = [*_load_kinks(check.length, weight), *((s, 0) for s in stations if 0 < s < check.length)]
         hung = [(_at_zero(s, zeros, check.length), c) for s, c in kinks]
+        hung = [(s, c) for s, c in hung if 0 < s < check.length]
         places = [place for s, _ in hung for place in (s, *_away_from_zero(s, zeros, check.length))]
         cuts = (*(t for t, _, _ in bend), *check.curve.parameter(np.array(places)).tolist())
         return cls(check, natural_curvature, law, cuts, (*((s, c) for _, s, c in bend), *hung))

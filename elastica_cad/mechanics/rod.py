@@ -36,7 +36,7 @@ from elastica_cad.mechanics.stiffness_law import BendFactor, BoundedLaw, at_stat
 from elastica_cad.refusals import Length as Mm
 
 if TYPE_CHECKING:
-    from elastica_cad.mechanics.theorem1 import EquilibriumCheck
+    from elastica_cad.mechanics.theorem1 import EquilibriumCheck, InflectionLine
 
 
 # Number of nodes of a final rod. A strip of 300 mm has a node every half millimetre, and the error of the discrete
@@ -576,6 +576,34 @@ class Rod:
     def between_forces(self) -> FloatArray:
         """Force on the strip of each element in the order of `between` (m, 2), 1/mm2; of a tie at its start."""
         return np.array([one.force[0] for one in self.between]).reshape(-1, 2)
+
+    @property
+    def thrust_line(self) -> "tuple[InflectionLine | None, ...]":
+        """Sides of the thrust line: the line without moment of each piece between stations, in order.
+
+        Neighbouring sides meet on the line of the force between them. A side is None where the moment is constant.
+        A rod with weight has no sides, because its resultant turns along each piece.
+        """
+        from elastica_cad.mechanics.theorem1 import InflectionLine
+
+        if self.gravity is not None:
+            return ()
+        steps = [
+            (float(s), force)
+            for one in (*self.between, *self.point_forces)
+            for s, force in zip(one.s, one.force, strict=True)
+            if self.s[1] / 2 < s < self.length - self.s[1] / 2
+        ]
+        moment, place, b = float(self.moment[0]), self.position[0], -left_of(self.force[0])
+        sides = []
+        tiny = DUST_SHARE * max(
+            float(np.abs(self.force).max()), float(np.abs(self.moment).max()) / self.length
+        )
+        for s, force in [*sorted(steps, key=lambda step: step[0]), (self.length, np.zeros(2))]:
+            sides.append(InflectionLine.of_moment(moment, b, place) if np.hypot(*b) > tiny else None)
+            at = self.curve.at(np.array([s])).position[0]
+            moment, place, b = moment + float(b @ (at - place)), at, b - left_of(force)
+        return tuple(sides)
 
     def following(self) -> "Rod":
         """Return the same rod with the law of its section, to be bent to another shape."""

@@ -40,6 +40,13 @@ class InflectionLine:
     point: tuple[float, float]
     direction: tuple[float, float]
 
+    @classmethod
+    def of_moment(cls, moment: float, b: FloatArray, position: FloatArray) -> "InflectionLine":
+        """Return the line on which moment + <b, x - position> vanishes."""
+        size = np.hypot(*b)
+        foot = position - b * moment / size**2
+        return cls((float(foot[0]), float(foot[1])), (float(b[1] / size), float(-b[0] / size)))
+
     @property
     def b(self) -> FloatArray:
         """Unit normal (2,): the direction turned left."""

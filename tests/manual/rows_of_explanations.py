@@ -157,3 +157,25 @@ def _what_helps(row, _):
         assert row[0].startswith("the lap")
         proved_by("tests/unit/strip/test_closed_strips.py::test_widths_make_up_for_the_lap_and_close")
         proved_by("tests/unit/strip/test_closed_strips.py::test_the_lap_straightens_the_joint_as_told")
+
+
+BETWEEN = f"{EXPLAINED}/between_the_ends.md"
+
+
+@asks(BETWEEN, "element", "made as", "force on the strip")
+def _elements(row, _):
+    tests = f"{VALIDATION}/test_forces_between_ends.py"
+    if row[0].startswith("`PointMass"):
+        proved_by(f"{tests}::test_three_supports")
+    elif row[0].startswith("`Tie"):
+        proved_by(f"{tests}::test_even_bow")
+    else:
+        proved_by(f"{tests}::test_the_least_ratio_is_that_of_a_dense_program")
+
+
+@asks(BETWEEN, "takes them into account", "refuses them for now")
+def _what_knows_of_elements(row, _):
+    tests = "tests/unit/mechanics/test_elements.py"
+    assert row[1]
+    proved_by(f"{tests}::test_lambda_steps_by_the_forces")
+    proved_by(f"{tests}::test_other_studies_refuse_them")

@@ -86,6 +86,17 @@ def test_two_free_ends_need_a_tie():
             refused()
 
 
+@pytest.mark.parametrize("off", [-2e-7, 2e-7])
+def test_a_tie_ends_at_the_end_within_rounding(off):
+    flat = ec.Rod.straight(500.0, samples=601)
+    bow = ec.bend(flat, end=(400.0, 0.0), supports=ec.Supports("pinned", "pinned")).curve
+    rod = ec.optimal_rod(
+        bow, supports=ec.Supports("free", "free"), between=ec.Tie(off, bow.length * (1 + off))
+    )
+    assert rod.between[0].s == pytest.approx([0.0, rod.length], abs=1e-9)
+    assert rod.ratio < 1.01
+
+
 def test_an_element_at_an_inflection_does_not_push():
     inflection = WAVE.inflections[0]
     rod = ec.optimal_rod(WAVE, between=(ec.Rail(inflection), ec.Pin(200.0)))
@@ -116,3 +127,20 @@ def test_a_straight_strip_bends_under_a_force():
     assert ec.optimal_rod(line, between=ec.Rail(50.0)).ratio == 1.0
     with pytest.raises(ec.NotRealizable, match="a straight strip bends"):
         ec.optimal_rod(line, loads=ec.PointForce(50.0, (0, -1)))
+
+
+def test_each_inflection_is_on_its_side_of_the_thrust_line():
+    """Neighbouring sides meet on the line of the force between them."""
+    rod = ec.optimal_rod(WAVE, between=ec.Pin(200.0))
+    first, second = rod.thrust_line
+    before, after = WAVE.at(WAVE.inflections).position
+    assert first.distance(before[None]) == pytest.approx(0.0, abs=1e-6)
+    assert second.distance(after[None]) == pytest.approx(0.0, abs=1e-6)
+    corner = np.linalg.solve([first.b, second.b], [-first.a, -second.a])
+    off = corner - WAVE.at([200.0]).position[0]
+    force = rod.between_forces[0] / np.hypot(*rod.between_forces[0])
+    assert off[0] * force[1] - off[1] * force[0] == pytest.approx(0.0, abs=1e-6)
+    (side,) = ec.optimal_rod(
+        ec.PlaneCurve.spline([(0, 0), (60, 50), (120, -50), (180, 0)], degree=3)
+    ).thrust_line
+    assert side.distance(np.array([[90.0, 0.0]])) == pytest.approx(0.0, abs=1e-3)
