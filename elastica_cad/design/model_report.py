@@ -10,7 +10,7 @@ from elastica_cad._values import require_record, round_numbers
 from elastica_cad.design.reports import list_versions, report_blank, report_held
 from elastica_cad.design.strip_table import StripEntry
 from elastica_cad.geometry.path import largest_deviation
-from elastica_cad.model.cut_list import CutList
+from elastica_cad.model.cut_rows import CutList
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet
 from elastica_cad.strip.held_shape import HeldShape

@@ -17,7 +17,7 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.model.assembly import Holder, unheld_ends
 from elastica_cad.model.collisions import missing_slots
-from elastica_cad.model.cut_list import CutList, cut_list
+from elastica_cad.model.cut_rows import CutList, cut_list
 from elastica_cad.model.fixtures import EndFixture, crowded_blocks
 from elastica_cad.model.held_tabs import hold_each, holder_plays, rocking_tabs
 from elastica_cad.model.model import Model

@@ -18,7 +18,7 @@ from elastica_cad.formats.write_files import File, check_folder, write_json, wri
 from elastica_cad.geometry.path import Path as ClosedPath
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, left_out, save_solid
 from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_contents
-from elastica_cad.model.cut_list import CutList
+from elastica_cad.model.cut_rows import CutList
 from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces

@@ -19,7 +19,7 @@ from elastica_cad.model.held_tabs import (
 from elastica_cad.model.interlocking import interlock as interlock, Joint as Joint, slot_width as slot_width
 from elastica_cad.model.leaf_stack import LeafStack as LeafStack
 from elastica_cad.model.model import Model as Model
-from elastica_cad.model.cut_list import cut_list as cut_list, CutList as CutList, CutListRow as CutListRow
+from elastica_cad.model.cut_rows import cut_list as cut_list, CutList as CutList, CutListRow as CutListRow
 from elastica_cad.model.nesting import nest_pieces as nest_pieces, NestedSheet as NestedSheet
 from elastica_cad.model.plate_pairs import plate_pair as plate_pair, ring_pair as ring_pair
 from elastica_cad.model.plates import (

@@ -6,7 +6,7 @@ import numpy as np
 
 from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
-from elastica_cad.model.cut_list import CutList, cut_list
+from elastica_cad.model.cut_rows import CutList, cut_list
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.pieces import Piece
 from elastica_cad.strip.strip import Strip

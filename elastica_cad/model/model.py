@@ -14,7 +14,7 @@ from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError, quoted, refuse_options_unlike
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Color, Sheet, require_printable
-from elastica_cad.model.cut_list import CutList, cut_list
+from elastica_cad.model.cut_rows import CutList, cut_list
 from elastica_cad.model.fixtures import EndFixture, end_fixtures
 from elastica_cad.model.frames import Rib, SlottedFrame, slotted_frame
 from elastica_cad.model.held_tabs import held_shapes

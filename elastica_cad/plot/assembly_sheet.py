@@ -16,7 +16,7 @@ from elastica_cad.model.assembly import (
     list_assembly_steps,
     single_holders,
 )
-from elastica_cad.model.cut_list import CutList
+from elastica_cad.model.cut_rows import CutList
 from elastica_cad.model.fixtures import EndFixture, PlacedTab, place_tabs
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.model import Model

@@ -32,7 +32,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.kit.kit import cutting_files
 from elastica_cad.mechanics.sheets import sheet_color
-from elastica_cad.model.cut_list import cut_list
+from elastica_cad.model.cut_rows import cut_list
 from elastica_cad.model.nesting import nest_pieces
 from elastica_cad.strip.pieces import distinct, file_word
 from elastica_cad.strip.solids import FlatSolid, frame_beside
