@@ -49,12 +49,14 @@ class Bracing:
 
 def slack_elements(between: Sequence[ElementForce], force: FloatArray) -> tuple[ElementForce, ...]:
     """Return the one-sided elements that hardly act; `force` (n, 2) is lambda along the rod, 1/mm2."""
-    largest = max(float(np.hypot(*force.T).max()), max((one.size for one in between), default=0.0))
+    largest = max(float(np.hypot(*force.T).max()), max((action.size for action in between), default=0.0))
     return tuple(
-        one
-        for one in between
-        if (isinstance(one.element, Tie) or (isinstance(one.element, Rail) and one.element.one_sided))
-        and one.size <= SLACK_SHARE * largest
+        action
+        for action in between
+        if (
+            isinstance(action.element, Tie) or (isinstance(action.element, Rail) and action.element.one_sided)
+        )
+        and action.size <= SLACK_SHARE * largest
     )
 
 
@@ -105,19 +107,19 @@ def bracing_of(
     terms: list[FloatArray] = []
     blocks: list[FloatArray] = []
     chords: list[FloatArray] = []
-    for one in between:
-        if isinstance(one.element, Tie):
-            p, q = (np.array([np.interp(s, nodes, c) for c in position.T]) for s in one.s)
+    for action in between:
+        if isinstance(action.element, Tie):
+            p, q = (np.array([np.interp(s, nodes, c) for c in position.T]) for s in action.s)
             size = float(np.hypot(*(q - p)))
             u = (q - p) / size
             chords.append(u)
-            cover = covered(float(one.s[1])) - covered(float(one.s[0]))
+            cover = covered(float(action.s[1])) - covered(float(action.s[0]))
             rows.append((u @ (across * cover), np.zeros(2)))
             terms.append(edge_length * cover * (tangents @ u))
-            blocks.append(np.array([[float(one.force[0] @ u) / size]]))
+            blocks.append(np.array([[float(action.force[0] @ u) / size]]))
             continue
-        s = float(one.s[0])
-        if isinstance(one.element, Pin):
+        s = float(action.s[0])
+        if isinstance(action.element, Pin):
             rows += list(zip(moves(s), np.eye(2), strict=True))
             continue
         right = np.clip(np.searchsorted(middles, s), 1, n - 1)
@@ -128,7 +130,7 @@ def bracing_of(
         tangent /= np.hypot(*tangent)
         normal = left_of(tangent)
         rows.append((normal @ moves(s), normal))
-        push = float(one.force[0] @ normal)
+        push = float(action.force[0] @ normal)
         if push != 0:
             slides.append((-tangent @ moves(s), -tangent))
             terms += [turn, slides[-1][0]]
@@ -150,7 +152,7 @@ def bracing_of(
         chords
         and free.all()
         and not any(end.angle for end in ends)
-        and all(isinstance(one.element, Tie) for one in between)
+        and all(isinstance(action.element, Tie) for action in between)
     ):
         # a bow turns as a whole without a change of energy
         forms = np.concatenate([forms, edge_length * (tangents @ chords[0])[None]])

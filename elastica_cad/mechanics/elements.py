@@ -1,4 +1,4 @@
-"""What holds or loads a strip between its ends: rails, pins, ties and point forces.
+"""Elements that hold or load a strip between its ends: rails, pins, ties and point forces.
 
 A force f on the strip at the station p = gamma(s_j) makes the moment
 
@@ -225,13 +225,13 @@ def place_elements(
     placed = tuple(PlacedElement.on(element, drawn, curve) for element in elements)
     near = AT_END_SHARE * curve.length
     held = [s for s, end in zip((0.0, curve.length), supports.ends, strict=True) if end.x and end.y]
-    for one in placed:
-        fixed = [min((abs(s - end) for end in held), default=np.inf) <= near for s in one.s]
+    for placed_element in placed:
+        fixed = [min((abs(s - end) for end in held), default=np.inf) <= near for s in placed_element.s]
         if all(fixed):
             raise InputError(
                 "The {element} at {places} acts on an end that is held in place, so it has no effect. Move "
                 "it between the ends.",
-                element=noun_of(one.element), places=Length(one.s[0]),
+                element=noun_of(placed_element.element), places=Length(placed_element.s[0]),
             )  # fmt: skip
     return placed
 
@@ -298,22 +298,26 @@ class ElementForce:
 
 def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[ElementForce, ...]:
     """Return the forces for the numbers (u,) of all elements in order."""
-    ends = np.cumsum([one.unknowns for one in placed], dtype=int)
+    ends = np.cumsum([placed_element.unknowns for placed_element in placed], dtype=int)
     return tuple(
-        ElementForce(one.element, one.s, np.einsum("u,ukc->kc", numbers[end - one.unknowns : end], one.units))
-        for one, end in zip(placed, ends, strict=True)
+        ElementForce(
+            placed_element.element,
+            placed_element.s,
+            np.einsum("u,ukc->kc", numbers[end - placed_element.unknowns : end], placed_element.units),
+        )
+        for placed_element, end in zip(placed, ends, strict=True)
     )
 
 
 def lumped(forces: Iterable[ElementForce], nodes: int, length: float) -> FloatArray:
     """Return the forces divided between the nodes (n, 2) of a rod beside their stations, 1/mm2."""
     load = np.zeros((nodes, 2))
-    for one in forces:
-        at = one.s * ((nodes - 1) / length)
+    for action in forces:
+        at = action.s * ((nodes - 1) / length)
         i = np.minimum(at.astype(int), nodes - 2)
         share = (at - i)[:, None]
-        np.add.at(load, i, (1 - share) * one.force)
-        np.add.at(load, i + 1, share * one.force)
+        np.add.at(load, i, (1 - share) * action.force)
+        np.add.at(load, i + 1, share * action.force)
     return load
 
 

@@ -337,15 +337,15 @@ def _weight_with_loads(
     weight: Weight | None, gravity: Gravity | None, loads: object
 ) -> tuple[Weight | None, tuple[PointForce, ...]]:
     """Return the weight with the masses of the loads, and the point forces."""
-    found = several("loads", loads, PointMass | PointForce, "PointMass or PointForce")
-    masses = tuple(load for load in found if isinstance(load, PointMass))
-    forces = tuple(load for load in found if isinstance(load, PointForce))
+    point_loads = several("loads", loads, PointMass | PointForce, "PointMass or PointForce")
+    masses = tuple(load for load in point_loads if isinstance(load, PointMass))
+    forces = tuple(load for load in point_loads if isinstance(load, PointForce))
     if masses and gravity is None:
         raise InputError(
             "loads contain a PointMass, but there is no {field} for its direction. Pass {field}, or a PointForce.",
             field=FieldName("gravity"),
         )
-    if weight is None and gravity is not None and found:
+    if weight is None and gravity is not None and point_loads:
         weight = Weight(own=True)
     return (
         replace(weight, masses=(*weight.masses, *masses)) if weight is not None and masses else weight
@@ -423,7 +423,7 @@ def _require_load_at_free_end(request: RodRequest) -> None:
     """
     check = request.check
     acting = [mass.at for mass in request.masses if mass.mass > 0]
-    acting += [s for one in (*request.elements, *request.forces) for s in one.s.tolist()]
+    acting += [s for element in (*request.elements, *request.forces) for s in element.s.tolist()]
     for name, support, s in zip(("start", "end"), request.supports.ends, (0.0, check.length), strict=True):
         hung = any(abs(at - s) <= AT_END_SHARE * check.length for at in acting)
         if support.x or support.y or support.angle or hung:
@@ -443,7 +443,10 @@ def _rod_of(
 ) -> Rod:
     """Return the rod in the shape of the curve, with moments (n,) and forces (n, 2) at its nodes."""
     nodes, B = request.nodes, fields.get("bending_stiffness")
-    loads = tuple(ElementForce(one.element, one.s, one.units[0] / (B or 1.0)) for one in request.forces)
+    loads = tuple(
+        ElementForce(placed_force.element, placed_force.s, placed_force.units[0] / (B or 1.0))
+        for placed_force in request.forces
+    )
     return Rod(
         s=nodes.s, position=nodes.position, angle=nodes.angle, curvature=nodes.curvature, moment=moment,
         force=force, gravity=request.gravity, supports=request.supports,
@@ -463,7 +466,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
         request, check, np.zeros(n), np.zeros((n, 2)), stiffness=np.ones(n), weight=weight,
         profile=Profile.interpolate(nodes.s[[0, -1]], np.ones(2)),
         bending_stiffness=B, warnings=check.cautions,
-        between=forces_of(request.elements, np.zeros(sum(one.unknowns for one in request.elements))),
+        between=forces_of(request.elements, np.zeros(sum(element.unknowns for element in request.elements))),
     )  # fmt: skip
     if request.forces:
         reason = "Under a point force a straight strip bends. Draw the shape into which it bends."
@@ -534,7 +537,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
         profile=stiffness_profile(check, balance, 1 / least), residual=residual, weight=weight,
         bending_stiffness=None if balance.bending_stiffness is None else balance.bending_stiffness * least,
         warnings=warnings, moved=check.moved,
-        between=tuple(replace(one, force=one.force / least) for one in balance.between),
+        between=tuple(replace(action, force=action.force / least) for action in balance.between),
     )  # fmt: skip
 
 
@@ -545,10 +548,10 @@ def _slack_warnings(balance: BalancedStiffness) -> tuple[str, ...]:
         note(
             "The {element} at {places} carries less than {share:g} % of the largest force, so the strip may leave "
             "it. Move it, or leave it out.",
-            element=noun_of(one.element), places=Listed(map(Length, one.s.tolist())),
+            element=noun_of(action.element), places=Listed(map(Length, action.s.tolist())),
             share=100 * SLACK_SHARE, severity="warning",
         )
-        for one in slack_elements(balance.between, force)
+        for action in slack_elements(balance.between, force)
     )  # fmt: skip
 
 

@@ -586,13 +586,13 @@ class RodRequest(EqualByValue):
 
     def units_on(self, panels: Panels) -> FloatArray:
         """Return the forces (N + 1, 2, u) at the panel ends for the value 1 of each unknown force."""
-        units = np.zeros((panels.count + 1, 2, sum(one.unknowns for one in self.elements)))
+        units = np.zeros((panels.count + 1, 2, sum(element.unknowns for element in self.elements)))
         first = 0
-        for one in self.elements:
-            for s, forces in zip(one.s, one.units.swapaxes(0, 1), strict=True):
+        for element in self.elements:
+            for s, forces in zip(element.s, element.units.swapaxes(0, 1), strict=True):
                 at = int(np.abs(panels.edge_s - s).argmin())
-                units[at, :, first : first + one.unknowns] += forces.T
-            first += one.unknowns
+                units[at, :, first : first + element.unknowns] += forces.T
+            first += element.unknowns
         return units
 
     @cached_property
@@ -609,7 +609,7 @@ class RodRequest(EqualByValue):
     @property
     def cut(self) -> CutCurve:
         """Curve cut where the natural curvature, the material law or the load is not smooth."""
-        stations = [s for one in (*self.elements, *self.forces) for s in one.s.tolist()]
+        stations = [s for element in (*self.elements, *self.forces) for s in element.s.tolist()]
         return CutCurve.where_kinked(self.check, self.natural_curvature, self.law, self.weight, stations)
 
 
@@ -663,7 +663,11 @@ class ConditionedRows:
     @cached_property
     def pushed(self) -> IntArray:
         """Indices (k,) of the numbers that may not be negative: the pulls of ties."""
-        kinds = [isinstance(one.element, Tie) for one in self.request.elements for _ in range(one.unknowns)]
+        kinds = [
+            isinstance(placed.element, Tie)
+            for placed in self.request.elements
+            for _ in range(placed.unknowns)
+        ]
         return np.asarray(self.rows.elements_from + np.flatnonzero(kinds), dtype=int)
 
     def homogeneous(self, *, loaded: bool) -> StateFamily:

@@ -575,7 +575,7 @@ class Rod:
     @property
     def between_forces(self) -> FloatArray:
         """Force on the strip of each element in the order of `between` (m, 2), 1/mm2; of a tie at its start."""
-        return np.array([one.force[0] for one in self.between]).reshape(-1, 2)
+        return np.array([action.force[0] for action in self.between]).reshape(-1, 2)
 
     @property
     def thrust_line(self) -> "tuple[InflectionLine | None, ...]":
@@ -693,8 +693,8 @@ class Rod:
         if acting:
             between = lumped(acting, self.s.size, self.length)
             force += edge_forces(between[0], between)
-            for one in acting:
-                nodal += np.einsum("nk,kc->nc", self.s[:, None] > one.s, one.force)
+            for action in acting:
+                nodal += np.einsum("nk,kc->nc", self.s[:, None] > action.s, action.force)
         # a node at a station may have the force before or after it
         missing = self.force - nodal
         force += np.median(missing, axis=0) if acting else missing.mean(axis=0)
@@ -702,7 +702,7 @@ class Rod:
         if self.between:
             slack = slack_elements(self.between, force)
             bracing = bracing_of(
-                [one for one in self.between if one not in slack], tangents=tangents(angles),
+                [action for action in self.between if action not in slack], tangents=tangents(angles),
                 edge_length=edge_length, supports=self.supports, position=self.position,
                 curvature=self.curvature,
             )  # fmt: skip
