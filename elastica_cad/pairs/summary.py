@@ -5,9 +5,10 @@ from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.refusals import Length, Refusal, Span, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
+from elastica_cad.strip.summary import LATER
 
 
-def pair_rows(part: Flexure, *, quick: bool = False) -> tuple[Row, ...]:
+def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tuple[Row, ...]:
     """Return the report on a part in rows, with warnings before notes.
 
     Parameters
@@ -15,6 +16,8 @@ def pair_rows(part: Flexure, *, quick: bool = False) -> tuple[Row, ...]:
     part : Flexure
     quick : bool
         Leave out the path between the states, which takes longest to compute.
+    live : bool
+        Show "…" for stability.
     """
     path = [] if quick else [Row(note("Force"), _force(part))]
     first, second = part.rest_deviations
@@ -22,7 +25,8 @@ def pair_rows(part: Flexure, *, quick: bool = False) -> tuple[Row, ...]:
         "{far} and {other} from the curves at rest, because forces stretch the part",
         far=about(first), other=about(second),
     )  # fmt: skip
-    rows = [_size(part), _strain(part, quick=quick), _stability(part), *path, Row(note("Accuracy"), rest)]
+    stability = Row(note("Stability"), LATER) if live else _stability(part)
+    rows = [_size(part), _strain(part, quick=quick), stability, *path, Row(note("Accuracy"), rest)]
     return in_order(rows)
 
 

@@ -410,6 +410,7 @@ def _pair(request: Mapping[str, Any]) -> Record:
         places.append({
             "position": _rounded(rod.position[k], 3), "width": _rounded(wide, 3), "shares": _rounded(used, 3)
         })  # fmt: skip
+    rows = pair_rows(part, quick=True, live=bool(request.get("live")))
     together = Row(
         note("Hold"),
         note("both states in the same clamps" if pair.bistable else "each state in clamps of its own"),
@@ -420,7 +421,7 @@ def _pair(request: Mapping[str, Any]) -> Record:
         "flat": _flat((part.drawing(), part.holder())),
         "text": str(pair.check),
         "length": round(pair.length, 2),
-        "rows": _rows(in_order([*pair_rows(part, quick=True), together, *faults])),
+        "rows": _rows(in_order([*rows, together, *faults])),
     }
 
 
