@@ -539,7 +539,7 @@ class Lean:
         (into, left), (slopes, places, bent) = wall.T, self._at_rest
         gaps = left + self.shift + self.turn * into - np.interp(into, places, bent)
         place = float(into[np.abs(gaps).argmin()])
-        return place, float(slopes[min(int(place / self.piece), slopes.size - 1)])
+        return place, float(slopes[np.clip(int(place / self.piece), 0, slopes.size - 1)])
 
     @cached_property
     def _at_rest(self) -> tuple[FloatArray, FloatArray, FloatArray]:
