@@ -77,7 +77,7 @@ class TestFreeFunctions:
 
     def test_several_edges_and_workplanes(self, edge):
         arc = cq.Edge.makeThreePointArc(cq.Vector(0, 0), cq.Vector(10, 10), cq.Vector(20, 0))
-        with pytest.warns(StripWarning, match=r"strain 4 %.*beyond"):
+        with pytest.warns(StripWarning, match=r"strain is 4 %.*allows"):
             assert flat_strip([arc], SHEET, max_width=5, ignore_limits=True).rod.length == pytest.approx(
                 10 * np.pi
             )
@@ -124,9 +124,7 @@ class TestWorkplane:
 
     def test_outlines_join_no_solid(self):
         drawn = cq.Workplane().box(400, 60, 10).faces(">Z").workplane().spline(POINTS)
-        with pytest.raises(
-            InputError, match="An outline is a face and cannot be combined with a solid: extrude it first"
-        ):
+        with pytest.raises(InputError, match="An outline is a face and cannot be combined with a solid"):
             drawn.elasticStrip(SHEET, form="outline", combine=True, **OPTIONS)
 
     def test_combines(self):
@@ -179,7 +177,7 @@ class TestBadInput:
         assert cq.Workplane.elasticStrip is print
 
     def test_nothing_drawn(self):
-        with pytest.raises(InputError, match="there is no curve"):
+        with pytest.raises(InputError, match="There is no curve"):
             cq.Workplane().elasticStrip(SHEET, max_width=3)
 
     def test_unknown_form(self):
@@ -187,7 +185,7 @@ class TestBadInput:
             cq.Workplane().spline(POINTS).elasticStrip(SHEET, max_width=3, form="rolled")
 
     def test_no_edge(self):
-        with pytest.raises(ValueError, match="not int"):
+        with pytest.raises(ValueError, match="A int is not an edge"):
             flat_strip(3, SHEET, max_width=3)
 
 

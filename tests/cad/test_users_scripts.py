@@ -202,11 +202,9 @@ class TestCadQuery:
                 CURVE, SHEET, max_width=12, compensate="no"
             ),
             "walls is not an option of a fixture: did you mean wall": lambda: rib.fixture(walls=3),
-            "not 'middle'": lambda: rib.end_face("middle"),
+            "no end 'middle'": lambda: rib.end_face("middle"),
             "Pass a point in space, or two numbers": lambda: rib.bent(end="x"),
-            "face, shell or solid, not int": lambda: cq_strips.section_strips(
-                5, cq.Plane.XZ(), SHEET, max_width=9
-            ),
+            "A int cannot be cut": lambda: cq_strips.section_strips(5, cq.Plane.XZ(), SHEET, max_width=9),
             "plane is 'XZ'": lambda: cq_strips.section_strips(ball, "XZ", SHEET, max_width=9),
             "angles must be two": lambda: cq_strips.elastica((0, 0), (10, 0), 50, angles=30),
             r"a StripSpec is no curve: give the strip that its \.make\(\)": lambda: cq_strips.bent_strip(
