@@ -207,11 +207,13 @@ class TestCadQuery:
             "A int cannot be cut": lambda: cq_strips.section_strips(5, cq.Plane.XZ(), SHEET, max_width=9),
             "plane is 'XZ'": lambda: cq_strips.section_strips(ball, "XZ", SHEET, max_width=9),
             "angles must be two": lambda: cq_strips.elastica((0, 0), (10, 0), 50, angles=30),
-            r"a StripSpec is no curve: give the strip that its \.make\(\)": lambda: cq_strips.bent_strip(
+            r"A StripSpec is not a curve\. Pass the strip that its \.make\(\)": lambda: cq_strips.bent_strip(
                 StripSpec(CURVE, SHEET, max_width=12)
             ),
-            r"a Rod is no curve: give ec\.Strip": lambda: cq_strips.bent_strip(rib.rod, SHEET, max_width=12),
-            r"a Placed is no curve: give its \.strip": lambda: cq_strips.bent_strip(rib.placed),
+            r"A Rod is not a curve\. Pass ec\.Strip": lambda: cq_strips.bent_strip(
+                rib.rod, SHEET, max_width=12
+            ),
+            r"A Placed is not a curve\. Pass its \.strip": lambda: cq_strips.bent_strip(rib.placed),
             "a list is not a model": lambda: cq_strips.model_assembly([rib.placed]),
             "buckling is 0: it must be": lambda: cq_strips.elastica((0, 0), (10, 0), 50, buckling=0),
         }
