@@ -243,7 +243,7 @@ def refuse_unknown(options: Iterable[str], known: Iterable[str], what: str) -> N
     --------
     >>> refuse_unknown(["widht"], ["width", "height"], "a plate")
     Traceback (most recent call last):
-    elastica_cad.errors.UnknownOptionError: widht is no option of a plate: did you mean width?
+    elastica_cad.errors.UnknownOptionError: widht is not an option of a plate: did you mean width?
     """
     names = sorted(known)
     for name in options:

@@ -14,7 +14,7 @@ import numpy as np
 
 import elastica_cad as ec
 from elastica_cad.design.design_file import read_design
-from elastica_cad.forming import nearest_search, rod_spec
+from elastica_cad.forming import nearest_search, rod_solution
 
 HERE = Path(__file__).parent
 NUMBERS = HERE.parent / "docs" / "models_in_numbers.md"
@@ -47,7 +47,7 @@ SOLVERS = [
     for place, names in (
         (ec, ("nearest_rod", "nearest_rods", "optimal_rod", "revolution")),
         (ec.mechanics, ("optimal_laminate",)),
-        (rod_spec, ("rod_of_request", "optimal_laminate")),
+        (rod_solution, ("rod_of_request", "laminate_of_request")),
         (nearest_search, ("find_nearest",)),  # where a request imports it from, when it may change
     )
     for name in names

@@ -144,8 +144,8 @@ def say_row(row: Row, *, is_answer: bool = False) -> None:
 
 def _print_row(row: Row, *, err: bool) -> None:
     label, text = printed_row(row)[:LABEL_WIDTH], printed_row(row)[LABEL_WIDTH:]
-    colour = "red" if row.stops else None  # click drops it if the output is not a terminal
-    click.echo(click.style(printable(label), fg=colour) + printable(text), err=err)
+    label = click.style(printable(label), fg="red") if row.stops else printable(label)
+    click.echo(label + printable(text), err=err)  # without the colour if the output is not a terminal
 
 
 def say_table(columns: Mapping[str, Sequence[str]]) -> None:

@@ -29,7 +29,7 @@ def tables() -> dict[str, Keys]:
     Examples
     --------
     >>> tables()["point mass"]["mass"][1]
-    'Mass that hangs there (g).'
+    'Mass hung at this place (g).'
     """
     records: dict[str, Record] = {"design": DesignKeys}
     waiting: list[Record] = [DesignKeys]

@@ -31,7 +31,7 @@ def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
     ... def block(**sizes):
     ...     "A block."
     >>> block.__doc__.splitlines()[4:6]
-    ['clearance : float', '    Room around the tab in its pocket (mm).']
+    ['clearance : float', '    Clearance around the tab in its pocket (mm).']
     """
 
     def add(thing: T) -> T:

@@ -194,6 +194,7 @@ def two_state_rod(
 
     Examples
     --------
+    >>> from elastica_cad.mechanics.least_ratio import optimal_rod
     >>> arch = PlaneCurve.spline([(0, 0), (30, 14), (70, 14), (100, 0)], degree=3)
     >>> clip = two_state_rod(arch, arch.transformed(np.diag([1.0, -1.0, 1.0])))
     >>> round(clip.ratio / optimal_rod(arch).ratio, 6)

@@ -92,8 +92,9 @@ def _nearest(strip: Strip, near: NearestRod | None) -> Iterator[Row]:
         return
     far = near.deviation > FAR_SHARE * strip.rod.length
     text = note("at most {far} from the drawn curve", far=Length(near.deviation))
-    details = (note(near.status.value), *near.advice)
-    yield Row(note("Curve"), text, details, "warning" if far else "note")
+    yield Row(note("Curve"), text, (note(near.status.value),), "warning" if far else "note")
+    if advice := near.advice:
+        yield Row(note("Change"), advice[0], advice[1:])
 
 
 def strain_rows(strip: Strip) -> Iterator[Row]:

@@ -192,7 +192,7 @@ def test_the_spiral_of_card_is_told_to_be_too_tight(example, built):
     (card,) = names["build"](names["CARD"]).strips
     told = [text for text in card.warnings if "allows 0.5 %" in text]
     assert len(told) == 1
-    assert "strain 0.66 % at 9.75 mm" in told[0]
+    assert "strain is 0.66 % at 9.75 mm" in told[0]
     (paper,) = built("spiral").strips
     assert paper.max_strain == pytest.approx(card.max_strain / 2)
     assert not any("beyond" in text for text in paper.warnings)

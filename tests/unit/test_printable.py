@@ -16,6 +16,11 @@ SEEN = r"L\u001b]52;c;eA==\u0007\u009b31m\u202e\u2066"
 STEERING = set("\x1b\x07\x9b\r\u202e\u2066")
 
 
+def uncoloured(text):
+    """Text without the red of the program's own labels."""
+    return text.replace("\x1b[31m", "").replace("\x1b[0m", "")
+
+
 DXF_HEADER = (
     "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1021\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES"
 )
@@ -54,7 +59,7 @@ def test_terminals(tmp_path, file):
     (tmp_path / file).write_text(FILES[file], encoding="utf-8")
     command = "model" if file.endswith("toml") else "check"
     done = run(command, tmp_path / file, color=True, code=None)
-    assert not STEERING & set(done.output)
+    assert not STEERING & set(uncoloured(done.output))
     if file != "curves.json":
         assert r"\u202e" in done.output or r"\x1b" in done.output, done.output
     told = run(command, tmp_path / file, "--json", color=True, code=None)
@@ -68,7 +73,7 @@ def test_programs_get_the_names_as_they_are():
 
 @pytest.mark.parametrize("words", [[NAME], ["check", NAME], ["check", "a.svg", f"--{NAME}"]])
 def test_what_was_typed(words):
-    assert not STEERING & set(run("", *words, color=True, code=2).output)
+    assert not STEERING & set(uncoloured(run("", *words, color=True, code=2).output))
 
 
 def test_html():

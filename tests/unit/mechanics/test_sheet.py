@@ -336,5 +336,5 @@ def test_a_sheets_file_of_a_windows_editor_is_read(tmp_path):
     path.write_bytes(b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode())
     assert load_sheets(path)["mine"].thickness == 0.8
     path.write_bytes(text.encode("utf-16"))
-    with pytest.raises(InputError, match="Save it as UTF-8 text"):
+    with pytest.raises(InputError, match="save it as text in UTF-8"):
         load_sheets(path)

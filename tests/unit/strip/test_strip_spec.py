@@ -166,7 +166,7 @@ class TestLoads:
         ({"curve": POLES}, "give a PlaneCurve"),
         ({"sheet": 3}, "not int"),
         ({"sheet": "paper"}, "unknown sheet"),
-        ({"frame": (0, 0, 0)}, "give a Frame"),
+        ({"frame": (0, 0, 0)}, "Pass a Frame"),
         ({"max_width": 0}, "max_width is 0: it must be a number above 0"),
         ({"min_width": math.nan}, "min_width is nan: it must be a number above 0"),
         ({"max_width": "wide"}, "max_width is 'wide'"),
