@@ -226,7 +226,7 @@ def _refuse_unknown(options: Mapping[str, Any], sizes: Sequence[str] = ()) -> No
     known = {"plane", *sizes, *(field.name for field in fields(StripSpec))} - {"curve", "sheet", "frame"}
     for name in options:
         if name in GIVEN_OTHERWISE and name not in known:
-            raise UnknownOptionError(f"{name} is not an option of a strip. Pass {GIVEN_OTHERWISE[name]}.")
+            raise UnknownOptionError(f"{name} is not an option of a strip. Pass {GIVEN_OTHERWISE[name]}")
     refuse_unknown(options, known, "a fixture" if sizes else "a strip")
 
 

@@ -120,9 +120,9 @@ class TestRefused:
             (lambda: [line((0, 0, 0), (1, 0, 0)), line((5, 0, 0), (9, 0, 0))], "2 separate chains"),
             (lambda: [line((0, 0, 0), (9, 0, 0)), line((9, 0, 0), (9, 5, 0))], r"90 degrees at \(9, 0, 0\)"),
             (lambda: [], "there is no edge"),
-            (lambda: 7, "edge or wire .* not int"),
-            (lambda: [line((0, 0, 0), (1, 0, 0)), "x"], "not str"),
-            (lambda: BRepBuilderAPI_MakeEdge(gp_Lin(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0))).Edge(), "infinity"),
+            (lambda: 7, "an object of type int is not an edge or wire"),
+            (lambda: [line((0, 0, 0), (1, 0, 0)), "x"], "of type str is not an edge"),
+            (lambda: BRepBuilderAPI_MakeEdge(gp_Lin(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0))).Edge(), "infinitely long"),
         ],
     )  # fmt: skip
     def test_with_a_reason(self, shape, says):

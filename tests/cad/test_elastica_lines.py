@@ -82,7 +82,7 @@ def test_bodies_are_bent_by_degrees_as_lines_are():
     assert np.degrees(rib.bent(angles=(40, -40)).rod.angle[[0, -1]]) == pytest.approx([40, -40])
     with pytest.raises(InputError, match=r"degrees, from -360 to 360, got \(400, 0\)"):
         rib.bent(angles=(400, 0))
-    with pytest.warns(StripWarning, match=r"Angles are in degrees, and 0\.8, -0\.8 is little"):
+    with pytest.warns(StripWarning, match=r"Angles are in degrees, and 0\.8, -0\.8 is small"):
         rib.bent(angles=(0.8, -0.8))
 
 

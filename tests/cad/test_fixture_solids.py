@@ -188,7 +188,7 @@ def test_a_leaning_strip_wider_than_its_tab_is_kept_out_of_the_base_plate(measur
 def test_prisms_must_make_one_body():
     plate = FlatSolid(Path.rectangle(10, 10), thickness=2.0)
     apart = FlatSolid(Path.rectangle(10, 10, corner=(20, 0)), thickness=2.0)
-    with pytest.raises(ValueError, match="leave 2 pieces"):
+    with pytest.raises(ValueError, match="form 2 separate pieces"):
         occt.make_solid(PrismSolid((plate, apart)))
     with pytest.raises(ValueError, match="at least one prism"):
         PrismSolid(())

@@ -68,5 +68,5 @@ def test_help_in_cadquery():
 @pytest.mark.cadquery
 def test_the_old_name_of_what_is_engraved_on_a_block_is_refused():
     edge = cq.Edge.makeSpline([cq.Vector(0, 0), cq.Vector(60, 50), cq.Vector(120, 0)])
-    with pytest.raises(TypeError, match=r"give engrave="):
+    with pytest.raises(TypeError, match=r"Pass engrave="):
         cq_strips.end_fixture(edge, "card-200gsm", max_width=20, number="7")

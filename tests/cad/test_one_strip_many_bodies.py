@@ -230,7 +230,7 @@ class TestOptions:
         [
             ({"slot": 3}, "did you mean slots"),
             ({"backing": "pom-0.5"}, r"style=Laminated\(width=\.\.\., backing=\.\.\.\)"),
-            ({"widht": 3}, "widht is no option"),
+            ({"widht": 3}, "widht is not an option"),
             ({"slots": 3}, "slots"),
             ({"ends": 5}, "ends"),
         ],
@@ -242,7 +242,7 @@ class TestOptions:
     def test_a_strip_has_its_options(self, library):
         strip = Strip(optimal_rod(CURVE), Sheet.named(SHEET), max_width=30)
         with pytest.raises(
-            InputError, match="sheet, max_width, label cannot be given for a strip that is made"
+            InputError, match="sheet, max_width, label: the options of a finished strip cannot be changed"
         ):
             made_by(library)(strip, SHEET, max_width=20, label="B")
         with pytest.raises(InputError, match="needs a sheet"):

@@ -28,7 +28,7 @@ def made(library, curve, tab):
         else:
             body = cq_strips.bent_strip(curve, SHEET, max_width=20, ends=ends)
     assert all(one.filename == __file__ for one in told)
-    return body, [str(one.message) for one in told if "through itself" in str(one.message)]
+    return body, [str(one.message) for one in told if "intersects itself" in str(one.message)]
 
 
 LIBRARIES = [pytest.param(name, marks=getattr(pytest.mark, name)) for name in ("build123d", "cadquery")]
@@ -53,7 +53,7 @@ class TestWarnings:
     def test_bent_until_the_tabs_meet(self, library):
         body, told = made(library, ring(300), 4)
         assert told == []
-        with pytest.warns(StripWarning, match="through itself"):
+        with pytest.warns(StripWarning, match="intersects itself"):
             body.bent(end=tuple(body.rod.position[0] + (0.05, -0.2)))
 
 
@@ -76,11 +76,11 @@ def test_grazing_tabs(gap):
 
 @pytest.mark.build123d
 def test_slot_makes_room():
-    with pytest.warns(StripWarning, match="through itself"):
+    with pytest.warns(StripWarning, match="intersects itself"):
         crossing = bd_strips.BentStrip(LOOP, SHEET, max_width=20)
     at = self_contact(crossing.strip)[0]
     with warnings.catch_warnings():
-        warnings.filterwarnings("error", message=".*through itself")
+        warnings.filterwarnings("error", message=".*intersects itself")
         bd_strips.BentStrip(LOOP, SHEET, max_width=20, slots=Slot(at, width=1.0))
 
 
