@@ -28,7 +28,7 @@ NAMES = {
     "Can it be bent?": ("check_equilibrium", "EquilibriumCheck", "NotRealizable", "split"),
     "Rods": (
         "optimal_rod", "Rod", "bend", "stability", "Stability", "stability_limit", "Supports", "End", "Gravity",
-        "Weight", "PointMass",
+        "Weight", "PointMass", "PointForce", "Rail", "Pin", "Tie",
     ),
     "The nearest rod": (
         "nearest_rod", "nearest_rods", "NearestRod", "Status", "Limits", "Keep", "Box", "HalfPlane",

@@ -319,7 +319,7 @@ def test_whether_it_stays_in_its_plane_is_known_with_the_shape(document, sketch,
 
 @pytest.mark.parametrize(
     ("found", "says"),
-    [(InputError("its tabs do not reach"), "its tabs do not reach"), (None, "no shape near")],
+    [(InputError("its tabs do not reach"), "its tabs do not reach"), (None, "not take a shape near")],
 )
 def test_why_it_is_held_in_no_shape(document, sketch, monkeypatch, found, says):
     """What failed is told: the panel does not wait for ever."""

@@ -37,7 +37,7 @@ def test_a_law_that_no_strip_has_is_told(document, drawn):
 def test_a_law_that_cannot_be_read_is_shown_how(document, drawn):
     feature = strip.create(document, drawn(POINTS, 4))
     change(feature, Sheet="pom-1", Law="thickness")
-    shown = feature.getStatusString().partition("such as ")[2]
+    shown = feature.getStatusString().partition("such as ")[2].rstrip(".")
     feature.Law = shown.replace("[3, 8]", "[0.5, 3]")  # as thick as the curve can be
     document.recompute()
     assert feature.State == ["Up-to-date"], feature.getStatusString()

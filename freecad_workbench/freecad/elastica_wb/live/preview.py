@@ -121,7 +121,7 @@ class Handles:
         self._view, self._placement, self._moved, self._let_go = view, placement, moved, released
         self._scene = view.getSceneGraph()
         self._held: int | None = None
-        self._soon = later(self._tell)
+        self._soon = later(self._notify)
         self.root = marks_in_plane("ElasticaHandles", placement)
         self._color, self._points, marks = coin.SoBaseColor(), coin.SoCoordinate3(), coin.SoMarkerSet()
         self._color.rgb = REST
