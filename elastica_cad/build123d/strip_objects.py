@@ -75,7 +75,7 @@ class _Made(StripBody):
 
     @property
     def _parts(self) -> list[bd.Compound]:
-        """The parts that several `Locations` made of the body; none of them where it was made once."""
+        """Parts made from the body at several `Locations`; empty for a single location."""
         body: Any = self
         return [part for part in body if isinstance(part, bd.Compound)]
 

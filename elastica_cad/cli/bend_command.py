@@ -320,9 +320,10 @@ def _print_shapes(
     )
     say_row(Row("Size", f"{rod.length:.1f} mm long", [f"The stiffness ratio is {rod.ratio:.4g}."]))
     width, height = np.ptp(shapes[-1].position, axis=0)
-    say_row(
-        Row("Shape", f"at the end {width:.1f} x {height:.1f} mm, least radius {_least_radius(shapes[-1])} mm")
-    )
+    radius = _least_radius(shapes[-1])
+    say_row(Row("Shape", f"last shape {width:.1f} x {height:.1f} mm, least radius {radius} mm"))
+    (x0, y0), (x1, y1) = np.round(shapes[-1].position[[0, -1]], 2) + 0.0
+    say_row(Row("Ends", f"from ({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}) mm in the drawing"))
     say_row(_worst(states, moved))
     for warning in dict.fromkeys(text for shape in shapes for text in shape.warnings):
         say_row(Row("Warning", warning, severity="warning"))

@@ -17,7 +17,7 @@ from elastica_cad.cli.options import (
 from elastica_cad.cli.requested_curves import requested_curves, unit_option
 from elastica_cad.cli.settings import parsed_settings, set_option
 from elastica_cad.cli.strip_options import with_settings
-from elastica_cad.cli.voice import answer, say, say_row, say_step, wrote
+from elastica_cad.cli.voice import answer, say_row, say_step, wrote
 from elastica_cad.declared import Option, Record, declared
 from elastica_cad.defaults import KERF
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
@@ -91,7 +91,7 @@ def pair(**chosen: Any) -> None:
     name = chosen["name"] or path.stem
     cutting.options(Sheet.of(spec.sheet))  # refuses a kerf that is not known before all the work
     if matched := spec.matched:
-        say(str(matched))
+        say_row(Row("Curves", str(matched)))
     say_step("looking for the rod that rests in both curves")
     _ = spec.pair
     say_step("following it from one state to the other")
@@ -100,7 +100,7 @@ def pair(**chosen: Any) -> None:
     written = made.kit.write(chosen["output"], force=chosen["force"], process=process)
     _report(made)
     answer({"pair": made.kit.report})
-    wrote(written)
+    wrote(written, {f"{name}.dxf": "cut", f"{name}-holder.dxf": "cut, holder"})
 
 
 def _spec_of(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:

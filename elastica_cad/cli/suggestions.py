@@ -34,7 +34,7 @@ TYPED = "elastica.typed"
 """Key of the words that the user typed, in click's `meta`."""
 
 MOST_REFUSALS = 7
-"""Curves of a file whose refusals are printed."""
+"""Largest number of curves of a file whose refusals are printed."""
 
 
 def typed_line(*added: str, instead: str | None = None) -> str:

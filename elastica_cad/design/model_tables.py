@@ -1,4 +1,4 @@
-"""Tables for the pieces besides the strips of a model, and for a part with two rest shapes."""
+"""Tables for the parts of a model that are not strips, and for a part with two rest shapes."""
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace

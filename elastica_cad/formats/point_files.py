@@ -349,7 +349,7 @@ def _mapped(columns: list[Column], change: Callable[[str], str]) -> list[Column]
 
 
 def _without_units(columns: list[Column]) -> tuple[list[Column], list[str]]:
-    """Return columns without units after their numbers, "12.5 mm", and these units."""
+    """Return the columns of numbers such as "12.5 mm" without their units, and the units."""
     units: dict[str, None] = {}
 
     def bare(cell: str) -> str:

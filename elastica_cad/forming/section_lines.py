@@ -511,7 +511,7 @@ def _unfitted(line: SectionLine, tolerance: float) -> str:
 def _sharpest(line: SectionLine, turned: FloatArray) -> str:
     worst = int(turned.argmax())
     return note(
-        "the section turns by {angle:.3g} degrees at {place}",
+        "the section has a corner of {angle:.3g} degrees at {place}",
         angle=np.degrees(turned[worst]),
         place=_place(line, line.points[worst + 1]),
     )

@@ -399,7 +399,7 @@ class PanelFunction:
 
     @property
     def extreme_places(self) -> tuple[IntArray, FloatArray]:
-        """Panels and positions x of the samples and extremes of `extremes`."""
+        """Panels and positions x at which `extremes` returns values: samples and local extremes."""
         panel, sample, x = self.found_extremes
         return np.concatenate([panel, panel]), np.concatenate([_DENSE[sample], x])
 

@@ -247,7 +247,7 @@ def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -
 def _held(
     model: Model, holders: Sequence[Holder], unheld: Mapping[int, object]
 ) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
-    """Return the shape as made of every held strip, and notes on tabs that rock and shapes that were not found."""
+    """Return the as-made shape of each held strip, and notes on tabs that rock and strips without rest."""
     held_shapes = dict[str, HeldShape]()
     notes = [*holder_plays(model.placed, holders), *rocking_tabs(model.placed, holders)]
     shapes = zip(distinct_names(model.placed), hold_each(model.placed, holders), strict=True)

@@ -49,7 +49,7 @@ class Creep:
 
     @property
     def sag(self) -> float:
-        """Largest move of the shape, mm; 0 without weight, dead force and dead moment."""
+        """Largest move of the shape, mm; 0 without weight and constant loads on free ends."""
         return float(np.hypot(*(self.later.position - self.rod.position).T).max())
 
     @property

@@ -404,7 +404,7 @@ def _with_line(
     meetings_of = (
         ("crosses the curve at {places}", crossings),
         ("touches the curve at {places}", touches),
-        ("is tangent to the curve at the inflection at {places}", tangents),
+        ("is tangent to the curve at its inflection at {places}", tangents),
     )
     reason = note(
         "{line} {meets}. The stiffness would have to be 0 or negative there. Move the curve off the line "

@@ -110,7 +110,7 @@ def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
 
 
 def _label_lines(strip: Strip) -> list[str]:
-    """Return the lines below a side view."""
+    """Return the lines of text below a side view."""
     law, sheet = strip.layout.section, strip.sheet
     flat = law is not None and law.quantity == "thickness"
     stock = sheet.full_name.removesuffix(f" {sheet.thickness:g} mm")  # a sheet is given for its wood

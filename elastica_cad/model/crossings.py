@@ -26,7 +26,7 @@ from elastica_cad.geometry.splines import SplineFunction
 STATIONS = 400
 """Least number of samples of a strip for its crossings; interpolation between them is accurate to 1e-5 mm."""
 
-_TABLES = 128  # curves whose tables are kept: equal strips share theirs, as do crossings and collisions
+_TABLES = 128  # largest number of curves whose tables are cached for equal strips, crossings and collisions
 _ROUNDING = 1e-12  # of places: strips as thin as a line may meet in spite of it
 
 InPlane = tuple[FloatArray, FloatArray]
@@ -261,7 +261,7 @@ def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
 
 @dataclass(frozen=True, eq=False)
 class _Heights:
-    """The heights of both curves along n, and what follows from equal heights."""
+    """Heights of both curves along the direction n, and where they are equal."""
 
     a: RuledStrip
     b: RuledStrip

@@ -220,8 +220,8 @@ class EndFixture(EqualByValue):
         require_declared(EndFixture, vars(self), f"{who}:")
         if self.foot and self.screw > 0.8 * min(self.foot, self.across):
             raise InputError(
-                "{who}: a screw of {screw:g} does not fit a foot of {foot:g} by {across:.4g}: make "
-                "the foot longer or the screw thinner",
+                "{who}: a screw of {screw:g} does not fit into a foot of {foot:g} x {across:.4g}: make the "
+                "foot longer or the screw thinner",
                 who=who,
                 screw=Length(self.screw),
                 foot=self.foot,

@@ -436,7 +436,7 @@ class Flexure:
         )
 
     def _pad_corners(self, line: "CentreLine", s: float, sign: int) -> list[FloatArray]:
-        """Return the four corners of a pad, anticlockwise from the right side."""
+        """Return the four corners of a pad, anticlockwise from the lower right corner."""
         position, along, across = self._root(line, s, sign)
         half = self.pad_width / 2 * across
         far = position + self.pad.length * along
@@ -491,8 +491,8 @@ class Flexure:
         )
         if apart < self.pad.hole + self.sheet.thickness / 2:
             raise InputError(
-                "holes of the two settings are {apart} apart in the holder and overlap. Change the length of "
-                "the pads, or turn the second curve so that its end moves",
+                "the holder's holes for the two states are only {apart} apart and overlap. Change the length "
+                "of the pads, or turn the second curve so that its end is elsewhere",
                 apart=Length(apart),
             )
         texts = [
@@ -698,8 +698,8 @@ class Flexure:
             )  # fmt: skip
         for name, gap in self.contacts.items():
             yield InputError(
-                ("{name} the part comes within {gap} of itself and touches itself: draw the curves more open "
-                 "there"),
+                ("{name} two places of the part are only {gap} apart, so the part may touch itself: draw the "
+                 "curves more open there"),
                 name=name, gap=Length(max(gap, 0.0)),
             )  # fmt: skip
 

@@ -113,7 +113,7 @@ class PushPath:
 
     @property
     def barrier(self) -> float:
-        """Work of the push up to the snap over the stiffness (N mm2), 1/mm; not necessarily the least work."""
+        """Work of the push up to the snap, divided by the stiffness (N mm2), 1/mm; other pushes may need less."""
         end = self.travel[-1] if self.snap is None else self.snap
         return float(np.interp(end, self.travel, self.energy) - self.energy[0])
 
@@ -175,7 +175,7 @@ def push_path(
 
 
 def rest_shape(rod: Rod, *, thickness: float | None = None) -> RestShape:
-    """Return the rest shape that a clamped rod, which stretches, takes if it is let go in its own shape.
+    """Return the rest shape of a clamped rod that can stretch, found from its unstretched shape.
 
     Parameters
     ----------

@@ -43,9 +43,10 @@ def _size(part: Flexure) -> Row:
 def _strain(part: Flexure, *, quick: bool) -> Row:
     strains = (*part.strain, *(() if quick else (part.travel_strain,)))
     text = note(
-        "{first:.2f} % and {second:.2f} % in the two states; {sheet} allows {limit:.2f} % for long" if quick else
+        "{first:.2f} % and {second:.2f} % in the two states; {sheet} allows {limit:.2f} % in the long term"
+        if quick else
         "{first:.2f} % and {second:.2f} % in the two states, {between:.2f} % between them; {sheet} allows "
-        "{limit:.2f} % for long",
+        "{limit:.2f} % in the long term",
         first=100 * strains[0], second=100 * strains[1], between=100 * strains[-1],
         sheet=part.sheet.name, limit=100 * part.sheet.max_strain,
     )  # fmt: skip

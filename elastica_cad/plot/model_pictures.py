@@ -279,7 +279,7 @@ def _seen(
     flat: tuple[Sequence[EqualStrips], float] | None = None,
     faces: Sequence[Frame] = (),
 ) -> Figure:
-    """Paint patches (n, k, 3) from the farthest to the nearest, and flat parts with the length of the longest part.
+    """Paint patches (n, k, 3) from the farthest to the nearest, and flat parts at the scale of the longest part.
 
     Patches on the viewer's side of a plate's face are painted after the patches on its other side. If they were
     sorted by depth alone, tabs would have ragged edges in their slots.

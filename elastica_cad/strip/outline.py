@@ -99,7 +99,7 @@ class TSlot:
             )
 
     def side(self, edge: float) -> list[tuple[float, float]]:
-        """Return corners (x, y) from the outer edge at x = `edge` inward, at negative y."""
+        """Return the corners (x, y) of the slot at negative y, from the outer edge at x = `edge` inward."""
         y, n, a = -self.screw / 2, -self.nut[0] / 2, edge - self.wall
         deep = edge - self.depth
         points = [(edge, y), (a, y), (a, n), (a - self.nut[1], n), (a - self.nut[1], y), (deep, y)]

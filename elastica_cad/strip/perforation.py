@@ -493,8 +493,8 @@ class _Fit:
                     stiffness * self.K[i] / rigidity, scale * self.K[i] / rigidity, ".4g"
                 )
                 raise InputError(
-                    "the rod's bending stiffness needs {needed:g} of material at {s:.1f}, but only {given:g} "
-                    "fit: widen the outline or raise {field}",
+                    "the rod's bending stiffness needs a material width of {needed:g} at {s:.1f} from the "
+                    "start, but only {given:g} fit: widen the outline or raise {field}",
                     field=MATERIAL_WIDTH,
                     needed=Mm(needed),
                     s=Mm(self.s[i]),

@@ -203,7 +203,7 @@ STRAIGHT_SHARE = 1e-6
 """Fraction of the largest curvature below which the strip counts as not bent."""
 
 UNEVEN_JOINT_MM = 0.05
-"""Least reported difference between the widths of a closed strip's ends, mm."""
+"""Difference between the widths of a closed strip's ends, mm, above which it is reported."""
 
 
 def _breadth_message(width: Profile, tapered: dict[str, Profile], digits: str) -> str:
@@ -217,7 +217,7 @@ def _breadth_message(width: Profile, tapered: dict[str, Profile], digits: str) -
 
 
 def _mark_on_backing(curvature: FloatArray) -> str:
-    """Return the word engraved on both sheets of a laminate: the side that the engraved faces have when bent.
+    """Return the word engraved on both sheets of a laminate: INSIDE or OUTSIDE, the side of their engraved faces.
 
     The backing is on the right of the curve, seen from its start, so it is outside where the curve bends to the
     left. If the sense of bending changes, the word describes the first bend and names the end.

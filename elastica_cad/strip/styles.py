@@ -131,7 +131,7 @@ class Layout:
     material : Profile
         Intended net width of the sheet, mm.
     bending_stiffness : float
-        B, N mm2: the E I where K = 1.
+        B, N mm2: bending stiffness E I where the relative stiffness K is 1.
     pattern : Pattern or None
         Holes.
     backing : Backing or None

@@ -400,7 +400,7 @@ def find_strip_faults(
     >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
     A: only 1.5 mm wide at ... mm from the start of the curve (birch-plywood-0.8 needs 3 mm). ...
     """
-    if strip.layout.size is not None:  # not cut from a sheet; its law has its own limits
+    if strip.layout.size is not None:  # not cut from a sheet; its section law has limits of its own
         return ()
     shop = shop or FabricationLimits()
     name = strip.label or "strip"
@@ -557,9 +557,9 @@ def _place_on(strip: Strip, place: ThinPlace) -> str:
     """Return the position of a place of the flat part in words: along the strip, or in a tab."""
     length = strip.rod.length
     if place.x < 0:
-        return note("{into} into the tab at its start", into=Length(-place.x))
+        return note("in the tab at its start, {into} from the bent part", into=Length(-place.x))
     if place.x > length:
-        return note("{into} into the tab at its end", into=Length(place.x - length))
+        return note("in the tab at its end, {into} from the bent part", into=Length(place.x - length))
     return note("at {s} from the start of the curve", s=Length(place.x))
 
 
@@ -579,7 +579,9 @@ def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) 
         "only {wide:g} of material between two holes {at} ({sheet} needs {needed:g})",
         wide=wide, at=at, needed=needed, sheet=sheet.name,
     )  # fmt: skip
-    return Fault(name, what, note("Move the holes {shift} apart, or make them smaller", shift=shift))
+    return Fault(
+        name, what, note("Increase the distance of the holes by {shift}, or make them smaller", shift=shift)
+    )
 
 
 def _wider(strip: Strip, times: float) -> tuple[Change, ...]:

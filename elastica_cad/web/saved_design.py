@@ -32,7 +32,7 @@ def open_design(path: Path) -> Tables:
     Raises
     ------
     InputError
-        As `read_design`; or strips along sections of a mesh, which are not drawn.
+        As `read_design`; or the design has strips along sections of a mesh, which the page cannot edit.
     """
     with read_below(path.parent, Path()):
         return drawable(parse_design(path), path, read_curves)

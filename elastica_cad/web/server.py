@@ -162,7 +162,7 @@ class Studio:
             self._workers.request(page, {"do": "open"}, b'{"do": "open"}', greet)
             while True:
                 await self._take(page, await talk.receive_text(), send)
-        except (WebSocketDisconnect, KeyError):  # gone; or bytes, which no page of ours sends
+        except (WebSocketDisconnect, KeyError):  # the page is gone, or sent bytes, which our page never does
             with suppress(RuntimeError):
                 await talk.close()
         finally:

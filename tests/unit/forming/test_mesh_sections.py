@@ -336,7 +336,7 @@ def test_a_corner_that_cannot_be_followed_is_named():
     curves, (told,) = section_curves([saw], tolerance=1e-3)
     assert curves == ()
     assert told.startswith(
-        "saw: no smooth curve stays within the tolerance of 0.001 mm, because the section turns by 45 "
+        "saw: no smooth curve stays within the tolerance of 0.001 mm, because the section has a corner of 45 "
     )
     assert "Split the section at its corners" in told
 
@@ -390,7 +390,7 @@ def test_the_sharpest_corner_of_a_section_is_told_with_its_place():
     step = np.diff(rough, axis=0)
     turns = np.abs(np.diff(np.arctan2(step[:, 1], step[:, 0])))
     x, y, z = UPRIGHT.point(rough[1 + turns.argmax()])
-    assert f"turns by {np.degrees(turns.max()):.3g} degrees at ({x:.4g}, {y:.4g}, {z:.4g}) mm" in told
+    assert f"a corner of {np.degrees(turns.max()):.3g} degrees at ({x:.4g}, {y:.4g}, {z:.4g}) mm" in told
 
 
 @pytest.mark.parametrize("end", [(-60.0, 5.0), (60.0, 5.0), (20.0, 40.0), (-20.0, 40.0)])
@@ -413,7 +413,7 @@ def test_corners_of_coarse_meshes_are_named_and_split():
     (section,) = mesh_sections(*drum(), radial_planes((0, 0, 0), (0, 0, 1), 0.1), half=True)
     curves, reports = section_curves([section])
     assert curves == ()
-    assert "turns by 90 degrees" in reports[-1]
+    assert "a corner of 90 degrees" in reports[-1]
     assert "Split the section at its corners" in reports[-1]
     curves, _ = section_curves(section.line.split_at_corners(1.0))
     assert sorted(round(found.curve.length) for found in curves) == [50, 50, 120]

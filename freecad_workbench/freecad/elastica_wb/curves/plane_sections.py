@@ -295,7 +295,10 @@ def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> Pl
 
 
 def _edge_points(edges: Sequence[Part.Edge]) -> list[FloatArray]:
-    """Return points (n, 3) along each edge of a wire. FreeCAD crashes on some wires through a pole as a whole."""
+    """Return points (n, 3) along each edge of a wire.
+
+    FreeCAD crashes if some wires through the pole of a sphere are discretized in one call.
+    """
     count = max(SECTION_POINTS // len(edges), SECTION_POINTS // 4)
     return [np.array([tuple(p) for p in edge.discretize(Number=count)]) for edge in edges]
 
