@@ -185,7 +185,7 @@ class TestBadInput:
             cq.Workplane().spline(POINTS).elasticStrip(SHEET, max_width=3, form="rolled")
 
     def test_no_edge(self):
-        with pytest.raises(ValueError, match="A int is not an edge"):
+        with pytest.raises(ValueError, match="an object of type int is not an edge"):
             flat_strip(3, SHEET, max_width=3)
 
 

@@ -173,11 +173,11 @@ def test_a_drag_and_every_command(tmp_path):
     assert found["step volumes"] == pytest.approx(found["volumes"], rel=1e-6)
     assert found["marked"] == [True, False]
     assert "exists already" in found["export refused"]
-    assert "tick the box" in found["export refused"]
+    assert "allow overwriting" in found["export refused"]
     assert found["about an axis"][1]
     assert ">3</td>" in found["curves shown"][0]
     assert found["curves shown"][1] == 3
-    assert "choose under Closed lines" in found["closed sections"]
+    assert "in Closed lines" in found["closed sections"]
     assert found["halves"] == 11
     assert found["strips of sections"] == [[["Up-to-date"], True]] * 3
     assert any(line.startswith("Bending the strip (Escape") for line in found["bar"])
