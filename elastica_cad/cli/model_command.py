@@ -26,8 +26,9 @@ from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind
 from elastica_cad.model.model import Model
 from elastica_cad.plot.drawing_process import DrawingProcess
 from elastica_cad.refusals import Length, Refusal, is_reported, note
-from elastica_cad.report_rows import Row
+from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import about
+from elastica_cad.strip.pieces import EqualStrips
 from elastica_cad.strip.summary import accuracy_row, size_row
 
 MOST_SHOWN = 6
@@ -148,19 +149,15 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     answer(kit.report | {"folder": output})
     voice().files += [str(output / file.name) for file in kit.files]
     model, listed = contents.model, contents.cut_list
-    sizes: dict[str, list[str]] = {}
+    sizes: dict[str, list[EqualStrips]] = {}
     for part in model.parts:
-        text = f"{size_row(part.strip).text}{_accuracy(contents, part.name)}"
-        sizes.setdefault(text, []).append(part.name)
-    for text, names in sizes.items():
-        several = f"{names[0]}, {names[-1]}" if len(names) == 2 else f"{names[0]} x {len(names)}"
-        say_row(
-            Row(
-                several if names[1:] else names[0],
-                text,
-                [f"These are {', '.join(names)}."] if names[1:] else [],
-            )
-        )
+        held = contents.held.get(model.single_name_of(part.members[0]))
+        accuracy = "" if held is None else f"; accurate to about {about(held.expected)}"
+        sizes.setdefault(f"{size_row(part.strip).text}{accuracy}", []).append(part)
+    for text, parts in sizes.items():
+        count, names = sum(part.count for part in parts), [part.name for part in parts]
+        label = f"{names[0]} x {count}" if count > 1 else names[0]
+        say_row(Row(label, text, [f"These are {', '.join(names)}."] if names[1:] else []))
     say_row(
         Row(
             "Model",
@@ -180,7 +177,7 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     say_row(
         Row(
             "Sheets",
-            f"{', '.join(f'{count} of {name}' for name, count in kinds.items())} are needed",
+            ", ".join(f"{count} of {name}" for name, count in kinds.items()),
             [
                 f"{nest.name}: {counted(len(nest.pieces), 'piece')}, {100 * nest.share:.0f} % of the sheet"
                 f"{nest.grain and f', {nest.grain}'}"
@@ -190,11 +187,6 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     )
     start = [f"; open {output / START_PAGE} first" for file in kit.files if file.name == START_PAGE]
     say_row(Row("Files", f"{len(kit.files)} in {output}{''.join(start)}"))
-
-
-def _accuracy(contents: KitContents, name: str) -> str:
-    held = contents.held.get(name)
-    return "" if held is None else f"; accurate to about {about(held.expected)}"
 
 
 def _largest_move(contents: KitContents) -> Row | None:
@@ -224,7 +216,7 @@ def _before_you_cut(contents: KitContents, kit: Kit, output: Path) -> None:
     if messages:
         warn("Before you cut:", in_notes=False)
     for text in shown:
-        say_row(Row("Note", text, severity="warning"))
+        say_row(warning_row(text, "Note"))
     if len(messages) > len(shown):
         warn(f"All {len(messages)} notes are in {model.name}.json, or printed with -v.", in_notes=False)
 

@@ -497,6 +497,14 @@ def test_what_twelve_ribs_share_is_told_once(tmp_path):
     assert note.endswith("(and 11 more like this)")
 
 
+def test_equal_strips_have_one_row_with_their_number(design, tmp_path):
+    design.write_text(DESIGN.replace('label = "K{i}"', 'label = "K"'))
+    made = run("model", design, "-o", tmp_path / "kit", "--no-pictures", "--no-step", "--no-parts")
+    (row,) = (line for line in made.stdout.splitlines() if line.startswith("K "))
+    assert row.startswith("K x 2       376.6 mm long")
+    assert "accurate to about" in row
+
+
 def test_pieces_of_a_long_strip_leave_the_margin_of_the_sheet(tmp_path):
     """The stock is the sheet that parts are laid on, as one would write it; pieces of 600 mm were refused there."""
     path = tmp_path / "long.toml"
