@@ -36,6 +36,11 @@ class Row:
         return self.severity != "note"
 
 
+def warning_row(text: str, label: str = "Warning") -> Row:
+    """Return the row of a warning without details."""
+    return Row(label, text, severity="warning")
+
+
 def in_order(rows: Sequence[Row]) -> tuple[Row, ...]:
     """Return the rows with those that stop the user first."""
     return tuple(sorted(rows, key=lambda row: not row.stops))

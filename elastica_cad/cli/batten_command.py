@@ -25,7 +25,7 @@ from elastica_cad.kit.kit import can_draw, left_out
 from elastica_cad.mechanics.stiffness_law import MOST_LEAVES, RoundLaw, ThicknessLaw
 from elastica_cad.model.batten import Batten, BattenSpec, bench_csv, bench_drawing, camber_of
 from elastica_cad.refusals import Length
-from elastica_cad.report_rows import Row
+from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.strip import Strip
 
 LEAST_SHARE = 0.25  # default for the least size, as a fraction of the stock's size
@@ -137,7 +137,7 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
     say_row(Row("Camber", f"{camber}, at most {leafed.deviation:.2g} mm from the planed batten"))
     if not leafed.settled:
         text = "the search stopped before the ends of the plies settled; other ends may come nearer"
-        say_row(Row("Warning", text, severity="warning"))
+        say_row(warning_row(text))
     _print_load(strip, force)
     leaves = leafed.leaves
     say_table(
@@ -253,6 +253,6 @@ def _print_load(strip: Strip, end_force: float) -> None:
         f"{100 * strip.max_strain:.2f} % at {strip.max_strain_at:.0f} mm; "
         f"{strip.sheet.name} allows {100 * strip.strain_limit:.2f} %"
     )
-    warnings = [Row("Warning", text, severity="warning") for text in strip.warnings]
+    warnings = [warning_row(text) for text in strip.warnings]
     for row in (*warnings, Row("Force", f"{end_force:.3g} N at each end"), Row("Strain", strain)):
         say_row(row)

@@ -45,9 +45,9 @@ from elastica_cad.mechanics.loads import Gravity, Supports
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stability import SAFE_MARGIN, Stability, stability
+from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import ENGLISH
-from elastica_cad.report_rows import Row
+from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.travel import Travel, bend_strip
 
@@ -308,8 +308,7 @@ def _print_shapes(
     rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability], moved: Travel | None
 ) -> None:
     """Print a table with a line for every shape, and a summary in rows."""
-    states = ["stable" if verdict.margin >= SAFE_MARGIN else "close to snapping" if verdict.stable else "unstable"
-              for verdict in verdicts]  # fmt: skip
+    states = [verdict.rating for verdict in verdicts]
     say_table(
         {
             **(_places(shapes) if moved is None else _forces(moved)),
@@ -326,7 +325,7 @@ def _print_shapes(
     say_row(Row("Ends", f"from ({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}) mm in the drawing"))
     say_row(_worst(states, moved))
     for warning in dict.fromkeys(text for shape in shapes for text in shape.warnings):
-        say_row(Row("Warning", warning, severity="warning"))
+        say_row(warning_row(warning))
     if moved is None:
         return
     size, turns = np.hypot(*moved.end_force.T).max(), np.abs([moved.start_moment, moved.end_moment]).max()
@@ -341,9 +340,9 @@ def _print_shapes(
     if tips:
         k = min(tips, key=lambda k: moved.sideways[k].margin)
         where = moved.place_message(moved.path_length[k])
-        say_row(Row("Stability", f"at {where}, {moved.sideways[k].meaning}", severity="warning"))
+        say_row(warning_row(f"at {where}, {moved.sideways[k].meaning}", "Stability"))
     for warning in moved.warnings:
-        say_row(Row("Warning", warning, severity="warning"))
+        say_row(warning_row(warning))
 
 
 def _places(shapes: Sequence[Rod]) -> dict[str, list[str]]:
@@ -386,9 +385,7 @@ def _worst(states: Sequence[str], moved: Travel | None) -> Row:
     if step is None:
         return Row("Stability", "stable in its plane" + (" at every step" if states[1:] else ""))
     where = f"step {step + 1}" if moved is None else moved.place_message(moved.path_length[step])
-    return Row(
-        "Stability", f"{states[step]} from {where} on" if states[1:] else states[step], severity="warning"
-    )
+    return warning_row(f"{states[step]} from {where} on" if states[1:] else states[step], "Stability")
 
 
 def _write_files(

@@ -18,7 +18,7 @@ from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.mechanics.calibration import Calibration, calibrate_cantilever
 from elastica_cad.mechanics.section_limits import OUTCOMES
 from elastica_cad.mechanics.sheets import Sheet, library_folders, plausible_number
-from elastica_cad.report_rows import Row
+from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.coupon import coupon_drawing, coupon_overhang
 
 GUESSED_MPA, GUESSED_STRAIN = 4000.0, 0.004
@@ -219,7 +219,7 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
 
 
 def _warn_row(label: str, text: str) -> None:
-    say_row(Row(label, text, severity="warning"))
+    say_row(warning_row(text, label))
 
 
 def _with_readings(sheet: Sheet) -> Sheet:

@@ -32,7 +32,7 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.plot.drawing_process import DrawingProcess
-from elastica_cad.report_rows import Row, in_order
+from elastica_cad.report_rows import Row, in_order, warning_row
 
 FILE = click.Path(path_type=Path)
 
@@ -136,6 +136,6 @@ def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
 
 def _report(made: MadePair) -> None:
     """Print the report in rows, with warnings before notes."""
-    warnings = [Row("Warning", text, severity="warning") for text in made.warnings]
+    warnings = [warning_row(text) for text in made.warnings]
     for row in in_order([*pair_rows(made.part), *warnings]):
         say_row(row)

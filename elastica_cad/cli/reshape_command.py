@@ -22,7 +22,7 @@ from elastica_cad.geometry.projective_maps import four_point_map
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.theorem1 import require_bendable
 from elastica_cad.refusals import Severity
-from elastica_cad.report_rows import Row
+from elastica_cad.report_rows import Row, warning_row
 
 NO_MAP = "A curve that no strip can take stays so under every such map. Redraw the curve."
 
@@ -74,7 +74,7 @@ def reshape(
     for drawn_curve in chosen if len(chosen) > 1 else ():
         if drawn_curve.problem:
             text = f"{curve.name}, {drawn_curve.called} of {len(drawing)} is left out: {drawn_curve.problem}"
-            say_row(Row("Left out", text, severity="warning"))
+            say_row(warning_row(text, "Left out"))
     drawn = [drawn_curve.curve for drawn_curve in chosen if not drawn_curve.problem] or [chosen[0].curve]
     matrix = _map(drawn, handles, {name: place for name, place in corners.items() if place is not None})
     changed = [drawn_curve.transformed(matrix) for drawn_curve in drawn]
@@ -92,7 +92,7 @@ def reshape(
     wrote(written)
     bad = [i for i, report in enumerate(reports) if not report["after"]["realizable"]]
     if bad:
-        say_row(Row("Change", NO_MAP, severity="warning"))
+        say_row(warning_row(NO_MAP, "Change"))
     if bad or len(drawn) < len(chosen):
         ctx.exit(1)
 

@@ -44,7 +44,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.refusals import Refusal
-from elastica_cad.report_rows import Row
+from elastica_cad.report_rows import Row, warning_row
 
 ALONG = 10
 """Default number of planes along a path."""
@@ -151,7 +151,7 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
     for section in verdicts:
         say_row(Row(section["name"], _sentence(section)))
     for text in reports:
-        say_row(Row("Note", f"{text}{_option_for(text, chosen)}", severity="warning"))
+        say_row(warning_row(f"{text}{_option_for(text, chosen)}", "Note"))
     answer({"sections": verdicts})
     name = f"{mesh.stem}-sections"
     drawn = [curve.curve for curve in curves]

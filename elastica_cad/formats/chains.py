@@ -1,6 +1,6 @@
 """Joining of loose edges of a file to chains, and of each chain to a curve."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import dist
@@ -269,42 +269,53 @@ def _outward(run: Run) -> FloatArray:
     return np.asarray((end - before) / max(float(np.linalg.norm(end - before)), 1e-300), dtype=float)
 
 
+class _RunIndex:
+    """Runs with their ends and boxes, sorted along the longer axis of the drawing."""
+
+    def __init__(self, runs: Sequence[Run], tolerance: float) -> None:
+        self.runs, self.tolerance = runs, tolerance
+        self.ends = _ends(runs).reshape(len(runs), 2, -1)
+        self.sizes = np.array([sum(edge.length for edge in run) for run in runs])
+        points = [np.concatenate([edge.points for edge in run]) for run in runs]
+        self.lows = np.array([some.min(axis=0) for some in points]) - tolerance
+        self.highs = np.array([some.max(axis=0) for some in points]) + tolerance
+        middles = self.ends.mean(axis=1)
+        self.axis = int(np.ptp(middles, axis=0).argmax())
+        self.sorted = middles[:, self.axis].argsort()
+        self.along = middles[self.sorted, self.axis]
+        self.by_length = np.argsort(-self.sizes.round(6), kind="stable")  # the longest run first
+        self.rank = np.argsort(self.by_length)
+
+    def touching(self, j: int) -> Iterator[tuple[int, bool, bool]]:
+        """Yield the shorter runs that touch run j: with both ends, and with a part that may lie on it."""
+        ends, low, high = self.ends, self.lows[j], self.highs[j]
+        reach = (dist(low, high) + self.sizes[j]) / 2
+        middle = (low + high)[self.axis] / 2
+        near = self.sorted[slice(*self.along.searchsorted([middle - reach, middle + reach]))]
+        near = np.sort(near[self.rank[near] > self.rank[j]])
+        inside = np.all((ends[near] >= low) & (ends[near] <= high), axis=2)
+        apart = np.linalg.norm(ends[near][:, :, None] - ends[j], axis=3) > self.tolerance
+        candidate = inside.all(axis=1) | (inside & apart.all(axis=2)).any(axis=1)
+        near, apart = near[candidate], apart[candidate]
+        touching = _on_run(ends[near].reshape(-1, ends.shape[2]), self.runs[j], self.tolerance).reshape(-1, 2)
+        ends_on = np.all((ends[j] >= self.lows[near, None]) & (ends[j] <= self.highs[near, None]), axis=2)
+        partly = (touching[:, :, None] & ends_on[:, None] & apart).any(axis=(1, 2))
+        yield from zip(near.tolist(), touching.min(axis=1).tolist(), partly.tolist(), strict=True)
+
+
 def _without_overlaps(
     runs: Sequence[Run], tolerance: float
 ) -> tuple[list[Run], tuple[tuple[Source, Source, str], ...]]:
     """Remove runs that coincide with a longer (or earlier, equally long) run; return the rest and all overlaps."""
-    ends = _ends(runs).reshape(len(runs), 2, -1)
-    sources = [_source_of(run) for run in runs]
-    in_part: list[tuple[int, int]] = []
+    index, sources = _RunIndex(runs, tolerance), [_source_of(run) for run in runs]
     called = [(source.layer, source.is_named and source.name) for source in sources]
-    sizes = np.array([sum(edge.length for edge in run) for run in runs])
-    points = [np.concatenate([edge.points for edge in run]) for run in runs]
-    lows = np.array([some.min(axis=0) for some in points]) - tolerance
-    highs = np.array([some.max(axis=0) for some in points]) + tolerance
-    middles = ends.mean(axis=1)
-    axis = int(np.ptp(middles, axis=0).argmax())
-    in_order = middles[:, axis].argsort()
-    along = middles[in_order, axis]
-    order = np.argsort(-sizes.round(6), kind="stable")
-    rank = np.argsort(order)
+    in_part: list[tuple[int, int]] = []
     dropped: set[int] = set()
     overlaps = []
-    for j in order.tolist():
+    for j in index.by_length.tolist():
         if j in dropped:
             continue
-        low, high = lows[j], highs[j]
-        reach = (dist(low, high) + sizes[j]) / 2
-        middle = (low + high)[axis] / 2
-        near = in_order[slice(*along.searchsorted([middle - reach, middle + reach]))]
-        near = np.sort(near[rank[near] > rank[j]])
-        inside = np.all((ends[near] >= low) & (ends[near] <= high), axis=2)
-        apart = np.linalg.norm(ends[near][:, :, None] - ends[j], axis=3) > tolerance
-        candidate = inside.all(axis=1) | (inside & apart.all(axis=2)).any(axis=1)
-        near, apart = near[candidate], apart[candidate]
-        touching = _on_run(ends[near].reshape(-1, ends.shape[2]), runs[j], tolerance).reshape(-1, 2)
-        ends_on = np.all((ends[j] >= lows[near, None]) & (ends[j] <= highs[near, None]), axis=2)
-        partly = (touching[:, :, None] & ends_on[:, None] & apart).any(axis=(1, 2))
-        for i, both, some in zip(near.tolist(), touching.min(axis=1), partly, strict=True):
+        for i, both, partly in index.touching(j):
             if i in dropped:
                 continue
             if both and _on_run(_probes(runs[i]), runs[j], tolerance).all():
@@ -312,7 +323,7 @@ def _without_overlaps(
                 overlaps.append((sources[i], sources[j], "left out" if same else "kept"))
                 if same:
                     dropped.add(i)
-            elif some:
+            elif partly:
                 in_part.append((i, j))
     limits: dict[int, list[_Place]] = {}
     least = max(
@@ -322,7 +333,7 @@ def _without_overlaps(
     for i, j in in_part:
         cuts = [] if {i, j} & dropped else _common_parts(runs[i], runs[j], tolerance, least)
         for side, place, met in cuts:
-            meeting = (np.linalg.norm(alone - end, axis=1) <= tolerance for end in (ends[i, side], met))
+            meeting = (np.linalg.norm(alone - end, axis=1) <= tolerance for end in (index.ends[i, side], met))
             is_union = called[i] == called[j] and max(map(np.count_nonzero, meeting)) == 1
             overlaps.append((sources[i], sources[j], "joined" if is_union else "in part"))
             if is_union:

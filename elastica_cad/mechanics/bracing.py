@@ -60,6 +60,123 @@ def slack_elements(between: Sequence[ElementForce], force: FloatArray) -> tuple[
     )
 
 
+@dataclass(frozen=True, eq=False)
+class _Brace:
+    """Part of an element in the second variation.
+
+    Attributes
+    ----------
+    rows : (k, n) array
+        Constraints rows @ h + row_shifts @ v = 0, with the translation v of the whole rod.
+    row_shifts : (k, 2) array
+    terms : (r, n) array
+        Linear forms terms @ h + term_shifts @ v of the added terms.
+    term_shifts : (r, 2) array
+    coefficients : (r, r) array
+    """
+
+    rows: FloatArray
+    row_shifts: FloatArray
+    terms: FloatArray
+    term_shifts: FloatArray
+    coefficients: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class _Edges:
+    """Edges of a discrete rod; the fields are those of `bracing_of`."""
+
+    tangents: FloatArray
+    edge_length: float
+    supports: Supports
+    position: FloatArray
+    curvature: FloatArray
+
+    @property
+    def count(self) -> int:
+        return len(self.tangents)
+
+    def at(self, s: float, values: FloatArray) -> FloatArray:
+        """Return the values (n + 1, ...) of the nodes, interpolated at arc length s."""
+        nodes = self.edge_length * np.arange(self.count + 1)
+        return np.array([np.interp(s, nodes, column) for column in np.atleast_2d(values.T)])
+
+    def covered(self, s: float) -> FloatArray:
+        """Return the fraction of each edge before arc length s."""
+        return np.asarray(np.clip(s / self.edge_length - np.arange(self.count), 0.0, 1.0))
+
+    @property
+    def across(self) -> FloatArray:
+        """R gamma' of each edge times its length (2, n), mm."""
+        return self.edge_length * left_of(self.tangents).T
+
+    @property
+    def free(self) -> FloatArray:
+        """True for x and y if no end holds this coordinate."""
+        start, end = self.supports.ends
+        return np.array([not (getattr(start, axis) or getattr(end, axis)) for axis in "xy"])
+
+    def moves(self, s: float) -> FloatArray:
+        """Return the change of position (2, n) at arc length s, from the end that holds each coordinate."""
+        start, end = self.supports.ends
+        from_end = np.array([getattr(end, axis) and not getattr(start, axis) for axis in "xy"])
+        return np.asarray(self.across * (self.covered(s) - from_end[:, None]))
+
+    def chord(self, s: FloatArray) -> tuple[FloatArray, float]:
+        """Return the unit vector (2,) between two places, and their distance, mm."""
+        p, q = (self.at(float(place), self.position) for place in s)
+        size = float(np.hypot(*(q - p)))
+        return (q - p) / size, size
+
+    def turn_at(self, s: float) -> FloatArray:
+        """Return the weights (n,) of the edges in the angle at arc length s."""
+        n = self.count
+        middles = self.edge_length * (np.arange(n) + 0.5)
+        right = np.clip(np.searchsorted(middles, s), 1, n - 1)
+        share = np.clip((s - middles[right - 1]) / self.edge_length, 0.0, 1.0)
+        turn = np.zeros(n)
+        turn[[right - 1, right]] = 1 - share, share
+        return turn
+
+
+def _tie_brace(action: ElementForce, edges: _Edges) -> _Brace:
+    u, size = edges.chord(action.s)
+    cover = edges.covered(float(action.s[1])) - edges.covered(float(action.s[0]))
+    return _Brace(
+        rows=(u @ (edges.across * cover))[None],
+        row_shifts=np.zeros((1, 2)),
+        terms=(edges.edge_length * cover * (edges.tangents @ u))[None],
+        term_shifts=np.zeros((1, 2)),
+        coefficients=np.array([[float(action.force[0] @ u) / size]]),
+    )
+
+
+def _pin_brace(action: ElementForce, edges: _Edges) -> _Brace:
+    none = np.zeros((0, edges.count))
+    return _Brace(edges.moves(float(action.s[0])), np.eye(2), none, np.zeros((0, 2)), np.zeros((0, 0)))
+
+
+def _rail_brace(action: ElementForce, edges: _Edges) -> _Brace:
+    s = float(action.s[0])
+    moves, turn = edges.moves(s), edges.turn_at(s)
+    tangent = turn @ edges.tangents
+    tangent /= np.hypot(*tangent)
+    normal = left_of(tangent)
+    push = float(action.force[0] @ normal)
+    acts = slice(None) if push != 0 else slice(0)  # a rail without force has no terms
+    (kappa,) = edges.at(s, edges.curvature)
+    return _Brace(
+        rows=(normal @ moves)[None],
+        row_shifts=normal[None],
+        terms=np.array([turn, -tangent @ moves])[acts],
+        term_shifts=np.array([np.zeros(2), -tangent])[acts],
+        coefficients=-push * np.array([[0.0, 1.0], [1.0, kappa]])[acts, acts],
+    )
+
+
+_BRACES = {Tie: _tie_brace, Pin: _pin_brace, Rail: _rail_brace}
+
+
 def bracing_of(
     between: Sequence[ElementForce],
     *,
@@ -87,80 +204,30 @@ def bracing_of(
     InputError
         Neither an end nor an element stops the rod from sliding on its rails.
     """
-    n = len(tangents)
-    across = edge_length * left_of(tangents).T
-    ends = supports.ends
-    middles, nodes = edge_length * (np.arange(n) + 0.5), edge_length * np.arange(n + 1)
-    free = np.array([not (getattr(ends[0], axis) or getattr(ends[1], axis)) for axis in "xy"])
-    from_end = np.array([getattr(ends[1], axis) and not getattr(ends[0], axis) for axis in "xy"])
-
-    def covered(s: float) -> FloatArray:
-        """Return the fraction of each edge before arc length s."""
-        return np.asarray(np.clip(s / edge_length - np.arange(n), 0.0, 1.0))
-
-    def moves(s: float) -> FloatArray:
-        """Return the change of position (2, n) at arc length s, from the end that holds each coordinate."""
-        return np.asarray(across * (covered(s) - from_end[:, None]))
-
-    rows: list[tuple[FloatArray, FloatArray]] = []  # of h, and of a translation of the whole rod
-    slides: list[tuple[FloatArray, FloatArray]] = []
-    terms: list[FloatArray] = []
-    blocks: list[FloatArray] = []
-    chords: list[FloatArray] = []
-    for action in between:
-        if isinstance(action.element, Tie):
-            p, q = (np.array([np.interp(s, nodes, c) for c in position.T]) for s in action.s)
-            size = float(np.hypot(*(q - p)))
-            u = (q - p) / size
-            chords.append(u)
-            cover = covered(float(action.s[1])) - covered(float(action.s[0]))
-            rows.append((u @ (across * cover), np.zeros(2)))
-            terms.append(edge_length * cover * (tangents @ u))
-            blocks.append(np.array([[float(action.force[0] @ u) / size]]))
-            continue
-        s = float(action.s[0])
-        if isinstance(action.element, Pin):
-            rows += list(zip(moves(s), np.eye(2), strict=True))
-            continue
-        right = np.clip(np.searchsorted(middles, s), 1, n - 1)
-        share = np.clip((s - middles[right - 1]) / edge_length, 0.0, 1.0)
-        turn = np.zeros(n)
-        turn[[right - 1, right]] = 1 - share, share
-        tangent = turn @ tangents
-        tangent /= np.hypot(*tangent)
-        normal = left_of(tangent)
-        rows.append((normal @ moves(s), normal))
-        push = float(action.force[0] @ normal)
-        if push != 0:
-            slides.append((-tangent @ moves(s), -tangent))
-            terms += [turn, slides[-1][0]]
-            kappa = float(np.interp(s, nodes, curvature))
-            blocks.append(-push * np.array([[0.0, 1.0], [1.0, kappa]]))
-    forms = np.array([form for form, _ in rows]).reshape(-1, n)
+    edges = _Edges(tangents, edge_length, supports, position, curvature)
+    n, free = edges.count, edges.free
+    braces = [_BRACES[type(action.element)](action, edges) for action in between]
+    rows = np.concatenate([np.zeros((0, n)), *(brace.rows for brace in braces)])
+    terms = np.concatenate([np.zeros((0, n)), *(brace.terms for brace in braces)])
     if free.any():
-        shift = np.array([shift for _, shift in rows]).reshape(-1, 2)[:, free]
-        u, sigma, vt = np.linalg.svd(shift)
+        row_shifts = np.concatenate([np.zeros((0, 2)), *(brace.row_shifts for brace in braces)])[:, free]
+        term_shifts = np.concatenate([np.zeros((0, 2)), *(brace.term_shifts for brace in braces)])[:, free]
+        u, sigma, vt = np.linalg.svd(row_shifts)
         rank = int(np.count_nonzero(sigma > _RANK))
-        if slides and rank < np.count_nonzero(free):
+        if any(isinstance(action.element, Rail) and action.size for action in between) and rank < free.sum():
             raise InputError("The strip can slide off its rails. Hold an end, or pin it at a place between.")
-        # the translation is that for which the constraints hold: shift @ v = -forms @ h
-        translation = -(vt[:rank].T / sigma[:rank]) @ u[:, :rank].T @ forms
-        for form, along in slides:
-            form[:] = form + along[free] @ translation
-        forms = u[:, rank:].T @ forms
-    if (
-        chords
-        and free.all()
-        and not any(end.angle for end in ends)
-        and all(isinstance(action.element, Tie) for action in between)
-    ):
+        # the translation for which the constraints hold: row_shifts @ v = -rows @ h
+        terms = terms + term_shifts @ (-(vt[:rank].T / sigma[:rank]) @ u[:, :rank].T @ rows)
+        rows = u[:, rank:].T @ rows
+    ties = [action for action in between if isinstance(action.element, Tie)]
+    turns_freely = free.all() and not any(end.angle for end in supports.ends)
+    if ties and len(ties) == len(between) and turns_freely:
         # a bow turns as a whole without a change of energy
-        forms = np.concatenate([forms, edge_length * (tangents @ chords[0])[None]])
+        rows = np.concatenate([rows, edge_length * (tangents @ edges.chord(ties[0].s)[0])[None]])
+    lengths = np.linalg.norm(terms, axis=1)
     coefficients, first = np.zeros((len(terms), len(terms))), 0
-    for block in blocks:
-        last = first + len(block)
-        coefficients[first:last, first:last] = block
+    for brace in braces:
+        last = first + len(brace.terms)
+        coefficients[first:last, first:last] = brace.coefficients
         first = last
-    added = np.array(terms).reshape(-1, n)
-    length = np.linalg.norm(added, axis=1)
-    return Bracing(forms, added / length[:, None], coefficients * length[:, None] * length)
+    return Bracing(rows, terms / lengths[:, None], coefficients * lengths[:, None] * lengths)

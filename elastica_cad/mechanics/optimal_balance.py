@@ -463,10 +463,8 @@ def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: Flo
         if optimum is None:
             break
         moved = scale * problem.rows.stiffness @ (numbers.fixed + numbers.basis @ optimum)
-        step, EI = (
-            moved / EI - 1,
-            np.maximum(moved, HOPELESS_SHARE * limit),
-        )  # intermediate steps may need less
+        step = moved / EI - 1
+        EI = np.maximum(moved, HOPELESS_SHARE * limit)  # intermediate steps may need less
         state = (scale * (numbers.fixed + numbers.basis @ optimum))[:3]
         if float(np.abs(step).max()) < SETTLED_SHARE:
             balance = problem.balance(numbers.fixed + numbers.basis @ optimum)

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Annotated
+from typing import Annotated, Literal, TypeAlias
 
 import numpy as np
 
@@ -66,6 +66,9 @@ LEAST_REPORTED_MM = 0.005
 """Smallest deviation, mm, that is listed with its cause."""
 
 
+Source: TypeAlias = Literal["computed", "model", "sheet"]
+"""Computed shape, uncertainty of the model, or sheet, cut and clamps."""
+
 MOST = np.sqrt(0.5)
 """Fraction of the whole deviation above which a cause is most of it, because the squares of causes add."""
 
@@ -121,22 +124,30 @@ class HeldShape:
         """Expected deviation of a real strip, mm: modelled, uncertainty of the model, and sheet."""
         return float(np.linalg.norm([self.deviation, self.open, self.sheet_adds]))
 
+    @property
+    def main_source(self) -> Source | None:
+        """Source of most of the expected deviation, or None."""
+        sources: dict[Source, float] = {
+            "computed": self.deviation, "model": self.open, "sheet": self.sheet_adds,
+        }  # fmt: skip
+        largest = max(sources, key=lambda source: sources[source])
+        return largest if sources[largest] > MOST * self.expected else None
+
     def __str__(self) -> str:
         """Return a sentence on the deviation and a sentence for each note."""
-        figures = {
-            "mostly as computed": self.deviation,
-            "mostly due to uncertainty of the model": self.open,
-            "mostly due to the sheet": self.sheet_adds,
-        }
-        largest = max(figures, key=lambda words: figures[words])
         strays = note(
             "A real strip, with widths that compensate anticlastic bending, deviates from its design by "
             "about {far}, {percent:g} % of its length" if self.as_plate else
             "A real strip deviates from its design by about {far}, {percent:g} % of its length",
             far=about(self.expected), percent=_two_digits(100 * self.expected / self.rod.length),
         )  # fmt: skip
-        if figures[largest] > MOST * self.expected:
-            strays = note("{strays}, {most}", strays=strays, most=note(largest))
+        if self.main_source is not None:
+            most = {
+                "computed": "mostly as computed",
+                "model": "mostly due to uncertainty of the model",
+                "sheet": "mostly due to the sheet",
+            }[self.main_source]
+            strays = note("{strays}, {most}", strays=strays, most=note(most))
         sentence = note(
             ("{strays}: {modelled} are computed, {open} are uncertainty of the model, and {sheet} come from "
              "sheet, cut and clamps"),

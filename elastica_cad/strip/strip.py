@@ -741,6 +741,13 @@ class Strip:
         for seat in (start, end):
             if seat is not None:
                 require_record(seat, TabSeat, "a holder", "a TabSeat, or None")
+        return self._held_as_designed if start is None and end is None else self._held_by(start, end)
+
+    @cached_property
+    def _held_as_designed(self) -> "HeldShape":
+        return self._held_by(None, None)
+
+    def _held_by(self, start: TabSeat | None, end: TabSeat | None) -> "HeldShape":
         uncorrected = self.as_made if self.correction is None else replace(self, correction=None).as_made
         return self.as_made.held((start, end), uncorrected, self.tolerance)
 

@@ -8,10 +8,10 @@ import numpy as np
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.mechanics.stability import SAFE_MARGIN, Stability, stability
+from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import Length, is_reported, note
-from elastica_cad.report_rows import Row, in_order
-from elastica_cad.strip.held_shape import MOST, HeldShape, about
+from elastica_cad.report_rows import Row, in_order, warning_row
+from elastica_cad.strip.held_shape import HeldShape, about
 from elastica_cad.strip.holding_template import distance_between, distance_of_tips, held_ends
 from elastica_cad.strip.strip import Strip
 
@@ -61,8 +61,10 @@ def strip_rows(
             rows += [Row(note("Creep"), str(strip.crept))] if strip.crept is not None else []
     reported = {*strip.strain_warnings, *([near.status.value] if near is not None else [])}
     others = [text for text in strip.warnings if text not in reported]
-    rows += [Row(note("Warning" if is_reported(text) else "Note"), text, (), getattr(text, "severity", "warning"))
-             for text in others]  # fmt: skip
+    rows += [
+        warning_row(text, note("Warning")) if is_reported(text) else Row(note("Note"), text)
+        for text in others
+    ]
     return in_order(rows)
 
 
@@ -100,7 +102,7 @@ def _nearest(strip: Strip, near: NearestRod | None) -> Iterator[Row]:
 def strain_rows(strip: Strip) -> Iterator[Row]:
     """Yield the warnings on strain, or a row on the largest strain and its limit."""
     for warning in strip.strain_warnings:
-        yield Row(note("Strain"), warning, severity="warning")
+        yield warning_row(warning, note("Strain"))
     if not strip.strain_warnings:
         yield Row(
             note("Strain"),
@@ -120,9 +122,9 @@ def stability_row(strip: Strip, verdict: Stability) -> Row:
     details = [note("The stability margin is {margin:.3g}; 5 is safe.", margin=verdict.margin)]
     if sideways.decided:
         details.append(note("The sideways margin is {margin:.3g}; 5 is safe.", margin=sideways.margin))
-    if not verdict.stable:
+    if verdict.rating == "unstable":
         text = note("unstable: the strip snaps into another shape")
-    elif verdict.margin < SAFE_MARGIN:
+    elif verdict.rating == "close to snapping":
         text = note("close to snapping: a push can move the strip into another shape")
     elif sideways.word == "unstable":
         text = note("unstable sideways: the strip tips over; guide it at the sides, or make it wider")
@@ -167,11 +169,10 @@ def hold_row(strip: Strip) -> Row:
 
 def accuracy_row(held: HeldShape) -> Row:
     """Return the row on the expected deviation of a real strip, with each cause in the details."""
-    figures = {
-        "about {far}, mostly from tabs, slots, curling and holders": held.deviation,
-        "about {far}, mostly from the model": held.open,
-        "about {far}, mostly from the sheet": held.sheet_adds,
-    }
-    largest = max(figures, key=lambda text: figures[text])
-    text = largest if figures[largest] > MOST * held.expected else "about {far}"
+    text = {
+        "computed": "about {far}, mostly from tabs, slots, curling and holders",
+        "model": "about {far}, mostly from the model",
+        "sheet": "about {far}, mostly from the sheet",
+        None: "about {far}",
+    }[held.main_source]
     return Row(note("Accuracy"), note(text, far=about(held.expected)), (str(held),))
