@@ -5,7 +5,7 @@ from pathlib import Path
 
 import click
 
-from elastica_cad.cli.voice import answer, say, wrote
+from elastica_cad.cli.voice import answer, say_row, wrote
 from elastica_cad.design.measuring_sheet import blank_readings, measuring_page, read_measuring, read_readings
 from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, write_files, write_text
@@ -27,10 +27,16 @@ def compare(report: Path, measured: Path | None, force: bool) -> None:
     """
     measuring = read_measuring(report)
     if measured is not None:
-        messages = measuring.compare(read_readings(measured))
-        for sentence in messages:
-            say(sentence)
-        answer({"expected": dict(measuring.expected), "said": [str(message) for message in messages]})
+        rows = measuring.compare(read_readings(measured))
+        for row in rows:
+            say_row(row, is_answer=True)
+        answer(
+            {
+                "expected": dict(measuring.expected),
+                "said": [row.text for row in rows],
+                "rows": [{"label": row.label, "text": row.text, "severity": row.severity} for row in rows],
+            }
+        )
         return
     name = report.stem
     files = (

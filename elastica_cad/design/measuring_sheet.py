@@ -14,21 +14,21 @@ from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Line
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text
-from elastica_cad.strip.measuring import ANGLES, LENGTHS, MARKS, MEANINGS, Measuring
+from elastica_cad.strip.measuring import ANGLES, LENGTHS, MARKS, MEANINGS, UNITS, Measuring, row_label
 
-WIDE_MM, LETTER_MM, LINE_MM = 180.0, 3.0, 6.0
-"""Width, letter height and line spacing of the page."""
+WIDE_MM, LETTER_MM, LINE_MM, TEXT_MM = 180.0, 3.0, 6.0, 40.0
+"""Width, letter height, line spacing, and place of the second column of the page."""
 
 LARGEST = 1e6
 """Largest length (mm) or angle (degrees) in a report or a reading."""
 
 WORDS = {
     "chord": "from end to end of the free part",
-    "height_1": "from that line to mark 1",
-    "height_2": "from that line to mark 2",
-    "height_3": "from that line to mark 3",
-    "start_angle": "between that line and the tab at the start",
-    "end_angle": "between that line and the tab at the end",
+    "height_1": "from the chord to mark 1",
+    "height_2": "from the chord to mark 2",
+    "height_3": "from the chord to mark 3",
+    "start_angle": "between the chord and the tab at the start",
+    "end_angle": "between the chord and the tab at the end",
 }
 
 
@@ -117,7 +117,10 @@ def read_readings(path: FilePath) -> dict[str, float]:
 
 def blank_readings(measuring: Measuring) -> str:
     """Return the text of a TOML file for filling in the readings."""
-    lines = ["# Take the sign # away from what you have measured; lengths in mm, angles in degrees."]
+    lines = [
+        "# Replace the expected values by your readings, and delete the # at the start of these lines.",
+        "# Lengths in mm, angles in degrees.",
+    ]
     lines += [f"# {name} = {value:.1f}  # {WORDS[name]}" for name, value in measuring.expected.items()]
     return "\n".join(lines) + "\n"
 
@@ -136,17 +139,29 @@ def measuring_page(name: str, measuring: Measuring) -> Drawing:
     paths = [LayeredPath(ENGRAVE, drawn), *(LayeredPath(MARK, path) for path in (chord, *crosses))]
     texts = [Text((float(x) + 2, float(y) + 2), str(k), LETTER_MM) for k, (x, y) in enumerate(marks, 1)]
     places = ", ".join(f"{place:.1f}" for place in measuring.marks)
-    lines = [f"{name}: measure it where it is held", f"marks 1, 2, 3 at {places} mm along the free part"]
-    for measure in (*LENGTHS, *ANGLES):
-        unit = "mm" if measure in LENGTHS else "degrees"
-        lines.append(f"{measure}: {WORDS[measure]}: {measuring.expected[measure]:.1f} {unit}, "
-                     f"give or take {measuring.uncertain[measure]:.1f}")  # fmt: skip
-    lines.append("What differences may mean, and how large they are then:")
+    rows = [
+        (name, "Measure the strip in its fixture."),
+        ("Marks", f"1, 2 and 3 at {places} mm along the free part"),
+    ]
+    rows += [
+        (
+            row_label(measure),
+            f"{measuring.expected[measure]:.1f} +/- {measuring.uncertain[measure]:.1f} {UNITS[measure]} "
+            f"{WORDS[measure]}",
+        )
+        for measure in (*LENGTHS, *ANGLES)
+    ]
+    rows.append(("Causes", "Compare your differences with those that each cause makes."))
     for cause, changes in measuring.causes.items():
-        lines.append(MEANINGS[cause].format(amount=1))
+        rows.append(("Cause", MEANINGS[cause].format(amount=1)))
         if len(changes) == 1:
             largest = sorted(changes[0].items(), key=lambda change: -abs(change[1]))[:3]
-            lines.append(f"    {', '.join(f'{name} {value:+.1f}' for name, value in largest)}")
-    top = -LINE_MM * 2
-    texts += [Text((0.0, top - k * LINE_MM), line, LETTER_MM) for k, line in enumerate(lines)]
+            differences = ", ".join(f"{row_label(key)} {value:+.1f} {UNITS[key]}" for key, value in largest)
+            rows.append(("", f"Differences: {differences}"))
+    for k, row in enumerate(rows, 2):
+        texts += [
+            Text((x, -LINE_MM * k), text, LETTER_MM)
+            for x, text in zip((0.0, TEXT_MM), row, strict=True)
+            if text
+        ]
     return Drawing(f"{name}-measure", tuple(paths), tuple(texts))

@@ -8,7 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.errors import InputError
-from elastica_cad.refusals import Refusal, note
+from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import shape_responses
 from elastica_cad.strip.strip import Strip
 
@@ -17,6 +17,9 @@ MARKS = (0.25, 0.5, 0.75)
 
 LENGTHS, ANGLES = ("chord", "height_1", "height_2", "height_3"), ("start_angle", "end_angle")
 """Measured quantities: mm from end to end, mm from that line to the marks, degrees between line and tabs."""
+
+UNITS = dict.fromkeys(LENGTHS, "mm") | dict.fromkeys(ANGLES, "degrees")
+"""Unit of each measured quantity."""
 
 SKETCHED = 60
 """Approximate number of points of the curve for a page."""
@@ -28,15 +31,21 @@ EXPLAINED = 0.6
 """Least fraction of the differences that a reported cause must explain."""
 
 MEANINGS: Mapping[str, str] = {
-    "clamp at the start": "the clamp at the start lets the strip turn by {amount:.2g} degrees: tighten it",
-    "clamp at the end": "the clamp at the end lets the strip turn by {amount:.2g} degrees: tighten it",
-    "ends apart": "the ends are {amount:.2g} mm off their distance: a tab slips, or the holder is not as drawn",
-    "thinner sheet": "the sheet is {amount:.2g} % off its thickness, so it sags otherwise: measure its thickness",
-    "thickness": "the sheet is thicker at one place than at another, by {amount:.2g} %: measure it along the strip",
-    "end for end": "it is mounted end for end: turn it round",
-    "wrong side": "its backing lies on the wrong side of the bend: turn it over",
+    "clamp at the start": "The clamp at the start lets the strip turn by {amount:.2g} degrees. Tighten it.",
+    "clamp at the end": "The clamp at the end lets the strip turn by {amount:.2g} degrees. Tighten it.",
+    "ends apart": (
+        "The distance between the ends is {amount:.2g} mm off. Check whether a tab slips, and measure the fixture."
+    ),
+    "thinner sheet": (
+        "The thickness of the sheet is {amount:.2g} % off, so the strip sags differently. Measure the thickness."
+    ),
+    "thickness": (
+        "The thickness varies by +/- {amount:.2g} % along the strip. Measure it at several places."
+    ),
+    "end for end": "The strip is mounted end for end. Turn it round.",
+    "wrong side": "The backing is on the wrong side of the bend. Turn the strip over.",
 }
-"""Meaning of each cause for a maker."""
+"""Sentence on each cause."""
 
 ONCE = ("end for end", "wrong side")
 """Causes without a size, which are present or not."""
@@ -65,10 +74,12 @@ class Measuring:
 
     Examples
     --------
+    >>> from elastica_cad.report_rows import printed_row
     >>> measuring = Measuring((), {"chord": 100.0}, {"chord": 0.5}, {"ends apart": ({"chord": 1.0},)})
-    >>> print(*measuring.compare({"chord": 100.4}), sep="; ")
-    chord: 100.4 measured, 100 +/- 0.5 expected; all measurements are within the expected uncertainty of sheet, \
-cut, clamps and model
+    >>> for row in measuring.compare({"chord": 100.4}):
+    ...     print(printed_row(row))
+    Verdict     All differences are within the expected uncertainty of sheet, cut, clamps and model.
+    Chord       100.4 mm measured, 100 +/- 0.5 mm expected
     """
 
     marks: tuple[float, ...]
@@ -90,7 +101,7 @@ cut, clamps and model
         """
         require_record(strip, Strip, "the strip", "a Strip")
         if strip.is_closed:
-            raise InputError("a closed strip has no ends to measure from: measure its widths instead")
+            raise InputError("a closed strip has no ends to measure from. Measure its widths instead.")
         as_made, held = strip.as_made, strip.held()
         design, loaded = as_made.design, as_made.loaded
         n, M, s = design.s.size, loaded.moment, design.s
@@ -134,8 +145,8 @@ cut, clamps and model
             tuple(map(tuple, design.position[:: max(1, n // SKETCHED)].tolist())),
         )
 
-    def compare(self, measured: Mapping[str, float]) -> tuple[Refusal, ...]:
-        """Compare measured with expected values, and find the causes of the differences.
+    def compare(self, measured: Mapping[str, float]) -> tuple[Row, ...]:
+        """Return a verdict on the measured values, with the likely cause of differences, and a row on each value.
 
         Raises
         ------
@@ -147,22 +158,25 @@ cut, clamps and model
         unknown = [name for name in measured if name not in self.expected]
         if unknown or not names:
             raise InputError(
-                f"{', '.join(unknown) or 'an empty file'} is not among the expected measurements: give some "
-                f"of {', '.join(self.expected)}"
+                f"{', '.join(unknown) or 'an empty file'} is not among the expected measurements. Use some of "
+                f"the names {', '.join(self.expected)}."
             )
-        messages = [
-            note(
-                "{name}: {measured:.4g} measured, {expected:.4g} +/- {uncertain:.2g} expected",
-                name=name, measured=measured[name], expected=self.expected[name], uncertain=self.uncertain[name],
-            )
-            for name in names
-        ]  # fmt: skip
+        return (self._verdict(names, measured), *(self._row(name, measured[name]) for name in names))
+
+    def _row(self, name: str, measured: float) -> Row:
+        expected, uncertain, unit = self.expected[name], self.uncertain[name], UNITS[name]
+        text = f"{measured:.4g} {unit} measured, {expected:.4g} +/- {uncertain:.2g} {unit} expected"
+        difference = measured - expected
+        outside = f": difference {difference:+.2g} {unit}" if abs(difference) > uncertain else ""
+        return Row(row_label(name), text + outside)
+
+    def _verdict(self, names: Sequence[str], measured: Mapping[str, float]) -> Row:
         weights = np.array([1 / self.uncertain[name] for name in names])
         off = weights * np.array([measured[name] - self.expected[name] for name in names])
         if np.abs(off).max() <= 1.0:
-            return (
-                *messages,
-                note("all measurements are within the expected uncertainty of sheet, cut, clamps and model"),
+            return Row(
+                "Verdict",
+                "All differences are within the expected uncertainty of sheet, cut, clamps and model.",
             )
         best, amount, left = "", 0.0, 1.0
         for cause, changes in self.causes.items():
@@ -176,11 +190,22 @@ cut, clamps and model
             if len(names) > len(changes) and not far and rest < left:
                 best, amount, left = cause, size, rest
         if left > 1 - EXPLAINED:
-            return (
-                *messages,
-                note("no single cause explains the difference: measure again, and check sheet and side"),
+            return warning_row(
+                "No single cause explains the differences. Measure again, and check the sheet and its side.",
+                "Verdict",
             )
-        return (*messages, note(MEANINGS[best], amount=amount))
+        return warning_row(MEANINGS[best].format(amount=amount), "Verdict")
+
+
+def row_label(name: str) -> str:
+    """Return the label of a measured quantity.
+
+    Examples
+    --------
+    >>> row_label("height_1")
+    'Height 1'
+    """
+    return name.replace("_", " ").capitalize()
 
 
 def _measured(position: FloatArray) -> dict[str, float]:

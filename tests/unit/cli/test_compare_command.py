@@ -44,7 +44,11 @@ def test_a_page_and_readings_to_fill_in(report):
     filled = re.sub(r"^# (\w+ = [\d.]+)", r"\1", readings.read_text(), flags=re.MULTILINE)
     readings.write_text(filled)
     told = run("compare", report, readings)
-    assert told.output.rstrip().endswith("within the expected uncertainty of sheet, cut, clamps and model")
+    verdict, *values = told.output.splitlines()
+    assert verdict.startswith("Verdict     All differences are within")
+    assert [value[:11].strip() for value in values] == [
+        "Chord", "Height 1", "Height 2", "Height 3", "Start angle", "End angle"
+    ]  # fmt: skip
 
 
 def test_a_clamp_that_gives_way_is_told(report, tmp_path):
@@ -53,7 +57,11 @@ def test_a_clamp_that_gives_way_is_told(report, tmp_path):
     readings = tmp_path / "measured.toml"
     values = {name: value + 4 * turned[name] for name, value in record["expected"].items()}
     readings.write_text("\n".join(f"{name} = {value:.1f}" for name, value in values.items()))
-    assert "the clamp at the end lets the strip turn by 4 degrees" in run("compare", report, readings).output
+    verdict = "The clamp at the end lets the strip turn by 4 degrees. Tighten it."
+    assert run("compare", report, readings).output.startswith(f"! Verdict   {verdict}\n")
+    answer = json.loads(run("compare", report, readings, "--json").output)
+    assert answer["rows"][0] == {"label": "Verdict", "text": verdict, "severity": "warning"}
+    assert answer["notes"] == []
 
 
 @pytest.mark.parametrize(

@@ -26,36 +26,41 @@ def read(bent):
 
 
 def meaning(strip, bent):
-    return str(Measuring.of(strip).compare(read(bent))[-1])
+    return Measuring.of(strip).compare(read(bent))[0].text
 
 
 def test_a_clamp_that_gives_way_is_found(strip):
     rod = strip.rod
     start, end = rod.angle[[0, -1]].tolist()
     said = meaning(strip, ec.bend(rod, angles=(start + np.radians(3.0), end)))
-    assert said.startswith("the clamp at the start lets the strip turn by 3")
-    assert "the clamp at the end" in meaning(strip, ec.bend(rod, angles=(start, end - np.radians(3.0))))
+    assert said.startswith("The clamp at the start lets the strip turn by 3")
+    assert "The clamp at the end" in meaning(strip, ec.bend(rod, angles=(start, end - np.radians(3.0))))
 
 
 def test_ends_that_slip_are_found(strip):
     far = strip.rod.position[-1] - strip.rod.position[0]
     bent = ec.bend(strip.rod, end=tuple(strip.rod.position[-1] + 4 * far / np.hypot(*far)))
-    assert "the ends are 4" in meaning(strip, bent)
+    assert "The distance between the ends is 4" in meaning(strip, bent)
 
 
 def test_a_strip_that_is_mounted_end_for_end_is_found(strip):
     bent = ec.bend(strip.rod.with_stiffness(strip.rod.stiffness[::-1]))
-    assert meaning(strip, bent) == "it is mounted end for end: turn it round"
+    assert meaning(strip, bent) == "The strip is mounted end for end. Turn it round."
 
 
 def test_a_strip_as_designed_is_as_expected(strip):
-    assert "all measurements are within" in meaning(strip, strip.rod)
+    assert "All differences are within" in meaning(strip, strip.rod)
 
 
 def test_what_no_cause_explains_is_told(strip):
     measuring = Measuring.of(strip)
     odd = dict(measuring.expected) | {"height_1": 40.0, "height_2": 170.0, "height_3": 40.0}
-    assert "no single cause" in str(measuring.compare(odd)[-1])
+    verdict, *values = measuring.compare(odd)
+    assert verdict.stops
+    assert "No single cause" in verdict.text
+    assert [value.label for value in values[:2]] == ["Chord", "Height 1"]
+    assert "mm expected: difference -" in values[1].text
+    assert "difference" not in values[0].text
 
 
 def test_weight_and_backings_have_causes_of_their_own(strip):
@@ -66,7 +71,7 @@ def test_weight_and_backings_have_causes_of_their_own(strip):
 
 
 def test_slips_are_refused(strip):
-    with pytest.raises(InputError, match="hight is not among the expected measurements: give some of chord"):
+    with pytest.raises(InputError, match="Use some of the names chord"):
         Measuring.of(strip).compare({"hight": 3.0})
     hoop = ec.Strip(ec.optimal_rod(ec.PlaneCurve.arc((0, 0), 80, 0, 2 * np.pi)), PLY, max_width=20.0)
     with pytest.raises(InputError, match="a closed strip has no ends"):
