@@ -19,6 +19,7 @@ PICTURES = ROOT / "docs" / "how_to" / "pictures"
 WIDTH_PX, COLOURS = 900, 48
 MADE = {
     "batten": "out/batten.dxf",
+    "bow": "out/kite-bow.png",
     "carry": "lamp/arch.png",
     "curves": "points.csv",
     "cutting": "arcs/arch.dxf",

@@ -44,7 +44,6 @@ from elastica_cad.mechanics.bending import bend_path
 from elastica_cad.mechanics.loads import Gravity, Supports
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw
-from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import ENGLISH
 from elastica_cad.report_rows import Row, warning_row
@@ -223,7 +222,7 @@ def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any])
     if curve is None:
         sheet, widest = requested_sheet(chosen), chosen["max_width"]
         rod = Rod.straight(
-            chosen["straight"], gravity=_gravity(chosen), section=_widths_as_plate(sheet, widest)
+            chosen["straight"], gravity=_gravity(chosen), section=WidthLaw.as_plate(sheet, widest)
         )
         return Strip(rod, sheet, max_width=widest)
     table = given_of(chosen, ("sheet", "thickness", "max_width", "smooth"))
@@ -259,11 +258,6 @@ def _solved(spec: RodSpec) -> Rod | NearestRod:
     if isinstance(result, NearestRod):
         say(f"the strip is {result.deviation:.2g} mm off the drawn curve at most")
     return result
-
-
-def _widths_as_plate(sheet: Sheet, widest: float) -> WidthLaw | None:
-    """Return the stiffening of a straight strip's widths by bending, if the sheet's Poisson ratio is known."""
-    return WidthLaw(sheet, 0.0, widest) if sheet.poisson_known and sheet.poisson_ratio > 0 else None
 
 
 def _steps(

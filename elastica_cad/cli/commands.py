@@ -35,6 +35,7 @@ COMMANDS = {
     "pair": "pair_command:pair",
     "model": "model_command:model",
     "batten": "batten_command:batten",
+    "bow": "bow_command:bow_command",
     "bend": "bend_command:bend_command",
     "reshape": "reshape_command:reshape",
     "sections": "sections_command:sections",
@@ -232,6 +233,7 @@ def elastica(quiet: bool, units: str, watch: bool) -> None:
       elastica new pavilion                         a commented design file to start from
       elastica model pavilion.toml -o out           many strips: slots, base, nested sheets, cut list
       elastica batten --length 2400 --camber 10 --at 40 --sheet pom-1 --stock 25 8    a tapered sail batten
+      elastica bow arch.dxf --rod 8                 a rod bent by a cord
       elastica sections pot.obj --radial 16         curves for strips along a mesh or a STEP body
 
     Curves come from DXF, SVG, CSV, JSON, text files of control points, and STEP with a CAD kernel installed.

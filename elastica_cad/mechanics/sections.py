@@ -429,6 +429,12 @@ class WidthLaw:
                 "and 40"
             )
 
+    @classmethod
+    def as_plate(cls, sheet: Sheet, largest: float | None) -> "WidthLaw | None":
+        """Return the law of a strip of constant width, or None if its stiffening by bending is unknown or zero."""
+        known = largest is not None and sheet.poisson_known and sheet.poisson_ratio > 0
+        return cls(sheet, 0.0, largest) if largest is not None and known else None
+
     @property
     def quantity(self) -> str:
         """Width."""

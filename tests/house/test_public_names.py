@@ -12,7 +12,7 @@ import pytest
 
 import elastica_cad as ec
 
-MOST = 79
+MOST = 80
 ROOMS = (
     "geometry",
     "mechanics",

@@ -192,6 +192,17 @@ def _batten(row, folder):
     assert (out / "batten.pdf").read_bytes().startswith(b"%PDF")
 
 
+@asks(f"{HOW_TO}/bow.md", "file", "for")
+def _bow(row, folder):
+    (folder.parent / "kite.csv").write_bytes((ROOT / "examples" / "bow" / "kite.csv").read_bytes())
+    typed(folder.parent, "bow", "kite.csv", "--rod", "5", "--sheet", "gfrp-1", "--force", "-o", "of-bow")
+    (name,) = quoted(row[0])
+    assert (folder.parent / "of-bow" / name).stat().st_size > 200
+    if name.endswith(".csv"):
+        head = (folder.parent / "of-bow" / name).read_text().split("\n")[0]
+        assert all(word in head for word in ("cord", "pull", "rise", "strain", "safety", "margin"))
+
+
 @cache
 def _batten_files(folder):
     typed(folder, "batten", "--sheet", "pom-1", "--length", "2400", "--camber", "10", "--at", "40",
@@ -380,6 +391,7 @@ ROWS_OF = {
         "-o",
         "o",
     ): ("Camber",),
+    ("bow", "arch.svg", "--rod", "8", "-o", "o"): ("Cord",),
     ("model", "pavilion.toml", *QUICK, "--no-effects", "-o", "o"): ("Model", "Note"),
 }
 """Commands, and the labels of rows that they print."""

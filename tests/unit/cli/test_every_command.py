@@ -32,6 +32,7 @@ TYPED = {
     "coupon": (*SHEET, "-o", "out"),
     "compare": ("made.json", "read.toml"),
     "batten": (*SHEET, "--length", "600", "--camber", "10", "--at", "42", "--stock", "20", "2", "-o", "out"),
+    "bow": ("bow.txt", "--rod", "3:6", *SHEET, "--nearest", "-o", "out"),
     "pair": ("bow.txt", "flat.txt", "--sheet", "pom-2", "-o", "out"),
     "sheets": (),
     "new": ("lamp", "-o", "out"),
@@ -76,7 +77,7 @@ def test_a_command_prints_one_record_with_the_documented_keys(folder, name):
     if name == "check":
         (record,) = record
         usual = {"schema"}
-    read = {"read"} if name in ("check", "strip", "reshape", "pair") else set()
+    read = {"read"} if name in ("check", "strip", "reshape", "pair", "bow") else set()
     assert set(record) == KEYS[name] | usual | read
     assert record["schema"] == f"elastica-{name}/1"
     written = record.get("files", [])

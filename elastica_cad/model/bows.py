@@ -1,0 +1,196 @@
+"""Bows: rods and strips that a cord between their ends holds bent."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import numbers
+from elastica_cad.errors import InputError, refuse_unknown
+from elastica_cad.geometry.path import largest_deviation
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.mechanics.bending import bend
+from elastica_cad.mechanics.loads import Supports, require_curve
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sections import WidthLaw
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import RoundLaw, ThicknessLaw
+from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip_spec import make_strip
+from elastica_cad.strip.travel import Travel, bend_strip
+
+ENDS = Supports("pinned", "pinned")
+"""A cord fixes the distance of the ends and lets both turn: except for a turn of the whole bow, as two pins do."""
+
+FINE_NODES = 2401
+"""Number of nodes of an even bow; its pull is accurate to 2e-7."""
+
+LEAST_SLACK = 1e-6
+"""Least difference of length and cord, as a fraction of the length."""
+
+SHORTER = (0.02, 0.05, 0.1, 0.2)
+"""Default fractions by which the cord is shortened in a table."""
+
+
+@dataclass(frozen=True, eq=False)
+class Bow:
+    """Rod or strip that a cord between its ends holds bent; see `bow`.
+
+    Attributes
+    ----------
+    drawn : PlaneCurve
+        Drawn curve; the bow has the same end points.
+    strip : Strip
+        Strip or rod between pins at the ends of the cord. Its weight is neglected.
+    """
+
+    drawn: PlaneCurve
+    strip: Strip
+
+    def __repr__(self) -> str:
+        return f"<Bow of {self.length:.4g} mm, cord {self.cord:.4g} mm, pull {self.pull:.3g} N>"
+
+    @property
+    def length(self) -> float:
+        """Length of the rod between the ends of the cord, mm."""
+        return self.strip.rod.length
+
+    @property
+    def cord(self) -> float:
+        """Length of the cord, mm."""
+        return float(np.hypot(*_chord(self.strip.rod)))
+
+    @property
+    def pull(self) -> float:
+        """Force in the cord, N."""
+        return float(np.hypot(*self.strip.reactions().start_force))
+
+    @property
+    def rise(self) -> float:
+        """Largest distance of the bow from the cord, mm."""
+        return rise_of(self.strip.rod)
+
+    @property
+    def end_angles(self) -> FloatArray:
+        """Angles (2,), rad, of the bow at its start and end to the line from start to end."""
+        x, y = _chord(self.strip.rod)
+        turn = self.strip.rod.angle[[0, -1]] - np.arctan2(y, x)
+        return np.asarray(turn - 2 * np.pi * np.round(turn.mean() / (2 * np.pi)))
+
+    @cached_property
+    def deviation(self) -> float:
+        """Largest distance between the drawn curve and the bow, mm."""
+        bent = self.strip.rod.curve
+        return max(largest_deviation(self.drawn, bent), largest_deviation(bent, self.drawn))
+
+    def shortened(self, shares: Sequence[float] = SHORTER) -> Travel:
+        """Return the states of the bow with its cord shortened by these fractions, in increasing order."""
+        rod = self.strip.rod
+        for share in numbers(shares, "shares").tolist():
+            if not 0 <= share < 1:
+                raise InputError(
+                    "The cord cannot be shortened by {percent:g} %. Give at least 0 and less than 100 %.",
+                    percent=100 * share,
+                )
+        return bend_strip(self.strip, [rod.position[0] + (1 - share) * _chord(rod) for share in shares])
+
+
+def bow(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Bow:
+    """Return the rod or strip that a cord between its ends bends into a curve.
+
+    A constant section (`min_width` equal to `max_width`, or a law with equal limits) bends into an elastica. The
+    result is the even bow with the end points and the length of the curve, on the side of its bulge. `deviation` is
+    its distance from the curve. Any other section gets the widths or diameters that bend exactly into the curve,
+    whose curvature must be 0 at both ends.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+    sheet : Sheet or str
+        Material, and thickness of a strip.
+    **fields
+        Fields of `StripSpec`: `max_width` for a strip, `law=RoundLaw(...)` for a rod, `limits` for the nearest
+        possible curve. A constant section has `max_width`, `min_width`, `law`, `ends` and `label` only.
+
+    Raises
+    ------
+    NotRealizable
+        No bow with a varying section takes the curve.
+    InputError
+        The curve is straight or closed; see also `StripSpec`.
+
+    Examples
+    --------
+    >>> import elastica_cad as ec
+    >>> from elastica_cad.mechanics import RoundLaw
+    >>> glass = ec.Sheet("glass", 8.0, 38000.0, density=1900.0, max_strain=0.02)
+    >>> arc = ec.PlaneCurve.arc((0, 0), 500, 0.8 * np.pi, 0.2 * np.pi)
+    >>> kite = bow(arc, glass, law=RoundLaw(glass, 8.0, 8.0))
+    >>> round(kite.cord, 1), round(kite.pull), round(kite.deviation, 1)
+    (809.0, 96, 13.0)
+    """
+    require_curve(curve)
+    chord = float(np.hypot(*(curve.survey.position[-1] - curve.survey.position[0])))
+    least = LEAST_SLACK * curve.length
+    if chord < least:
+        raise InputError(
+            "The curve is closed, so a cord between its ends does not bend it. Draw an open arch."
+        )
+    if curve.length - chord < least:
+        raise InputError("The curve is straight, so a cord between its ends is slack. Draw an open arch.")
+    if _is_even(**fields):
+        return Bow(curve, _even_strip(curve, Sheet.of(sheet), **fields))
+    return Bow(curve, make_strip(curve, sheet, supports=ENDS, **fields))
+
+
+def rise_of(rod: Rod) -> float:
+    """Return the largest distance of a rod from the line between its ends, mm (parabola through three nodes)."""
+    chord = _chord(rod)
+    off = np.abs((rod.position - rod.position[0]) @ left_of(chord)) / np.hypot(*chord)
+    k = int(np.clip(off.argmax(), 1, off.size - 2))
+    before, here, after = off[k - 1 : k + 2]
+    bent = before - 2 * here + after
+    return float(here - (after - before) ** 2 / (8 * bent) if bent else here)
+
+
+def _chord(rod: Rod) -> FloatArray:
+    return np.asarray(rod.position[-1] - rod.position[0])
+
+
+def _is_even(
+    *,
+    law: object = None,
+    max_width: float | None = None,
+    min_width: float | None = None,
+    **_: Any,
+) -> bool:
+    """Return True if the section is constant."""
+    if isinstance(law, RoundLaw | ThicknessLaw):
+        return law.least == law.largest
+    return law is None and max_width is not None and max_width == min_width
+
+
+def _even_strip(
+    curve: PlaneCurve,
+    sheet: Sheet,
+    *,
+    law: RoundLaw | ThicknessLaw | None = None,
+    max_width: float | None = None,
+    min_width: float | None = None,  # noqa: ARG001 - equal to max_width
+    **fields: Any,
+) -> Strip:
+    """Return the strip of constant section with the end points and the length of the curve."""
+    refuse_unknown(fields, {"ends", "label"}, "a bow of constant section")
+    start, end = curve.survey.position[[0, -1]]
+    across = (curve.survey.position - start) @ left_of(end - start)
+    section = law or WidthLaw.as_plate(sheet, max_width)
+    flat = Rod.straight(
+        curve.length, samples=FINE_NODES, start=start, angle=float(np.arctan2(*(end - start)[::-1])),
+        supports=ENDS, section=section,
+    )  # fmt: skip
+    rod = bend(flat, end=end, side=1 if across.mean() >= 0 else -1)
+    return Strip(rod, sheet, max_width=max_width, **fields)

@@ -1,0 +1,36 @@
+"""A picture of a bow: the drawn curve, the bow with its cord, and its shapes with shorter cords."""
+
+import numpy as np
+
+from elastica_cad._values import require_record
+from elastica_cad.geometry.plane_points import box_about
+from elastica_cad.model.bows import Bow
+from elastica_cad.plot.canvas import INK, Figure, new_page
+from elastica_cad.plot.strip_pictures import FAINT, FIRST, LINE, NUMBERED, WIDE, finish_axes
+from elastica_cad.strip.travel import Travel
+
+
+def bow(bow: Bow, shorter: Travel) -> Figure:
+    """Draw a bow with its cord, the drawn curve, and the shapes with a shorter cord.
+
+    Raises
+    ------
+    InputError
+        `bow` is not a Bow, or `shorter` is not a Travel.
+    MissingDependencyError
+        matplotlib is not installed.
+    """
+    require_record(bow, Bow, "what is drawn", "a Bow")
+    require_record(shorter, Travel, "the bow with shorter cords", "a Travel")
+    rod, drawn = bow.strip.rod, bow.drawn.sample(600).position
+    low, high = box_about(np.concatenate([drawn, rod.position, *(shape.position for shape in shorter.rods)]))
+    width, height = np.maximum(high - low, 0.3 * np.max(high - low))
+    panel = NUMBERED._replace(height=float(np.clip(1.1 * WIDE * height / width, 2.2, 5.2)))
+    figure, (axes,) = new_page([panel])
+    for k, shape in enumerate(shorter.rods):
+        axes.plot(*shape.position.T, color=FIRST, linewidth=1.0, label="" if k else "shorter cords")
+    axes.plot(*drawn.T, color=FAINT, linewidth=1.4, linestyle=(0, (4, 2)), label="drawn curve")
+    axes.plot(*rod.position.T, color=INK, linewidth=2.2, label="bow")
+    axes.plot(*rod.position[[0, -1]].T, "o-", color=LINE, markersize=4, linewidth=1.2, label="cord")
+    finish_axes(axes, f"Bow: {bow.length:.1f} mm long, cord {bow.cord:.1f} mm, rise {bow.rise:.1f} mm")
+    return figure

@@ -1,0 +1,92 @@
+"""`elastica bow` as a kite maker meets it: its rows, table and files, and what it refuses."""
+
+import csv
+import json
+
+import numpy as np
+import pytest
+from scipy.special import ellipk
+
+from elastica_cad import PlaneCurve, write_curves
+from tests.command_line import run
+
+ARCH = [(0, 0), (60, 300), (400, 420), (740, 300), (800, 0)]
+STRIP = ("--sheet", "pom-2", "--max-width", "30")
+
+
+@pytest.fixture
+def arch(tmp_path):
+    write_curves(PlaneCurve.spline(ARCH, degree=3), tmp_path / "arch.json")
+    return tmp_path
+
+
+def record(folder, *words):
+    done = run("bow", "arch.json", *words, "-o", "out", "--force", "--json", cwd=folder)
+    return json.loads(done.stdout)["bow"]
+
+
+def test_an_even_rod_prints_what_a_shorter_cord_does(arch):
+    done = run("bow", "arch.json", "--rod", 8, "--sheet", "pom-2", "-o", "out", cwd=arch)
+    report = json.loads((arch / "out" / "arch-bow.json").read_text())
+    assert f"{report['length_mm']:.1f} mm long, 8 mm in diameter" in done.output
+    assert f"at most {report['deviation_mm']:.3g} mm from the drawn curve" in done.output
+    assert f"Cord        800.0 mm long, pulls with {report['pull_N']:.3g} N; rise" in done.output
+    rows = list(csv.DictReader((arch / "out" / "arch-bow.csv").read_text().splitlines()))
+    assert [float(row["shorter_percent"]) for row in rows] == [0, 2, 5, 10, 20]
+    assert [float(row["cord_mm"]) for row in rows] == pytest.approx([800, 784, 760, 720, 640])
+    for name, rises in (("pull_N", True), ("rise_mm", True), ("strain_percent", True), ("safety", False)):
+        steps = np.diff([float(row[name]) for row in rows])
+        assert (steps > 0).all() if rises else (steps < 0).all()
+    assert sorted(path.suffix for path in (arch / "out").iterdir()) == [".csv", ".json", ".png"]
+
+
+def test_pull_is_known_for_each_gpa_without_a_sheet(arch):
+    bare, pom = record(arch, "--rod", 8), record(arch, "--rod", 8, "--sheet", "pom-2")
+    assert bare["pull_N"] is None
+    assert pom["pull_N"] == pytest.approx(2.75 * bare["pull_N_per_GPa"], rel=1e-6)
+    m = np.sin(bare["end_angles"][0] / 2) ** 2
+    stiffness = 1000 * np.pi * 8**4 / 64
+    assert bare["pull_N_per_GPa"] == pytest.approx(
+        stiffness * (2 * ellipk(m) / bare["length_mm"]) ** 2, rel=2e-6
+    )
+    done = run("bow", "arch.json", "--rod", "5/16in", "--shorter", 7.5, "-o", "o", cwd=arch)
+    assert "N for each GPa of Young's modulus" in done.output
+    assert "740.0" in done.output
+
+
+@pytest.mark.parametrize("stock", [("--rod", "5:9", "--sheet", "pom-2"), STRIP])
+def test_a_taper_is_refused_with_the_command_that_works(arch, stock, check_drawing_file):
+    done = run("bow", "arch.json", *stock, "-o", "out", cwd=arch, code=1)
+    assert "free to turn, so the curvature there must be 0" in done.stderr
+    assert "--nearest` (within" in done.stderr
+    near = record(arch, *stock, "--nearest")
+    assert near["ratio"] > 1.5
+    assert 0 < near["deviation_mm"] < 15
+    assert near["margin"] > 5
+    (outline,) = [
+        item for item in check_drawing_file(arch / "out" / "arch-bow.dxf") if item.layer == "CUT_OUTER"
+    ]
+    assert outline.area > near["length_mm"] * 4
+
+
+def test_a_strip_of_constant_width_is_an_even_bow(arch):
+    even = record(arch, *STRIP, "--min-width", 30)
+    assert even["ratio"] < 1.01
+    assert even["shorter"]["pull_N"][0] == pytest.approx(even["pull_N"], rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ((), "The section of the bow is missing. Add --rod DIAMETER, or --max-width MM for a strip."),
+        (("--rod", 8, *STRIP), "The section of the bow is missing."),
+        (("--max-width", 30), "--max-width needs a sheet, which sets the thickness. Add --sheet NAME."),
+        (("--rod", 8, "--min-width", 3), "--min-width applies to strips only. Use --rod LEAST:LARGEST."),
+        (("--rod", 8, "--nearest"), "--nearest and --smooth apply to a varying section only."),
+        (("--rod", "8:6", "--sheet", "pom-2"), "diameter limits are 8 and 6"),
+        (("--rod", "8:x"), "'x' is no length"),
+        (("--rod", 8, "--shorter", 100), "The cord cannot be shortened by 100 %."),
+    ],
+)
+def test_refusals_name_the_option(arch, words, message):
+    assert message in run("bow", "arch.json", *words, cwd=arch, code=2).stderr
