@@ -128,6 +128,10 @@ campaign-studio: programs $(VENV)/test-installed
 campaign-elements: programs .venv-campaign/installed
 	$(RECORD) elements .venv-campaign/bin/python -m tests.campaign.finite_elements --out $(OUT)/campaign
 
+# The steps for Linux of the release workflow: source archive, wheels, core and contract tests. PYTHONS: more to test on.
+campaign-release: .venv-release/installed
+	$(RECORD) release .venv-release/bin/python -m tests.campaign.workflow $(PYTHONS)
+
 campaign-solids: programs .venv-campaign/installed
 	$(RECORD) solids .venv-campaign/bin/python tests/campaign/solids.py --out $(OUT)/campaign --minutes $(MINUTES)
 
@@ -191,6 +195,10 @@ $(OLDEST)/installed: $(VENV)/created pyproject.toml tests/oldest/requirements.tx
 .venv-campaign/installed: $(VENV)/created
 	@$(ALONE) .venv-campaign
 	$(call install,.venv-campaign,--editable . "build123d==0.12.0" "cadquery==2.8.0" gmsh pyright)
+
+.venv-release/installed: $(VENV)/created
+	@$(ALONE) .venv-release
+	$(call install,.venv-release,check-jsonschema zizmor)
 
 .venv-build123d/installed .venv-cadquery/installed: .venv-%/installed: $(VENV)/created pyproject.toml
 	@$(ALONE) .venv-$*
