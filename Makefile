@@ -27,22 +27,10 @@ demo: $(VENV)/demo-installed
 docs: $(VENV)/docs-installed
 	$(BIN)/python docs/build.py $(OUT)/manual
 
-# The folder that a user of FreeCAD puts into Mod: metadata, licence, and `freecad/` with the core inside it, without
-# the page of `elastica studio`, compiled loops and the sources of translations.
-ADDON := $(OUT)/addon/Elastica
+# The folder that a user of FreeCAD puts into Mod. To publish it: make addon MAINTAINER="Name <address>" REPOSITORY=https://...
 addon:
-	rm -rf $(ADDON)
-	mkdir -p $(ADDON)/freecad
-	cp LICENSE $(ADDON)
-	sed 's|>resources|>freecad/elastica_wb/resources|; s|freecad_workbench/resources|freecad/elastica_wb/resources|; s|freecad_workbench/||' \
-		package.xml > $(ADDON)/package.xml
-	cp -R freecad_workbench/freecad/elastica_wb $(ADDON)/freecad
-	cp -R freecad_workbench/resources $(ADDON)/freecad/elastica_wb
-	mkdir $(ADDON)/freecad/elastica_wb/core
-	cp -R elastica_cad $(ADDON)/freecad/elastica_wb/core
-	rm -rf $(ADDON)/freecad/elastica_wb/core/elastica_cad/web
-	find $(ADDON) -name '*.py[co]' -delete -o -name '*.so' -delete -o -name '*.[ch]' -delete -o -name '*.ts' -delete
-	find $(ADDON) -name __pycache__ -delete
+	@$(PYTHON) freecad_workbench/make_addon.py $(OUT)/addon/Elastica \
+		$(if $(MAINTAINER),--maintainer "$(MAINTAINER)") $(if $(REPOSITORY),--repository "$(REPOSITORY)")
 
 # Writes again what is made from the code: the reference pages of the manual, the typed options of the CAD libraries,
 # and the drawing of the packages.

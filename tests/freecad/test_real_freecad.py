@@ -38,7 +38,7 @@ def test_the_addon_that_users_install(tmp_path):
     """`make addon`, alone in an empty profile: menu in German, panels, icons, a strip."""
     subprocess.run(["make", "addon", f"OUT={tmp_path}"], cwd=launching.ROOT, capture_output=True, check=True)
     addon, home = tmp_path / "addon/Elastica", tmp_path / "home"
-    assert {path.name for path in addon.iterdir()} == {"LICENSE", "package.xml", "freecad"}
+    assert {path.name for path in addon.iterdir()} == {"LICENSE", "README.md", "package.xml", "freecad"}
     assert [path.name for path in (addon / "freecad").iterdir()] == ["elastica_wb"]
     assert sum(path.stat().st_size for path in addon.rglob("*")) < 5e6
     for named in ElementTree.parse(addon / "package.xml").iter(

@@ -8,6 +8,7 @@ import sys
 import tarfile
 import venv
 import zipfile
+from xml.etree import ElementTree
 
 import pytest
 
@@ -51,6 +52,53 @@ def source_archive(project_root, tmp_path):
     assert result.returncode == 0, result.stderr
     (archive,) = tmp_path.glob("*.tar.gz")
     return archive
+
+
+@pytest.fixture
+def addon(project_root, tmp_path):
+    """Function that writes the addon with some options and returns its folder and what was printed."""
+
+    def write(*options):
+        script = project_root / "freecad_workbench" / "make_addon.py"
+        written = run(str(script), str(tmp_path / "Elastica"), *options, cwd=tmp_path)
+        return tmp_path / "Elastica", written.stdout + written.stderr
+
+    return write
+
+
+def test_addon_for_this_computer(addon):
+    folder, printed = addon()
+    assert "MAINTAINER is missing" in printed
+    assert "REPOSITORY is missing" in printed
+    page = (folder / "README.md").read_text(encoding="utf-8")
+    assert "](" not in page, "a link into the checkout leads nowhere from Mod"
+
+
+def test_addon_to_publish(addon, project_root):
+    folder, printed = addon(
+        "--maintainer", "Ann <ann@example.org>", "--repository", "https://example.org/ann/e.git"
+    )
+    assert "missing" not in printed
+    package = ElementTree.parse(folder / "package.xml").getroot()
+    space = {"": "https://wiki.freecad.org/Package_Metadata"}
+    maintainer = package.find("maintainer", space)
+    assert (maintainer.text, maintainer.get("email")) == ("Ann", "ann@example.org")
+    urls = {url.get("type"): url.text for url in package.findall("url", space)}
+    assert urls["repository"] == "https://example.org/ann/e"
+    assert set(urls) == {"repository", "readme", "documentation", "bugtracker"}
+    page = (folder / "README.md").read_text(encoding="utf-8")
+    assert all(target.startswith("https://example.org/ann/e/") for target in re.findall(r"\]\(([^)]*)", page))
+    pictures = re.findall(r"!\[[^]]*\]\(https://example.org/ann/e/raw/main/([^)]*)", page)
+    assert pictures
+    assert all((project_root / picture).is_file() for picture in pictures)
+
+
+@pytest.mark.parametrize("option", [("--maintainer", "Ann"), ("--repository", "elastica")])
+def test_addon_with_unusable_names(addon, option):
+    folder, printed = addon(*option)
+    assert option[1] in printed
+    assert "Write " in printed
+    assert not folder.exists()
 
 
 @pytest.mark.campaign
