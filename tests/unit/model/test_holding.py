@@ -215,7 +215,7 @@ def test_an_inclined_tab_rocks_in_one_plate_and_not_in_two():
     (told,) = rocking_tabs(placed, [single])
     (rocked,) = held_shapes(placed, [single])
     assert told.startswith("A (and 1 more): in the slot of base its start can tip ")
-    upright, flatter = map(int, re.search(r"tip (\d+) degrees towards .* (\d+) away", told).groups())
+    upright, flatter = map(int, re.search(r"tip (\d+) degrees towards .* (\d+) degrees away", told).groups())
     assert upright > 10 > flatter
     assert f"the strip then deviates by up to {rocked.deviation:.2g} mm" in told
     assert "degrees" in holder_plays(placed, [single])[0]
