@@ -185,7 +185,7 @@ def test_the_contract_holds_where_nothing_else_is_installed(project_root, tmp_pa
     venv.create(tmp_path / "empty", with_pip=True)
     (python,) = (tmp_path / "empty").glob("*/python")
     asked = (
-        f"{wheel}[plot,build123d,cadquery]",
+        f"{wheel}[plot,build123d,cadquery,studio]",
         "build123d==0.12.0",
         "cadquery==2.8.0",
         "pytest",
