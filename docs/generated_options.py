@@ -35,6 +35,9 @@ class StripOptions(TypedDict, total=False):
     plane: Annotated[
         "Any", "Plane of the curve, with z towards the strip's upper edge: a plane of the library, or a `Frame`."
     ]
+    color: Annotated[
+        "Any", "Screen colour of the body: a colour of the library, or red, green and blue from 0 to 1."
+    ]
 {strip}
 
 class FixtureSizes(TypedDict, total=False):

@@ -22,8 +22,7 @@ from elastica_cad.kernel.strip_on_path import (
     make_strip_on,
 )
 from elastica_cad.kernel.strip_options import StripOptions
-from elastica_cad.mechanics.sheets import Sheet, sheet_color
-from elastica_cad.model.model import FIXTURE_COLOR
+from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.outline import StripEnd
 from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, PrismSolid
 from elastica_cad.strip.strip import Strip
@@ -61,7 +60,22 @@ Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Strip | StripBody | Iterable
 COLOR = "_color"  # where shapes of build123d keep theirs
 
 
-class _Made(StripBody):
+class _Pickled:
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the state for `pickle`, with colours as numbers, because kernel colours cannot be pickled."""
+        color = self.__dict__.get(COLOR)
+        return self.__dict__ | {COLOR: None if color is None else tuple(color)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        color = state[COLOR]
+        self.__dict__.update(state | {COLOR: None if color is None else bd.Color(*color)})
+
+
+class Layer(_Pickled, bd.Solid):
+    """A sheet of a bent strip."""
+
+
+class _Made(_Pickled, StripBody):
     """The strip behind a shape; copies of the shape share it. Its properties make the other bodies."""
 
     def _start(self) -> Frame | None:
@@ -118,7 +132,7 @@ class _Made(StripBody):
         """Return the bent strip on its curve, or bent further to other ends: `rib.bent(end=(120, 0))`."""
         if not moved:
             return BentStrip(self, mode=bd.Mode.PRIVATE)
-        return BentStrip(self._bent_anew(moved), plane=self.frame, mode=bd.Mode.PRIVATE)
+        return BentStrip(self._bent_anew(moved), plane=self.frame, color=self.color, mode=bd.Mode.PRIVATE)
 
     def slider(self, end: Point | None = None, *, angle: float | None = None) -> "Slider | AngleSlider":
         """Return a joint for the travel of the strip's end to a point (mm) or its rotation to an angle (degrees).
@@ -136,16 +150,16 @@ class _Made(StripBody):
     def layers(self) -> tuple[bd.Solid, ...]:
         """Sheets of the bent strip, the base first, with names and colours."""
         solids = []
-        for shape, name, sheet in self._layers():
-            solid = bd.Solid(shape)
-            solid.label, solid.color = name, bd.Color(*sheet_color(sheet))
+        for shape, name, color in self._layers():
+            solid = Layer(shape)
+            solid.label, solid.color = name, bd.Color(*color)
             solids.append(solid)
         return tuple(solids)
 
     @property
     def assembly(self) -> bd.Compound:
         """Sheets of the bent strip as children of a compound, with names and colours."""
-        return bd.Compound(label=self.strip.label or "strip", children=list(self.layers))
+        return bd.Compound(label=self._made.name, children=list(self.layers))
 
     @property
     def backing(self) -> bd.Solid:
@@ -188,15 +202,6 @@ class _Made(StripBody):
         plain.label, plain.color = body.label, body.color
         return plain
 
-    def __getstate__(self) -> dict[str, Any]:
-        """Return the state for `pickle`, with colours as numbers, because kernel colours cannot be pickled."""
-        color = self.__dict__.get(COLOR)
-        return self.__dict__ | {COLOR: None if color is None else tuple(color)}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        color = state[COLOR]
-        self.__dict__.update(state | {COLOR: None if color is None else bd.Color(*color)})
-
 
 class _Travelled:
     """Data of the strip and its travel for joints on a strip's end."""
@@ -206,8 +211,8 @@ class _Travelled:
 
     def bent(self, position: float) -> "BentStrip":
         """Return the strip with its end at a position on the path, mm or degrees."""
-        strip = replace(self.travel.strip, rod=self.travel.rod(position))
-        return BentStrip(strip, plane=self._frame, mode=bd.Mode.PRIVATE)
+        strip = replace(self.parent.strip, rod=self.travel.rod(position))
+        return BentStrip(strip, plane=self._frame, color=self.parent.color, mode=bd.Mode.PRIVATE)
 
     def write_glb(
         self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
@@ -449,6 +454,8 @@ class EndFixture(_Made, bd.BasePartObject):
         errors of `StripOutline`.
     """
 
+    _is_strip = False
+
     def __init__(
         self,
         path: Drawn,
@@ -467,7 +474,7 @@ class EndFixture(_Made, bd.BasePartObject):
         add_joints(solid, block.solid)
         super().__init__(solid, rotation, align, mode)
         _dress(self, made)
-        self.label, self.color = block.label, bd.Color(*FIXTURE_COLOR)
+        self.label = block.label
 
 
 class PlacedStrip(_Made, bd.Part):
@@ -485,5 +492,5 @@ def _jointed(records: Sequence[BodyRecord]) -> bd.Solid | bd.Part:
 def _dress(shape: Any, made: MadeStrip) -> None:
     occt.lock(shape.wrapped)
     shape._made = made
-    shape.label = made.strip.label or "strip"
-    shape.color = bd.Color(*sheet_color(made.strip.sheet))
+    shape.label = made.name
+    shape.color = bd.Color(*made.body_color)

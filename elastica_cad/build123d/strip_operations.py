@@ -10,6 +10,7 @@ from elastica_cad.build123d.strip_objects import (
     BentStrip,
     Drawn,
     FlatStrip,
+    Layer,
     PlacedStrip,
     StripOutline,
     add_joints,
@@ -243,12 +244,12 @@ def _child(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:
     """Return a part of an assembly in its place; a part that is a strip has the property `strip`."""
     child: Any = bd.Part(solids[0].wrapped)
     if part.strip is not None:
-        child = PlacedStrip(bd.Compound(solids).wrapped)
+        child = PlacedStrip(bd.Compound(solids).wrapped, label=part.name)  # the strip keeps its name
         base: Any = part.solids[0]
         child._made = MadeStrip(part.strip, Frame(), home=base.joints["start"])
         if len(solids) > 1:
             # new wrappers: equal strips share shapes, but a child has one parent
-            layers = [bd.Solid(solid.wrapped) for solid in solids]
+            layers = [Layer(solid.wrapped) for solid in solids]
             for layer, name, color in zip(layers, part.names, part.colors, strict=True):
                 layer.label, layer.color = name, bd.Color(*color)
             child.children = layers

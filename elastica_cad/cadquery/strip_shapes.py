@@ -22,10 +22,9 @@ from elastica_cad.kernel.strip_on_path import (
     make_strip_on,
 )
 from elastica_cad.kernel.strip_options import StripOptions
-from elastica_cad.mechanics.sheets import Sheet, sheet_color
-from elastica_cad.model.model import FIXTURE_COLOR
+from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.outline import ENDS, StripEnd
-from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, PrismSolid, bent_sheets
+from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, PrismSolid
 from elastica_cad.strip.strip import Strip
 
 
@@ -56,14 +55,35 @@ def free_name(name: str, assembly: cq.Assembly) -> str:
 Drawn: TypeAlias = cq.Edge | cq.Wire | cq.Workplane | PlaneCurve | Strip | StripBody | Iterable[cq.Edge]
 """A curve that is drawn, or a strip that was made before: then there is nothing to solve."""
 
-KEPT = ("_made", "_joints", "label", "color")
+KEPT = ("_made", "_joints", "_label", "label", "color")
 
 
-class _Made(StripBody, cq.Shape):
+class _Pickled(cq.Shape):
+    color: cq.Color
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        """Return the state for `copy`, `deepcopy` and `pickle`, including the strip."""
+        kept = {k: v for k, v in self.__dict__.items() if k in KEPT}
+        if "color" in kept:
+            kept["color"] = self.color.toTuple()
+        return super().__getstate__(), kept
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        shape, kept = state
+        super().__setstate__(shape)
+        self.__dict__.update(kept)
+        if "color" in kept:
+            self.color = cq.Color(*kept["color"])
+
+
+class _Layer(_Pickled, cq.Solid):
+    """A sheet of a bent strip."""
+
+
+class _Made(StripBody, _Pickled):
     """Shape with a strip, which copies and moved shapes keep. Its properties return the other bodies."""
 
     _joints: Mapping[str, cq.Location] = MappingProxyType({})
-    color: cq.Color
 
     def _start(self) -> Frame | None:
         return _read_frame(self.location() * self._joints["start"]) if "start" in self._joints else None
@@ -83,7 +103,7 @@ class _Made(StripBody, cq.Shape):
         """Return the bent strip on its curve, or bent further to other ends: `rib.bent(end=(120, 0))`."""
         if not moved:
             return bent_strip(self)
-        return bent_strip(self._bent_anew(moved), plane=self.frame)
+        return bent_strip(self._bent_anew(moved), plane=self.frame, color=self.color)
 
     def slider(self, end: Point | None = None, *, angle: float | None = None) -> "Slider":
         """Return the travel of the strip's end to a point (mm) or its rotation to an angle (degrees).
@@ -99,21 +119,21 @@ class _Made(StripBody, cq.Shape):
         return self.layers[1]
 
     @property
-    def layers(self) -> tuple[cq.Solid, ...]:
-        """Sheets of the bent strip, the base first, with labels."""
+    def layers(self) -> tuple[_Layer, ...]:
+        """Sheets of the bent strip, the base first, with labels and colours."""
         solids = []
-        for shape, name, _ in self._layers():
-            solid: cq.Solid = cq.Solid(shape)
-            solid.label = name
+        for shape, name, color in self._layers():
+            solid = _Layer(shape)
+            solid.label, solid.color = name, cq.Color(*color)
             solids.append(solid)
         return tuple(solids)
 
     @property
     def assembly(self) -> cq.Assembly:
         """Sheets of the bent strip as children of an assembly, with names and colours."""
-        made = cq.Assembly(name=_plain_name(self.strip.label or "strip"))
-        for solid, sheet in zip(self.layers, bent_sheets(self.strip), strict=True):
-            made.add(solid, name=free_name(solid.label, made), color=cq.Color(*sheet_color(sheet)))
+        made = cq.Assembly(name=_plain_name(self._made.name))
+        for solid in self.layers:
+            made.add(solid, name=free_name(solid.label, made), color=solid.color)
         return made
 
     @lists(BlockOptions)
@@ -155,20 +175,6 @@ class _Made(StripBody, cq.Shape):
             raise AttributeError(
                 f"A body that was rounded, chamfered or hollowed has no {name}. Use {name} of the original strip."
             )
-
-    def __getstate__(self) -> tuple[Any, ...]:
-        """Return the state for `copy`, `deepcopy` and `pickle`, including the strip."""
-        kept = {k: v for k, v in self.__dict__.items() if k in KEPT}
-        if "color" in kept:
-            kept["color"] = self.color.toTuple()
-        return super().__getstate__(), kept
-
-    def __setstate__(self, state: tuple[Any, ...]) -> None:
-        shape, kept = state
-        super().__setstate__(shape)
-        self.__dict__.update(kept)
-        if "color" in kept:
-            self.color = cq.Color(*kept["color"])
 
     def _apply_transform(self, Tr: Any) -> Any:
         made = self._knowing_its_strip(super()._apply_transform(Tr))
@@ -230,6 +236,7 @@ class Slider:
         from elastica_cad.kernel.end_travel import travel_of
 
         self.travel = travel_of(rib, end, angle)
+        self._rib = rib
 
     def place(self, position: float) -> cq.Location:
         """Return the place of the end `position` along the way, mm or degrees: x along it, or along the strip that
@@ -241,8 +248,8 @@ class Slider:
 
     def bent(self, position: float) -> "StripSolid | StripCompound":
         """Return the strip with its end at a position on the path, mm or degrees."""
-        travel = self.travel
-        return bent_strip(replace(travel.strip, rod=travel.rod(position)), plane=travel.frame)
+        strip = replace(self._rib.strip, rod=self.travel.rod(position))
+        return bent_strip(strip, plane=self.travel.frame, color=self._rib.color)
 
     def constrain(self, assembly: cq.Assembly, name: str, position: float) -> cq.Assembly:
         """Hold a child, or a tagged face of it ("carriage?foot"), on the way for `solve()`, square to it."""
@@ -316,6 +323,8 @@ class StripCompound(_Ended, Sheets):
 
 class FixtureSolid(_Jointed, cq.Solid):
     """Block that holds one end of a strip, with properties `strip`, `rod`, `check` and `warnings` of the strip."""
+
+    _is_strip = False
 
 
 S = TypeVar("S", bound=_Made)
@@ -406,7 +415,7 @@ def end_fixture(
         edges, sheet, max_width=max_width, end=end, floor=floor, **drawn_on, **options
     )
     fixture = dress(FixtureSolid(occt.make_solid(block.solid)), block.solid.joints, made)
-    fixture.label, fixture.color = block.label, cq.Color(*FIXTURE_COLOR)
+    fixture.label = block.label
     return fixture
 
 
@@ -440,6 +449,6 @@ def dress(shape: S, joints: Mapping[str, Frame], made: MadeStrip) -> S:
     """Return the shape with its strip, joints, name and colour."""
     shape._made = made
     shape._joints = {name: make_location(frame) for name, frame in joints.items()}
-    shape.label = made.strip.label or "strip"
-    shape.color = cq.Color(*sheet_color(made.strip.sheet))
+    shape.label = made.name
+    shape.color = cq.Color(*made.body_color)
     return shape

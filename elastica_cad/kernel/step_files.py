@@ -29,7 +29,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.drawn_edges import free_chains
 from elastica_cad.kernel.occt import make_location, make_solid, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
-from elastica_cad.mechanics.sheets import Color, sheet_color
+from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.model.assembly import Holder, assembly_parts, bent_names, shape_parts
 from elastica_cad.model.model import Model
 from elastica_cad.strip.solids import BentSolid, FlatSolid, bent_sheets, frame_beside
@@ -188,7 +188,7 @@ class NamedShape:
 
     name: str
     shape: Shape
-    color: Color = (0.8, 0.65, 0.42)
+    color: tuple[float, ...] = (0.8, 0.65, 0.42)
     frame: Frame | None = None
 
 
@@ -230,7 +230,7 @@ def make_document(parts: Sequence[NamedShape], *, name: str) -> Any:
     for part in parts:
         if id(part.shape) not in drawn:
             label = shapes.AddShape(bare(part.shape), False)
-            color = k.Quantity_Color(*part.color, k.Quantity_TypeOfColor.Quantity_TOC_sRGB)
+            color = k.Quantity_Color(*part.color[:3], k.Quantity_TypeOfColor.Quantity_TOC_sRGB)
             colors.SetColor(label, color, k.XCAFDoc_ColorType.XCAFDoc_ColorGen)
             _set_name(label, part.name)
             drawn[id(part.shape)] = label

@@ -2,7 +2,7 @@
 
 import sys
 import warnings
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import degrees, hypot
 from typing import TYPE_CHECKING, Annotated, Any, Protocol, TypeAlias, TypedDict, TypeVar
@@ -14,17 +14,17 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.kernel.occt import make_face, make_sheets, make_wire
-from elastica_cad.kernel.ocp_import import Shape
+from elastica_cad.kernel.ocp_import import Shape, kernel
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.between_clamps import ElasticaBetween, angles_in_rad, elastica_between
 from elastica_cad.mechanics.loads import Supports, whole_number
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.model.collisions import missing_slots, self_contact
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.flat_pattern import in_smooth_pieces
-from elastica_cad.strip.solids import BentSolid, bent_sheets
+from elastica_cad.strip.solids import BentSolid, bent_colors
 from elastica_cad.strip.strip import Placed, Strip
 
 if TYPE_CHECKING:
@@ -35,6 +35,9 @@ T = TypeVar("T")
 
 LEAST_DEGREES = 7.0
 """Least plausible angle with decimals, degrees; smaller angles are probably radians."""
+
+LEAST_LEAN_DEGREES = 90 / degrees(1)
+"""Least plausible lean of a slot with decimals, degrees: a quarter turn in radians."""
 
 LIBRARIES = ("elastica_cad", "build123d", "cadquery")
 """Packages whose frames are skipped when a warning is attributed to the user's line."""
@@ -63,8 +66,14 @@ def model_parts(
 def end_angles(angles: object) -> tuple[float | None, float | None]:
     """Return the angles at start and end in rad, and warn if the given degrees look like radians."""
     pair = angles_in_rad(angles)
-    nonzero = [degrees(angle) for angle in pair if angle]
-    if nonzero and all(abs(angle) < LEAST_DEGREES and round(angle, 9) % 1 for angle in nonzero):
+    warn_of_radians([degrees(angle) for angle in pair if angle], LEAST_DEGREES)
+    return pair
+
+
+def warn_of_radians(angles: Sequence[float], least: float) -> None:
+    """Warn if all angles have decimals and are less than the least plausible angle, degrees."""
+    nonzero = [angle for angle in angles if angle]
+    if nonzero and all(abs(angle) < least and round(angle, 9) % 1 for angle in nonzero):
         listed = ", ".join(f"{angle:.4g}" for angle in nonzero)
         warn(
             note(
@@ -72,7 +81,6 @@ def end_angles(angles: object) -> tuple[float | None, float | None]:
                 shown=listed,
             )
         )
-    return pair
 
 
 def clamped_wire(
@@ -133,6 +141,34 @@ def numbers_of(point: Point) -> tuple[float, ...]:
     return tuple(map(float, numbers))
 
 
+COLOR_STEP = 1e-6
+"""Least difference between two colours in a component, above the rounding of the libraries' colours."""
+
+
+def color_numbers(color: Any) -> tuple[float, ...]:
+    """Return a colour of a library, its name, or 3 or 4 numbers, as numbers from 0 to 1.
+
+    Raises
+    ------
+    InputError
+        The object is not such a colour.
+    """
+    k = kernel()
+    named = k.Quantity_Color()
+    read = k.Quantity_Color.ColorFromHex_s if str(color).startswith("#") else k.Quantity_Color.ColorFromName_s
+    try:
+        if isinstance(color, str) and read(color, named):
+            return tuple(named.Values(k.Quantity_TypeOfColor.Quantity_TOC_sRGB))
+        row = numbers_of(color)
+    except (TypeError, ValueError):
+        row = ()
+    if len(row) not in (3, 4) or not all(0 <= part <= 1 for part in row):
+        raise InputError(
+            f"color is {color!r}. Pass a Color of your library, its name, or red, green and blue from 0 to 1."
+        )
+    return row
+
+
 class BendOptions(TypedDict, total=False):
     """Options for bending a strip to other ends, as in `mechanics.bend`."""
 
@@ -178,12 +214,15 @@ class MadeStrip:
         Distance by which limits moved the strip from the drawn curve, mm.
     home : Frame or None
         Original joint "start" of a bent body, or None for other bodies.
+    color: tuple[float, ...] or None
+        Screen colour that was requested for the body: red, green, blue and possibly opacity, each in 0..1.
     """
 
     strip: Strip
     frame: Frame
     deviation: float = 0.0
     home: Frame | None = None
+    color: tuple[float, ...] | None = None
 
     def __deepcopy__(self, memo: dict[int, Any]) -> "MadeStrip":
         return self
@@ -191,6 +230,16 @@ class MadeStrip:
     def mirrored(self) -> "MadeStrip":
         """Return the strip of a mirrored body, whose sides across the strip are exchanged."""
         return replace(self, strip=self.strip.mirrored())
+
+    @property
+    def name(self) -> str:
+        """Name of a body of the strip."""
+        return self.strip.label or "strip"
+
+    @property
+    def body_color(self) -> tuple[float, ...]:
+        """Screen colour of a body of the strip."""
+        return self.color or sheet_color(self.strip.sheet)
 
     @property
     def face(self) -> Shape:
@@ -203,6 +252,21 @@ class StripBody:
     """The properties that a body of a strip has in every CAD library."""
 
     _made: MadeStrip
+    _is_strip = True
+    _label = ""
+    color: Any
+
+    @property
+    def label(self) -> str:
+        """Name of the body, and of its strip: a new name also holds for the other bodies of the strip."""
+        return self._label
+
+    @label.setter
+    def label(self, label: str) -> None:
+        changed, self._label = label != self._label, label
+        made: MadeStrip | None = self.__dict__.get("_made")
+        if made is not None and self._is_strip and changed and label and label != made.name:
+            self._made = replace(made, strip=made.strip.labelled(label))
 
     def _start(self) -> Frame | None:
         """Return the present frame of the joint "start", or None if the body has no such joint."""
@@ -243,7 +307,18 @@ class StripBody:
     def placed(self) -> Placed:
         """The strip in its place, for `Model`."""
         frame = self.frame
-        return Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis)
+        return Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis, self._changed_color)
+
+    @property
+    def _changed_color(self) -> tuple[float, ...] | None:
+        """Screen colour of the body if it is not the colour of the sheet, which has no opacity."""
+        color = color_numbers(self.color) if self._is_strip and self.color is not None else ()
+        usual = (*sheet_color(self.strip.sheet), 1.0)
+        return (
+            color
+            if color and max(abs(a - b) for a, b in zip(color, usual, strict=False)) > COLOR_STEP
+            else None
+        )
 
     def _bent_anew(self, moved: BendOptions) -> Strip:
         """Return the strip bent to other ends."""
@@ -277,13 +352,13 @@ class StripBody:
             )
         return x, y
 
-    def _layers(self) -> Iterator[tuple[Shape, str, Sheet]]:
-        """Return the bent sheets, the base first: TopoDS_Solid, name, material."""
+    def _layers(self) -> Iterator[tuple[Shape, str, tuple[float, ...]]]:
+        """Return the bent sheets, the base first: TopoDS_Solid, name, colour."""
         from elastica_cad.model.assembly import bent_names
 
-        names = bent_names(self.strip.label or "strip", self.strip)
+        names = bent_names(self._made.name, self.strip)
         records = BentSolid.layers(self.strip, self.frame)
-        yield from zip(make_sheets(records), names, bent_sheets(self.strip), strict=True)
+        yield from zip(make_sheets(records), names, bent_colors(self.strip, self._changed_color), strict=True)
 
     def _require_backing(self) -> None:
         if len(self.strip.layers) == 1:

@@ -1,11 +1,13 @@
 """The strip of a curve drawn in a CAD kernel, given as numbers, or made before."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import fields
+from dataclasses import fields, replace
 from functools import lru_cache
+from math import radians
+from os import PathLike
 from typing import TYPE_CHECKING, Annotated, Any
 
-from elastica_cad._values import is_series
+from elastica_cad._values import is_number, is_series, several
 from elastica_cad.errors import InputError, UnknownOptionError, refuse_unknown
 from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry.frame import Frame
@@ -13,16 +15,20 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.drawn_edges import plane_curve
 from elastica_cad.kernel.ocp_import import bare
 from elastica_cad.kernel.strip_body import (
+    LEAST_LEAN_DEGREES,
     MadeStrip,
     StripBody,
+    color_numbers,
     numbers_of,
     warn,
+    warn_of_radians,
     warn_of_strip,
 )
 from elastica_cad.kernel.strip_options import FixtureSizes, StripOptions
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.outline import StripEnd
+from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.strip import Strip
 
 # solvers and holders are imported on first use, so that the binding loads quickly
@@ -40,6 +46,14 @@ SHORTEST_MM = 5.0
 KEPT_REQUESTS = 64  # requests whose strips are kept: a few models' worth
 FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)
 GIVEN_OTHERWISE = {
+    "material": 'sheet="mdf-3" or another name of ec.sheet_names()',
+    "thickness": 'sheet="birch-plywood-0.8" or ec.Sheet(..., thickness=0.8); the sheet has the thickness',
+    **dict.fromkeys(("tab", "tabs"), "ends=ec.Tab(12)"),
+    **dict.fromkeys(("hole", "holes"), "ends=ec.Tab(12, holes=ec.Hole(6, 3.2))"),
+    **dict.fromkeys(("notch", "notches"), "slots=ec.Slot(...)"),
+    "name": "label=...",
+    "text": "engrave=...",
+    "kerf": "kerf=... to ec.save(...)",
     "backing": "style=Laminated(width=..., backing=...)",
     "columns": "style=Perforated(width=..., columns=...)",
     "number": "engrave=...",
@@ -98,6 +112,12 @@ def make_strip_on(
     path = path if drawn is None or callable(drawn) else drawn  # a line builder is replaced by its line
     options = {name: value for name, value in options.items() if value is not None}
     _refuse_unknown(options)
+    color = color_numbers(options.pop("color")) if "color" in options else None
+    _require_curve(path)
+    if "ends" in options:
+        _require_tabs(options["ends"])
+    if "slots" in options:
+        options["slots"] = _slots_in_rad(options["slots"])
     frame = _frame_of(options.pop("plane")) if "plane" in options else None
     if isinstance(path, Strip | StripBody):
         late = [*(("sheet",) if sheet is not None else ()), *options]
@@ -107,13 +127,16 @@ def make_strip_on(
             )
         if isinstance(path, Strip):
             warn_of_strip(path)
-            return MadeStrip(path, frame or Frame())
-        return MadeStrip(path.strip, frame or path.frame, path.deviation)
+            return MadeStrip(path, frame or Frame(), color=color)
+        return MadeStrip(path.strip, frame or path.frame, path.deviation, color=color or path._changed_color)
     kind = type(path).__name__
     if kind in NO_CURVES:
         raise InputError(f"A {kind} is not a curve. Pass {NO_CURVES[kind]}.")
     if sheet is None:
         raise InputError('A strip for a curve needs a sheet. Pass a Sheet or its name, such as "mdf-3".')
+    for material in (sheet, getattr(options.get("style"), "backing", None)):
+        if isinstance(material, Sheet):
+            material.require_plausible()
     if _is_vector(options.get("gravity")):
         options["gravity"] = numbers_of(options["gravity"])
     if isinstance(path, PlaneCurve):
@@ -140,7 +163,42 @@ def make_strip_on(
             "The strip deviates from the drawn curve by up to {far}, {percent:.2g} % of its length, as allowed.",
             far=Length(deviation), percent=100 * deviation / strip.rod.length,
         ))  # fmt: skip
-    return MadeStrip(strip, frame, deviation)
+    return MadeStrip(strip, frame, deviation, color=color)
+
+
+def _require_curve(path: Any) -> None:
+    """Refuse a text and points, which users pass in place of a curve."""
+    if isinstance(path, str | PathLike):
+        raise InputError(
+            f"{str(path)!r} is not a curve. Pass the curve first; ec.read_curves(file)[0] reads a file."
+        )
+    rows = path if isinstance(path, Sequence) or hasattr(path, "tolist") else ()
+    if len(rows) and all(map(_is_point, rows)):
+        raise InputError(
+            f"The path is a list of {len(rows)} points. Pass a spline through them, such as "
+            "ec.PlaneCurve.fit(points) or a spline of your library."
+        )
+
+
+def _is_point(value: Any) -> bool:
+    """Return True for numbers of a point and for a vector of a library."""
+    return _is_vector(value) or (bare(value) is value and is_series(value) and all(map(is_number, value)))
+
+
+def _require_tabs(ends: Any) -> None:
+    """Refuse the length of a tab in place of the tab."""
+    lengths = [end for end in (ends if is_series(ends) else [ends]) if is_number(end)]
+    if lengths:
+        raise InputError(
+            f"ends hold the number {lengths[0]:g}. Pass ec.Tab({lengths[0]:g}) for a tab of this length."
+        )
+
+
+def _slots_in_rad(slots: Any) -> tuple[Slot, ...]:
+    """Return slots with their lean in rad, and warn if the given degrees look like radians."""
+    given = several("slots", slots, Slot, "Slot")
+    warn_of_radians([slot.lean for slot in given], LEAST_LEAN_DEGREES)
+    return tuple(replace(slot, lean=radians(slot.lean)) for slot in given)
 
 
 def make_fixture_on(
@@ -159,10 +217,12 @@ def make_fixture_on(
     `EndFixture` and `make_strip_on`.
     """
     from elastica_cad.model.fixtures import EndFixture
+    from elastica_cad.model.model import FIXTURE_COLOR
 
     sizes = {name: options.pop(name) for name in FIXTURE_SIZES if name in options}
     _refuse_unknown(options, FIXTURE_SIZES)
-    result = make_strip_on(path, sheet, workplane=workplane, **options)
+    color = color_numbers(options.pop("color", None) or FIXTURE_COLOR)
+    result = replace(make_strip_on(path, sheet, workplane=workplane, **options), color=color)
     ground = None if floor is None else _frame_of(floor)
     engrave = None if engrave is None else str(engrave)
     return result, EndFixture.of(result.strip, end, result.frame, floor=ground, engrave=engrave, **sizes)
@@ -223,7 +283,11 @@ def _refuse_unknown(options: Mapping[str, Any], sizes: Sequence[str] = ()) -> No
     """Raise InputError for unknown options; for fields of a style, the message has the replacement."""
     from elastica_cad.strip.strip_spec import StripSpec
 
-    known = {"plane", *sizes, *(field.name for field in fields(StripSpec))} - {"curve", "sheet", "frame"}
+    known = {"plane", "color", *sizes, *(field.name for field in fields(StripSpec))} - {
+        "curve",
+        "sheet",
+        "frame",
+    }
     for name in options:
         if name in GIVEN_OTHERWISE and name not in known:
             raise UnknownOptionError(f"{name} is not an option of a strip. Pass {GIVEN_OTHERWISE[name]}")

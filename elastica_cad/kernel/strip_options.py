@@ -26,6 +26,9 @@ class StripOptions(TypedDict, total=False):
         "Any",
         "Plane of the curve, with z towards the strip's upper edge: a plane of the library, or a `Frame`.",
     ]
+    color: Annotated[
+        "Any", "Screen colour of the body: a colour of the library, or red, green and blue from 0 to 1."
+    ]
     min_width: Annotated["float | None", "Width of the narrowest place, or its limit (mm)."]
     style: Annotated["Style", "Style: one sheet, a sheet with holes, or two glued sheets."]
     limits: Annotated[

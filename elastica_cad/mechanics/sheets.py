@@ -61,15 +61,15 @@ PLAUSIBLE: dict[str, tuple[float, float, str]] = {
 }
 
 
-def plausible_number(value: object, key: str, where: str) -> float:
-    """Return the number, or refuse it if it must be in a wrong unit."""
+def plausible_number(value: object, key: str, where: str, name: str | None = None) -> float:
+    """Return the number, or refuse it if it must be in a wrong unit; the message has `name` in place of the key."""
     number = _finite_number(value, f"{where}: {key}")
     low, high, hint = PLAUSIBLE.get(key.replace("_range", ""), (float("-inf"), float("inf"), ""))
     if not low <= number <= high and number > 0:
         raise InputError(
             "{place}: {key} = {number:g} looks like the wrong unit; {hint}",
             place=where,
-            key=key,
+            key=name or key,
             number=number,
             hint=hint,
         )
@@ -595,6 +595,18 @@ class Sheet:
                 unit=unit,
             )
         return value
+
+    def require_plausible(self) -> None:
+        """Refuse figures that no sheet has in the unit of the field.
+
+        Raises
+        ------
+        InputError
+            A figure must be in a wrong unit.
+        """
+        for key, entry in sheet_keys().items():
+            if key in PLAUSIBLE and is_number(figure := getattr(self, entry.name)):
+                plausible_number(figure, key, f"sheet {self.name!r}", entry.name)
 
     def _grain_at(self, degrees: float) -> Grain:
         """Return the word for an angle to the grain, degrees."""

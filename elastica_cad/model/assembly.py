@@ -8,7 +8,7 @@ from typing import TypeAlias, TypeVar
 from elastica_cad._values import several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.sheets import Color, sheet_color
+from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.model.fixtures import EndFixture, PlacedTab, tab_name
 from elastica_cad.model.frames import Rib, SlottedFrame
 from elastica_cad.model.model import FIXTURE_COLOR, Model
@@ -16,7 +16,7 @@ from elastica_cad.model.plates import BasePlate, Ring
 from elastica_cad.refusals import note
 from elastica_cad.strip.holding_template import held_ends
 from elastica_cad.strip.outline import ENDS, StripEnd
-from elastica_cad.strip.solids import BentSolid, BodyRecord, PrismSolid, bent_sheets
+from elastica_cad.strip.solids import BentSolid, BodyRecord, PrismSolid, bent_colors, bent_sheets
 from elastica_cad.strip.strip import Placed, Strip, strip_names
 
 HOLDERS = "BasePlate, SlottedFrame, Ring and EndFixture"
@@ -40,7 +40,7 @@ class AssemblyPart:
     solids : tuple of BentSolid, FlatSolid or PrismSolid
         For a strip, one solid per sheet, with the plane of the curve as xy plane. Equal strips share the tuple.
     colors : tuple of (red, green, blue)
-        Screen colors of the solids, each component in 0..1.
+        Screen colors of the solids, each component in 0..1; a fourth number is the opacity.
     frame : Frame
         Position of the solids in the assembly.
     strip : Strip or None
@@ -49,7 +49,7 @@ class AssemblyPart:
 
     name: str
     solids: tuple[BodyRecord | PrismSolid, ...]
-    colors: tuple[Color, ...]
+    colors: tuple[tuple[float, ...], ...]
     frame: Frame = field(default_factory=Frame)
     strip: Strip | None = None
 
@@ -89,7 +89,7 @@ def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> 
         strip = member.strip
         if id(strip) not in solids:
             solids[id(strip)] = BentSolid.layers(strip)
-        colors = tuple(sheet_color(sheet) for sheet in bent_sheets(strip))
+        colors = bent_colors(strip, member.color)
         strips.append(AssemblyPart(name, solids[id(strip)], colors, member.frame, strip))
     return (*_numbered(strips), *_numbered([_holder_part(holder) for holder in single_holders(holders)]))
 

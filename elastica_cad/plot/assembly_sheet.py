@@ -1,6 +1,7 @@
 """Assembly sheet as PDF: an exploded picture with numbered ends, and the steps of the assembly in order."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import groupby
 from os import PathLike
 from typing import Any
@@ -22,7 +23,6 @@ from elastica_cad.model.frames import Rib
 from elastica_cad.model.model import Model
 from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons, write_pages
 from elastica_cad.plot.model_pictures import look_from, rule_strip, screen_of
-from elastica_cad.strip.strip import Placed
 
 PAGE_INCHES = (11.69, 8.27)  # A4 in landscape
 ELEVATION_DEG, AZIMUTH_DEG = 24.0, -60.0  # of the eye
@@ -137,7 +137,7 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     for member in model.placed:
         center = member.frame.point(member.strip.rod.position).mean(axis=0)
         out = SPREAD * (center - middle)
-        spread.append(Placed(member.strip, member.origin + out, member.x_axis, member.y_axis))
+        spread.append(replace(member, origin=member.origin + out))
         shown.append(rule_strip(spread[-1]))
     far = APART * extent
     patches, colors = (np.concatenate(part) for part in zip(*shown, strict=True))

@@ -391,7 +391,7 @@ def rule_strip(
     along = _bent(rod, flat[..., 0])
     lines = [placed.frame.point(np.concatenate([along, y], axis=-1)) for y in heights]
     bands = [np.stack([a[:, 0], a[:, 1], b[:, 1], b[:, 0]], axis=1) for a, b in pairwise(lines)]
-    lit = _lit(bands[1]) * np.array(sheet_color(strip.sheet))
+    lit = _lit(bands[1]) * np.array((placed.color or sheet_color(strip.sheet))[:3])
     return np.concatenate(bands), np.concatenate([0.45 * lit, lit, 0.45 * lit])
 
 

@@ -31,6 +31,9 @@ from elastica_cad.strip.lettering import (
     text_width,
 )
 
+QUARTER_TURN_DEG = 90.0
+"""Least lean, degrees, that no slot has."""
+
 STRAIGHT_MM = 1e-7
 """Sides that bend less than this are lines."""
 
@@ -62,7 +65,8 @@ class Slot:
     side : "upper" or "lower"
         Edge on which it opens: y > 0 or y < 0 of the flat pattern.
     lean : float
-        Angle of the centre line to the strip's ruling, rad; if positive, x increases outward.
+        Angle of the centre line to the strip's ruling; if positive, x increases outward. It is in rad, as all
+        angles in Python; strips of `elastica_cad.build123d` and `elastica_cad.cadquery` take it in degrees.
     relief : "square" or "round"
         Form of the inner end: straight across, or a half circle beyond it.
     mate : str
@@ -98,8 +102,8 @@ class Slot:
     def __post_init__(self) -> None:
         require_declared(Slot, vars(self), "slot")
         here = note("slot at {at}", at=Length(self.at))
-        if abs(self.lean) >= np.pi / 2:
-            raise InputError(f"{here}: lean is {self.lean:g} rad: it must be within a quarter turn")
+        if abs(self.lean) >= QUARTER_TURN_DEG:
+            raise InputError(f"{here}: lean is {self.lean:g}: it must be within a quarter turn")
         if (self.path is None) != (self.widths is None):
             raise InputError(f"{here}: give path and widths together")
         if self.path is not None:
@@ -119,6 +123,16 @@ class Slot:
         return cls(
             float(rows[0, 0]), float(across[0]), side=side, relief=relief, mate=mate, path=rows, widths=across
         )
+
+    def require_rad(self) -> None:
+        """Refuse a lean beyond a quarter turn, which is in degrees."""
+        if abs(self.lean) >= np.pi / 2:
+            raise InputError(
+                "The lean of the slot at {at} is {lean:g} rad, a quarter turn or more. Pass radians, such as "
+                "numpy.radians({lean:g}).",
+                at=Length(self.at),
+                lean=self.lean,
+            )
 
     def mirrored(self) -> "Slot":
         """Return the slot of the strip turned over about its centre line (y to -y)."""

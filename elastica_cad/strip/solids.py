@@ -18,7 +18,7 @@ from elastica_cad.geometry.plane_points import cross
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import SplineFunction, knot_runs
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sheets import Sheet, sheet_color
 from elastica_cad.mechanics.stiffness_law import RoundLaw
 from elastica_cad.strip.bent_boundary import BentMap, Boundary, BoundaryMaker, Map, bent_maps
 from elastica_cad.strip.flat_pattern import CutPattern, cut_across, in_smooth_pieces
@@ -432,6 +432,14 @@ def bent_sheets(strip: Strip) -> tuple[Sheet, ...]:
     """Return the sheet of each body of `BentSolid.layers`."""
     lap = (strip.sheet,) if strip.is_closed and strip.ends[1].length else ()
     return (*(layer.sheet for layer in strip.layers), *lap)
+
+
+def bent_colors(strip: Strip, color: tuple[float, ...] | None = None) -> tuple[tuple[float, ...], ...]:
+    """Return the screen colour of each body of `BentSolid.layers`; `color` is for the base sheet."""
+    base = strip.layers[0].sheet
+    return tuple(
+        color if color is not None and sheet is base else sheet_color(sheet) for sheet in bent_sheets(strip)
+    )
 
 
 BodyRecord: TypeAlias = FlatSolid | BentSolid | RoundSolid

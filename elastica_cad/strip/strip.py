@@ -453,6 +453,8 @@ class Strip:
             require_record(self.correction, Profile, "the correction", "a Profile, or None")
         object.__setattr__(self, "ends", pair_of_tabs(self.ends))
         object.__setattr__(self, "slots", several("slots", self.slots, Slot, "Slot"))
+        for slot in self.slots:
+            slot.require_rad()
         object.__setattr__(self, "creep", require_creep(self.creep))
         if self.is_closed:
             object.__setattr__(self, "ends", (Tab(0.0), self.ends[1]))
@@ -809,6 +811,8 @@ class Placed:
         Origin of the curve's plane, mm.
     x_axis, y_axis : (3,) array_like
         Directions of the curve's plane, at right angles; the rulings are parallel to x_axis cross y_axis.
+    color : (red, green, blue), optional
+        Screen colour of the base sheet, each component in 0..1; by default the colour of the sheet.
 
     Raises
     ------
@@ -820,6 +824,7 @@ class Placed:
     origin: FloatArray
     x_axis: FloatArray
     y_axis: FloatArray
+    color: tuple[float, ...] | None
 
     def __init__(
         self,
@@ -827,9 +832,11 @@ class Placed:
         origin: ArrayLike = (0.0, 0.0, 0.0),
         x_axis: ArrayLike = (1.0, 0.0, 0.0),
         y_axis: ArrayLike = (0.0, 1.0, 0.0),
+        color: tuple[float, ...] | None = None,
     ) -> None:
         frame = Frame(origin, x_axis, y_axis)
         object.__setattr__(self, "strip", strip)
+        object.__setattr__(self, "color", color)
         for name in ("origin", "x_axis", "y_axis"):
             object.__setattr__(self, name, getattr(frame, name))
 
@@ -840,7 +847,7 @@ class Placed:
 
     def with_strip(self, strip: Strip) -> "Placed":
         """Return another strip in the same place."""
-        return Placed(strip, self.origin, self.x_axis, self.y_axis)
+        return Placed(strip, self.origin, self.x_axis, self.y_axis, self.color)
 
     def moved(self, turn: ArrayLike, shift: ArrayLike = (0.0, 0.0, 0.0)) -> "Placed":
         """Return the placed strip after x -> turn @ x + shift; a mirror (determinant -1) turns the flat part over.
@@ -857,7 +864,7 @@ class Placed:
             )
         strip = self.strip if np.linalg.det(m) > 0 else self.strip.mirrored()
         origin = m @ self.origin + three(shift, "the shift of a strip")
-        return Placed(strip, origin, m @ self.x_axis, m @ self.y_axis)
+        return Placed(strip, origin, m @ self.x_axis, m @ self.y_axis, self.color)
 
 
 PLACED_BY = "of a strip ec.Placed(strip), of a body in CAD its `placed`"

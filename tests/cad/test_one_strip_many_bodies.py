@@ -29,7 +29,7 @@ OPTIONS = {"max_width": 30, "ends": (Tab(12, holes=(Hole(6, 3.2),)), Tab(12)), "
 
 def test_options_are_those_of_the_request():
     asked = {field.name for field in fields(StripSpec)} - {"curve", "sheet", "frame", "max_width"}
-    assert set(StripOptions.__annotations__) == asked | {"plane"}
+    assert set(StripOptions.__annotations__) == asked | {"plane", "color"}
 
 
 @pytest.mark.build123d

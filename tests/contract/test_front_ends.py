@@ -4,6 +4,8 @@ FreeCAD, the seventh, has a process of its own: tests/freecad/test_contract.py a
 """
 
 import shlex
+from dataclasses import replace
+from math import degrees
 from pathlib import Path
 
 import build123d as bd
@@ -115,8 +117,11 @@ def frame(asked):
 
 
 def drawn_fields(asked):
-    """The fields; the frame is that in which the curve is drawn."""
-    return {"label": answers.LABEL} | {name: value for name, value in asked.fields.items() if name != "frame"}
+    """The fields; the frame is that in which the curve is drawn, and the lean of slots is in degrees."""
+    fields = {"label": answers.LABEL} | asked.fields
+    if "slots" in fields:
+        fields["slots"] = tuple(replace(slot, lean=degrees(slot.lean)) for slot in fields["slots"])
+    return {name: value for name, value in fields.items() if name != "frame"}
 
 
 def edge(asked):

@@ -136,7 +136,7 @@ def test_a_slot_that_meets_a_hole_is_refused():
         {"at": 1, "width": 1, "depth": -1},
         {"at": 1, "width": 1, "side": "left"},
         {"at": 1, "width": 1, "relief": "oval"},
-        {"at": 1, "width": 1, "lean": 2.0},
+        {"at": 1, "width": 1, "lean": 90.0},
         {"at": 1, "width": 1, "path": np.zeros((3, 2))},
         {"at": 1, "width": 1, "path": np.zeros((3, 2)), "widths": np.ones(2)},
         {"at": 1, "width": 1, "path": np.full((2, 2), np.inf), "widths": np.ones(2)},
