@@ -10,7 +10,34 @@ import numpy as np
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import as_floats, is_one_of, pair, require_flag, require_record
 from elastica_cad.errors import InputError, NotConvergedError
-from elastica_cad.mechanics.loads import Gravity, Supports, require_supports, whole_number
+from elastica_cad.mechanics.elements import (
+    Element,
+    ElementForce,
+    PlacedElement,
+    PointForce,
+    lumped,
+    require_elements,
+    weight_with_loads,
+)
+from elastica_cad.mechanics.loads import (
+    Gravity,
+    PointMass,
+    Supports,
+    Weight,
+    require_supports,
+    whole_number,
+)
+from elastica_cad.mechanics.mounted_elements import (
+    MEETS_SHARE,
+    PULLS_SHARE,
+    ShapeOfRod,
+    is_one_sided,
+    mounted,
+    touching,
+    violation,
+    with_side,
+    wrong_force,
+)
 from elastica_cad.mechanics.newton_continuation import (
     Reached,
     follow,
@@ -47,8 +74,10 @@ def bend(
     mode: int = 1,
     samples: int | None = None,
     settle: bool = False,
+    between: "Element | Sequence[Element] | Keep" = "keep",
+    loads: "PointMass | PointForce | Sequence[PointMass | PointForce] | Keep" = "keep",
 ) -> Rod:
-    """Return the rest shape of a rod after its ends, loads or supports have changed.
+    """Return the rest shape of a rod after its ends, loads, supports or elements have changed.
 
     Newton's method with line search on the discrete rod of paper section 7.1 (with weight), O(n) a step.
     If the requested shape is far from the present shape, ends, angles and loads are changed in adaptive steps,
@@ -90,6 +119,13 @@ def bend(
         Number of nodes; by default that of the rod.
     settle : bool
         If True, an unstable shape snaps to the stable shape that is found by descending the energy.
+    between : sequence of Rail, Pin and Tie, or "keep"
+        New elements between the ends in place of those of the rod. Places are measured along the present shape. A
+        pin or rail at a point off the shape moves the strip there. A pin with the same index as a pin of the rod
+        keeps its place on the strip. A tie pulls if its `length` is less than the distance of its places. The strip
+        may lift off a one-sided rail, and a slack tie does not pull.
+    loads : sequence of PointMass and PointForce, or "keep"
+        New loads in place of the masses and point forces of the rod. They need `bending_stiffness`.
 
     Returns
     -------
@@ -126,18 +162,32 @@ def bend(
     if not is_one_of(side, (None, 1, -1)):
         raise InputError(f"side must be +1 or -1, got {side!r}")
     whole_number(mode, "mode", 1)
+    keeps = isinstance(between, str) and between == "keep"
+    elements = mounted(rod, None if keeps else require_elements(between))
     wanted = replace(
         rod,
         gravity=rod.gravity if isinstance(gravity, str) else gravity,
-        supports=rod.supports if supports is None else require_supports(supports),
+        supports=rod.supports if supports is None else require_supports(supports, between=bool(elements)),
+        between=elements,
     )
+    wanted.supports.require_held(between=bool(elements))
+    if not (isinstance(loads, str) and loads == "keep"):
+        wanted = _loaded(wanted, loads)
     system = system_of(wanted, rod, start, end, angles, force=force, moment=moment)
     require_flag(settle, "settle")
+    if elements:
+        return _bent_on_elements(wanted, rod, system, guess, settle=settle)
     state = state_of(rod, system) if guess is None else _guess_state(guess, system)
+    reached, at = _rest(state, side, mode, settle=settle)
+    return replace(reached.rod(wanted), warnings=_warnings(reached, at))
+
+
+def _rest(state: RodState, side: int | None, mode: int, *, settle: bool) -> tuple[RodState, float | None]:
+    """Return the rest shape that is reached from a state, and the fraction of the path where it snaps, or None."""
     reached = reach(state, side, mode)
     balanced = reached.arrived and is_balanced(reached.state)
     if balanced and not (settle and reached.state.discrete.unstable_modes):
-        return replace(reached.state.rod(wanted), warnings=_too_coarse(reached.state))
+        return reached.state, None
     snapped = relax(reached.state)
     if snapped is None:
         raise NotConvergedError(
@@ -145,8 +195,80 @@ def bend(
             "was found. Move the ends in smaller steps, or give a guess closer to the result",
             fraction=reached.fraction,
         )
-    warnings = (_snap_warning(100 * reached.fraction), *_too_coarse(snapped))
-    return replace(snapped.rod(wanted), warnings=warnings)
+    return snapped, reached.fraction
+
+
+def _warnings(state: RodState, snaps_at: float | None) -> tuple[str, ...]:
+    return (*(() if snaps_at is None else (_snap_warning(100 * snaps_at),)), *_too_coarse(state))
+
+
+def _loaded(rod: Rod, loads: object) -> Rod:
+    """Return the rod with other masses and point forces; not yet in balance."""
+    plain = None if rod.weight is None else replace(rod.weight, masses=())
+    if plain is None and rod.gravity is not None and rod.bending_stiffness is not None:
+        plain = Weight(beta=rod.bending_stiffness / rod.gravity.length**3)
+    weight, forces = weight_with_loads(plain, rod.gravity, loads)
+    masses = weight is not None and bool(weight.masses)
+    B = rod.bending_stiffness
+    if (masses or forces) and B is None:
+        raise InputError("Loads are in newtons. Use a rod with its least bending stiffness (N mm2).")
+    curve = rod.curve
+    placed = tuple(PlacedElement.on(load, curve, curve) for load in forces)
+    acting = tuple(ElementForce(load.element, load.s, load.units[0] / (B or 1.0)) for load in placed)
+    return replace(rod, weight=weight if masses or rod.weight is not None else None, point_forces=acting)
+
+
+ROUNDS = 12
+"""Largest number of changes in the set of taut elements, for each one-sided element."""
+
+
+def _bent_on_elements(
+    wanted: Rod, present: Rod, system: RodSystem, guess: "Rod | ArrayLike | None", *, settle: bool
+) -> Rod:
+    """Return the rest shape on elements; one-sided elements become slack or taut until all are consistent."""
+    elements = list(wanted.between)
+    shape = ShapeOfRod.of(present)
+    reach_of_rail = MEETS_SHARE * shape.length
+    taut = [
+        not is_one_sided(action) or bool(np.any(action.force)) or violation(action, shape) >= -reach_of_rail
+        for action in elements
+    ]
+    state, snaps_at = None, None
+    for _ in range(ROUNDS * (1 + len(elements))):
+        acting = [i for i, is_taut in enumerate(taut) if is_taut]
+        system = replace(system, actions=tuple(elements[i] for i in acting))
+        if state is not None:
+            state = system.state(state.angles, state.reactions[: len(system.held)])
+        elif guess is not None:
+            state = _guess_state(guess, system)
+        else:
+            state = state_of(present, system)
+        state, at = _rest(state, None, 1, settle=settle)
+        snaps_at = snaps_at if at is None else at
+        rod = state.rod(wanted)
+        shape = ShapeOfRod(state.discrete.tangents, shape.edge_length, rod.position[0])
+        for i, action in zip(acting, state.actions, strict=True):
+            elements[i] = action
+        for i in range(len(elements)):
+            if not taut[i]:
+                elements[i] = touching(elements[i], shape)
+        largest = float(np.abs(state.discrete.force).max(initial=0.0))
+        wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
+        for i, action in enumerate(elements):
+            if taut[i]:
+                wrong[i] = wrong_force(action, shape)
+            else:
+                through[i] = violation(action, shape)
+        if wrong.max() > PULLS_SHARE * largest:
+            taut[int(wrong.argmax())] = False
+        elif through.max() > MEETS_SHARE * shape.length:
+            taut[int(through.argmax())] = True
+        else:
+            sided = tuple(with_side(action, shape) for action in elements)
+            return replace(rod, between=sided, warnings=_warnings(state, snaps_at))
+    raise NotConvergedError(
+        "No set of taut elements was found for this rest shape. Move the ends or change the loads in smaller steps."
+    )
 
 
 def _snap_warning(percent: float) -> Refusal:
@@ -306,7 +428,8 @@ def system_of(
     if rod.s.size < 4:
         raise InputError(f"a rod of {rod.s.size} nodes cannot be bent: use samples=4 or more")
     system = RodSystem(
-        stiffness=np.asarray(rod.stiffness), edge_length=rod.length / (rod.s.size - 1), load=rod.nodal_load,
+        stiffness=np.asarray(rod.stiffness), edge_length=rod.length / (rod.s.size - 1),
+        load=rod.nodal_load + lumped(rod.point_forces, rod.s.size, rod.length),
         natural_curvature=rod.natural_curvature, supports=rod.supports,
         start=present.position[0].copy() if start is None else pair(start, "start"),
         end=present.position[-1].copy() if end is None else pair(end, "end"),
@@ -333,6 +456,8 @@ def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, f
 
 def state_of(rod: Rod, system: RodSystem) -> RodState:
     """Return the present shape of a rod as the first state of `system`."""
+    if system.elements is not None:
+        return _with_reactions(system.state(rod.discrete.angles))
     extra = (rod.discrete.force - system.given_force).mean(axis=0)
     return system.state(rod.discrete.angles, extra[list(system.held)])
 
@@ -349,7 +474,8 @@ def reach(state: RodState, side: int | None, mode: int) -> Reached:
                 length=Length(system.length),
             )
         return Reached(taut, 1.0, 0)
-    return leave_straight(state, side, mode) if is_straight(state) else follow(state)
+    straight = is_straight(state) and system.elements is None
+    return leave_straight(state, side, mode) if straight else follow(state)
 
 
 def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
@@ -368,12 +494,16 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
             raise InputError(
                 f"guess must be a Rod or {n + 1} angles at the nodes (or {n} at the edges), got {edges.shape}"
             )
-    state = system.state(edges)
-    if not system.held:
+    return _with_reactions(system.state(edges))
+
+
+def _with_reactions(state: RodState) -> RodState:
+    """Return the state with the reactions, and forces of elements, of least imbalance."""
+    if not state.reactions.size:
         return state
-    rows = state.discrete.constraint_rows
+    rows = np.where(state.places[:, None], state.rows, 0.0)
     reactions = np.linalg.lstsq(rows @ rows.T, -rows @ state.residual.imbalance, rcond=1e-9)[0]
-    return system.state(edges, np.asarray(reactions, dtype=float))
+    return state.system.state(state.angles, state.reactions + reactions)
 
 
 def _end_angles(
@@ -413,12 +543,17 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
         return given
     forces = np.zeros(2)
     before, now = present.supports.ends, supports.ends
+    at_ends = present.force[[0, -1]]
+    acting = (*present.between, *present.point_forces)
+    if acting:  # without elements and forces at the ends
+        load = present.nodal_load + lumped(acting, present.s.size, present.length)
+        at_ends = present.discrete.force[[0, -1]] + (-load[0], load[-1])
     for i, axis in enumerate("xy"):
         # lambda at an end is minus what is applied at the last node, and what is applied at the first
-        for node, sign, k in ((0, 1.0, 0), (-1, -1.0, 1)):
-            if not getattr(now[k], axis) and not getattr(before[k], axis):
-                forces[i] = sign * present.force[node, i]
-    return forces
+        for node, sign in ((0, 1.0), (-1, -1.0)):
+            if not getattr(now[node], axis) and not getattr(before[node], axis):
+                forces[i] = sign * at_ends[node, i]
+    return np.where(np.abs(forces) <= ROUNDED_SHARE * np.abs(present.force).max(), 0.0, forces)
 
 
 def _end_moments(moment: float | tuple[float, float] | None, supports: Supports, present: Rod) -> FloatArray:

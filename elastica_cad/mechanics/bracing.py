@@ -19,7 +19,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_points import left_of
-from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie
+from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, edge_weights
 from elastica_cad.mechanics.loads import Supports
 
 SLACK_SHARE = 0.01
@@ -89,21 +89,14 @@ class _Edges:
     tangents: FloatArray
     edge_length: float
     supports: Supports
-    position: FloatArray
-    curvature: FloatArray
 
     @property
     def count(self) -> int:
         return len(self.tangents)
 
-    def at(self, s: float, values: FloatArray) -> FloatArray:
-        """Return the values (n + 1, ...) of the nodes, interpolated at arc length s."""
-        nodes = self.edge_length * np.arange(self.count + 1)
-        return np.array([np.interp(s, nodes, column) for column in np.atleast_2d(values.T)])
-
-    def covered(self, s: float) -> FloatArray:
-        """Return the fraction of each edge before arc length s."""
-        return np.asarray(np.clip(s / self.edge_length - np.arange(self.count), 0.0, 1.0))
+    def covered(self, s: float, order: int = 0) -> FloatArray:
+        """Return the weights (n,) of the edge vectors in the position at arc length s, or their derivatives."""
+        return edge_weights(s, self.edge_length, self.count, order)
 
     @property
     def across(self) -> FloatArray:
@@ -124,30 +117,23 @@ class _Edges:
 
     def chord(self, s: FloatArray) -> tuple[FloatArray, float]:
         """Return the unit vector (2,) between two places, and their distance, mm."""
-        p, q = (self.at(float(place), self.position) for place in s)
-        size = float(np.hypot(*(q - p)))
-        return (q - p) / size, size
-
-    def turn_at(self, s: float) -> FloatArray:
-        """Return the weights (n,) of the edges in the angle at arc length s."""
-        n = self.count
-        middles = self.edge_length * (np.arange(n) + 0.5)
-        right = np.clip(np.searchsorted(middles, s), 1, n - 1)
-        share = np.clip((s - middles[right - 1]) / self.edge_length, 0.0, 1.0)
-        turn = np.zeros(n)
-        turn[[right - 1, right]] = 1 - share, share
-        return turn
+        p, q = (self.covered(float(place)) for place in s)
+        chord = self.edge_length * ((q - p) @ self.tangents)
+        size = float(np.hypot(*chord))
+        return chord / size, size
 
 
 def _tie_brace(action: ElementForce, edges: _Edges) -> _Brace:
     u, size = edges.chord(action.s)
     cover = edges.covered(float(action.s[1])) - edges.covered(float(action.s[0]))
+    pull = float(action.force[0] @ u)
+    acts = slice(None) if pull != 0 else slice(0)  # a tie without pull has no terms
     return _Brace(
         rows=(u @ (edges.across * cover))[None],
         row_shifts=np.zeros((1, 2)),
-        terms=(edges.edge_length * cover * (edges.tangents @ u))[None],
-        term_shifts=np.zeros((1, 2)),
-        coefficients=np.array([[float(action.force[0] @ u) / size]]),
+        terms=(edges.edge_length * cover * (edges.tangents @ u))[None][acts],
+        term_shifts=np.zeros((1, 2))[acts],
+        coefficients=np.array([[pull / size]])[acts, acts],
     )
 
 
@@ -158,13 +144,13 @@ def _pin_brace(action: ElementForce, edges: _Edges) -> _Brace:
 
 def _rail_brace(action: ElementForce, edges: _Edges) -> _Brace:
     s = float(action.s[0])
-    moves, turn = edges.moves(s), edges.turn_at(s)
+    moves, turn = edges.moves(s), edges.edge_length * edges.covered(s, 1)
     tangent = turn @ edges.tangents
     tangent /= np.hypot(*tangent)
     normal = left_of(tangent)
     push = float(action.force[0] @ normal)
     acts = slice(None) if push != 0 else slice(0)  # a rail without force has no terms
-    (kappa,) = edges.at(s, edges.curvature)
+    kappa = edges.edge_length * float(edges.covered(s, 2) @ edges.tangents @ normal)
     return _Brace(
         rows=(normal @ moves)[None],
         row_shifts=normal[None],
@@ -183,8 +169,6 @@ def bracing_of(
     tangents: FloatArray,
     edge_length: float,
     supports: Supports,
-    position: FloatArray,
-    curvature: FloatArray,
 ) -> Bracing:
     """Return the bracing of a discrete rod by its taut elements.
 
@@ -194,17 +178,13 @@ def bracing_of(
         Unit tangents of the edges.
     edge_length : float
         mm.
-    position : (n + 1, 2) array
-        Nodes, mm.
-    curvature : (n + 1,) array
-        At the nodes, 1/mm.
 
     Raises
     ------
     InputError
         Neither an end nor an element stops the rod from sliding on its rails.
     """
-    edges = _Edges(tangents, edge_length, supports, position, curvature)
+    edges = _Edges(tangents, edge_length, supports)
     n, free = edges.count, edges.free
     braces = [_BRACES[type(action.element)](action, edges) for action in between]
     rows = np.concatenate([np.zeros((0, n)), *(brace.rows for brace in braces)])
@@ -224,7 +204,8 @@ def bracing_of(
     if ties and len(ties) == len(between) and turns_freely:
         # a bow turns as a whole without a change of energy
         rows = np.concatenate([rows, edge_length * (tangents @ edges.chord(ties[0].s)[0])[None]])
-    lengths = np.linalg.norm(terms, axis=1)
+    # a straight strip does not move along itself, to first order
+    lengths = np.maximum(np.linalg.norm(terms, axis=1), _RANK * edge_length)
     coefficients, first = np.zeros((len(terms), len(terms))), 0
     for brace in braces:
         last = first + len(brace.terms)

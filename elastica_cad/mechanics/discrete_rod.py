@@ -47,8 +47,9 @@ def solve_bordered(
     right: FloatArray,
     below: FloatArray,
     columns: FloatArray | None = None,
+    corner: FloatArray | float = 0.0,
 ) -> tuple[FloatArray, FloatArray]:
-    """Solve [[A, columns], [rows, 0]] (x, y) = (right, below) with A symmetric tridiagonal.
+    """Solve [[A, columns], [rows, corner]] (x, y) = (right, below) with A symmetric tridiagonal.
 
     Parameters
     ----------
@@ -57,6 +58,7 @@ def solve_bordered(
     below : (k,) array
     columns : (n, k) array, optional
         Columns; by default the transposed rows.
+    corner : (k, k) array, optional
 
     Returns
     -------
@@ -72,7 +74,7 @@ def solve_bordered(
     both[:, 1:] = rows.T if columns is None else columns
     solved = solve_tridiagonal(diagonal, off, both).T
     products = rows @ solved.T
-    y = np.linalg.lstsq(products[:, 1:], products[:, 0] - below, rcond=1e-14)[0]
+    y = np.linalg.lstsq(products[:, 1:] - corner, products[:, 0] - below, rcond=1e-14)[0]
     return solved[0] - y @ solved[1:], np.asarray(y)
 
 
@@ -570,6 +572,11 @@ class DiscreteRod:
         """Number of unstable modes: the inertia of the Hessian on the constraints."""
         rows, terms = self._braced(self.constraint_rows)
         return constrained_inertia(*self.hessian, rows, terms=terms)
+
+    def lowest_modes(self, count: int = 1) -> tuple[FloatArray, FloatArray]:
+        """Return the lowest eigenvalues (count,) and modes (count, n) of the Hessian on the constraints."""
+        rows, terms = self._braced(self.constraint_rows)
+        return lowest_constrained(*self.hessian, rows, count, terms)
 
     @cached_property
     def margin(self) -> Margin:

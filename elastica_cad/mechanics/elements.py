@@ -10,19 +10,19 @@ ends" of the manual has the derivation in short.
 """
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, pair, require_flag, several
+from elastica_cad._values import is_number, pair, require_flag, require_positive, several
 from elastica_cad.declared import Option
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of
-from elastica_cad.mechanics.loads import Supports
-from elastica_cad.refusals import Length, Point, Refusal, note
+from elastica_cad.mechanics.loads import Gravity, PointMass, Supports, Weight
+from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
 Place: TypeAlias = float | tuple[float, float]
 """Arc length along the drawn curve, mm, or a point (x, y) near the curve, mm."""
@@ -86,19 +86,24 @@ class Tie:
     ----------
     start, end : float or (float, float)
         Arc lengths along the drawn curve, mm, or points near the curve, which are moved to the nearest places.
+    length : float, optional
+        Length of the cord for `bend`, mm; by default, the distance between its places.
 
     Examples
     --------
     >>> Tie(40, 310)
-    Tie(start=40.0, end=310.0)
+    Tie(start=40.0, end=310.0, length=None)
     """
 
     start: Annotated[Place, _AT]
     end: Annotated[Place, _AT]
+    length: Annotated[float | None, Option("Length of the cord in a bent strip.", "mm", least=0)] = None
 
     def __post_init__(self) -> None:
         for name in ("start", "end"):
             object.__setattr__(self, name, _require_place(getattr(self, name), f"the {name} of a tie"))
+        if self.length is not None:
+            require_positive(self.length, "the length of a tie")
 
 
 @dataclass(frozen=True)
@@ -154,6 +159,25 @@ def noun_of(element: Element | PointForce) -> Refusal:
 def require_elements(between: object) -> tuple[Element, ...]:
     """Return the elements as a tuple; refuse other records."""
     return several("between", between, Rail | Pin | Tie, "Rail, Pin or Tie")
+
+
+def weight_with_loads(
+    weight: Weight | None, gravity: Gravity | None, loads: object
+) -> tuple[Weight | None, tuple[PointForce, ...]]:
+    """Return the weight with the masses of the loads, and the point forces."""
+    point_loads = several("loads", loads, PointMass | PointForce, "PointMass or PointForce")
+    masses = tuple(load for load in point_loads if isinstance(load, PointMass))
+    forces = tuple(load for load in point_loads if isinstance(load, PointForce))
+    if masses and gravity is None:
+        raise InputError(
+            "loads contain a PointMass, but there is no {field} for its direction. Pass {field}, or a PointForce.",
+            field=FieldName("gravity"),
+        )
+    if weight is None and gravity is not None and point_loads:
+        weight = Weight(own=True)
+    return (
+        replace(weight, masses=(*weight.masses, *masses)) if weight is not None and masses else weight
+    ), forces
 
 
 NEAR_SHARE = 0.05
@@ -226,6 +250,12 @@ def place_elements(
     near = AT_END_SHARE * curve.length
     held = [s for s, end in zip((0.0, curve.length), supports.ends, strict=True) if end.x and end.y]
     for placed_element in placed:
+        if isinstance(placed_element.element, Tie) and placed_element.element.length is not None:
+            raise InputError(
+                "The tie from {start} to {end} has a length, but in a design its length follows from the curve. "
+                "Leave out the length, or give it to bend.",
+                start=Length(placed_element.s[0]), end=Length(placed_element.s[1]),
+            )  # fmt: skip
         fixed = [min((abs(s - end) for end in held), default=np.inf) <= near for s in placed_element.s]
         if all(fixed):
             raise InputError(
@@ -273,6 +303,25 @@ def _foot(curve: PlaneCurve, point: FloatArray) -> float:
     return s
 
 
+@dataclass(frozen=True)
+class Mount:
+    """Properties of a mounted element that stay while the strip is bent.
+
+    Attributes
+    ----------
+    point : (float, float)
+        Point at which a rail or pin holds the strip, mm; not used for ties.
+    side : int
+        Side of the strip to which a rail pushes: 1 for left, -1 for right, 0 if unknown or both.
+    length : float
+        Length of the cord of a tie, mm; not used for others.
+    """
+
+    point: tuple[float, float] = (0.0, 0.0)
+    side: int = 0
+    length: float = 0.0
+
+
 @dataclass(frozen=True, eq=False)
 class ElementForce:
     """Element or load with its force on a rod.
@@ -284,11 +333,19 @@ class ElementForce:
         Arc lengths of the stations, mm.
     force : (k, 2) array
         Force on the strip at the stations, 1/mm2; times the least bending stiffness of the rod (N mm2) in N.
+    mount : Mount or None
+        Set by `bend`. None for a taut element of a rod that has not been bent since its design.
     """
 
     element: Element | PointForce
     s: FloatArray
     force: FloatArray
+    mount: Mount | None = None
+
+    @property
+    def mounting(self) -> Mount:
+        """The mount, or one without point and length."""
+        return self.mount or Mount()
 
     @property
     def size(self) -> float:
@@ -309,15 +366,36 @@ def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[Ele
     )
 
 
+def edge_weights(s: float, edge_length: float, edges: int, order: int = 0) -> FloatArray:
+    """Return the weights (n,) of the edge vectors in the position at arc length s, or their derivatives by s.
+
+    The position is on the quadratic B-spline of the nodes, which touches each edge at its middle. Its tangent is
+    continuous, so a rail slides over it without steps. It is straight in the outer halves of both end edges.
+    """
+    x = s / edge_length
+    if 0.5 < x < edges - 0.5:
+        z = np.clip(x + 0.5 - np.arange(edges), 0.0, 2.0)
+        if order == 0:
+            return np.asarray(np.where(z < 1, z**2, 2 - (2 - z) ** 2) / 2)
+        if order == 1:
+            return np.asarray(np.minimum(z, 2 - z) / edge_length)
+        return np.asarray((np.sign(z) - 2 * (z >= 1) + (z >= 2)) / edge_length**2)
+    weights = np.zeros(edges)
+    last = min(max(int(x), 0), edges - 1)
+    if order == 0:
+        weights[:last] = 1.0
+    if order < 2:
+        weights[last] = (x - last, 1 / edge_length)[order]
+    return weights
+
+
 def lumped(forces: Iterable[ElementForce], nodes: int, length: float) -> FloatArray:
     """Return the forces divided between the nodes (n, 2) of a rod beside their stations, 1/mm2."""
     load = np.zeros((nodes, 2))
     for action in forces:
-        at = action.s * ((nodes - 1) / length)
-        i = np.minimum(at.astype(int), nodes - 2)
-        share = (at - i)[:, None]
-        np.add.at(load, i, (1 - share) * action.force)
-        np.add.at(load, i + 1, share * action.force)
+        for s, force in zip(action.s, action.force, strict=True):
+            before = edge_weights(float(s), length / (nodes - 1), nodes - 1)
+            load += -np.diff(before, prepend=1.0, append=0.0)[:, None] * force
     return load
 
 

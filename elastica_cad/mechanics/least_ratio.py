@@ -24,6 +24,7 @@ from elastica_cad.mechanics.elements import (
     forces_of,
     noun_of,
     require_elements,
+    weight_with_loads,
 )
 from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.laminated_section import BoundedBacking, LaminatedSection
@@ -305,7 +306,7 @@ def optimal_rod(
     between = require_elements(between)
     supports = require_supports(supports, between=bool(between))
     require_natural_curvature(natural_curvature)
-    weight, forces = _weight_with_loads(weight, gravity, loads)
+    weight, forces = weight_with_loads(weight, gravity, loads)
     _check_options(gravity, samples, weight)
     in_newtons = weight is not None or bool(forces)
     _check_stiffness("bending_stiffness", bending_stiffness, in_newtons=in_newtons)
@@ -331,25 +332,6 @@ def optimal_rod(
         check = examine(curve, supports, natural_curvature, tolerance, heavy=not request.needs_line)
     require_record(check, EquilibriumCheck, "check", "what check_equilibrium answers")
     return rod_of_request(replace(request, known_check=check))
-
-
-def _weight_with_loads(
-    weight: Weight | None, gravity: Gravity | None, loads: object
-) -> tuple[Weight | None, tuple[PointForce, ...]]:
-    """Return the weight with the masses of the loads, and the point forces."""
-    point_loads = several("loads", loads, PointMass | PointForce, "PointMass or PointForce")
-    masses = tuple(load for load in point_loads if isinstance(load, PointMass))
-    forces = tuple(load for load in point_loads if isinstance(load, PointForce))
-    if masses and gravity is None:
-        raise InputError(
-            "loads contain a PointMass, but there is no {field} for its direction. Pass {field}, or a PointForce.",
-            field=FieldName("gravity"),
-        )
-    if weight is None and gravity is not None and point_loads:
-        weight = Weight(own=True)
-    return (
-        replace(weight, masses=(*weight.masses, *masses)) if weight is not None and masses else weight
-    ), forces
 
 
 def rod_of_request(request: RodRequest) -> Rod:

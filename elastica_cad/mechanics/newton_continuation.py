@@ -43,10 +43,21 @@ def is_balanced(state: RodState) -> bool:
 
 def _newton_step(state: RodState, residual: Residual) -> Step:
     """Return the step that cancels `residual` to first order."""
-    rod = state.discrete
-    return Step(
-        *solve_bordered(*rod.hessian, rod.constraint_rows, right=-residual.imbalance, below=-residual.miss)
-    )
+    return _solved(state, *state.discrete.hessian, residual)
+
+
+def _solved(state: RodState, diagonal: FloatArray, off: FloatArray, residual: Residual) -> Step:
+    """Return the step that cancels `residual` to first order, with a tridiagonal Hessian."""
+    rows, below = state.rows, -residual.miss
+    if state.system.elements is None:
+        return Step(*solve_bordered(diagonal, off, rows, right=-residual.imbalance, below=below))
+    # all unknowns of the border in the unit of a force
+    unit = np.where(state.places, 1.0, state.system.length**3)
+    angles, reactions = solve_bordered(
+        diagonal, off, unit[:, None] * rows, right=-residual.imbalance, below=unit * below,
+        corner=unit[:, None] * state.corner * unit,
+    )  # fmt: skip
+    return Step(angles, unit * reactions)
 
 
 def correct(
@@ -187,15 +198,15 @@ def _come_to_rest(state: RodState, astray: float) -> RodState | None:
     softest = 1e-3 * system.edge_length / system.length**2
     for _ in range(MOST_DESCENTS):
         rod, residual = state.discrete, state.residual
-        (diagonal, off), rows, inertia = rod.hessian, rod.constraint_rows, rod.unstable_modes
+        (diagonal, off), inertia = rod.hessian, rod.unstable_modes
         convex, push = diagonal, np.zeros_like(state.angles)
         if inertia:
-            values, vectors = lowest_constrained(diagonal, off, rows)
+            values, vectors = rod.lowest_modes()
             convex = diagonal + 2 * abs(values[0]) + softest
             push = vectors[0] / np.abs(vectors[0]).max()
-        step, lift = _downhill(convex, off, rows, residual), softest
+        step, lift = _solved(state, convex, off, residual), softest
         while _turned(step) > astray:
-            step, lift = _downhill(convex + lift, off, rows, residual), 10 * lift
+            step, lift = _solved(state, convex + lift, off, residual), 10 * lift
         turned = _turned(step)
         if not np.isfinite(turned):
             return None
@@ -218,10 +229,6 @@ def _come_to_rest(state: RodState, astray: float) -> RodState | None:
     return None
 
 
-def _downhill(diagonal: FloatArray, off: FloatArray, rows: FloatArray, residual: Residual) -> Step:
-    return Step(*solve_bordered(diagonal, off, rows, right=-residual.imbalance, below=-residual.miss))
-
-
 def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
     """Return the result of backtracking on the energy, with the reactions of the step."""
     least = 1e-12 * (abs(state.energy) + 1 / state.system.length)
@@ -234,18 +241,21 @@ def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
 
 
 def _place_ends(state: RodState) -> RodState | None:
-    """Return the nearest angles (least squares) with correct end positions."""
+    """Return the nearest angles (least squares) with correct positions of ends and elements."""
+    moves = np.logical_not(state.places)
+    unit = np.where(moves, state.system.length**2, 1.0)
     for _ in range(60):
-        miss = state.residual.miss
-        if np.abs(miss).max(initial=0.0) <= 1e-12 * state.system.length:
+        miss = np.where(moves, 0.0, state.residual.miss)
+        if state.missed(miss) <= 1e-12:
             return state
-        rows = state.discrete.constraint_rows
-        share = np.linalg.lstsq(rows @ rows.T, miss, rcond=1e-12)[0]
-        step = rows.T @ share
-        turned = float(np.abs(step).max())
-        if not (np.isfinite(turned) and turned > 0):
+        rows = np.where(moves[:, None], 0.0, state.rows)
+        matrix = rows @ rows.T - np.where(moves[:, None] == moves, 0.0, unit[:, None] * state.corner * unit)
+        share = np.linalg.lstsq(matrix, miss, rcond=1e-12)[0]
+        step = Step(-rows.T @ share, np.where(moves, unit * share, 0.0))
+        turned = _turned(step)
+        if not np.isfinite(turned) or (not np.any(step.reactions) and turned == 0):
             return None
-        state = state.system.state(state.angles - min(1.0, LARGEST_TURN_RAD / turned) * step, state.reactions)
+        state = state.moved(step, min(1.0, LARGEST_TURN_RAD / turned) if turned else 1.0)
     return None
 
 
@@ -264,7 +274,7 @@ def _size(state: RodState, residual: Residual) -> float:
     length = state.system.length
     unit = max(state.scale, 1e-3 / length)
     imbalance = max(float(np.abs(residual.imbalance).max()) - state.noise, 0.0)
-    return max(imbalance / unit, float(np.abs(residual.miss).max(initial=0.0)) / length)
+    return max(imbalance / unit, state.missed(residual.miss))
 
 
 STRAIGHT_RAD = 1e-7  # between the edges: visible in a strip of ten metres drawn to a micrometre

@@ -20,7 +20,7 @@ from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import fit_spline, spline_through
 from elastica_cad.mechanics.bracing import bracing_of, slack_elements
 from elastica_cad.mechanics.discrete_rod import DiscreteRod, edge_forces, edge_positions, tangents
-from elastica_cad.mechanics.elements import ElementForce, lumped, require_free_between
+from elastica_cad.mechanics.elements import ElementForce, lumped
 from elastica_cad.mechanics.loads import (
     Gravity,
     NaturalCurvature,
@@ -607,7 +607,6 @@ class Rod:
 
     def following(self) -> "Rod":
         """Return the same rod with the law of its section, to be bent to another shape."""
-        require_free_between(self, "Bending a rod to another shape")
         law = self.bending_law
         return self if law is self.law else replace(self, law=law)
 
@@ -703,8 +702,7 @@ class Rod:
             slack = slack_elements(self.between, force)
             bracing = bracing_of(
                 [action for action in self.between if action not in slack], tangents=tangents(angles),
-                edge_length=edge_length, supports=self.supports, position=self.position,
-                curvature=self.curvature,
+                edge_length=edge_length, supports=self.supports,
             )  # fmt: skip
         return DiscreteRod(
             self.tangent_stiffness, angles, force, edge_length, self.supports, self.position[0], bracing

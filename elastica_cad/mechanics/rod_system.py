@@ -7,9 +7,18 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.mechanics.discrete_rod import DiscreteRod, bending_moments, edge_forces, node_weights
+from elastica_cad.mechanics.bracing import bracing_of
+from elastica_cad.mechanics.discrete_rod import (
+    DiscreteRod,
+    bending_moments,
+    edge_forces,
+    node_weights,
+    tangents,
+)
+from elastica_cad.mechanics.elements import ElementForce
 from elastica_cad.mechanics.loads import Supports
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
+from elastica_cad.mechanics.mounted_elements import ElementEquations, MountedElements
 from elastica_cad.mechanics.rod import Rod
 
 ROUNDING = float(np.finfo(float).eps)
@@ -19,14 +28,14 @@ ROUNDED_IMBALANCE = (
 
 
 class Step(NamedTuple):
-    """Change of the unknowns: edge angles (n,), rad, and reactions (p,), 1/mm2."""
+    """Change of the unknowns: edge angles (n,), rad, and reactions (p,), 1/mm2, with those of the elements."""
 
     angles: FloatArray
     reactions: FloatArray
 
 
 class Residual(NamedTuple):
-    """Moment imbalance of the edges (n,), 1/mm, and errors of the end positions (p,), mm."""
+    """Moment imbalance of the edges (n,), 1/mm, and errors of the end positions (p,), mm, and of the elements."""
 
     imbalance: FloatArray
     miss: FloatArray
@@ -57,6 +66,8 @@ class RodSystem:
         Counterclockwise moments applied at the start and at the end if the angle is free, 1/mm.
     law : MaterialLaw, optional
         M = K m(kappa - kappa_0) instead of K (kappa - kappa_0).
+    actions : tuple of ElementForce
+        Mounted elements that act between the ends, with first values of their forces.
     """
 
     stiffness: FloatArray
@@ -70,6 +81,7 @@ class RodSystem:
     force: FloatArray
     moments: FloatArray
     law: MaterialLaw | None = None
+    actions: tuple[ElementForce, ...] = ()
 
     @property
     def edges(self) -> int:
@@ -119,9 +131,27 @@ class RodSystem:
         """Distance from start to end along the coordinates held at both ends (p,), mm."""
         return np.array([self.end[i] - self.start[i] for i in self.held])
 
+    @cached_property
+    def elements(self) -> MountedElements | None:
+        """Elements between the ends and their equations."""
+        if not self.actions:
+            return None
+        start = self.supports.ends[0]
+        return MountedElements(
+            self.actions, self.supports, np.where([start.x, start.y], self.start, self.end),
+            self.load.sum(axis=0) + self.force, self.edge_length,
+        )  # fmt: skip
+
     def state(self, angles: FloatArray, reactions: FloatArray | None = None) -> "RodState":
-        """Return the state of edge angles (n,), rad, and support reactions (p,), 1/mm2 (by default 0)."""
-        return RodState(self, angles, np.zeros(len(self.held)) if reactions is None else reactions)
+        """Return the state of edge angles (n,), rad, and support reactions (p,), 1/mm2 (by default 0).
+
+        The reactions may include the unknowns of the elements; by default they have their first values.
+        """
+        if reactions is None:
+            reactions = np.zeros(len(self.held))
+        if self.elements is not None and reactions.size == len(self.held):
+            reactions = np.concatenate([reactions, self.elements.first(tangents(angles))])
+        return RodState(self, angles, reactions)
 
     def loaded(self, factor: float) -> "RodSystem":
         """Return the system with weight, dead force and moments multiplied by `factor`."""
@@ -140,7 +170,8 @@ class RodState:
     angles : (n,) array
         Edge angles, rad.
     reactions : (p,) array
-        Contributions of both supports to lambda along the coordinates that both ends hold, 1/mm2.
+        Contributions of both supports to lambda along the coordinates that both ends hold, 1/mm2, and the unknowns
+        of the elements.
     """
 
     system: RodSystem
@@ -161,12 +192,72 @@ class RodState:
     def discrete(self) -> DiscreteRod:
         """Rod of this shape, with its tangent stiffness and its edge forces."""
         system, force = self.system, self.system.given_force.copy()
-        for i, value in zip(system.held, self.reactions, strict=True):
+        for i, value in zip(system.held, self.reactions, strict=False):
             force[:, i] += value
         K = system.stiffness
         if system.law is not None:
             K = K * self._lawful[1]
-        return DiscreteRod(K, self.angles, force, system.edge_length, system.supports)
+        if self._equations is None:
+            return DiscreteRod(K, self.angles, force, system.edge_length, system.supports)
+        along = tangents(self.angles)
+        bracing = bracing_of(
+            self.actions, tangents=along, edge_length=system.edge_length, supports=system.supports
+        )
+        return DiscreteRod(
+            K,
+            self.angles,
+            force + self._equations.force,
+            system.edge_length,
+            system.supports,
+            bracing=bracing,
+        )
+
+    @property
+    def _numbers(self) -> FloatArray:
+        """Unknowns of the elements."""
+        return self.reactions[len(self.system.held) :]
+
+    @cached_property
+    def _equations(self) -> ElementEquations | None:
+        """Equations of the elements."""
+        elements = self.system.elements
+        return None if elements is None else elements.equations(tangents(self.angles), self._numbers)
+
+    @cached_property
+    def actions(self) -> tuple[ElementForce, ...]:
+        """Elements that act, with their forces and stations."""
+        elements = self.system.elements
+        return () if elements is None else elements.solved(self._numbers)
+
+    @cached_property
+    def rows(self) -> FloatArray:
+        """Derivatives (p, n) of `residual.miss` by the angles."""
+        rows = self.discrete.constraint_rows
+        return rows if self._equations is None else np.concatenate([rows, self._equations.rows])
+
+    @cached_property
+    def corner(self) -> FloatArray | float:
+        """Derivatives (p, p) of `residual.miss` by the reactions."""
+        if self._equations is None:
+            return 0.0
+        held, size = len(self.system.held), self.reactions.size
+        corner = np.zeros((size, size))
+        corner[held:, held:] = self._equations.corner
+        return corner
+
+    @cached_property
+    def places(self) -> FloatArray:
+        """True for the errors of positions (p,) in `residual.miss`."""
+        held = np.ones(len(self.system.held), dtype=bool)
+        return held if self._equations is None else np.concatenate([held, self._equations.places])
+
+    def missed(self, miss: FloatArray) -> float:
+        """Return the largest error of a position over the length, or of a force over the moments' size."""
+        length = self.system.length
+        if self._equations is None:
+            return float(np.abs(miss).max(initial=0.0)) / length
+        unit = np.where(self.places, length, max(self.scale, 1e-3 / length) / length)
+        return float(np.abs(miss / unit).max())
 
     @cached_property
     def moments(self) -> FloatArray:
@@ -203,6 +294,8 @@ class RodState:
         system, rod = self.system, self.discrete
         reach = system.edge_length * rod.tangents.sum(axis=0)
         miss = np.array([reach[i] for i in system.held]) - system.chord
+        if self._equations is not None:
+            miss = np.concatenate([miss, self._equations.residual])
         return Residual(rod.moment_imbalance(self.moments), miss)
 
     @cached_property
@@ -219,6 +312,8 @@ class RodState:
                 work += float(moment * self.angles[node])
         # <lambda, gamma'> is minus the work of the dead loads along each edge
         work -= system.edge_length * float(np.sum(system.given_force * self.discrete.tangents))
+        if system.elements is not None:
+            work += float(system.elements.load @ system.elements.shift(self._numbers))
         return float(spring.sum()) - work
 
     @cached_property
@@ -243,8 +338,8 @@ class RodState:
 
     @property
     def gap(self) -> float:
-        """Error of the end positions over the length."""
-        return float(np.abs(self.residual.miss).max(initial=0.0)) / self.system.length
+        """Error of the positions of ends and elements over the length."""
+        return self.missed(self.residual.miss)
 
     def rod(self, like: Rod) -> Rod:
         """Return the `Rod` record of an equilibrium; other fields are those of `like`."""
@@ -276,6 +371,8 @@ class RodState:
         start = system.supports.ends[0]
         for i, held_at_start in enumerate((start.x, start.y)):
             position[:, i] += system.start[i] if held_at_start else system.end[i] - position[-1, i]
+        if system.elements is not None:
+            position += system.elements.shift(self._numbers)
         return {
             "s": np.linspace(0.0, system.length, n + 1), "position": position, "angle": angle,
             "curvature": curvature, "stiffness": system.stiffness, "moment": self.moments, "force": force,

@@ -11,6 +11,7 @@ from elastica_cad._values import numbers, require_record
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.bending import as_steps, reach, state_of, system_of
 from elastica_cad.mechanics.discrete_rod import Margin, solve_tridiagonal
+from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.loads import Gravity, PointMass
 from elastica_cad.mechanics.newton_continuation import correct, is_straight, relax
 from elastica_cad.mechanics.rod import Rod
@@ -116,6 +117,7 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     ('bifurcation', 7.84)
     """
     require_record(rod, Rod, "the rod", "a Rod, as bend makes one")
+    require_free_between(rod, "A stability limit")
     rod = rod.following()
     course = Course.of(rod, path)
     t, state = _first_state(course, rod, side)

@@ -14,6 +14,7 @@ from elastica_cad._values import is_whole, numbers, require_positive, require_re
 from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend, dead_loads, has_snapped, system_of
+from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.moment_curvature import PlasticLaw
 from elastica_cad.mechanics.rod import CurlingLaw, Rod
 from elastica_cad.mechanics.sections import SheetCurl
@@ -80,6 +81,7 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
     """
     require_record(rod, Rod, "the rod", "a Rod, as bend makes one")
     require_record(imperfection, Imperfection, "the imperfection", "an Imperfection")
+    require_free_between(rod, "A tolerance study")
     v, rod = imperfection, rod.following()
     changed, B = _as_cut(rod, v, max_width)
     limit = v.yield_curvature / v.thickness

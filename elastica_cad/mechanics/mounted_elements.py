@@ -1,0 +1,357 @@
+"""Elements between the ends in the equations of a discrete rod that is bent: their forces, residuals and slopes.
+
+With f the force on the strip at arc length s, c(s) the place of the strip there, and E the energy of the rod, the
+rest shape is a stationary point of
+
+    E + sum over pins and rails <f, P - c(s)> + sum over ties <f, c(q) - c(p) - l e(psi)>
+
+in the angles, in the forces f, in the place s on each rail, and in the direction psi of each cord. A pin keeps its
+place s at the point P. On a rail, stationarity in s makes f normal to the strip. In psi, it turns f along the cord.
+Ends that are free along an axis add a translation of the whole rod along it.
+"""
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.mechanics.discrete_rod import edge_positions, tangents
+from elastica_cad.mechanics.elements import (
+    Element,
+    ElementForce,
+    Mount,
+    Pin,
+    PlacedElement,
+    Rail,
+    Tie,
+    edge_weights,
+)
+from elastica_cad.mechanics.loads import Supports
+
+if TYPE_CHECKING:
+    from elastica_cad.mechanics.rod import Rod
+
+
+@dataclass(frozen=True, eq=False)
+class ElementEquations:
+    """Residuals of the elements and their slopes.
+
+    The unknowns of each element are its force (2), and for a rail the place s, for a tie l psi. Translations along
+    free axes follow. The residuals are those of position, mm, for each force, and forces, 1/mm2, for others.
+
+    Attributes
+    ----------
+    force : (n, 2) array
+        Part of lambda in the edges, 1/mm2.
+    rows : (k, n) array
+        Derivatives of the residuals by the angles of the edges.
+    corner : (k, k) array
+        Derivatives of the residuals by the unknowns.
+    residual : (k,) array
+    places : (k,) bool array
+        True for residuals of position.
+    """
+
+    force: FloatArray
+    rows: FloatArray
+    corner: FloatArray
+    residual: FloatArray
+    places: FloatArray
+
+
+@dataclass(frozen=True, eq=False)
+class MountedElements:
+    """Taut elements of a rod and their equations.
+
+    Attributes
+    ----------
+    actions : tuple of ElementForce
+        Each with its `mount`. The forces and stations are the first values of the unknowns.
+    supports : Supports
+    anchor : (2,) array
+        Position of the end from which places are measured along x and y, mm: the start, if it is held, or the end.
+    load : (2,) array
+        Sum of the known forces, 1/mm2.
+    edge_length : float
+        mm.
+    """
+
+    actions: tuple[ElementForce, ...]
+    supports: Supports
+    anchor: FloatArray
+    load: FloatArray
+    edge_length: float
+
+    @property
+    def free_axes(self) -> list[int]:
+        """Coordinates (0: x, 1: y) that no end holds."""
+        start, end = self.supports.ends
+        return [i for i, axis in enumerate("xy") if not (getattr(start, axis) or getattr(end, axis))]
+
+    @property
+    def turns_freely(self) -> bool:
+        """True if only ties hold the rod, so that it can turn as a whole."""
+        return self.supports.is_free and all(isinstance(action.element, Tie) for action in self.actions)
+
+    def first(self, tangents: FloatArray) -> FloatArray:
+        """Return the first values (k,) of the unknowns for a rod with these tangents (n, 2)."""
+        numbers: list[float] = []
+        for action in self.actions:
+            numbers += action.force[0].tolist()
+            if isinstance(action.element, Rail):
+                numbers.append(float(action.s[0]))
+            elif isinstance(action.element, Tie):
+                x, y = self.chord(action, tangents)
+                numbers.append(action.mounting.length * float(np.arctan2(y, x)))
+        return np.array([*numbers, *(0.0 for _ in self.free_axes)])
+
+    def chord(self, action: ElementForce, tangents: FloatArray) -> FloatArray:
+        """Return the vector (2,) between the places of a tie, mm."""
+        return self.edge_length * (self._between(action, len(tangents)) @ tangents)
+
+    def place(self, s: float, tangents: FloatArray, order: int = 0) -> FloatArray:
+        """Return the place (2,) of the strip at arc length s, mm, or its derivative by s."""
+        weights = edge_weights(s, self.edge_length, len(tangents), order)
+        reach = self.edge_length * (weights @ tangents)
+        if order:
+            return np.asarray(reach)
+        return np.asarray(self.anchor + reach - self._from_end * self.edge_length * tangents.sum(axis=0))
+
+    def equations(self, tangents: FloatArray, numbers: FloatArray) -> ElementEquations:
+        """Return the equations for tangents (n, 2) and unknowns (k,)."""
+        n, k, h = len(tangents), numbers.size, self.edge_length
+        across = h * left_of(tangents).T
+        force, rows, corner = np.zeros((n, 2)), np.zeros((k, n)), np.zeros((k, k))
+        residual, places = np.zeros(k), np.zeros(k, dtype=bool)
+        free = self.free_axes
+        first_shift = k - len(free)
+        shift = np.zeros(2)
+        shift[free] = numbers[first_shift:]
+        at = 0
+        for action in self.actions:
+            pair, more = slice(at, at + 2), at + 2
+            f = numbers[pair]
+            places[pair] = True
+            if isinstance(action.element, Tie):
+                length = action.mounting.length
+                psi = numbers[more] / length
+                e = np.array([np.cos(psi), np.sin(psi)])
+                weights = self._between(action, n)
+                force += weights[:, None] * f
+                rows[pair] = across * weights
+                residual[pair] = h * (weights @ tangents) - length * e
+                if (
+                    self.turns_freely
+                ):  # the direction of the cords is given, because any other is a rest shape too
+                    corner[more, more] = 1.0
+                else:
+                    residual[more] = -f @ left_of(e)
+                    corner[pair, more] = corner[more, pair] = -left_of(e)
+                    corner[more, more] = f @ e / length
+                at += 3
+                continue
+            slides = isinstance(action.element, Rail)
+            s = float(numbers[more] if slides else action.s[0])
+            weights = edge_weights(s, h, n)[:, None] - self._from_end
+            force -= weights * f
+            rows[pair] = -across * weights.T
+            residual[pair] = action.mounting.point - self.place(s, tangents) - shift
+            for j, axis in enumerate(free):
+                corner[at + axis, first_shift + j] = corner[first_shift + j, at + axis] = -1.0
+                residual[first_shift + j] -= f[axis]
+            if slides:
+                slope = self.place(s, tangents, 1)
+                rows[more] = -(f @ across) * edge_weights(s, h, n, 1)
+                residual[more] = -f @ slope
+                corner[pair, more] = corner[more, pair] = -slope
+                corner[more, more] = -f @ self.place(s, tangents, 2)
+            at += 2 + slides
+        residual[first_shift:] -= self.load[free]
+        if self.turns_freely:  # nothing else holds it
+            corner[first_shift:, first_shift:] = np.eye(len(free))
+            residual[first_shift:] = 0.0
+        return ElementEquations(force, rows, corner, residual, places)
+
+    def solved(self, numbers: FloatArray) -> tuple[ElementForce, ...]:
+        """Return the elements with the forces and places of the unknowns (k,)."""
+        actions, at = [], 0
+        for action in self.actions:
+            f, s = numbers[at : at + 2], action.s
+            if isinstance(action.element, Tie):
+                actions.append(replace(action, force=np.array([f, -f])))
+                at += 3
+                continue
+            slides = isinstance(action.element, Rail)
+            actions.append(
+                replace(action, s=numbers[at + 2 : at + 3].copy() if slides else s, force=f[None].copy())
+            )
+            at += 2 + slides
+        return tuple(actions)
+
+    def shift(self, numbers: FloatArray) -> FloatArray:
+        """Return the translation (2,) of the whole rod, mm."""
+        shift = np.zeros(2)
+        free = self.free_axes
+        shift[free] = numbers[numbers.size - len(free) :]
+        return shift
+
+    @property
+    def _from_end(self) -> FloatArray:
+        """1 for coordinates that are measured from the end, 0 for others (2,)."""
+        start = self.supports.ends[0]
+        return np.array([not start.x, not start.y], dtype=float)
+
+    def _between(self, action: ElementForce, edges: int) -> FloatArray:
+        """Return the weights (n,) of the edge vectors in the chord of a tie."""
+        p, q = (edge_weights(float(s), self.edge_length, edges) for s in action.s)
+        return q - p
+
+
+MEETS_SHARE = 1e-9
+"""Distance, as a fraction of the length, within which a strip touches a rail and a cord is taut."""
+
+PULLS_SHARE = 1e-9
+"""Force of a one-sided element in the wrong direction, as a fraction of the largest force, that is rounding."""
+
+_FOOT_STEPS = 30  # Newton steps to the place of the strip that is nearest to a rail
+
+
+@dataclass(frozen=True, eq=False)
+class ShapeOfRod:
+    """Places of a discrete rod, from its start."""
+
+    tangents: FloatArray
+    edge_length: float
+    start: FloatArray
+
+    @property
+    def length(self) -> float:
+        """Arc length, mm."""
+        return self.edge_length * len(self.tangents)
+
+    @classmethod
+    def of(cls, rod: "Rod") -> "ShapeOfRod":
+        """Return the shape of a rod."""
+        return cls(tangents(rod.discrete.angles), rod.length / (rod.s.size - 1), rod.position[0])
+
+    def at(self, s: float, order: int = 0) -> FloatArray:
+        """Return the place (2,) at arc length s, mm, or its derivative by s."""
+        weights = edge_weights(float(s), self.edge_length, len(self.tangents), order)
+        return np.asarray(self.start * (order == 0) + self.edge_length * (weights @ self.tangents))
+
+    def foot(self, point: FloatArray) -> float:
+        """Return the arc length, mm, of the place that is nearest to a point (2,)."""
+        nodes = edge_positions(self.start, self.tangents, self.edge_length)
+        s = self.edge_length * float(np.hypot(*(nodes - point).T).argmin())
+        for _ in range(_FOOT_STEPS):
+            off, slope = point - self.at(s), self.at(s, 1)
+            spread = max(float(slope @ slope - off @ self.at(s, 2)), 0.3)  # away from the evolute
+            before, s = s, float(np.clip(s + off @ slope / spread, 0.0, self.length))
+            if abs(s - before) <= 1e-13 * self.length:
+                break
+        return s
+
+
+def mounted(rod: "Rod", between: tuple[Element, ...] | None) -> tuple[ElementForce, ...]:
+    """Return the elements of a rod as they are mounted, or new elements in their place.
+
+    A pin or rail at a point off the strip moves the strip there. A pin in the place of a pin of the rod keeps its
+    station. A tie without a length is as long as the distance of its places.
+    """
+    curve = rod.curve
+    if between is None:
+        return tuple(_kept(action, curve) for action in rod.between)
+    actions = []
+    for i, element in enumerate(between):
+        same = next((action for action in rod.between if action.element == element), None)
+        before = rod.between[i] if i < len(rod.between) else None
+        actions.append(_new(element, before, curve) if same is None else _kept(same, curve))
+    return tuple(actions)
+
+
+def _kept(action: ElementForce, curve: PlaneCurve) -> ElementForce:
+    if action.mount is not None:
+        return action
+    places = curve.at(action.s)
+    if isinstance(action.element, Tie):
+        apart = float(np.hypot(*(places.position[1] - places.position[0])))
+        return replace(action, mount=Mount(length=action.element.length or apart))
+    side = 0
+    if isinstance(action.element, Rail) and action.element.one_sided:
+        side = int(np.sign(action.force[0] @ _normal(places.angle[0])))
+    return replace(action, mount=Mount(_point(places.position[0]), side))
+
+
+def _new(element: Element, before: ElementForce | None, curve: PlaneCurve) -> ElementForce:
+    s = PlacedElement.on(element, curve, curve).s
+    none = np.zeros((s.size, 2))
+    if isinstance(element, Tie):
+        return _kept(ElementForce(element, s, none), curve)
+    if isinstance(element, Pin) and before is not None and isinstance(before.element, Pin):
+        s = before.s
+    foot = curve.at(s)
+    point = np.array(element.at) if isinstance(element.at, tuple) else foot.position[0]
+    side, off = 0, float((point - foot.position[0]) @ _normal(foot.angle[0]))
+    if isinstance(element, Rail) and element.one_sided:
+        if before is not None and isinstance(before.element, Rail):
+            side = _kept(before, curve).mounting.side
+        elif abs(off) > MEETS_SHARE * curve.length:
+            side = int(np.sign(off))
+    return ElementForce(element, s, none, Mount(_point(point), side))
+
+
+def _normal(angle: float) -> FloatArray:
+    return np.array([-np.sin(angle), np.cos(angle)])
+
+
+def _point(place: FloatArray) -> tuple[float, float]:
+    x, y = place.tolist()
+    return x, y
+
+
+def is_one_sided(action: ElementForce) -> bool:
+    """Return True for a tie, and for a rail from which the strip may lift off."""
+    element = action.element
+    return isinstance(element, Tie) or (isinstance(element, Rail) and element.one_sided)
+
+
+def wrong_force(action: ElementForce, shape: ShapeOfRod) -> float:
+    """Return the size of a force that a one-sided element cannot exert, 1/mm2; 0 if it can."""
+    if not is_one_sided(action):
+        return 0.0
+    if isinstance(action.element, Tie):
+        p, q = (shape.at(s) for s in action.s)
+        return max(0.0, -float(action.force[0] @ (q - p)) / float(np.hypot(*(q - p))))
+    return max(0.0, -action.mounting.side * float(action.force[0] @ left_of(shape.at(action.s[0], 1))))
+
+
+def with_side(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
+    """Return a one-sided rail with the side to which it pushes, if that was unknown; others unchanged."""
+    mount = action.mounting
+    if mount.side or not (isinstance(action.element, Rail) and action.element.one_sided):
+        return action
+    side = int(np.sign(action.force[0] @ left_of(shape.at(action.s[0], 1))))
+    return replace(action, mount=replace(mount, side=side))
+
+
+def violation(action: ElementForce, shape: ShapeOfRod) -> float:
+    """Return the distance, mm, by which a shape passes through a rail, or stretches a cord."""
+    if isinstance(action.element, Tie):
+        p, q = (shape.at(s) for s in action.s)
+        return float(np.hypot(*(q - p))) - action.mounting.length
+    point = np.array(action.mounting.point)
+    s = shape.foot(point)
+    if not 0 < s < shape.length:
+        return 0.0
+    return action.mounting.side * float((point - shape.at(s)) @ left_of(shape.at(s, 1)))
+
+
+def touching(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
+    """Return a slack element without force, at the place of the strip that is nearest to it."""
+    s = action.s
+    if isinstance(action.element, Rail):
+        s = np.array([shape.foot(np.array(action.mounting.point))])
+    return replace(action, s=s, force=np.zeros_like(action.force))
