@@ -1,4 +1,4 @@
-"""Rods and what holds them: materials, balance, Theorem 1, optimal stiffness, bending, stability."""
+"""Rods, their materials, loads and supports; Theorem 1, optimal stiffness, bending and stability."""
 
 from elastica_cad._exports import exports
 

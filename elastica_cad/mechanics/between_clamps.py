@@ -24,8 +24,8 @@ FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
     0.25,
     8.0,
     1.3,
-)  # of force * length^2 / stiffness: a free strip buckles at 2.5
-SAMPLES = 901  # nodes: their places are wrong by the square of their distance, 1e-6 of the length
+)  # values of force * length^2 / stiffness; a free strip buckles at 2.5
+SAMPLES = 901  # number of nodes; the error of their positions is 1e-6 of the length
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,8 +92,8 @@ def elastica_between(
 ) -> ElasticaBetween:
     """Return the shape of a strip of given length between two points, or with a free end.
 
-    The strip is first straight. Its end is then moved into place, and both ends are turned to their angles, as one
-    would do by hand. A strip with a free end starts straight along its clamp and is then loaded in steps.
+    The computation starts from a straight strip. It moves the end into place and turns both ends to their angles,
+    as a person would do by hand. A strip with a free end starts straight along its clamp and is loaded in steps.
 
     Parameters
     ----------
@@ -202,12 +202,13 @@ def _led_by_loads(
         step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)
         next_rod = step()
         if _side(next_rod) * _side(bent) < 0:
-            # the shape jumps at the buckling load of a straight strip; mirror it to continue on this side
+            # the side of the shape may change at the buckling load of a straight strip; mirror the shape in this
+            # case
             next_rod = step(guess=2 * next_rod.angle[0] - next_rod.angle)
         bent = next_rod
     if np.ptp(bent.angle) > 0:
         return bent
-    with suppress(InputError):  # a push that does not buckle a straight rod
+    with suppress(InputError):  # `bend` refuses a force below the buckling load of a straight rod
         return bend(bent, angles=angles, gravity=gravity, force=load, side=side, mode=mode)
     return bent
 

@@ -17,9 +17,7 @@ from elastica_cad.refusals import Length, Listed, note, sentences
 _NODES = 201
 """Number of nodes of the bent cantilever."""
 
-_STEEPEST_DROOP = (
-    0.95  # droop/overhang beyond which the strip hangs like a rope and its stiffness can't be read
-)
+_STEEPEST_DROOP = 0.95  # largest usable droop/overhang; with more, the strip hangs like a rope
 _FLATTEST_DROOP = 1e-4
 """Least measurable ratio of droop to overhang."""
 
@@ -161,18 +159,18 @@ def calibrate_cantilever(
 ) -> Calibration:
     """Return the elasto-gravity length from the droop of a rectangular strip, clamped horizontally.
 
-    Readings with either face up belong together: their mean cancels a strip's own curl to first order.
+    Measure with each face up: the mean of these readings cancels the curl of the unloaded strip to first order.
 
     Parameters
     ----------
     overhang, droop : float or sequence
         Free length and drop of the free end below the clamp, mm; any number of readings.
     reading_error : float
-        Standard deviation of both, mm.
+        Standard deviation of the overhang and of the droop, mm.
     thickness, density : float, optional
         mm and kg/m3; with both, E follows.
     thickness_error, density_error : float
-        Their standard deviations, in the same units; they enter the uncertainty of E only.
+        Standard deviations of thickness and density, mm and kg/m3; they affect the uncertainty of E only.
 
     Returns
     -------
@@ -181,13 +179,12 @@ def calibrate_cantilever(
     Raises
     ------
     InputError
-        Droop not between 0 and the overhang, or so near to either that nothing can be read from it; errors
-        that are negative.
+        The droop is not between 0 and the overhang, or is too near to one of these limits; an error is negative.
 
     Notes
     -----
-    w L^3/EI = (L/l_eg)^3 is found from droop/L by `bend` (paper, section 5.1); the derivatives for the
-    propagation of the reading errors are finite differences of the same fit.
+    `bend` gives droop/L as a function of w L^3/EI = (L/l_eg)^3 (paper, section 5.1), which is solved for the
+    given droop. Finite differences of the solution propagate the reading errors.
 
     Examples
     --------
@@ -275,7 +272,7 @@ def _length_for(part: float) -> float:
     def excess(log_load: float) -> float:
         return cantilever_droop(1.0, float(np.exp(-log_load / 3))) - part
 
-    # a small droop is w L^4 / 8 EI; a larger droop needs more load than this formula predicts
+    # lower bound of the load: w L^4 / (8 EI) is the droop of a nearly straight strip, and a bent strip droops less
     low = float(np.log(8 * part)) - 0.05
     high = low + 1.0
     while excess(high) < 0:

@@ -26,7 +26,7 @@ class Creep:
     factor : float
         phi: creep strain over elastic strain.
     rod, later : Rod
-        Rod at once and in the long run, with the same supports.
+        Rod before creep and after creep has ended, with the same supports.
     exact : bool
         True if the result is exact for a homogeneous standard linear solid. Otherwise it is the approximation by an
         effective modulus.
@@ -39,12 +39,12 @@ class Creep:
 
     @property
     def force_share(self) -> float:
-        """Share of the modulus that remains, and of the clamps' forces where the shape stays: 1 / (1 + phi)."""
+        """Remaining fraction 1 / (1 + phi) of the modulus, and of the clamp forces if the shape does not change."""
         return 1 / (1 + self.factor)
 
     @property
     def kept_share(self) -> float:
-        """Fraction of the bend just after release, phi / (1 + phi); the strip then continues to open."""
+        """Remaining fraction phi / (1 + phi) of the bend just after release; later the strip opens further."""
         return self.factor / (1 + self.factor)
 
     @property
@@ -54,7 +54,7 @@ class Creep:
 
     @property
     def end_forces(self) -> FloatArray:
-        """Forces on start and end (2, 2) that remain in the long run, in units of the first B, 1/mm2."""
+        """Forces on start and end (2, 2) after creep has ended, over the B of the rod before creep, 1/mm2."""
         return np.asarray(self.later.force[[0, -1]] * self.force_share)
 
     @property
@@ -68,7 +68,8 @@ class Creep:
         return stability(self.later)
 
     def released(self) -> Rod:
-        """Return the strip just after release of its ends in the long run, without weight, from the same start."""
+        """Return the weightless strip just after its ends are released when creep has ended; its start does not
+        move."""
         rod = self.later  # the creep strain is a fraction of the present bend
         start = rod.position[0]
         free = Rod.straight(
@@ -104,12 +105,13 @@ class Creep:
 
 
 def creep(rod: Rod, factor: float) -> Creep:
-    """Return a rod at once and after creep has ended, with unchanged supports.
+    """Return the shapes of a rod before creep and after creep has ended, with unchanged supports.
 
     The elastic modulus becomes E / (1 + phi), the effective modulus under a permanent load. Weights, and the forces
-    and moments on free ends, stay the same. This is the limit of a standard linear solid at long times, whatever
-    happened before, so the long-term shape of such a solid is exact. Without loads nothing moves at any time, and
-    forces fall with the relaxation modulus. The duration is not computed, because it needs a creep law of the
+    and moments on free ends, stay the same. A standard linear solid tends to this state at long times, independent
+    of its history, so its long-term
+    shape is exact. Without loads the shape does not change, and the forces decrease with the relaxation modulus.
+    The duration is not computed, because it needs a creep law of the
     sheet.
 
     Parameters
@@ -177,7 +179,7 @@ def _is_linear(law: MaterialLaw | None) -> bool:
 
 
 def _softened(rod: Rod, times: float) -> Rod:
-    """Return the rod with a smaller modulus and the same weight."""
+    """Return the rod with its modulus divided by 1 + phi and the same weight."""
     softer = rod if rod.gravity is None else replace(rod, gravity=rod.gravity.scaled(times))
     if rod.bending_stiffness is None:
         return softer

@@ -111,7 +111,7 @@ def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) ->
 
 
 Terms: TypeAlias = tuple[FloatArray, FloatArray]
-"""Forms G (r, n) and symmetric, invertible coefficients C (r, r) of terms G^t C G, added to a matrix."""
+"""Linear forms G (r, n) and symmetric, invertible coefficients C (r, r); the term G^t C G is added to a matrix."""
 
 
 def _bordered(basis: FloatArray, terms: Terms | None) -> tuple[FloatArray, FloatArray]:
@@ -140,7 +140,7 @@ def constrained_inertia(
     solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     reach = _reach(diagonal, off)
     if not np.abs(solved).max() * 16 * _EPS * reach < 1:
-        # an unbent rod between hinges is singular here; the shift gives count and solution the same sign
+        # the matrix of an unbent rod between hinges is singular; this shift makes the count agree with the solution
         shift -= 64 * _EPS * reach
         solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     negative = count_negative(diagonal, off, shift)
@@ -174,7 +174,7 @@ def lowest_constrained(
     from scipy.sparse.linalg import LinearOperator, eigsh
 
     d, e, shift = _factored_below(diagonal, off, min(n, rank + count))
-    if terms is not None:  # they may lower the lowest eigenvalue
+    if terms is not None:  # terms may lower the lowest eigenvalue
         step = _reach(diagonal, off) / n**2
         while constrained_inertia(diagonal, off, rows, shift, terms):
             shift, step = shift - step, 2 * step
@@ -188,7 +188,7 @@ def lowest_constrained(
         x = x - solved @ (inner @ (border @ x))
         return np.asarray(x - basis.T @ (basis @ x))
 
-    # a start without symmetry, the same in every run: it has a part along every mode
+    # fixed start vector without symmetry, so that it has a component along every mode
     start = inverse(np.random.default_rng(0).normal(size=n))
     theta, vectors = eigsh(LinearOperator((n, n), inverse, dtype=float), count, which="LA", v0=start)
     return shift + 1 / theta[::-1], vectors.T[::-1]
@@ -205,7 +205,8 @@ def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[F
     step = 0.3 * (lowest[last - 1] - lowest[0]) + 10 * tolerance
     shift = lowest[0] - step
     d, e, info = lapack().dpttrf(diagonal - shift, off)
-    while info != 0 and shift > -2 * reach - step:  # a shift too close by rounding: go further down
+    # by rounding the matrix is not positive definite: lower the shift
+    while info != 0 and shift > -2 * reach - step:
         step *= 2
         shift -= step
         d, e, info = lapack().dpttrf(diagonal - shift, off)
@@ -254,7 +255,7 @@ def lowest_weighted(
 
 @lru_cache(maxsize=4)
 def _polynomials(n: int) -> FloatArray:
-    """Return orthonormal polynomials (n, _SMOOTH) on n equal steps; cached, because they are expensive."""
+    """Return orthonormal polynomials (n, _SMOOTH) on n equal steps; cached, because their computation is slow."""
     powers = np.polynomial.legendre.legvander(np.linspace(-1, 1, n), _SMOOTH - 1)
     return np.asarray(np.linalg.qr(powers)[0])
 
@@ -276,7 +277,8 @@ def _reach(diagonal: FloatArray, off: FloatArray) -> float:
     return float(np.abs(diagonal).max() + 2 * np.abs(off).max(initial=0.0))
 
 
-_WOUND_UP_RAD = 1e6  # no strip winds up so far, and cos and sin lose ten digits there
+# largest angle of an edge; no strip is wound so far, and cos and sin lose ten digits there
+_WOUND_UP_RAD = 1e6
 
 
 def shoot(
@@ -311,8 +313,7 @@ def shoot(
     Returns
     -------
     angles : (n+2,) array
-        alpha_0, the n edge angles, and the angle at the end; NaN from the place where the rod winds up without
-        bound.
+        alpha_0, the n edge angles, and the angle at the end; NaN from the first angle beyond `_WOUND_UP_RAD`.
     moments : (n+1,) array
 
     Examples
@@ -339,7 +340,7 @@ def _shoot_in_python(
     n, (bend, rest) = bends.size - 1, (bends.tolist(), rests.tolist())
     pull_x, pull_y = across.tolist(), along.tolist()
     angles, moments = [alpha], [M]
-    for i in range(n):  # plain floats: an array expression a step would cost twenty times as much
+    for i in range(n):  # plain floats, because array expressions for each step are twenty times slower
         alpha += bend[i] * M + rest[i]
         if not -_WOUND_UP_RAD < alpha < _WOUND_UP_RAD:
             alpha = M = nan
@@ -431,7 +432,7 @@ class Margin:
     value : float
         The eigenvalue of h -> int K h'^2 - <lambda, gamma'> h^2 against int h^2, times length^2.
     mode : (n,) array
-        The edge values of its mode h, int h^2 = 1, so 1/sqrt(mm).
+        Lowest mode h at the edges, scaled to int h^2 = 1; unit 1/sqrt(mm).
     multipliers : (2,) array
         nu of H v - mu W v = C^t nu, for x and y; zero for a coordinate that is not held at both ends.
     """
@@ -454,7 +455,7 @@ class MarginDerivatives:
     angles : (n,) array
         With respect to each edge's angle.
     length : float
-        With respect to the total length (all edges in proportion, K, angles and lambda kept), 1/mm.
+        With respect to the total length if all edges are scaled and K, angles and lambda stay, 1/mm.
     """
 
     stiffness: FloatArray

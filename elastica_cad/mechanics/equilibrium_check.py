@@ -1,4 +1,4 @@
-"""Verdict on a curve that was fitted to points, compared with those on other curves through the same points."""
+"""Verdict on a curve, and comparison with other curves if it was fitted to measured points."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
@@ -47,13 +47,13 @@ from elastica_cad.mechanics.theorem1 import (
 from elastica_cad.refusals import Length, Listed, note
 
 MOST_POINTS = 400
-"""Number of points that the other curves are fitted to; of more points some are left out."""
+"""Largest number of points to which the other curves are fitted; further points are left out."""
 
 MOST_ON_LINE = 2
-"""Number of inflections that are on one line for any curve."""
+"""Largest number of inflections that are on a line for every curve."""
 
 ADDED_INFLECTIONS = 2
-"""Number of inflections that an oscillation of a fit adds."""
+"""Number of inflections that are added by an oscillation of a fit."""
 
 
 def _compare_fits(
@@ -71,7 +71,7 @@ def _compare_fits(
     points = None if drawn.provenance is None else drawn.provenance.measured
     if (
         points is None or check.any_stiffness or (points.is_noisy and points.outlier)
-    ):  # the outlier must be corrected first
+    ):  # an outlier must be corrected before fits are compared
         return None
     distance = _distance(points, drawn)
     for curve in _other_curves(points, distance):
@@ -136,11 +136,12 @@ def check_equilibrium(
 ) -> EquilibriumCheck:
     """Check whether a weightless flat strip of some admissible width can rest in a curve.
 
-    Condition (1): a line meets the curve at the zeros of its curvature and nowhere else, and is never tangent.
-    Condition (2): the curvature changes sign at each zero with a finite slope. A pinned end must have no curvature,
-    so the line passes through it too. If an end is free to slide along x (y), the line is vertical (horizontal). If
-    the ends carry no force, no line exists. A natural curvature is subtracted from the curvature. A closed curve is
-    held by its other end. If it begins at an inflection, its start is moved (`curve`) and a warning is added.
+    Condition (1): a line meets the curve exactly at the zeros of its curvature and is not tangent to the curve.
+    Condition (2): the curvature changes sign at each zero with a finite slope. The curvature vanishes at a pinned
+    end, so the line passes through this end too. If an end is free to slide along x (y), the line is vertical
+    (horizontal). If
+    the ends carry no force, no line exists. A natural curvature is subtracted from the curvature. If a closed curve
+    begins at an inflection, its start is moved (`curve`) and a warning is added.
 
     Parameters
     ----------
@@ -216,11 +217,12 @@ def _examine_curve(
     return _check_line(check, supports, natural_curvature, tolerance)
 
 
-UNBENT_SHARE = 1e-12  # of the largest curvature: an end with less is not bent
+# curvature of an end, as a fraction of the largest curvature, below which the end is unbent
+UNBENT_SHARE = 1e-12
 
 MEANT_SHARE = 0.01
-"""Largest distance, as a fraction of the length, between an end that is free to turn and a zero of the curvature,
-also beyond the end, for the end to count as unbent: the accuracy of a drawing."""
+"""Largest distance, as a fraction of the length, of a zero of the curvature from an end that is free to turn, for
+the end to count as unbent. It is the accuracy of a drawing. The zero may be beyond the end."""
 
 
 def _with_unbent_ends(
@@ -228,7 +230,7 @@ def _with_unbent_ends(
 ) -> EquilibriumCheck:
     """Check the curve again after moving control points so that its almost unbent ends are exactly unbent.
 
-    These are ends whose curvature vanishes to rounding, and almost unbent ends that are free to turn. Positions and
+    Almost unbent ends are free to turn, or their curvature vanishes to rounding. Positions and
     tangents of both ends stay. The curve is not changed if it would move farther than `tolerance` times its length.
     """
     if check.curve.is_closed or check.any_stiffness:
@@ -249,7 +251,7 @@ def _with_unbent_ends(
 
 
 def _ends_keep_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> bool:
-    """Return True if an inflection that belongs to an end is away from it by more than rounding."""
+    """Return True if an inflection that belongs to an end differs from the end by more than rounding."""
     return bool(list(_traces(ExcessCurvature(check.curve, natural_curvature), check)))
 
 
@@ -260,7 +262,7 @@ def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
 
 
 def _traces(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:
-    """Yield the parameters of ends that count as zeros but are bent by more than rounding."""
+    """Yield the parameters of ends that count as zeros although their curvature exceeds rounding."""
     ends = np.array([z.t for z in check.zeros if z.kind == "end"])
     if ends.size:
         size = float(np.abs(excess.survey).max())
@@ -302,13 +304,14 @@ _WIDEST_RATIO = 1e4
 _TANGENT_RAD = 1e-6
 """Sine of the angle between line and curve; smaller values count as tangent."""
 
-_AT_ZERO_SHARE = 1e-4  # nearer to a zero of the curvature, in lengths, K is a quotient of two small numbers
+# distance from a zero of the curvature, in lengths, within which K is a quotient of two small numbers
+_AT_ZERO_SHARE = 1e-4
 _LINES = {
     "": ("one line", "The line through its inflections"),
     "vertical": ("one vertical line", "The vertical line that the supports require"),
     "horizontal": ("one horizontal line", "The horizontal line that the supports require"),
 }
-_TURNS = 67  # of a line about the only inflection, tried
+_TURNS = 67  # number of directions that are tried for a line through the only inflection
 
 
 @dataclass(frozen=True)
@@ -328,8 +331,8 @@ class SeparatingLine:
     line : InflectionLine or None
         Middle line, or None if no line exists.
     spread : float
-        Angle, rad, that the curve subtends at its inflection after the part of opposite curvature has been mirrored
-        there; lines exist if it is less than pi.
+        Angle, rad, subtended at the inflection by the curve, with the part of opposite curvature mirrored at the
+        inflection. Lines exist if the angle is less than pi.
     places : (float, float)
         Arc lengths of the two points that bound the lines, mm.
     """
@@ -419,7 +422,8 @@ def _moved_onto(
     line: InflectionLine, check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature
 ) -> EquilibriumCheck | None:
     """Check the curve again with its inflections moved onto the line; return None if they cannot be moved."""
-    if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:  # moving would open it
+    # moved control points would open a closed curve
+    if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:
         return None
 
     moved_check = check
@@ -519,8 +523,8 @@ def _widest_place(
     """Return the place (mm) where the stiffness ratio would exceed `_WIDEST_RATIO`, or None.
 
     K = distance from the line / (kappa - kappa_0). At a zero K is the limit, the sine of the angle between curve
-    and line over the slope of the curvature. With a single zero the line may turn about it by `spare` rad either
-    way.
+    and line over the slope of the curvature. With a single zero the line may turn about this zero by `spare` rad in
+    both directions.
     """
     curve, kappa = excess.curve, excess.survey
     nodes = curve.survey
@@ -572,7 +576,7 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
         return SeparatingLine(None, spread, (low, high))
     middle = (views.low + views.high) / 2
     x, y = views.point
-    # along the middle direction turned right by a quarter, so that its normal b is that direction
+    # the line is at right angles to the middle direction, so that its normal b has the middle direction
     direction = curvature_sign * np.array([np.sin(middle), -np.cos(middle)])
     line = InflectionLine((x, y), (float(direction[0]), float(direction[1])))
     return SeparatingLine(line, spread, (low, high))
@@ -589,7 +593,7 @@ def _kind_of(normal: FloatArray | None) -> str:
 
 
 MOST_STEPS = 12
-"""Largest number of Newton steps for such a move."""
+"""Largest number of Newton steps that move inflections onto a line."""
 
 ON_LINE_SHARE = 1e-12
 """Largest distance between the line and an inflection that counts as on it, relative to the size of the curve."""

@@ -1,4 +1,4 @@
-"""Section of two glued layers (paper, section 8.1), also if it is wide enough to bend as a plate."""
+"""Section of two glued layers (paper, section 8.1), narrow or so wide that it bends as a plate."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -19,7 +19,7 @@ from elastica_cad.mechanics.stiffness_law import FixedLaw, at_stations
 from elastica_cad.refusals import Length
 
 _TOUCH_SHARE = 1e-5
-"""Relative slack on limits, as the stiffness is known to 1e-6 between its nodes."""
+"""Relative slack on limits, because the stiffness between its nodes has an error of 1e-6."""
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,7 @@ class LaminatedSection:
         A1, _ = self._axial(w1, 0.0 * w1)
         _, h2, d = self._heights
         p = h2**2 / 12
-        # with x = A2:  p x^2 + q x - D A1 = 0;  D is what the backing must add
+        # with x = A2:  p x^2 + q x - D A1 = 0;  D is the stiffness that the backing must add
         D = np.maximum(EI - least, 0.0)
         q = A1 * (p + d**2) - D
         root = np.sqrt(q**2 + 4 * p * D * A1)
@@ -175,8 +175,7 @@ class LaminatedSection:
 
         Notes
         -----
-        Iterated with an optimal K this is Newton's method for the laminate's fixed point; `optimal_laminate`
-        does it.
+        `optimal_laminate` alternates this linearisation and the search for an optimal K, which is Newton's method.
         """
         require_positive(bending_stiffness, "bending stiffness", "N mm2")
         K, w1 = matched(positive(stiffness, "stiffness"), positive(base_width, "base width"))
@@ -195,7 +194,7 @@ class LaminatedSection:
         base_width, stiffness : (n,) array_like
             w1, mm, and K.
         least_backing : float
-            Narrowest backing that can be cut and glued, mm; a base narrower than that is backed fully.
+            Narrowest backing that can be cut and glued, mm; a narrower base gets a backing of its full width.
         """
         w1 = positive(base_width, "base width")
         if not (is_number(least_backing) and least_backing >= 0):
@@ -362,8 +361,7 @@ def _refuse_stations(bad: NDArray[np.bool_], bending_stiffness: FloatArray, text
 
 
 PIECES = 8
-"""Number of parts into which half the backing, and the border beside it, are divided; the factor is then exact
-to 1e-4."""
+"""Number of elements in half of the backing, and in a border of the base; the error of the factor is then 1e-4."""
 
 LEAST_SHARE = 2e-3
 """Least width of border and backing, as a fraction of the width."""
@@ -372,7 +370,7 @@ TERMS, STATIONS = 24, 60
 """Number of terms of the polynomials in curvature, and number of stations at which they are computed."""
 
 LARGEST_STRAIN = 0.05
-"""Largest strain of the surface that is considered; no sheet withstands it."""
+"""Largest surface strain for which factors are computed; no sheet withstands it."""
 
 FINE_SEARLE = 3.0
 """Limit of width^2 kappa / thickness: samples are uniform below it and uniform in its logarithm above it."""
@@ -423,7 +421,7 @@ def laminate_factor(
     b2 = np.clip(b2, LEAST_SHARE * b1, (1 - LEAST_SHARE) * b1)
     h1, h2 = section.base.thickness, section.backing.thickness
     base, backing = (section.base, -h1 / 2, h1 / 2), (section.backing, h1 / 2, h1 / 2 + h2)
-    # divided by kappa - kappa_0, so that they are finite where it vanishes: w and its slopes, and eps_0
+    # w, its slopes and eps_0 are divided by kappa - kappa_0, so that they are finite where it vanishes
     unknowns = 4 * PIECES + 3
     columns = np.column_stack(
         [2 * np.arange(2 * PIECES)[:, None] + np.arange(4), np.full(2 * PIECES, unknowns - 1)]
@@ -434,7 +432,8 @@ def laminate_factor(
         ([base, backing], b2 / 2, columns[:PIECES]),
         ([base], (b1 - b2) / 2, columns[PIECES:]),
     ):
-        form, (w, curl, weight) = _energy(layers), _hermite(half / PIECES)  # all pieces of a part are equal
+        # all elements of a part have the same length
+        form, (w, curl, weight) = _energy(layers), _hermite(half / PIECES)
         w, lever = (
             np.concatenate([w * by[:, None, None], np.ones_like(w[:, :1])], axis=1)
             for by in (kappa, kappa - rest)
@@ -449,7 +448,7 @@ def laminate_factor(
             H[:, piece[:, None], piece] += quadratic
             f[:, piece] += linear
         parts.append((form, w, lever, curl, weight, places))
-    free = slice(2, None)  # deflection and slope in the middle are none
+    free = slice(2, None)  # by symmetry, deflection and slope are zero in the middle
     deflection = np.zeros_like(f)
     deflection[:, free] = -np.linalg.solve(H[:, free, free], f[:, free, None])[..., 0]
     moment = np.zeros(b1.size)
@@ -469,7 +468,7 @@ def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:
         along, coupled = along + moments, coupled + nu * moments
     (A, B, D), (An, Bn, Dn) = along, coupled
     rows = [[A, B, -Bn], [B, D, -Dn], [-Bn, -Dn, D]]
-    across = np.array([An, Bn, -B])  # the strain across, which costs A, is what costs least
+    across = np.array([An, Bn, -B])  # the strain across the strip takes the value of least energy
     return np.asarray(rows - np.outer(across, across) / A)
 
 

@@ -57,8 +57,9 @@ TOLERANCE = 1e-6
 """Error of the stiffness profile, relative to its largest value; its extremes are exact."""
 
 WORST_TOLERANCE = 0.01
-"""Error that is accepted where rounding has spoilt the stiffness, as much weight and an inflection near an end
-do."""
+"""Largest accepted error where rounding errors of the stiffness are large, as under much weight or with an
+inflection
+near an end."""
 
 NOISE_TIMES = 4
 """Error of the fit, in multiples of the rounding errors of the stiffness under much weight."""
@@ -67,7 +68,7 @@ SAME_PLACE_SHARE = 1e-9
 """Largest distance, as a fraction of the length, of a knot that is moved to a zero of the curvature."""
 
 CELLS = 8
-"""Number of parts of a panel with a constant density of knots in each."""
+"""Number of parts of a panel; each part has a constant density of knots."""
 
 _CELL_ENDS = legendre_basis(np.linspace(-1, 1, CELLS + 1))
 
@@ -79,14 +80,14 @@ BEST_CUBIC = 1 / 720
 polynomial."""
 
 SPARE = 0.07
-"""Share of the tolerance for which the first knots are chosen, so that a second fit is rarely needed."""
+"""Fraction of the tolerance for which the first knots are chosen, so that a second fit is rarely needed."""
 
 
 def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:
     """Return K times `scale` as a cubic spline of arc length.
 
-    K has two continuous derivatives less than the curve, and three less at an inflection at a knot. A kink stays a
-    kink. A step becomes a ramp.
+    K has two continuous derivatives less than the curve, or three less if an inflection is at a knot. Kinks are
+    kept, and steps are replaced by ramps.
     """
     curve = check.curve
     length = curve.length
@@ -103,7 +104,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
     K = _AlongArc.of(curve, balance, scale)
     half = STEP_LENGTH * length / 2
     feet = [s + side * half for s in steps for side in (-1, 1)]
-    # fitted separately, because a short ramp would absorb the errors of its neighbours
+    # ramps are fitted separately, because a short ramp would absorb the errors of its neighbours
     breaks += [(s, -1) for s in feet]
 
     def stiffness(s: FloatArray) -> FloatArray:
@@ -165,7 +166,7 @@ class _AlongArc:
         """
         width = self.edges[1:] - self.edges[:-1]
         fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
-        # both as functions of the panel's x, from -1 to 1
+        # error and spacing are functions of the coordinate x of the panel, from -1 to 1
         count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
         reached, s = np.zeros(count.size + 1), np.empty(count.size + 1)
         np.cumsum(count, out=reached[1:])
@@ -179,7 +180,7 @@ class _AlongArc:
 
 
 def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
-    """Return the profile stretched slightly to the exact extremes of the stiffness.
+    """Return the profile, scaled slightly so that its extremes are exactly those of the stiffness.
 
     The stiffness is stationary there, so the places need not be exact.
     """
@@ -239,13 +240,13 @@ def optimal_rod(
         Weight in newtons instead of a proportional weight. With `own=True` the weight of the strip is added, B /
         gravity.length^3 per length and stiffness.
     bending_stiffness : float, optional
-        Lower bound B of the bending stiffness E I, N mm2, under a weight in newtons. By default it is computed: the
-        B of least ratio or, if the ratio falls monotonically with B, the least B whose ratio is within 1 % of the
+        Lower bound B of the bending stiffness E I, N mm2, under a weight in newtons. By default B has the least
+        ratio. If the ratio falls monotonically with B, the default is the least B whose ratio is within 1 % of the
         ratio without weight.
     largest_stiffness : float, optional
         Largest E I of the rod, N mm2, under a weight in newtons, for example of the widest strip that fits. The
-        result has the least ratio of all such rods. Where a rod so stiff cannot rest in the curve under
-        this weight, the largest E I stays below.
+        result has the least ratio of all rods with this largest E I. If no such rod rests in the curve under
+        this weight, the largest E I is smaller.
     least_stiffness : float, optional
         Lower bound of E I, N mm2, in addition to `largest_stiffness`.
     law : MaterialLaw, optional
@@ -253,8 +254,8 @@ def optimal_rod(
     section : BoundedLaw, optional
         Section of the strip: a thickness, a diameter, or a width that bends as a plate. It is as large as its
         limits allow, which determines the bending stiffness. Under gravity (only its direction is used) the rod
-        carries the weight of the section and the masses of `weight`. Then the program is not linear and the ratio
-        is a local optimum; see `balance_of`.
+        carries the weight of the section and the masses of `weight`. The optimisation is then nonlinear, and the
+        ratio is a local optimum; see `balance_of`.
     tolerance : float
         Largest distance of inflections from a line, relative to the length; nearer inflections are moved onto it.
         Almost unbent ends that are free to turn are made straight within the same tolerance. `Rod.moved` is the
@@ -262,8 +263,9 @@ def optimal_rod(
     check : EquilibriumCheck, optional
         Existing check of the same curve and request.
     between : sequence of Rail, Pin and Tie
-        Elements that hold the strip between its ends. Their forces are unknowns of the program, so the ratio is no
-        larger than without them (but for the 1 % of section 5.3). An element at an inflection does not push normal
+        Elements that hold the strip between its ends. Their forces are unknowns of the linear program, so the ratio
+        is at most that without elements (except for
+        the 1 % of section 5.3). An element at an inflection does not push normal
         to the strip, because the width would step there. `Rod.between_forces` has the forces.
     loads : sequence of PointMass and PointForce
         Masses (g) that hang in the direction of `gravity`, besides the weight of the strip, and forces (N). They
@@ -272,8 +274,8 @@ def optimal_rod(
     Returns
     -------
     Rod
-        Least nodal stiffness 1. Under weight or with elements, where inflections leave a choice, the smoothest
-        stiffness within 1 % of the least ratio is taken (section 5.3).
+        Rod with least nodal stiffness 1. If weight or elements allow several stiffnesses, the result is the
+        smoothest stiffness within 1 % of the least ratio (section 5.3).
 
     Raises
     ------
@@ -397,9 +399,10 @@ def _check_stiffness(name: str, value: float | None, *, in_newtons: bool) -> Non
 
 
 def _require_load_at_free_end(request: RodRequest) -> None:
-    """Refuse an end without a support, element or load, because its shape follows from the weight alone.
+    """Refuse an unloaded free end, because its shape follows from the weight alone.
 
-    With u the distance from the end and W the weight beyond, K kappa = integral of W cos(alpha) du. Both vanish at
+    K kappa = integral of W cos(alpha) du, with the distance u from the end and the weight W between u and the end.
+    Both vanish at
     u = 0. Under the strip's own weight, K stays finite and positive only for kappa = cos(alpha) u^2 / (2 l_eg^3) +
     ... ...
     """
@@ -438,7 +441,8 @@ def _rod_of(
 
 
 def _unbent_rod(request: RodRequest) -> Rod:
-    """Return the rod of a curve with the natural curvature: no moment, and straight up or down under weight."""
+    """Return the rod of a curve with the natural curvature, without moment; under weight the curve must be
+    vertical."""
     check, nodes = request.check, request.nodes
     n = nodes.s.size
     B, weight = request.bending_stiffness or request.largest_stiffness, request.weight
@@ -468,7 +472,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
         raise InputError(
             "a vertical straight strip can have any stiffness: give bending_stiffness for its weight"
         )
-    # lambda grows by the load; the end that holds the strip upright carries all
+    # lambda increases by the load; the end that holds the strip carries the whole weight
     load = rod.nodal_load
     force = np.cumsum(load, axis=0) - load / 2
     force[0], force[-1] = 0.0, load.sum(axis=0)
@@ -512,7 +516,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
     if request.needs_line and check.zeros and np.hypot(*b[0]) > 0:
         check = replace(check, line=InflectionLine.of_moment(float(moment[0]), b[0], nodes.position[0]))
     weight = balance.weight
-    if weight is not None:  # beta K stays what it is when K is divided by its least value
+    if weight is not None:  # beta K must not change when K is divided by its least value
         weight = weight.scaled(beta=least)
     return _rod_of(
         request, check, moment, left_of(b), stiffness=K,
@@ -579,7 +583,7 @@ class Laminate:
     range : ScaleRange
         Scales that could be built with this K; c is its upper end.
     rounds : int
-        Optimal rods that were needed; 1 without weight.
+        Number of optimal rods that were computed; 1 without weight.
     """
 
     rod: Rod
@@ -603,7 +607,7 @@ def optimal_laminate(
 ) -> Laminate:
     """Return the rod of least ratio on a curve, and the backing on a base of given width.
 
-    The weight of both layers is linear in w2, and therefore not in K (paper, section 8.1, footnote 4). The weight
+    The weight of both layers is linear in w2 but not in K (paper, section 8.1, footnote 4). The weight
     law is linearised at the last K and scale until both converge. If they oscillate, `optimal_rod` continues in
     short steps.
 
@@ -655,7 +659,7 @@ def optimal_laminate(
 
 
 def laminate_of_request(request: RodRequest, layers: LaminateLayers) -> Laminate:
-    """Return the laminate of a checked request, see `optimal_laminate`; the own weight is that of the layers."""
+    """Return the laminate of a checked request, with the weight of its layers; see `optimal_laminate`."""
     base_width, s_end = layers.base_width, request.curve.length
     if isinstance(base_width, Profile) and not np.isclose(base_width.length, s_end, rtol=1e-6):
         raise InputError(
@@ -743,14 +747,14 @@ class _Base:
 
 
 def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Laminate | None, float]:
-    """Return the laminate by weight laws linearised at the previous rod, or None, and the last change of K."""
+    """Return the laminate, or None if the iteration does not converge, and the last change of K."""
     section = base.layers.section
     stations = np.linspace(0.0, rod.length, _STATIONS)
     w1 = _along(base.layers.base_width, stations)
     bounds = section.bending_stiffness(w1, 0.0 * w1), section.bending_stiffness(w1, w1)
     scale = base.scale(rod)
     history: list[float] = []
-    change, least = np.inf, 1.0  # the least value of a smoothed stiffness may be above the requested 1
+    change, least = np.inf, 1.0  # a smoothed stiffness may have a least value above 1
     for rounds in range(2, _MOST_ROUNDS):
         target = scale / least
         # an extrapolated scale may require more than two full layers somewhere, or less than the base
@@ -794,7 +798,7 @@ def _along(width: float | Profile, s: FloatArray) -> FloatArray:
 
 
 def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return K from the profile, clipped to the least value because of the error of the profile."""
+    """Return K of the profile, at least the least value: the error of the profile may be negative."""
     return np.maximum(rod.profile(s), 1.0)
 
 

@@ -1,4 +1,4 @@
-"""Loads and supports of a rod: gravity, hung weights, what holds its ends, and its natural curvature."""
+"""Loads of a rod (gravity and hung weights), supports of its ends, and its natural curvature."""
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -73,7 +73,7 @@ class Gravity:
     def in_plane(
         cls, length: float, direction: ArrayLike, x_axis: ArrayLike, y_axis: ArrayLike
     ) -> "Gravity | None":
-        """Return gravity in a plane in space, the part of `direction` (3,) within it, or None."""
+        """Return gravity in a plane in space from the component of `direction` (3,) in the plane, or None."""
         d, *axes = (
             numbers(given, name)
             for given, name in ((direction, "gravity direction"), (x_axis, "x axis"), (y_axis, "y axis"))
@@ -92,7 +92,7 @@ class Gravity:
 
     @property
     def e(self) -> FloatArray:
-        """Vector e of Eq. 5, 1/mm3; it points up, as the derivation in the paper needs (misprinted in the text)."""
+        """Vector e of Eq. 5, 1/mm3, pointing up as in the derivation of the paper (its text has a misprint)."""
         return -np.asarray(self.direction) / self.length**3
 
     def scaled(self, factor: float) -> "Gravity":
@@ -129,8 +129,8 @@ class Weight:
     masses : tuple of PointMass
         For example a lamp holder.
     own : bool
-        Ask `optimal_rod` to add a plain strip's own weight, B / gravity.length^3, to `beta` once the least
-        bending stiffness B is known; the rod it returns has it there, and `own` is False again.
+        If True, `optimal_rod` adds the weight of a plain strip, B / gravity.length^3, to `beta` when the least
+        bending stiffness B is known. The weight of the returned rod includes it, and its `own` is False.
     """
 
     alpha: Annotated[float | Profile, Option("Weight per length.", "N/mm", least=0, written=float)] = 0.0
@@ -150,7 +150,7 @@ class Weight:
         object.__setattr__(self, "masses", several("masses", self.masses, PointMass, "PointMass"))
         for name in ("alpha", "beta"):
             value = getattr(self, name)
-            # a profile may dip below 0: alpha + beta K as the tangent of a laminate's law
+            # alpha may be negative in a profile, because alpha + beta K may be the tangent to a nonlinear law
             if not isinstance(value, Profile) and not (is_number(value) and value >= 0):
                 raise InputError(f"weight {name} is {value!r}: give 0 or more, in N/mm")
 
@@ -255,8 +255,8 @@ class Supports:
     Raises
     ------
     InputError
-        When the rod could move rigidly: a coordinate held at no end, or nothing that stops its rotation. Two free
-        ends are allowed, for rods that elements between the ends hold.
+        The rod could move as a rigid body, because a coordinate is free at both ends or nothing prevents rotation.
+        Two free ends are allowed for rods that are held by elements between the ends.
 
     Examples
     --------
@@ -288,11 +288,11 @@ class Supports:
     @property
     def ends(self) -> tuple[End, End]:
         """Both ends as `End` records."""
-        return cast(End, self.start), cast(End, self.end)  # `__post_init__` leaves no names
+        return cast(End, self.start), cast(End, self.end)  # `__post_init__` has replaced names by records
 
     @property
     def is_free(self) -> bool:
-        """True when neither end is held at all, as in a bow."""
+        """True if both ends are free, as in a bow."""
         return self.ends == (End.named("free"), End.named("free"))
 
     def require_held(self, *, between: bool = False) -> None:
@@ -302,12 +302,12 @@ class Supports:
 
     @property
     def clamped(self) -> bool:
-        """True when both ends hold position and angle."""
+        """True if both ends hold position and angle."""
         return self.ends == (End(), End())
 
     @property
     def transmits_force(self) -> tuple[bool, bool]:
-        """True for x, y if a constant force can be carried: both ends hold the coordinate."""
+        """True for x, y if both ends hold the coordinate, so that the supports can carry a constant force."""
         a, b = self.ends
         return a.x and b.x, a.y and b.y
 
@@ -317,7 +317,7 @@ class Supports:
 
 
 def require_curve(curve: object) -> None:
-    """Refuse what is no `PlaneCurve`."""
+    """Refuse values that are not a `PlaneCurve`."""
     if not isinstance(curve, PlaneCurve):
         raise InputError(
             f"the curve is a {type(curve).__name__}: give a PlaneCurve, such as PlaneCurve.fit(points)"
@@ -325,7 +325,7 @@ def require_curve(curve: object) -> None:
 
 
 def require_gravity(gravity: object) -> None:
-    """Refuse what is neither a `Gravity` nor None."""
+    """Refuse values other than a `Gravity` or None."""
     if not (gravity is None or isinstance(gravity, Gravity)):
         raise InputError(
             f"gravity is {gravity!r}: give a Gravity record, such as sheet.gravity() or "
@@ -334,7 +334,7 @@ def require_gravity(gravity: object) -> None:
 
 
 def require_supports(supports: object, *, between: bool = False) -> Supports:
-    """Return the supports; None means clamped at both ends. `between`: elements hold the rod as well."""
+    """Return the supports; None means clamped at both ends. `between` is True if elements also hold the rod."""
     if supports is None:
         return Supports()
     if not isinstance(supports, Supports):
@@ -346,7 +346,7 @@ def require_supports(supports: object, *, between: bool = False) -> Supports:
 
 
 def require_tolerance(tolerance: object) -> None:
-    """Refuse a tolerance that is negative or no number."""
+    """Refuse a tolerance that is negative or not a number."""
     if not (is_number(tolerance) and tolerance >= 0):
         raise InputError(
             f"tolerance is {tolerance!r}: it must be a number, 0 or more, in lengths of the curve"
@@ -395,8 +395,8 @@ LENGTHS_APART = 0.01
 BLANK_TOLERANCE = 1e-9
 """Error of the natural curvature, relative to its largest value."""
 
-_SAMPLES = 401  # of a curve, where its largest curvature is looked for
-_AT_BREAK_SHARE = 1e-9  # of the length: nearer places are on the break
+_SAMPLES = 401  # number of samples for the largest curvature of a curve
+_AT_BREAK_SHARE = 1e-9  # distance from a break, as a fraction of the length, that counts as at the break
 
 
 @dataclass(frozen=True, eq=False)
@@ -531,7 +531,7 @@ def nodal_curvature(rest: NaturalCurvature, s: FloatArray) -> float | FloatArray
 
 
 def require_natural_curvature(value: object) -> None:
-    """Refuse what is neither a finite number nor a `RestCurvature`."""
+    """Refuse values other than a finite number or a `RestCurvature`."""
     if not (isinstance(value, RestCurvature) or is_number(value)):
         raise InputError(
             f"natural_curvature is {value!r}: give a finite number, in 1/mm, or a RestCurvature for a "
@@ -541,7 +541,7 @@ def require_natural_curvature(value: object) -> None:
 
 @dataclass(frozen=True, eq=False)
 class ExcessCurvature:
-    """kappa - kappa_0 along a curve: what a strip feels of it.
+    """Change of curvature kappa - kappa_0 along a curve, which bends the strip.
 
     Attributes
     ----------
@@ -574,13 +574,13 @@ class ExcessCurvature:
 
     @cached_property
     def survey(self) -> FloatArray:
-        """Values (n,), 1/mm, at the places of the curve's own survey."""
+        """Values (n,), 1/mm, at the sample points of the curve."""
         nodes = self.curve.survey
         return np.asarray(nodes.curvature - self.rest_at(nodes.t))
 
     @cached_property
     def kinks(self) -> tuple[tuple[float, float, int], ...]:
-        """Places (t, s, continuity) where kappa_0 is no more than `continuity` times differentiable."""
+        """Places (t, s, continuity) where kappa_0 has only `continuity` continuous derivatives."""
         if not isinstance(self.rest, RestCurvature):
             return ()
         s = np.array([s for s, _ in self.rest.profile.breaks]) / self._stretch
@@ -605,6 +605,6 @@ class ExcessCurvature:
 
     @cached_property
     def _size(self) -> float:
-        """Size of the curvatures that are subtracted from each other, 1/mm."""
+        """Size of kappa and kappa_0, 1/mm, which determines the rounding error of their difference."""
         t = np.linspace(*self.curve.domain, _SAMPLES)
         return float((np.abs(self.curve.curvature_at(t)) + np.abs(self.rest_at(t))).max())

@@ -1,4 +1,4 @@
-"""Linear programs in few numbers: the smallest ratio of largest to least stiffness, and the smoothest near it."""
+"""Linear programs with few unknowns, for the least stiffness ratio and for the smoothest stiffness near it."""
 
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -16,18 +16,18 @@ class Exchange(NamedTuple):
     Attributes
     ----------
     start_rows, most_rounds : int
-        Number of samples to begin with if rows are added, and largest number of rounds of additions.
+        Initial number of samples if rows are added, and largest number of rounds of additions.
     first_rows : int
         Number of uniform samples of a long curve at the beginning of a program.
     box : float
-        Initial bound on unknowns of order 1, so that the method has a first vertex.
+        Initial bound on the scaled unknowns, which are of order 1; it defines the first vertex.
     feasible : float
         Largest violation of a condition that counts as rounding, relative to 1, or to R if the condition contains
         R.
     pivot : float
         Least component, as a fraction of the largest, of a condition that may leave a vertex.
     most : int
-        Largest number of exchanges: several times the usual number for four unknowns.
+        Largest number of exchanges, several times the usual number for four unknowns.
     """
 
     start_rows: int = 9
@@ -124,7 +124,7 @@ def start_rows(count: int) -> list[int]:
 
 
 def unsettled(ratio: float) -> NotConvergedError:
-    """Return the error for rows that are generated without end."""
+    """Return the error for a program that needs too many rounds of additional rows."""
     return NotConvergedError(
         f"the linear program for the stiffness ratio did not converge in {METHOD.most_rounds} "
         f"rounds (ratio {ratio:.6g}): the curve has almost straight places; move its control "
@@ -203,8 +203,9 @@ class MinimaxProgram:
                 inverse = np.linalg.inv(rows)
             except np.linalg.LinAlgError:
                 return None
-            vertex = inverse.dot(limits)  # of arrays so small `dot` takes half the time of `@`
-            vertex += inverse.dot(limits - rows.dot(vertex))  # to rounding of the conditions themselves
+            vertex = inverse.dot(limits)  # `dot` takes half the time of `@` for arrays of this size
+            # one step of iterative refinement, to rounding error
+            vertex += inverse.dot(limits - rows.dot(vertex))
             excess = self.rows.dot(vertex) - self.limits
             if vertex[-1] > 1:
                 excess /= 1 + self.rows[:, -1] * (vertex[-1] - 1)
@@ -223,7 +224,7 @@ class MinimaxProgram:
 
 
 def _single(row: FloatArray) -> MinimaxSolution | None:
-    """Return the ratio of a single unknown, which is only a scale."""
+    """Return the ratio for a single unknown, which only scales the stiffness."""
     low, high = row.min(), row.max()
     if low > 0:
         return MinimaxSolution(np.array([1 / low]), float(high / low), row / low)
@@ -255,7 +256,7 @@ def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
             return np.asarray(result.x, dtype=float)
         infeasible = result.status == 2
     else:
-        # what Highs puts on top, callbacks, has it print its name before it can be silenced
+        # the class Highs, which adds callbacks, prints a banner before output can be switched off
         highs = highspy.Highs.__bases__[0]()
         silent = {"output_flag": False, "presolve": "off", "solver": "simplex", "parallel": "off"}
         for name, value in {**silent, **tolerances}.items():
@@ -310,7 +311,7 @@ def least_variation(
     rows, bends = rows @ basis, bends @ basis
     size = np.abs(bends).max() or 1.0
     bends, bend_offset = bends / size, bend_offset / size
-    # the dual program has a row for each number; the numbers are its multipliers
+    # the dual program has a row for each unknown; the unknowns are the multipliers of its solution
     matrix = np.concatenate([bends, -rows, rows, -side_rows @ basis]).T
     cost = -np.concatenate([bend_offset, 1 - offset, offset - largest, -side_offset])
     bounds = np.zeros((cost.size, 2))
@@ -326,7 +327,7 @@ def least_variation(
 def _least_variation_of_one(
     row: FloatArray, offset: FloatArray, bend: FloatArray, bend_offset: FloatArray, largest: float
 ) -> FloatArray:
-    """Solve it for a single number: the weighted median of the zeros of the terms, moved into its bounds."""
+    """Solve for a single number: the weighted median of the zeros of the terms, clipped to the bounds."""
     counts = bend != 0
     zeros, steep = -bend_offset[counts] / bend[counts], np.abs(bend[counts])
     order = np.argsort(zeros)

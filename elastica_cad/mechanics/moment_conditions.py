@@ -121,7 +121,8 @@ class MomentRows:
 
 
 def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray | None = None) -> MomentRows:
-    """Return stiffness, force and moment along a curve as linear maps of its end state (paper, Eqs. 3 and 5).
+    """Return stiffness, force and moment along a curve as linear maps of the state at its end (paper, Eqs. 3 and
+    5).
 
     The equations of the rod are integrated from the end of the curve to its start, panel by panel. At a zero of
     kappa - kappa_0 the moment is set to zero, so K is the limit there and not a quotient of rounding errors. The
@@ -140,7 +141,8 @@ def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray 
         units = np.zeros((panels.count + 1, 2, 0))
     if load is None:
         return _weightless(panels, units)
-    with np.errstate(over="ignore", invalid="ignore"):  # a weight far too large overflows; the caller checks
+    # a far too large weight overflows; the caller checks the result
+    with np.errstate(over="ignore", invalid="ignore"):
         return _weighted(panels, load, units)
 
 
@@ -150,10 +152,10 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
     edge_moment = np.zeros((count + 1, size))
     edge_moment[:, 0] = 1.0
     edge_moment[:, 1:3] = panels.edge_position - panels.edge_position[-1]
-    b = np.zeros((count + 2, 2, size))  # before the start, in the panels, after the end
+    b = np.zeros((count + 2, 2, size))  # entries: before the start, in each panel, after the end
     b[:] = np.eye(2, size, 1)
     for k in np.flatnonzero(units.any(axis=(1, 2))):
-        step = left_of(units[k].T).T  # of b, from after the force to before it
+        step = left_of(units[k].T).T  # step of b at the force, from its end side to its start side
         b[: k + 1, :, 3:] += step
         edge_moment[: k + 1, 3:] += (panels.edge_position[: k + 1] - panels.edge_position[k]) @ step
     # M at a node = M at the panel's near end + <b, step>; at a zero the first term vanishes
@@ -190,9 +192,9 @@ def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
 
 def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     count, order = panels.t.shape
-    size = 3 if load.is_proportional else 4  # of the local state (M, b_x, b_y, tau)
+    size = 3 if load.is_proportional else 4  # size of the local state (M, b_x, b_y, tau)
     total = size + units.shape[2]
-    steps = np.zeros((count + 1, 2, total))  # of b, from after the forces to before them
+    steps = np.zeros((count + 1, 2, total))  # steps of b at the forces, from the end side to the start side
     steps[:, :, size:] = left_of(units.swapaxes(1, 2)).swapaxes(1, 2)
     if size == 4:
         steps[:, :, 3] = left_of(load.points)
@@ -246,15 +248,16 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
 
 _SLOPES_AT_NODES = VANDER @ SLOPES
 
-_SETTLED = 1e-9  # relative change of the least ratio that ends the iteration
+_SETTLED = 1e-9  # relative change of the least ratio below which the iteration ends
 
 _SAME = 4 * float(np.finfo(float).eps)
 """Relative difference between two solutions of a program whose vertex was reached by different paths."""
 
-_ROUNDING = 16 * float(np.finfo(float).eps)  # of the terms of a sum: three factors and a series
+# rounding error of a sum relative to its terms, which have three factors and a series
+_ROUNDING = 16 * float(np.finfo(float).eps)
 
 BOUNDED = 1e-7
-"""Relative excess over its bounds that a smooth stiffness may have: the accuracy of its linear program."""
+"""Largest relative excess of a smooth stiffness over its bounds; it is the accuracy of the linear program."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -330,7 +333,7 @@ def least_ratio(
     if places is not None:
         solution = _sampled(family, *family.at(*places))
     elif family.freedom == 0 or (family.freedom == 1 and family.offset is None and not family.sides):
-        # no free number, or a number that only scales K: the places of the extremes are fixed
+        # without a free number, or with a number that only scales K, the places of the extremes are fixed
         rows, offset = family.dense
         more, more_offset = family.extremes(np.ones(family.freedom))
         solution = _sampled(family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]))
@@ -364,16 +367,16 @@ def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | Non
         values = rows @ y + offset
         rounded: FloatArray | float = 0.0
         if np.abs(y - before).max() <= _SAME * np.abs(y).max():
-            # what is beyond its bounds still is so by the solver's own tolerance
+            # remaining excess over the bounds is within the tolerance of the solver
             tolerance = BOUNDED
-            rounded = _ROUNDING * (np.abs(rows) @ np.abs(y))  # or because large terms cancel
+            rounded = _ROUNDING * (np.abs(rows) @ np.abs(y))  # rounding where large terms cancel
         before = y
         low = (values < 1 - tolerance - rounded).nonzero()[0]
         high = (values > ratio * (1 + tolerance) + rounded).nonzero()[0]
         broken = [side.at(*side.combined(y).extreme_places) for side in family.sides]
         broken = [more[more @ y < -tolerance * ratio] for more in broken]
         if not (low.size or high.size or any(map(len, broken))):
-            if values.min() <= 0:  # all that would be positive drowns in rounding
+            if values.min() <= 0:  # rounding errors exceed the least stiffness
                 return None
             return y, float(max(values.max() / min(1.0, values.min()), ratio))
         program.demand(rows[low], offset[low], rows[high], offset[high])
@@ -410,7 +413,8 @@ def _smoothest(
     if kept is not None:
         pins, pin_offset = family.extremes(kept) if places is None else family.at(*places)
         pins = pins[pins @ kept + pin_offset > ratio * (1 - BOUNDED)]
-        pin_offset = 1.0 - pins @ kept  # 1 <= pins @ y + pin_offset: no less than now
+        # 1 <= pins @ y + pin_offset: K at these places is at least the present K
+        pin_offset = 1.0 - pins @ kept
 
     def smoothest(rows: FloatArray, offset: FloatArray) -> FloatArray:
         rows, offset = np.concatenate([rows, pins]), np.concatenate([offset, pin_offset])
@@ -448,8 +452,8 @@ def _bounded(
 def find_violations(family: StiffnessFamily) -> FloatArray:
     """Return the arc lengths (k,), mm, where no choice of the numbers makes K positive everywhere.
 
-    With a single free number these are the stretches of the rarer sign. Otherwise they are the samples that limit
-    the largest possible least value of K.
+    With a single free number they are the places where K has the less frequent sign. Otherwise they are the
+        samples that limit the largest possible least value of K.
     """
     from scipy.optimize import linprog
 
@@ -475,10 +479,10 @@ def find_violations(family: StiffnessFamily) -> FloatArray:
 
 
 SMOOTHING_SHARE = 0.01
-"""Share of the ratio that section 5.3 trades for smoothness."""
+"""Relative increase of the ratio that is accepted for a smoother stiffness (section 5.3)."""
 
 NO_GAIN_SHARE = 1e-6
-"""Relative gain in ratio that is neglected."""
+"""Relative reduction of the ratio that is neglected."""
 
 WIDEST_RATIO = 1e10
 """Largest stiffness ratio in computations; no strip can have it."""
@@ -501,7 +505,7 @@ class BalancedStiffness:
     bending_stiffness, weight
         B in N mm2 and the corresponding weight, if the weight is in newtons.
     kinks : sequence of (s, continuity)
-        Places where the load or the material law makes K less smooth than the curve.
+        Places where K is less smooth than the curve because of the load or the material law.
     between : tuple of ElementForce
         Forces of the elements, 1/mm2.
     """
@@ -529,7 +533,7 @@ class StateFamily:
 class RodRequest(EqualByValue):
     """Request for a rod that rests in a curve. `optimal_rod` describes the fields.
 
-    `known_check` is the check of the curve if it exists already. `point_forces` are the loads that are not masses.
+    `known_check` is an existing check of the curve, if there is one. `point_forces` are the loads except masses.
     Elements and point forces are placed along `drawn` if it differs from the curve.
     """
 
@@ -559,7 +563,7 @@ class RodRequest(EqualByValue):
 
     @cached_property
     def check(self) -> EquilibriumCheck:
-        """Theorem 1 on the curve that is bent; a strip with forces between its ends needs no line."""
+        """Verdict of Theorem 1 on the curve; a strip with forces between its ends does not need a line."""
         if self.known_check is not None:
             return self.known_check
         return examine(self.curve_to_bend, self.supports, self.natural_curvature, heavy=not self.needs_line)
@@ -597,7 +601,7 @@ class RodRequest(EqualByValue):
 
     @cached_property
     def nodes(self) -> CurveSamples:
-        """Curve at the nodes of the rod; if `samples` is given, the ratio is evaluated only there."""
+        """Curve at the nodes of the rod; if `samples` is given, the ratio is evaluated only at the nodes."""
         curve = self.check.curve
         return curve.survey if self.samples is None else curve.sample(self.samples)
 
@@ -628,7 +632,7 @@ class ConditionedRows:
 
     @cached_property
     def conditions(self) -> FloatArray:
-        """Rows (k, m) @ numbers = 0: no moment where no curvature, no force that no support gives.
+        """Rows (k, m) @ numbers = 0: the moment vanishes with the curvature, and the force along free coordinates.
 
         An element at an inflection has no force normal to the strip, because the stiffness would step there.
         """
@@ -687,7 +691,7 @@ class ConditionedRows:
         )  # fmt: skip
 
     def _sides(self, columns: FloatArray, sides: IntArray) -> FloatArray:
-        """Return rows of numbers that may not be negative, as multiples of their sizes."""
+        """Return the rows that select the numbers that may not be negative, scaled by the sizes of the numbers."""
         return np.asarray((columns.T / self.scale).T[sides])
 
     def at_compliance(self, tau: float) -> StateFamily:
@@ -729,8 +733,8 @@ class ConditionedRows:
     def steadied(self, state: FloatArray) -> FloatArray:
         """Return the optimum that does not change when the drawing is rotated.
 
-        For arcs it has a constant moment. If a step of the curvature alone decides the ratio, it is the _smoothest
-        stiffness.
+        For arcs the optimum has a constant moment. If the ratio is decided by a single step of the curvature, the
+        optimum has the smoothest stiffness.
         """
         if self.check.zeros:
             return state
@@ -749,7 +753,7 @@ class ConditionedRows:
         return state
 
     def least(self, numbers: StateFamily, *, smooth: bool = True) -> FloatArray:
-        """Return the end state (m,) of least ratio, smoothed if inflections leave a choice."""
+        """Return the end state (m,) of least ratio, smoothed if inflections allow several stiffnesses."""
         optimum = self.ratio(numbers)
         if optimum is None:
             self.refuse(numbers.family)
@@ -771,11 +775,11 @@ class ConditionedRows:
     def stiffest(self, most: float, least: float) -> tuple[FloatArray, float] | None:
         """Return the state (m,) and tau that maximise the least E I for the largest E I `most`, N mm2.
 
-        The result is smoothed if inflections leave a choice, with stiffnesses from `least` to `most`. The result is
+        If inflections allow several stiffnesses from `least` to `most`, the result is the smoothest. The result is
         None if no stiffness within these limits balances the curve.
         """
         family = self.at_compliance(1 / most).family
-        # for rows K <= 1: the largest 1 + 1 / size - K / size is minimal where the least K is maximal
+        # maximising the least K is minimising the largest 1 + 1 / size - K / size, for K <= 1
         size = max(1.0, self.load_stiffness / (LARGEST_LOAD * most))
         turned = StiffnessFamily(
             self.panels,
@@ -857,7 +861,8 @@ def _rank(sigma: FloatArray) -> int:
 
 
 def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-    """Return the null space (m, d) of matrix (k, m), and a solution of matrix @ x = right or None."""
+    """Return the null space (m, d) of matrix (k, m), and a solution of matrix @ x = right, or None without a
+    solution."""
     count = matrix.shape[1]
     size = np.abs(matrix).max(axis=1, initial=0.0)
     size = np.where(size > 0, size, np.abs(right))

@@ -1,4 +1,4 @@
-"""Laws between moment and curvature that are not straight lines: M = P(kappa) w kappa (paper, Appendix D)."""
+"""Nonlinear laws between moment and curvature, M = P(kappa) w kappa (paper, Appendix D)."""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
@@ -79,7 +79,7 @@ class MaterialLaw(ABC):
         Raises
         ------
         InputError
-            Where the law is not injective.
+            The law is not injective up to this curvature.
         """
         self.require_injective(largest_curvature)
 
@@ -89,7 +89,7 @@ class MaterialLaw(ABC):
         Raises
         ------
         InputError
-            A moment beyond what the law reaches.
+            The moment is larger than the largest moment of the law.
         """
         m = np.asarray(effective, dtype=float)
         largest = float(np.abs(m).max(initial=0.0))
@@ -121,7 +121,7 @@ class PolynomialLaw(MaterialLaw):
     quadratic, quartic : float
         c2 and c4.
     curvature_scale : float
-        kappa_1, 1/mm, where the coefficients are the relative change of P.
+        kappa_1, 1/mm: the curvature at which the terms of P are c2 and c4.
 
     Examples
     --------
@@ -176,7 +176,7 @@ class _YieldingLaw(MaterialLaw):
 
     @classmethod
     def of(cls, sheet: Sheet) -> Self:
-        """Return the law whose skin yields at the largest strain of the sheet, so at its least cold-bend radius."""
+        """Return the law of a strip whose skin yields at the largest strain of the sheet."""
         return cls(1 / sheet.least_radius)
 
     def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
@@ -346,7 +346,7 @@ class TabulatedLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw`; the end of the table, or where its moments fall."""
+        """See `MaterialLaw`; the end of the table, or the curvature from which its moments decrease."""
         falling = np.flatnonzero(np.diff(self.moments) <= 0)
         return float(self.curvatures[falling[0]] if falling.size else self.curvatures[-1])
 
@@ -372,7 +372,7 @@ class TabulatedLaw(MaterialLaw):
 
     @cached_property
     def _curve(self) -> Any:
-        """m over kappa >= 0, exactly 0 and of slope 1 at rest."""
+        """Effective curvature m as a function of kappa >= 0; at kappa = 0 it is exactly 0 with slope 1."""
         from scipy.interpolate import PchipInterpolator, PPoly
 
         x = np.concatenate([-self.curvatures[::-1], [0.0], self.curvatures])

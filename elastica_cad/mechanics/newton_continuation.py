@@ -1,4 +1,4 @@
-"""Rest shapes by Newton's method along a path of supports, and the branches that begin on it."""
+"""Rest shapes by Newton's method along a path of supports, and branches of buckled shapes."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -11,15 +11,16 @@ from elastica_cad.mechanics.discrete_rod import lowest_constrained, solve_border
 from elastica_cad.mechanics.rod_system import Residual, RodState, RodSystem, Step
 from elastica_cad.refusals import Length
 
-TOLERANCE = 1e-10  # relative to the moments and to the length: accuracy of `bend`
-LARGEST_TURN_RAD = 0.5  # of an edge in a step: linearised cos and sin then have an error of an eighth
+TOLERANCE = 1e-10  # accuracy of `bend`, relative to the moments and to the length
+# largest turn of an edge in a step; linearised cos and sin then have an error of an eighth
+LARGEST_TURN_RAD = 0.5
 SMALL_TURN_RAD = 0.02  # largest turn of an edge in steps that may pass a crossing of branches
-SADDLE_PUSH_RAD = 0.05  # along an unstable mode in each step of descent: far above rounding, far below a turn
-ASTRAY_RAD = float(np.pi)  # of an edge: longer than any single step of a descent
+SADDLE_PUSH_RAD = 0.05  # push along an unstable mode in each step of a descent, far above rounding errors
+ASTRAY_RAD = float(np.pi)  # largest turn of an edge in a step of a descent before the line search
 NEAR_REST_RAD = 1e-2  # largest turn of an edge in a descent step from which Newton's method converges
-CONVERGED_RAD = 1e-9  # a Newton step whose square, the size of the next step, is below rounding
-MOST_DESCENTS = 300  # steps down the energy
-LEAST_STEP = 1e-7  # fraction of the path: folds are then located more precisely than any drawing shows
+CONVERGED_RAD = 1e-9  # size of a Newton step after which the next step, about its square, is below rounding
+MOST_DESCENTS = 300  # largest number of steps of a descent
+LEAST_STEP = 1e-7  # least step, as a fraction of the path; it determines how precisely a fold is located
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +33,7 @@ class Reached:
 
     @property
     def arrived(self) -> bool:
-        """Was the whole way possible?"""
+        """True if the continuation reached the end of its path."""
         return self.fraction >= 1.0
 
 
@@ -76,7 +77,7 @@ def correct(
     Parameters
     ----------
     kept : Residual, optional
-        Imbalance and end errors that remain (artificial loads of a continuation).
+        Imbalance and end errors that the solution keeps (artificial loads of a continuation).
     turn : float
         Largest turn of an edge, in a step and in total, rad.
     damping : float
@@ -141,8 +142,8 @@ def trace(
 ) -> Reached:
     """Follow the equilibria of `problem(t)` from `state` at t = `start` towards t = 1, with adaptive steps.
 
-    The number of unstable modes changes only where branches cross, and those are passed in small steps: so
-    a long step that changes it has landed on another branch and is taken back.
+    The number of unstable modes changes only where branches cross. Crossings are passed in small steps. If a long
+    step changes the number, it has reached another branch and is repeated with a smaller step.
     """
     t, step, count = start, 1.0 - start, 0
     modes: int | None = None
@@ -193,7 +194,7 @@ def relax(state: RodState) -> RodState | None:
 
 
 def _come_to_rest(state: RodState, astray: float) -> RodState | None:
-    """Return the result of the descent; steps turn edges by at most `astray` before they are shortened."""
+    """Return the result of the descent; `astray` limits the turn of an edge in a step before the line search."""
     system = state.system
     softest = 1e-3 * system.edge_length / system.length**2
     for _ in range(MOST_DESCENTS):
@@ -218,7 +219,7 @@ def _come_to_rest(state: RodState, astray: float) -> RodState | None:
                 and not corrected[0].discrete.unstable_modes
             ):
                 return _polish(corrected[0])
-        if inertia:  # along the unstable mode too, downhill: a descent does not end at a saddle
+        if inertia:  # step along the unstable mode too, so that the descent does not end at a saddle
             side = -1.0 if push @ residual.imbalance > 0 else 1.0
             step = Step(step.angles + side * SADDLE_PUSH_RAD * push, step.reactions)
             turned = _turned(step)
@@ -264,7 +265,7 @@ def _turned(step: Step) -> float:
 
 
 def _remaining(state: RodState, kept: Residual | None) -> Residual:
-    """Return the residual without the kept part."""
+    """Return the residual minus the part that the solution keeps."""
     imbalance, miss = state.residual
     return state.residual if kept is None else Residual(imbalance - kept.imbalance, miss - kept.miss)
 
@@ -277,11 +278,13 @@ def _size(state: RodState, residual: Residual) -> float:
     return max(imbalance / unit, state.missed(residual.miss))
 
 
-STRAIGHT_RAD = 1e-7  # between the edges: visible in a strip of ten metres drawn to a micrometre
-DECIDING_TURN_RAD = 0.5  # between the held end angles: a larger turn decides the side
-FIRST_CHORD = 0.9  # of the length: the first shortening away from the straight state
-LOAD_RESOLUTION = 1e-7  # fraction of the full load: accuracy of the bisected buckling load
-AMPLITUDES_RAD = (0.2, 0.05, 0.01, 0.002)  # of the buckled shape; the largest that converges is used
+# largest angle between the edges of a straight rod; more is visible in 10 m drawn to a micrometre
+STRAIGHT_RAD = 1e-7
+DECIDING_TURN_RAD = 0.5  # angle between the held ends above which this angle decides the side
+FIRST_CHORD = 0.9  # first distance between the ends of a buckled rod, as a fraction of the length
+LOAD_RESOLUTION = 1e-7  # accuracy of the bisected buckling load, as a fraction of the full load
+# amplitudes of the buckled shape; the largest that converges is used
+AMPLITUDES_RAD = (0.2, 0.05, 0.01, 0.002)
 
 
 def is_straight(state: RodState) -> bool:
@@ -329,7 +332,8 @@ def _direction(state: RodState) -> float:
     if len(system.held) < 2 or float(np.hypot(*chord)) < 1e-9 * system.length:
         return present
     angle = _on_turn_of(present, chord)
-    return angle if abs(angle - present) < np.pi / 2 else present  # an end beyond the start is pushed past it
+    # if the end must move to the other side of the start, the rod keeps its direction
+    return angle if abs(angle - present) < np.pi / 2 else present
 
 
 def _on_turn_of(near: float, chord: FloatArray) -> float:
@@ -383,7 +387,7 @@ def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
     Raises
     ------
     InputError
-        When the load is too small to buckle the rod in this mode.
+        The load is too small to buckle the rod in this mode.
     """
     system = state.system
 
@@ -443,7 +447,7 @@ def _reach_amplitude(
 def _mode(state: RodState, side: int, mode: int) -> tuple[float, FloatArray]:
     """Return the `mode`-th eigenvalue (1/mm2) of the second variation per length, and its mode.
 
-    The first lobe is to the left (side +1) or right (-1) of the direction from start to end.
+    The first half-wave is to the left (side +1) or right (-1) of the direction from start to end.
     """
     (diagonal, off), edge = state.discrete.hessian, state.system.edge_length
     values, vectors = lowest_constrained(diagonal / edge, off / edge, state.discrete.constraint_rows, mode)

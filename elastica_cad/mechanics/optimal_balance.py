@@ -1,4 +1,5 @@
-"""Stiffness of least ratio on a curve: without weight, with own weight, with weights in newtons, of a section."""
+"""Stiffness of least ratio on a curve without weight, with proportional weight, with weights in newtons, or of a
+section."""
 
 from dataclasses import dataclass, replace
 from typing import NoReturn
@@ -71,7 +72,7 @@ def balance_without_weight(request: RodRequest) -> BalancedStiffness:
         problem = ConditionedRows(request, cut.panels, rows)
         state = problem.least(problem.homogeneous(loaded=False), smooth=bool(request.elements))
         balance = problem.balance(problem.steadied(state))
-        # beyond an element the moment does not vanish with the nearest zero of the curvature
+        # between an element and a zero of the curvature, the moment is a different function than beyond the element
         finer = cut.for_stiffness(balance.stiffness) if request.elements else None
         if finer is None:
             break
@@ -164,7 +165,7 @@ class WeightedPanels:
     def refuse(self) -> NoReturn:
         """Raise `NotRealizable`, because the moment grows too much along the curve for floating-point numbers."""
         check = self.request.check
-        assert self.gravity is not None  # point forces alone have bounded moments
+        assert self.gravity is not None  # only weights can cause unbounded moments
         reason = far_too_heavy(self.gravity, check.length)
         raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
 
@@ -179,7 +180,10 @@ def far_too_heavy(gravity: Gravity, length: float) -> str:
 
 
 def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """Return tau = 1 / B of least ratio; if lighter is always better, the largest within 1 % of the best."""
+    """Return tau = 1 / B of least ratio.
+
+    If the ratio falls with every decrease of tau, the result is the largest tau within 1 % of the best
+    ratio."""
     if isinstance(weight.beta, Profile) or weight.beta:
         return _searched_compliance(load, weight)
     problem = load.against(1.0)
@@ -193,7 +197,7 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
     else:
         y = largest_within(numbers.family, numbers.basis[3], light[1] * (1 + SMOOTHING_SHARE))
         tau = float(numbers.basis[3] @ y)
-    if tau <= 0:  # rounding, of rows that grow beyond their digits
+    if tau <= 0:  # rounding errors of very large rows
         load.refuse()
     return tau
 
@@ -213,7 +217,7 @@ def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
 
 
 def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """Return the compliance if the own weight in newtons depends on tau too, by a search along tau."""
+    """Return the compliance tau by a search, because the weight of the strip depends on tau."""
     from scipy.optimize import brentq, minimize_scalar
 
     def ratio(logarithm: float) -> float:
@@ -254,8 +258,8 @@ def _ratio_at(load: WeightedPanels, tau: float) -> float:
 def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
     """Return the balance whose largest bending stiffness is `most`, N mm2, and its compliance tau.
 
-    It has the largest least stiffness of these balances. A weight proportional to K needs iterations, because its
-    fraction follows from tau.
+    Among the balances with this largest stiffness, its least stiffness is the largest. A weight proportional to K
+        needs iterations, because it depends on tau.
     """
     least = max(load.request.least_stiffness or 0.0, LEAST_SHARE * most) * (1 + BOUNDED)
     most /= 1 + BOUNDED
@@ -281,13 +285,14 @@ def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most
         problem.refuse(numbers.family)
     try:
         thickening = _thickening(load, least, most)
-    except NotConvergedError:  # the width alone is named
+    except NotConvergedError:  # the message then names only the width
         thickening = None
     return OverloadError(bound * needed[1], most, thickening)
 
 
 def _thickening(load: WeightedPanels, least: float, most: float) -> float | None:
-    """Return the least factor on the thickness of a sheet that carries the weight within its limits of width.
+    """Return the least factor on the thickness of a sheet for which a strip within the limits of width carries the
+        weight.
 
     Stiffness grows with the cube of the thickness. Weight over stiffness falls with its square.
     """
@@ -324,7 +329,7 @@ FIT_SHARE = 1e-5
 """Largest relative excess of E I over its limits."""
 
 HOPELESS_SHARE = 1e-4
-"""Fraction of the E I of the least section at which a search for ever smaller sections is stopped."""
+"""Fraction of the E I of the least section at which a search that finds ever smaller sections is stopped."""
 
 WIDEST_REACH = 0.1
 """Largest mean change of E I in a step of a descent, as a fraction of its limits."""
@@ -336,7 +341,7 @@ SHORTER, LONGER = 0.5, 1.2
 """Factors on the largest step of a descent after a reversal of direction and after a step in the same direction."""
 
 LONGEST_JUMP = float(np.log(4.0))
-"""Largest extrapolation to the limit of a sequence, in the logarithm of the scale."""
+"""Largest extrapolation step of a sequence of scales, in the logarithm of the scale."""
 
 SLOWEST_RATE = 0.99
 """Largest ratio of successive steps of a sequence for which the limit is extrapolated."""
@@ -417,7 +422,7 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
         problem = load.carrying(tangent.slope, tangent.fixed, points)
         try:
             state = problem.least(problem.at_compliance(1 / scale))
-        except NotConvergedError as error:  # without weight there was an answer
+        except NotConvergedError as error:  # the problem without weight has a solution
             raise _unsettled(law, change) from error
         balance = problem.balance(state)
         next_EI = scale * balance.stiffness.nodal
@@ -438,14 +443,15 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
 def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: FloatArray) -> BalancedStiffness:
     """Maximise E I at the softest place within the limits, in short steps, if the linear programs oscillate.
 
-    Such an optimum is not a vertex of the linearised program, so successive solutions are far apart. The change of
+    The optimum is then not a vertex of the linearised program, so successive solutions are far apart. The change of
     the moments is therefore limited, and the limit is reduced after each reversal.
 
     `state` is moment and force (3,) at the curve's end, N mm and N.
     """
     deciding, points = _deciding(law), load.points
     limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
-    sense = -1.0 if np.isfinite(law.limits[1]) else 1.0  # below the largest section, else above the least
+    # -1: E I must stay below the largest section; 1: above the least section
+    sense = -1.0 if np.isfinite(law.limits[1]) else 1.0
     reach, before = WIDEST_REACH, np.zeros(EI.shape)
     for _ in range(MOST_STEPS):
         tangent = TangentWeight.of(law, EI)
@@ -464,7 +470,7 @@ def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: Flo
             break
         moved = scale * problem.rows.stiffness @ (numbers.fixed + numbers.basis @ optimum)
         step = moved / EI - 1
-        EI = np.maximum(moved, HOPELESS_SHARE * limit)  # intermediate steps may need less
+        EI = np.maximum(moved, HOPELESS_SHARE * limit)  # intermediate steps may be below the least section
         state = (scale * (numbers.fixed + numbers.basis @ optimum))[:3]
         if float(np.abs(step).max()) < SETTLED_SHARE:
             balance = problem.balance(numbers.fixed + numbers.basis @ optimum)
@@ -478,10 +484,11 @@ def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: Flo
 def _beside(
     family: StiffnessFamily, here: FloatArray, reach: float, places: tuple[IntArray, FloatArray] | None
 ) -> FloatArray | None:
-    """Return the free numbers of the smallest maximum near `here`, or as near as possible."""
+    """Return the free numbers near `here` that minimise the largest E I, or the nearest numbers that meet the
+    limits."""
     rows, _ = family.dense
     _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
-    moves = sizes[:, None] * ways / np.sqrt(len(rows))  # of values, in the mean
+    moves = sizes[:, None] * ways / np.sqrt(len(rows))  # mean change of the values
     for room in reach * np.array([1.0, 4.0, 16.0, 64.0]):
         side = np.concatenate([moves, -moves]), np.concatenate([room - moves @ here, room + moves @ here])
         solution = least_ratio(replace(family, side_rows=side[0], side_offset=side[1]), places)
@@ -528,13 +535,14 @@ def extrapolated(first: float, second: float, third: float) -> float:
 
 
 def _deciding(law: BoundedLaw) -> float:
-    """Return the limit that decides the scale: the largest size, or the least if the largest is unlimited."""
+    """Return the limit that determines the scale: the largest size, or the least size if there is no largest."""
     least, largest = law.limits
     return largest if np.isfinite(largest) else least
 
 
 def _scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
-    """Return the B, N mm2, for which B K reaches the largest section, or else the least."""
+    """Return the B, N mm2, for which B K reaches the largest section, or the least section if there is no
+    largest."""
     share = PanelFunction.through(stiffness.nodal / law.bending_stiffness(_deciding(law)))
     extremes = share.extremes
     return 1 / float(extremes.max() if np.isfinite(law.limits[1]) else extremes.min())
@@ -549,7 +557,7 @@ def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weigh
 
 
 def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiffness:
-    """Return the balance, or refuse it if it needs less than the least section."""
+    """Return the balance, or refuse it if its stiffness is below that of the least section."""
     EI = (balance.bending_stiffness or 1.0) * balance.stiffness.nodal
     least, largest = law.limits
     if _spare(law, EI) < 1 - FIT_SHARE:

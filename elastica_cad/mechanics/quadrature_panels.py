@@ -1,4 +1,4 @@
-"""A curve cut into panels with Gauss nodes: quotients and integrals along it to near rounding error."""
+"""Curve cut into panels with Gauss nodes, for quotients and integrals with errors near rounding."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -31,21 +31,21 @@ from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.refusals import Length
 
-MAX_PANELS = 4000  # largest number for a curve; a function that needs more cannot be resolved
+MAX_PANELS = 4000  # largest number of panels; a function that needs more cannot be resolved
 RESOLVED = 1e-11  # relative to the function: smaller last coefficients are rounding
 NOISE = (
     1e-6  # relative to the function: smaller last coefficients are rounding too if a split hardly lowers them
 )
 
-APART_SHARE = 0.25  # fraction of a panel: nearer cuts are merged
+APART_SHARE = 0.25  # distance of cuts that are merged, as a fraction of a panel
 
-NARROWEST_SHARE = 1e-7  # fraction of the domain: narrower panels are not cut
+NARROWEST_SHARE = 1e-7  # width of a panel that is not cut further, as a fraction of the domain
 
 ROUGH_AT_ZERO = 2
 """Largest continuity of a knot that divides panels even if it is near a zero of the curvature."""
 
 STEP_LENGTH = 1e-5
-"""Fraction of the length over which a step of the stiffness is spread, so that the outline stays a single edge."""
+"""Fraction of the length over which a step of the stiffness is spread, so that the outline is continuous."""
 
 NEAR_ZERO_SHARE = 0.05
 """Largest distance between a mass and a zero of the curvature, relative to the length, for graded panels."""
@@ -118,8 +118,9 @@ def cut_into_panels(
 ) -> Panels:
     """Return panels that resolve the curve, and any moment divided by its curvature.
 
-    A panel is cut into 2, 4 or 8 until the Legendre coefficients of the speed and of (t - zero)/(kappa - kappa_0)
-    are negligible, with the nearest zero. The moment vanishes there too, so panels near a zero need no grading.
+    A panel is cut into 2, 4 or 8 parts until the last Legendre coefficients of the speed and of
+    (t - zero)/(kappa - kappa_0) are negligible, where `zero` is the nearest zero. The moment vanishes at this zero
+    too, so panels near it do not need grading.
 
     Parameters
     ----------
@@ -138,13 +139,13 @@ def cut_into_panels(
     vanishing = sorted(map(float, zeros))
     order = np.array([o for _, o in sorted(zip(zeros, orders or [1] * len(zeros), strict=True))])
     fixed = [low, *(z for z in vanishing if low + close < z < high - close), high]
-    # beside a zero a narrow panel would hold nothing but rounding
+    # values in a narrow panel beside a zero would be rounding errors only
     narrow = NARROWEST_SHARE * (high - low)
     others = [(b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks]
     others += [(float(t), close) for t in (*(t for t, _, _ in excess.kinks), *cuts)]
     away = _distances(np.array([t for t, _ in others]), fixed).tolist()
     places = sorted(fixed + [t for (t, apart), far in zip(others, away, strict=True) if far > apart])
-    # where the speed is resolved already
+    # panels whose speed is resolved
     smooth = curve.smooth_panels
     between, widths = smooth[1:-1], smooth[1:] - smooth[:-1]
     finer = between[_distances(between, places) > APART_SHARE * np.minimum(widths[:-1], widths[1:])]
@@ -159,7 +160,7 @@ def cut_into_panels(
     count = 0
     while True:
         nodes, tail = _evaluated(excess, cut, poles, order, law)
-        # where cutting no longer helps, the rest is rounding noise
+        # if a cut does not reduce the coefficients, they are rounding noise
         settled = (tail <= RESOLVED) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
         settled |= cut.right - cut.left < narrow
         rough = (~settled).nonzero()[0]
@@ -189,7 +190,7 @@ def _distinct(places: list[float], close: float) -> list[float]:
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
-    """Panels before they are evaluated; `tail` is how badly the panel they come from was resolved."""
+    """Panels before evaluation; `tail` is the unresolved part of the panel from which they were cut."""
 
     left: FloatArray
     right: FloatArray
@@ -315,7 +316,7 @@ def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
 REFINEMENTS = 6
 """Largest number of times that a program is solved again on finer panels."""
 
-_ROUGH = 1e-9  # last Legendre coefficients of K in a panel, relative to K, that require smaller panels
+_ROUGH = 1e-9  # last Legendre coefficients of K in a panel, relative to K, above which the panel is cut
 _SMOOTH = 4  # least number of continuous derivatives of K at a knot of the load that is not a panel end
 _MOST_PARTS = 50  # largest number of parts of a panel with a large weight
 
@@ -419,7 +420,7 @@ def _at_zero(s: float, zeros: FloatArray, length: float) -> float:
 def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
     """Return places, mm, beyond a mass near a zero; each is twice as far from the zero as the previous place.
 
-    The stiffness there has a term that is inverse to the distance from the zero.
+    Beyond the mass, the stiffness has a term that is inverse to the distance from the zero.
     """
     if not zeros.size:
         return []
@@ -456,7 +457,7 @@ def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]
                     length=Length(part.length),
                     length_2=Length(length),
                 )
-            # the moment is twice an integral of the load
+            # the moment is a double integral of the load
             knots, times = knot_runs(part.knots)
             smooth = part.degree - times + 2
             kinks += [(float(s), int(c)) for s, c in zip(knots, smooth, strict=True) if c < _SMOOTH]

@@ -174,18 +174,18 @@ CURL_STEPS = 8
 
 @dataclass(frozen=True, eq=False)
 class CurlingLaw(MaterialLaw):
-    """M = K m(kappa - kappa_0) at the nodes of a rod; K holds for the bend of the design.
+    """Law M = K m(kappa - kappa_0) at the nodes of a rod, with K in the design shape.
 
     Parameters
     ----------
     factor : BendFactor
         Factor on the stiffness of the nodes as a function of their curvatures.
     designed : (n,) array
-        Factor that K includes already.
+        Factor at the design curvature, which K includes already.
     natural_curvature : float or (n,) array
         kappa_0 of the rod, 1/mm.
     below : MaterialLaw, optional
-        Law of the material, which the factor multiplies.
+        Law of the material; the result is its effective curvature times the factor.
 
     Examples
     --------
@@ -228,7 +228,7 @@ class CurlingLaw(MaterialLaw):
         """See `MaterialLaw`; of all nodes (n,)."""
         change = np.asarray(curvature, dtype=float)
         x, weight = gauss_rule(CURL_POINTS)
-        root = (x + 1) / 2  # closer together near rest, where the stiffness follows soonest
+        root = (x + 1) / 2  # points are denser near rest, where the stiffness changes fastest
         return np.asarray(change * ((weight * root) @ self.effective_curvature(root[:, None] ** 2 * change)))
 
     def curvature(self, effective: ArrayLike) -> FloatArray:
@@ -254,8 +254,9 @@ class CurlingLaw(MaterialLaw):
         return float("inf") if self.below is None else self.below.injective_limit
 
 
-EVEN_EDGES = 1e-7  # of an edge: nodes that are samples of a curve are closer than that by (kappa h)^2 / 24
-TURN_POWER = 8  # of the turns beside the ends, which then reach over an eighth of the length
+# largest relative difference of edge lengths; for samples of a curve it is about (kappa h)^2 / 24
+EVEN_EDGES = 1e-7
+TURN_POWER = 8  # power of the turns near the ends, which then extend over an eighth of the length
 NEWTON_STEPS = 5  # enough for rounding accuracy, because the angles are nearly exact
 TANGENT_RAD = 1e-8  # error of the tangent of the spline; over the length this is far below a micrometre
 
@@ -271,8 +272,9 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
 
     The edges of a discrete rod (paper, section 7.1) are tangents of a smooth curve at their middles. A curve of the
     same length as the polygon passes the nodes at h^2 |kappa| / 24 on their inner side. The result integrates a
-    quintic spline through the edge angles. This spline misses the held angles by h^2 |kappa'| / 8. The smallest
-    smooth turns are added that correct the held angles and the end position.
+    quintic spline through the edge angles. The end angles of this spline differ from the held angles by h^2
+    |kappa'| / 8. The smallest smooth turns that
+    correct the end angles and the end position are added.
 
     Parameters
     ----------
@@ -326,7 +328,7 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
 
 
 def _turns(x: FloatArray) -> FloatArray:
-    """Return smooth changes (n, 18) of an angle at x (n,) in 0..1: near the ends with mean 0, and waves."""
+    """Return smooth changes (n, 18) of an angle at x (n,) in 0..1: two with mean 0 near the ends, and waves."""
     y, m = 1 - x, TURN_POWER
     beside = np.column_stack([y**m * (1 - (m + 2) * x), x**m * (1 - (m + 2) * y)])
     k = np.arange(1, 17)
@@ -340,7 +342,8 @@ def _edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:
     return np.asarray(edge + 2 * np.pi * np.round((middle - edge) / (2 * np.pi)))
 
 
-BAND_SHARE = 0.02  # of the length: half the band that shows the stiffness in a notebook
+# half width of the band that shows the stiffness in a notebook, as a fraction of the length
+BAND_SHARE = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -369,13 +372,13 @@ class Rod:
     profile : Profile
         K as a spline of arc length, from which strips take their width.
     natural_curvature : float or (n,) array
-        kappa_0, 1/mm: a value for the whole rod, or values at the nodes (a strip that was bent beyond its limit).
+        kappa_0, 1/mm: a value for the whole rod, or values at the nodes (after plastic bending).
     gravity, weight, bending_stiffness
         Loads, see `Gravity` and `Weight`; `bending_stiffness` is B, the least E I in N mm2, or
         None.
     law : MaterialLaw or None
-        Where the material does not follow Hooke's law: M = K m(kappa - kappa_0) (paper, Appendix D). `bend` adds
-        how a section follows the bend, and K stays what it is in the design: see `bending_law`.
+        Law M = K m(kappa - kappa_0) of a nonlinear material (paper, Appendix D). For a section that depends on the
+        curvature, `bend` adds its effect to the law, and K is that of the design; see `bending_law`.
     section : BoundedLaw or None
         Section of the strip, if it is not a plain strip that bends with E.
     residual : float
@@ -547,7 +550,7 @@ class Rod:
 
     @property
     def effective_curvature(self) -> FloatArray:
-        """Moment over K (n,), 1/mm: kappa - kappa_0, or the value of the law."""
+        """Moment over K (n,), 1/mm: kappa - kappa_0, or its effective value by the law."""
         change = self.curvature - self.natural_curvature
         return np.asarray(change if self.law is None else self.law.effective_curvature(change))
 
@@ -560,8 +563,8 @@ class Rod:
     def bending_law(self) -> MaterialLaw | None:
         """Law of M = K m(kappa - kappa_0) for any bend of the rod, as all solvers use it.
 
-        If the stiffness of the section depends on the curvature, the law is that of the sizes that have stiffness K
-        in the present shape.
+        If the stiffness of the section depends on the curvature, the law belongs to a section with stiffness K in
+        the present shape.
         """
         law, section, rest = self.law, self.section, self.natural_curvature
         if section is None or not section.follows_bend or isinstance(law, CurlingLaw):
@@ -581,7 +584,8 @@ class Rod:
     def thrust_line(self) -> "tuple[InflectionLine | None, ...]":
         """Sides of the thrust line: the line without moment of each piece between stations, in order.
 
-        Neighbouring sides meet on the line of the force between them. A side is None where the moment is constant.
+        Two neighbouring sides intersect on the line of action of the force at their common station. A side is None
+        where the moment is constant.
         A rod with weight has no sides, because its resultant turns along each piece.
         """
         from elastica_cad.mechanics.theorem1 import InflectionLine
@@ -606,7 +610,7 @@ class Rod:
         return tuple(sides)
 
     def following(self) -> "Rod":
-        """Return the same rod with the law of its section, to be bent to another shape."""
+        """Return the rod with the law of its section, as needed to bend it to another shape."""
         law = self.bending_law
         return self if law is self.law else replace(self, law=law)
 
@@ -668,7 +672,7 @@ class Rod:
 
     @cached_property
     def discrete(self) -> DiscreteRod:
-        """Angles and forces on the edges, the tangent stiffness at the nodes: what stability depends on.
+        """Discrete rod for stability: angles and forces on the edges, and tangent stiffness at the nodes.
 
         Raises
         ------
@@ -694,7 +698,7 @@ class Rod:
             force += edge_forces(between[0], between)
             for action in acting:
                 nodal += np.einsum("nk,kc->nc", self.s[:, None] > action.s, action.force)
-        # a node at a station may have the force before or after it
+        # the force of a node at a station may be that before or after the station
         missing = self.force - nodal
         force += np.median(missing, axis=0) if acting else missing.mean(axis=0)
         edge_length, bracing = self.length / angles.size, None
@@ -723,10 +727,10 @@ class Rod:
         return PlaneCurve(*fit_spline(self.position, 5, 1e-6 * self.length), 5)
 
     def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":
-        """Return the same ends, shape and gravity with another stiffness profile: no longer in balance until bent.
+        """Return the rod with another stiffness profile; it is not in balance until it is bent.
 
-        `stiffness` is (n,) nodal values or a `Profile`; it is scaled to a least value of 1. A wide strip that
-        `bend` answered keeps the curl of the widths that it had: change the stiffness before it is bent.
+        `stiffness` is (n,) nodal values or a `Profile`; it is scaled to a least value of 1. A wide strip returned
+        by `bend` keeps the curl of its previous widths, so change the stiffness before `bend`.
         """
         if not isinstance(stiffness, Profile) and numbers(stiffness, "stiffness").size not in (
             1,
@@ -748,7 +752,8 @@ class Rod:
 
 
 def resample(rod: Rod, samples: int) -> Rod:
-    """Return the rod with another number of nodes: stiffness from its profile, all else interpolated."""
+    """Return the rod with another number of nodes; the stiffness is that of the profile, other data are
+    interpolated."""
     whole_number(samples, "samples", 4)
     s = np.linspace(0.0, rod.length, samples)
     K = _nodal_stiffness(rod.profile, s)
@@ -772,7 +777,8 @@ PROFILE_SHARE = 1e-6
 
 
 def as_bent(rod: Rod) -> Rod:
-    """Return a rod in balance with the stiffness in its present shape, and the law of the material alone."""
+    """Return the rod with the stiffness of its section in the present shape, and with the law of the material
+    only."""
     law = rod.law
     if not isinstance(law, CurlingLaw):
         return rod
@@ -784,7 +790,7 @@ def as_bent(rod: Rod) -> Rod:
         tolerance=PROFILE_SHARE * float(K.max()) / least,
     )  # fmt: skip
     weight = rod.weight
-    if weight is not None:  # it stays what it is, whatever the stiffness
+    if weight is not None:  # a weight in newtons does not depend on the stiffness
         alpha, beta = weight.along(rod.s)
         weight = replace(weight, alpha=Profile.interpolate(rod.s, alpha + beta * rod.stiffness), beta=0.0)
     return replace(

@@ -1,4 +1,4 @@
-"""The discrete rod as a system of equations: what is given, what is sought, and how a `Rod` comes from it."""
+"""Discrete rod as a system of equations: its data, its unknowns, and the `Rod` of a solution."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -23,7 +23,7 @@ from elastica_cad.mechanics.rod import Rod
 
 ROUNDING = float(np.finfo(float).eps)
 ROUNDED_IMBALANCE = (
-    1e-12  # of the moments' size: the most that an imbalance below its rounding error is called
+    1e-12  # largest reported imbalance, relative to the moments, if the imbalance is below its rounding error
 )
 
 
@@ -120,7 +120,8 @@ class RodSystem:
         for i, held_at_start in enumerate((start.x, start.y)):
             if i in self.held:
                 continue
-            if held_at_start:  # lambda of the last edge carries the last node's weight and the dead force
+            # lambda of the last edge carries the weight of the last node and the dead force
+            if held_at_start:
                 first[i] = -self.force[i] - self.load[1:, i].sum()
             else:
                 first[i] = self.force[i] + self.load[0, i]
@@ -324,7 +325,7 @@ class RodState:
 
     @cached_property
     def noise(self) -> float:
-        """Imbalance that rounding of the angles makes, 1/mm."""
+        """Imbalance caused by rounding of the angles, 1/mm."""
         turning = 1.0 + float(np.abs(self.angles).max())
         return 8 * ROUNDING * turning * float((self.system.stiffness / self.system.node_lengths).max())
 

@@ -91,7 +91,7 @@ def anticlastic_factor(
     matched(w, kappa, rest)
     x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(np.abs(kappa) / h)
     ratio, slope = _curl(x)
-    flat = -x * slope / 2  # for a strip that is flat before bending
+    flat = -x * slope / 2  # value for a strip that is flat before bending
     kept = _kept_of_bent(flat, ratio, kappa, rest, nu) if rest.ndim or rest else flat
     return np.asarray((1 + nu**2 * (kept - 2 * ratio)) / (1 - nu**2))
 
@@ -100,7 +100,7 @@ def _kept_of_bent(
     flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
 ) -> FloatArray:
     """Return the counterpart of `flat` for strips with natural curvature kappa_0 (n,)."""
-    # for a strip that is finally straight, x slope vanishes faster than kappa
+    # in a strip that is bent straight, x * slope vanishes faster than kappa
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
     scaled = share * flat
     above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)
@@ -124,7 +124,8 @@ def plate_width(
     poisson_ratio: float,
     natural_curvature: ArrayLike = 0.0,
 ) -> FloatArray:
-    """Return widths w with w `anticlastic_factor`(w, curvature) = `effective`, the width if it bent with E.
+    """Return widths w with w `anticlastic_factor`(w, curvature) = `effective`, the width of equal stiffness without
+    the plate effect.
 
     Examples
     --------
@@ -189,7 +190,7 @@ class SheetCurl:
         )  # fmt: skip
 
     def stiffened(self, times: FloatArray, curvature: FloatArray) -> "SheetCurl":
-        """Return the curl of widths that are `times` (n,) as stiff, bent to curvatures (n,), 1/mm."""
+        """Return the curl of a strip that is stiffer by the factor `times` (n,), bent to curvatures (n,), 1/mm."""
         width = plate_width(
             times * self.width * self(curvature), curvature, thickness=self.thickness,
             poisson_ratio=self.poisson_ratio, natural_curvature=self.natural_curvature,
@@ -232,8 +233,8 @@ def crack_energy(poisson_ratio: float, grain: float = 1.0) -> float:
 
     A sheet without grain: k = pi (1 + nu) / (3 + nu). A through crack of length 2 a in a thin plate with the skin
     stress sigma releases the energy pi (1 + nu) / (3 (3 + nu)) sigma^2 a^2 h / E (Sih, Paris and Erdogan, J. Appl.
-    Mech. 29, 1962; Hui and Zehnder, Int. J. Fracture 61, 1993). A cut from the edge releases half of it, if the
-    other edge is far. A strip of width w stores sigma^2 w h / (6 E) in each unit of its length.
+    Mech. 29, 1962; Hui and Zehnder, Int. J. Fracture 61, 1993). A cut from the edge releases half of this energy,
+    if the other edge is far. A strip of width w stores sigma^2 w h / (6 E) in each unit of its length.
 
     A sheet with grain: on the line of a crack across the strip the shear force is 0 by symmetry. Moment and slope
     of a Kirchhoff half-plane there are M = Z |k| theta for waves exp(i k y), and the energy follows 1 / Z. With
@@ -329,7 +330,7 @@ class PlainSection:
 
 
 WIDTH_SHARE = 1e-6
-"""Relative excess of a rod over the least width, so that the width does not fall below it by rounding."""
+"""Relative excess over the least width, so that the width of a rod is not below it by rounding."""
 
 
 @dataclass(frozen=True)
@@ -505,5 +506,6 @@ def areal_weight(sheet: Sheet) -> float:
 
 
 def layer_strain(sheet: Sheet, distance: FloatArray, bend: FloatArray) -> LayerStrain:
-    """Return the strain of a fibre `distance` (n,) mm from the neutral axis at the bend `bend` (n,), 1/mm."""
+    """Return the strain of a fibre at `distance` (n,), mm, from the neutral axis for kappa - kappa_0 = `bend` (n,),
+    1/mm."""
     return LayerStrain(sheet, np.atleast_1d(distance * bend))
