@@ -1,4 +1,4 @@
-"""Design changes: limits, the nearest rod that meets them, the paper's methods, and curves from surfaces."""
+"""Changes of a design: limits, the nearest rod within them, the methods of the paper, and curves from surfaces."""
 
 from elastica_cad._exports import exports
 

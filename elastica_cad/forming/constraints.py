@@ -1,4 +1,4 @@
-"""Constraints on a nearest rod: values and derivatives of limits and of kept properties."""
+"""Constraints on a nearest rod: limits and kept properties, with their values and derivatives."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
@@ -13,7 +13,8 @@ from elastica_cad.forming.rod_map import MappedRod, SectionScale, Sensitivities
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.discrete_rod import DiscreteRod
 
-MOST_ROWS = 56  # rows of a constraint in one program; below 64, where factorisations start threads
+# largest number of rows of a constraint in a program; from 64 on, factorisations start threads
+MOST_ROWS = 56
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,7 +44,7 @@ class Constraint(ABC):
 
     @abstractmethod
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Indices (j,) and derivatives (j, p) of the values that matter near this rod."""
+        """Indices (j,) and derivatives (j, p) of the values that a step from this rod may violate."""
 
 
 def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
@@ -124,12 +125,13 @@ class EndForce(Constraint):
     scale: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """lambda at the very end (1,)."""
+        """lambda after the last node (1,)."""
         return rod.all_forces[-1:, self.axis] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Row of the force of the last edge and the load of the last node, both linear in z except for the
-        length."""
+        """Row of the force of the last edge and the load of the last node.
+
+        Both are linear in z except in the length."""
         rod = sensitivities.rod
         n = rod.tangents.shape[0]
         weights = np.zeros((n, 2))
@@ -289,7 +291,7 @@ def _cubic_shares(u: float) -> tuple[FloatArray, FloatArray]:
 
 _NEAR = 0.6  # fraction of a limit; nearer values enter the quadratic program, because a step may reach them
 _STEP = 1e-5  # relative step of K for derivatives of strain
-_ROOM = 0.01  # reserve, fraction of the largest stiffness, for a sharp bend between nodes
+_ROOM = 0.01  # reserve for a sharp bend between nodes, as a fraction of the largest stiffness
 _TANGENT_STEP = 1e-3  # relative step of K and bend for derivatives of dM/dkappa; it smooths kinks
 
 
@@ -305,7 +307,7 @@ class MarginLimit(Constraint):
 
     @property
     def scale(self) -> float:
-        """Size of a badly missed margin."""
+        """Difference from the required margin that counts as a large violation."""
         return max(10.0, abs(self.limit))
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
@@ -367,7 +369,7 @@ class FollowedMarginLimit(MarginLimit):
         return rod_felt
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Use finite differences, because K and bend determine the width, and width and bend the slope."""
+        """Use finite differences: K and bend determine the width, and width and bend determine dM/dkappa."""
         K, bend = rod.stiffness, _bend(rod, self.size)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
         by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
@@ -381,7 +383,7 @@ class FollowedMarginLimit(MarginLimit):
 
 @dataclass(frozen=True, kw_only=True)
 class LargestSection(Constraint):
-    """No bent node exceeds the largest section; for a fixed scale that a margin was computed with."""
+    """No node of the bent strip exceeds the largest section, at the fixed scale for which a margin was computed."""
 
     section: SectionScale
     rest: float | FloatArray
@@ -396,7 +398,7 @@ class LargestSection(Constraint):
         return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _ROOM)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """The nodes that are nearly as large."""
+        """The nodes whose section is nearly as large as allowed."""
         rod = sensitivities.rod
         values, K, bend = self.values(rod), rod.stiffness, _bend(rod, self.size)
         near = thin_rows(np.flatnonzero(values < _NEAR), -values)
@@ -410,7 +412,7 @@ class LargestSection(Constraint):
 def _nodal_rows(
     sensitivities: Sensitivities, near: IntArray, by_moment: FloatArray, by_stiffness: FloatArray
 ) -> FloatArray:
-    """Rows (j, p) of values that depend on M and K of their own node, from their derivatives (n+1,) by these."""
+    """Rows (j, p) of values at nodes, from their derivatives (n+1,) by the M and K of the same node."""
     grid, rows = sensitivities.grid, by_moment[near, None] * sensitivities.moments[near]
     rows[:, grid.unknowns.stiffness] += by_stiffness[near, None] * grid.basis[near]
     return np.asarray(rows)
@@ -430,7 +432,7 @@ class BendLimit(Constraint):
 
     @abstractmethod
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return a bend of 1 as a fraction (n+1,) of the limit of nodes with K (n+1,)."""
+        """Return 1 / limit of the bend (n+1,), mm, at nodes with K (n+1,)."""
 
     def values(self, rod: MappedRod) -> FloatArray:
         """1 - bend / limit, (n+1,)."""
@@ -456,13 +458,13 @@ class CurvatureLimit(BendLimit):
     name: str = "curvature"
 
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """See `BendLimit`; the same of every section."""
+        """See `BendLimit`; here for all kinds of sections."""
         return np.full(stiffness.shape, 1 / self.limit)
 
 
 @dataclass(frozen=True, kw_only=True)
 class StrainLimit(BendLimit):
-    """The strain of every node is within its limit, for any section."""
+    """The strain of every node is within its limit, for all kinds of sections."""
 
     section: SectionScale
     strain: float | None
@@ -478,7 +480,7 @@ class StrainLimit(BendLimit):
 class KeepOut(Constraint):
     """All nodes are outside a region; the region is in mm, the rod in units of `size` from `origin`.
 
-    Ends that are `kept` where they are do not count: on the border they would only fight what keeps them.
+    Ends with a kept position are left out, because on the border both constraints would conflict.
     """
 
     region: HalfPlane | Box
@@ -509,7 +511,7 @@ class KeepOut(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class LeastStiffness(Constraint):
-    """The least stiffness is 1, where lower bounds along the strip are meant in units of it."""
+    """The least stiffness is 1. It is the unit of the lower bounds along the strip."""
 
     name: str = "stiffness bounds"
     one_sided: bool = True

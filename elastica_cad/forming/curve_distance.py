@@ -1,4 +1,4 @@
-"""Table of the drawn curve in units of its length, and distances of a rod from it."""
+"""Table of the drawn curve in units of its length, and distances of a rod from the curve."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -109,12 +109,13 @@ def even_steps(count: int) -> FloatArray:
 
 
 def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, FloatArray]:
-    """Centre and axis direction (both (2,)) of the curve's mirror image or half turn, in the target's units.
+    """Centre and axis direction, both (2,), of the symmetry of the curve ("mirror" or "turn"), in units of the
+    target.
 
     Raises
     ------
     InputError
-        When the curve has no such symmetry.
+        The curve does not have this symmetry.
     """
     p, q = target.position, target.position[::-1]
     middles, across = (p + q) / 2, p - q
@@ -141,15 +142,15 @@ class Distance(Protocol):
     """A distance measure: its value, and a convex model around a rod."""
 
     def value(self, rod: MappedRod) -> float:
-        """Value to minimise, in lengths of the target or their squares."""
+        """Value to minimise, in lengths of the target or in squares of lengths."""
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Gauss-Newton model in the steps of the unknowns; the derivatives come with their closing column."""
+        """Gauss-Newton model in the steps of the unknowns; the last column of the derivatives closes the rod."""
 
 
 @dataclass(frozen=True, eq=False)
 class MeanDistance:
-    """Half the weighted mean square distance, arc length against arc length.
+    """Half the weighted mean square distance between points of equal relative arc length.
 
     Attributes
     ----------
@@ -197,7 +198,7 @@ class ClosestDistance:
         return 0.5 * float(self.shares @ (off**2).sum(axis=1))
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Gauss-Newton across the target; along it a node slides freely."""
+        """Gauss-Newton model of the distances normal to the target; nodes may slide along the target."""
         off, normal = offsets(self.target, rod)
         return _least_squares(_across(normal, sensitivities), (off * normal).sum(axis=1), self.shares)
 
@@ -230,13 +231,13 @@ class LargestDistance:
         slopes = self.factors[far, None] * across[far]
         at = signed[far] + slopes[:, p]  # a node near the target may change sides
         rows = np.sign(at)[:, None] * slopes[:, :p]
-        # the mean-square curvature only decides what the peaks leave open
+        # the mean-square term only selects among steps with equal peaks
         return LocalModel(
             0.0, 1e-3 / signed.size * across[:, :p].T @ across[:, :p], np.zeros(p), np.abs(at), rows
         )
 
     def _peaks(self, rod: MappedRod) -> tuple[FloatArray, IntArray]:
-        """Signed distances (n+1,) and the nodes that count."""
+        """Signed distances (n+1,), and the nodes that may be farthest."""
         off, normal = offsets(self.target, rod)
         signed = self.factors * (off * normal).sum(axis=1)
         size = np.abs(signed)
@@ -272,7 +273,7 @@ def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
 
 
 def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
-    """Model of half the mean square of r + J d, weighted by `shares` (k,); the closing column of J belongs to r."""
+    """Model of half the mean square of r + J d, weighted by `shares` (k,); the last column of J is added to r."""
     p, roots = J.shape[1] - 1, np.sqrt(shares)
     A = J * roots[:, None]
     A[:, -1] += r * roots
@@ -283,7 +284,8 @@ def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalMod
 
 
 def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
-    """Largest distance between the curve and the smooth curve through `nodes` (n, 2), in lengths, either way."""
+    """Largest distance in lengths, in both directions, between the curve and the smooth curve through `nodes` (n,
+    2)."""
     other = _through(nodes, target.position.shape[0])
     return max(_largest_distance(target.position, other), _largest_distance(other, target.position))
 
@@ -296,7 +298,7 @@ def _through(nodes: FloatArray, count: int) -> FloatArray:
 
 
 def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
-    """Return the largest distance of `points` from a fine chain, to the chords beside the nearest point."""
+    """Return the largest distance of `points` from a fine polyline, by the chords at the nearest vertex."""
     from scipy.spatial import cKDTree
 
     chords = np.diff(chain, axis=0)

@@ -12,18 +12,22 @@ from elastica_cad.mechanics.bending import bend, has_snapped
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 
-DEGREE = 4  # the least whose curvature has a slope that is continuous
-STRAIGHT_RAD = 1e-9  # over the whole length: nothing but rounding bends such a rod
+DEGREE = 4  # least degree with a continuous slope of the curvature
+STRAIGHT_RAD = 1e-9  # turning over the whole length that is only rounding
 TOLERANCE_MM = 1e-3  # largest distance between curve and rod, below the repeatability of a laser cutter
-FAITHFUL = 3e-4  # relative error of the extremes of the stiffness that the curve needs; keeps limits met
+# relative error of the extremes of the stiffness that the curve needs; so small that limits stay met
+FAITHFUL = 3e-4
 LOOSE = 0.02  # relative error of the stiffness elsewhere, where no limit depends on it
 UNBENT_SHARE = 2e-3  # fraction of the largest curvature; below it the stiffness is only rounding
-_REACH_LENGTHS = 0.05  # curvature errors that extend this far weigh as much as the displacement they make
-_FIRST_SPANS, _MOST_SPANS = 24, 240  # few control points are tried first, as they are edited by hand
+# length over which an error of the curvature weighs as much as the displacement that it causes
+_REACH_LENGTHS = 0.05
+# number of spans; few are tried first, because the control points are edited by hand
+_FIRST_SPANS, _MOST_SPANS = 24, 240
 _SHORTEST_SPAN = 1e-3  # in rod lengths; shorter spans would fit rounding errors
-_SAME_LENGTHS = 1e-6  # an inflection as near an end is the end's own
-_PARDONED = 2.0  # tolerances, accepted where finer spans do not help
-_FINER = 4  # the continuous rod is extrapolated from 4 and 8 times as many edges
+_SAME_LENGTHS = 1e-6  # distance of an inflection from an end at which it counts as at the end
+_PARDONED = 2.0  # accepted error, in tolerances, where finer spans do not help
+# factor on the number of edges; the continuous rod is extrapolated from 4 and 8 times as many edges
+_FINER = 4
 
 
 def editable_curve(rod: Rod) -> PlaneCurve:
@@ -31,7 +35,7 @@ def editable_curve(rod: Rod) -> PlaneCurve:
 
     The error of a rod with n edges is O(1/n^2), which would be visible in the curvature near inflections. So the
     continuous rod with the same stiffness and ends is computed first. The spline fits its position and curvature.
-    At the inflections it interpolates the rod exactly, so they are on one line without weight (Theorem 1).
+    The spline interpolates the rod exactly at its inflections, so they are on one line without weight (Theorem 1).
 
     Parameters
     ----------
@@ -74,7 +78,7 @@ def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
     Raises
     ------
     NotConvergedError
-        The continuous rod was not reached, or as few spans cannot meet its inflections.
+        The continuous rod was not found, or a curve with so few spans cannot pass its inflections.
     """
     shape = _continuous(rod)
     try:
@@ -86,7 +90,8 @@ def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
 
 
 def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
-    """Halves the widest of the spans that hold `places` and their neighbours: jumps in width would ring."""
+    """Halve the widest spans that contain `places`, and neighbouring spans, because jumps in width cause
+    oscillations."""
     width = np.diff(edges)
     bad = np.searchsorted(edges, places, side="right") - 1
     bad = np.unique(np.clip(np.concatenate([bad - 1, bad, bad + 1]), 0, width.size - 1))
@@ -154,7 +159,7 @@ def _continuous(rod: Rod) -> _Shape:
     kappa_0 = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
     kappa_0 = np.interp(s, rod.s / size, kappa_0)
     bends, (start, end) = _zeros(s, curvature - kappa_0), rod.supports.ends
-    # the zero of an end that is free to turn is counted once, at that end
+    # a zero near an end that is free to turn is counted only at that end
     bends = bends[(start.angle | (bends > _SAME_LENGTHS)) & (end.angle | (bends < 1 - _SAME_LENGTHS))]
     bends = np.concatenate([s[:1][: not start.angle], bends, s[-1:][: not end.angle]])
     position = (position - position[0]) / size
@@ -172,9 +177,9 @@ def _zeros(s: FloatArray, kappa: FloatArray) -> FloatArray:
 
 
 def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
-    """Least squares for position and curvature over given knots, exact at the ends and the inflections.
+    """Least-squares spline for position and curvature over given knots, exact at the ends and the inflections.
 
-    At an inflection also the slope of the curvature is met, which is what the stiffness there is made of.
+    The slope of the curvature is also exact at an inflection, because it determines the stiffness there.
     """
     from scipy.interpolate import BSpline
 
@@ -191,14 +196,14 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     A = np.vstack([root.ravel()[:, None] * spline(s), w[:, None] * spline(s, 2)])
     B = np.vstack([root.ravel()[:, None] * position, (w * kappa)[:, None] * normal])
     ends, bends = edges[[0, -1]], shape.inflections
-    # control points next to an end or to each other have freedom for the zeros of the curvature only
+    # near an end or another inflection, the free control points suffice only for the zeros of the curvature
     apart = np.diff(np.concatenate([ends[:1], bends, ends[1:]])) > 2 * np.diff(edges).max()
     inner = bends[apart[:-1] & apart[1:]]
     there, turned, _ = shape.at(np.concatenate([ends, inner]))
     bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
     along = np.column_stack([np.cos(turned), np.sin(turned)])
     across = left_of(along[2:])
-    # a curvature that is not 0 depends on the speed too
+    # a curvature other than 0 depends on the speed too
     paced = inner[: inner.size * bool(np.any(rest))]
     C = np.vstack(
         [
@@ -215,7 +220,7 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
 
 
 def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: FloatArray) -> FloatArray:
-    """X that minimises |A X - B| subject to C X = D; A^T A has the band of the splines."""
+    """X that minimises |A X - B| subject to C X = D; the bandwidth of A^T A is that of the splines."""
     from scipy.linalg import cho_solve_banded, cholesky_banded
 
     m = A.shape[1]
@@ -224,7 +229,7 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
     band = np.zeros((DEGREE + 1, m))
     for k in range(DEGREE + 1):
         band[k, : m - k] = np.diagonal(joined[:m, :m], -k)
-    band[0] += 1e-14 * band[0].max()  # far from small enough to show, enough for rounding
+    band[0] += 1e-14 * band[0].max()  # regularisation that is above rounding but has no visible effect
     factor = cholesky_banded(band, lower=True)
     size = np.linalg.norm(C, axis=1)[:, None]
     C, D = C / size, D / size
@@ -239,7 +244,9 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
 def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
     """Return the worst error at each station, in tolerances.
 
-    It covers the position, the stiffness that the curve needs and, more strictly, the extremes of that stiffness.
+    The errors are those of the position, of the stiffness that the curve needs, and of the extremes of the
+    stiffness.
+    The tolerance of the extremes is smaller.
     """
     s, kappa, K = shape.s, shape.curvature - shape.rest, shape.stiffness
     off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE_MM

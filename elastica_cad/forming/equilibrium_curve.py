@@ -1,6 +1,6 @@
-"""A realizable curve with its stiffness, as the state of methods that move control points.
+"""Realizable curve with its stiffness, the state of methods that move control points.
 
-Everything here is without weight and clamped at both ends, where Theorem 1 holds.
+All curves are without weight and clamped at both ends, as Theorem 1 requires.
 """
 
 from collections.abc import Sequence
@@ -29,7 +29,8 @@ from elastica_cad.mechanics.optimal_balance import balance_without_weight
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 
-_PARTS = 96  # places in a panel where K is bounded, because a step moves its extremes
+# number of places in a panel where K is bounded; they are dense, because a step moves the extremes of K
+_PARTS = 96
 
 BothEnds: TypeAlias = "bool | tuple[bool, bool]"
 

@@ -33,19 +33,19 @@ LARGEST_SMOOTH = 1000.0
 """Largest smoothing distance, mm."""
 
 LITTLE_BEND_SHARE = 0.05
-"""Curvature that counts as little bend, as a share of the largest."""
+"""Curvature, as a fraction of the largest, up to which an end counts as almost straight."""
 
 SEEN = 1e-3
 """Smallest move, mm, that is reported."""
 
 STEP_MM, STEP_SHARE = 0.2, 0.02
-"""Step of the width that is smoothed: in mm, and as a fraction of the width. Both are exceeded."""
+"""Least step of the width that is smoothed, in mm and as a fraction of the width; both must be exceeded."""
 
 MOST_WORSE = 1.05
-"""Largest factor of stiffness ratio, or of least width, that automatic smoothing may cost."""
+"""Largest factor by which automatic smoothing may increase the stiffness ratio or reduce the least width."""
 
 PLACES, SEEN_SHARE = 401, 0.1
-"""Places along a curve where curvature is compared, and the smallest change of it by noise that is reported."""
+"""Number of places at which curvatures are compared, and least change of curvature by noise that is reported."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +89,7 @@ class Smoothing:
         if self.fairing is None:
             return self.drawn
         drawn, outlier = self.drawn.provenance, outlier_message(self.drawn)
-        if drawn is not None:  # an outlier stays an outlier in the smoothed curve
+        if drawn is not None:  # a smoothed curve still has the outliers of its points
             drawn = replace(drawn, measured=drawn.measured if outlier else None)
         return self.fairing.curve.drawn_as(drawn)
 
@@ -126,7 +126,7 @@ class Smoothing:
     def _steps(self) -> bool:
         """Return True if the outline of the strip would step."""
         curve, rod = self.drawn, self._rod_as_drawn
-        if rod is None:  # no strip yet, but there may be a strip for the smoothed curve
+        if rod is None:  # a strip may exist for the smoothed curve only
             breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
             return bool(breaks) and bool((curvature_jumps(curve, breaks)[0] > STEP_SHARE).any())
         widest, narrowest = self.widths
@@ -135,20 +135,21 @@ class Smoothing:
         )
 
     def _is_as_good(self, curve: PlaneCurve) -> bool:
-        """Return True if smoothing adds no inflection and takes no width away that counts."""
+        """Return True if smoothing adds no inflection and hardly reduces the least width."""
         if self._inflections(curve) > self._inflections(self.drawn):
             return False
         if self._rod_as_drawn is None:
             return True
         rod = self._rod_on(curve)
-        # where the widest place is given, the least width shrinks as the ratio grows
+        # with a given largest width, the least width decreases as the ratio increases
         return rod is not None and rod.ratio < MOST_WORSE * self._rod_as_drawn.ratio
 
     @property
     def change_by_noise(self) -> float:
         """Change of curvature from smoothing noisy points, as a fraction of the largest curvature.
 
-        It is 0 for exact curves, and for curves that no strip can take, because their error mentions the noise.
+        It is 0 for exact curves. It is also 0 for curves that no strip can take, because their error mentions the
+        noise.
         """
         points = measured_points(self.drawn)
         if points is None or not examine(self.drawn, self.supports or Supports()).realizable:
@@ -162,7 +163,7 @@ class Smoothing:
 
     @property
     def noise(self) -> tuple[str, ...]:
-        """A note if noise of unsmoothed points affects the widths visibly."""
+        """Note if the noise of unsmoothed points has a visible effect on the widths."""
         points = measured_points(self.drawn)
         if points is None or points.outlier or self.fairing is not None:
             return ()
@@ -176,7 +177,7 @@ class Smoothing:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Sentences about what was moved, and about noise that was not."""
+        """Sentences about moved parts of the curve, and about noise that was not smoothed."""
         notes: list[str] = [*outlier_message(self.drawn)]
         if self.healed > SEEN:
             notes.append(note(
@@ -214,7 +215,8 @@ class Smoothing:
 
 
 def outline_steps(rod: Rod, widest: float) -> bool:
-    """Return True if the width of a strip, `widest` mm at most, steps by so much that its outline is smoothed."""
+    """Return True if the steps in the width of a strip, at most `widest` mm wide, are so large that it is
+    smoothed."""
     places = [*rod.profile.steps, *([(rod.length, 0.0)] if rod.curve.is_closed else [])]
     least, most = np.sort(rod.profile(np.array(places).reshape(-1, 2)), axis=1).T
     step = most - least
@@ -306,10 +308,10 @@ def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bo
 
 
 def _faired(curve: PlaneCurve, smooth: float, unbent: tuple[bool, bool]) -> Fairing:
-    """Fair within so many mm, slight corners rounded."""
+    """Smooth the curve within a distance, mm, and round slight corners."""
     rounded, moved = round_corners(curve, smooth)
     require_bendable(rounded)
-    if measured_points(curve) is not None:  # the new fit is smooth already
+    if measured_points(curve) is not None:  # curves fitted to points are smooth after the new fit
         return Fairing(rounded, moved, smooth)
     fairing = fair_curve(rounded, smooth - moved, unbent)
     return replace(fairing, moved=fairing.moved + moved, tolerance=smooth)

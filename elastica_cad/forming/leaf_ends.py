@@ -14,8 +14,8 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stiffness_law import LaidLeaves, Leaf, LeavesLaw
 
 NODES = 401
-"""Nodes of the rods that are compared. A step inside a cell counts by its share, so the shape depends on its
-place continuously."""
+"""Number of nodes of the rods in the search. A step inside a cell is averaged over the cell, so the shape is a
+continuous function of the place of the step."""
 
 FINE_NODES = 1001
 """Number of nodes of the returned rod; with fewer, a nearly unstable rod has an error of 1e-4 of its length."""
@@ -24,7 +24,7 @@ SHORTEST_SHARE = 0.01
 """Shortest piece of a leaf, and shortest distance between ends, as a share of the length."""
 
 ROUNDINGS = (0.35, 0.5, 0.65)
-"""Fractions of a ply above which it is laid, one for each search; the best result counts."""
+"""Fractions of a ply above which a ply is laid; each starts a search, and the best result is returned."""
 
 DIFFERENCE = 1e-4
 """Step of the finite differences in the search, as a share of the length."""
@@ -32,7 +32,7 @@ DIFFERENCE = 1e-4
 SETTLED = 1e-7
 """Relative change of the distance and of the places that ends the search."""
 
-MOST_TRIALS = 60  # trials in one search, each with one finite difference per end
+MOST_TRIALS = 60  # largest number of trials in a search, each with a finite difference for every end
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +66,7 @@ class LeafedRod:
 
 
 def leaf_bends(rod: Rod, section: LaidLeaves) -> tuple[FloatArray, FloatArray]:
-    """Stations (n,), mm, with both sides of each step, and what each is bent by, |M| / E I, 1/mm."""
+    """Stations (n,), mm, with both sides of each step, and their change of curvature |M| / E I, 1/mm."""
     beside = 1e-9 * rod.length
     s = np.sort(np.concatenate([rod.s, section.steps - beside, section.steps + beside]))
     EI = section.bending_stiffness(section.sheet.thickness * section.counts(s))
@@ -83,7 +83,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
     Parameters
     ----------
     relaxed : Rod
-        With `bending_stiffness` between the stiffness of the fewest plies and of all plies.
+        Rod with a `bending_stiffness` between the stiffness of the fewest plies and of all plies.
     law : LeavesLaw
     tangents : (bool, bool)
         True for each end (start, end) that keeps its angle.
@@ -107,7 +107,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
         )
     best = min(stacks, key=lambda stack: stack.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:
-        # plies of full length bend like the fewest plies: more of them would not change the shape
+        # a stack of full-length plies has the shape of the fewest plies, so more plies are not needed
         bare = _Search(
             relaxed,
             law,
@@ -123,14 +123,14 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """Places of steps of a given order, and the angles of clamps, that bring a stack nearest to points.
+    """Search for the places of steps in a given order, and for clamp angles, that bring a stack nearest to points.
 
     Attributes
     ----------
     steps : (m, 2) int array
         Number of the leaf that begins (+1) or ends (-1) at each place, in the order of `places`.
     places : (m,) array
-        To begin with, in lengths.
+        Initial places, in lengths.
     first : tuple of int
         Numbers of the leaves that begin at the start.
     tangents : (bool, bool)
@@ -195,7 +195,7 @@ class _Search:
         return self._record(optimum.x, self._bent(optimum.x, shape[0]), settled=optimum.status > 0)
 
     def _missed(self, x: FloatArray, shape: list[Rod]) -> FloatArray:
-        """Distances from the drawn points in lengths; far where the stack does not rest."""
+        """Distances from the drawn points in lengths; large values if the stack has no rest shape."""
         try:
             rod = self._bent(x, shape[0])
         except (InputError, NotConvergedError):

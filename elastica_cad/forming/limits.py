@@ -17,7 +17,7 @@ Symmetry: TypeAlias = Literal["mirror", "turn"]
 Measure: TypeAlias = Literal["mean", "closest", "max"]
 Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
 
-MET = 1e-6  # worst broken limit, in lengths, radians or shares of the limit, that counts as met
+MET = 1e-6  # largest violation that counts as met, in lengths, radians or fractions of the limit
 FAR_SHARE = 0.03  # fraction of the diagonal of the drawn curve's box; a rod farther away is a different curve
 
 
@@ -63,7 +63,7 @@ class HalfPlane:
 
 @dataclass(frozen=True)
 class Box:
-    """A rectangle, edges along x and y, that the rod keeps out of.
+    """Rectangle with edges along x and y that the rod must not enter.
 
     Parameters
     ----------
@@ -124,16 +124,16 @@ class Limits:
         Largest stiffness ratio R = max K / min K, at least 1.
     margin : float, optional
         Least stability margin (see `stability`); 0 is the limit of stability, 5 is safely stable. For a strip that
-        bends as a plate (`section`) it depends on the widths. If it binds, the largest width may be a few percent
-        below its limit.
+        bends as a plate (`section`) the margin depends on the widths. If this limit is active, the
+        largest width may be a few percent below its own limit.
     curvature : float, optional
         Largest size of kappa - kappa_0, 1/mm.
     sheet : Sheet, optional
-        Limits the curvature by the strain of the surface: 2 strain / thickness.
+        Sheet whose largest strain limits the curvature to 2 strain / thickness.
     strain : float, optional
         Replaces the largest strain of the sheet; needs `sheet` for its thickness.
     width : (2,) array_like, optional
-        Least and largest width of a plain strip, mm: bounds the ratio by their quotient.
+        Least and largest width of a plain strip, mm; their quotient limits the ratio.
     length : (2,) array_like, optional
         Least and largest length, mm.
     keep_out : sequence of HalfPlane and Box
@@ -236,7 +236,7 @@ class Limits:
         return min(limits) if limits else None
 
     def tightened(self, *, curvature: float = 1.0, strain: float = 1.0) -> "Limits":
-        """Limits that allow so many times less curvature and strain of the sheet, where they limit these.
+        """Return limits with the largest curvature, and the strain of the sheet, divided by these factors.
 
         Examples
         --------
@@ -269,7 +269,7 @@ class Keep:
         Positions and tangents of both ends, or of (start, end).
     length : bool
     symmetry : "mirror", "turn" or None
-        The mirror image, or half turn, that the drawn curve has and the rod keeps exactly.
+        Symmetry of the drawn curve, by mirror image or half turn, that the rod has exactly.
     points : sequence of float
         Arc lengths (mm) on the drawn curve of points that the rod still passes through.
     line : True, or two points
@@ -340,7 +340,7 @@ class Keep:
 
 
 def require_limits(limits: object, keep: object) -> None:
-    """Refuse what is neither None nor a record of limits, or of what is kept."""
+    """Refuse values other than None, `Limits` for `limits`, or `Keep` for `keep`."""
     for name, value, record in (("limits", limits, Limits), ("keep", keep, Keep)):
         if not (value is None or isinstance(value, record)):
             raise InputError(f"{name} is {value!r}: give a {record.__name__} record, or None")

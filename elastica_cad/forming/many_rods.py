@@ -15,11 +15,10 @@ from elastica_cad.mechanics.loads import Gravity, Supports, whole_number
 from elastica_cad.refusals import note
 
 AHEAD = 64
-"""Curves of a stream that are handed to an executor at a time: enough for a dozen workers, and few to keep in
-memory."""
+"""Number of curves of a stream that are submitted at a time, for a dozen workers and little memory."""
 
 LISTED = 1024
-"""Curves of a list that are handed to an executor at a time: several for each of hundreds of workers."""
+"""Number of curves of a list that are submitted at a time, several for each of hundreds of workers."""
 
 _OPTIONS = {"weights", "measure", "samples", "coefficients", "section", "natural_curvature"}
 
@@ -155,7 +154,7 @@ def _in_order_of_completion(
         i, task = running.pop(future)
         try:
             return i, future.result()
-        except Exception as error:  # a worker that died raises anything
+        except Exception as error:  # a crashed worker may raise any exception
             return i, _lost(task, error)
 
     try:
@@ -165,7 +164,7 @@ def _in_order_of_completion(
                 continue
             try:
                 future = executor.submit(_attempted, task)
-            except Exception as error:  # an executor that is shut down or broken may raise anything too
+            except Exception as error:  # an executor that is shut down may raise any exception
                 yield i, _lost(task, error)
                 continue
             running[future] = i, task
@@ -209,7 +208,7 @@ def _lost(task: _Task, error: Exception) -> NearestRod:
 
 
 def _spread(name: str, value: Any, count: int) -> list[Any]:
-    """One value a curve."""
+    """Return one value for each curve."""
     if value is None or not isinstance(value, (list, tuple)):
         return [value] * count
     if len(value) != count:

@@ -20,19 +20,21 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 
 EXACT_POINTS = 5
-"""Number of points that determine a meridian: it has five free numbers, because moving the start along it does not
-count. One point less if the last point is the pole, which fixes two numbers."""
+"""Number of points that determine a meridian, which has five free numbers. If the last point is the pole, it fixes
+two
+numbers, and four points suffice."""
 
 SEARCH_NODES = 96
 """Approximate number of nodes on the whole meridian; at least `FEWEST` between two points."""
 
 FEWEST = 8  # nodes between two points
 STARTS = 30
-"""Number of first guesses of a and b: the regression, then fixed random values of the same size."""
+"""Number of initial guesses of a and b: the first by regression, the others fixed random values of the same
+size."""
 
 STEPS = 40  # steps of Newton's method
 LEAST_SHARE = 1e-3
-"""Least fraction of a step; the search ends if it needs less."""
+"""Least fraction of a step; the search ends if a smaller fraction is needed."""
 
 SOLVED = 1e-11  # largest residual of solved equations, for points of size 1
 LONGEST = 1.5
@@ -59,7 +61,7 @@ SETTLED = 1e-10
 
 @dataclass(frozen=True, eq=False)
 class FoundMeridian:
-    """A meridian found by the search.
+    """Meridian as piecewise polynomials.
 
     Attributes
     ----------
@@ -98,8 +100,9 @@ class FoundMeridian:
 
     @cached_property
     def missed(self) -> float:
-        """Largest residual of x kappa = a + <b, gamma> and of unit speed along the curve, or its distance
-        beyond the axis."""
+        """Largest residual of x kappa = a + <b, gamma> and of unit speed along the curve.
+
+        If the curve passes the axis, its distance beyond the axis also counts."""
         if not np.all(self.lengths > 0):
             return np.inf
         station = np.linspace(-1.0, 1.0, BETWEEN * self.series.shape[2])
@@ -122,14 +125,14 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
     Parameters
     ----------
     points : (n, 2) array
-        In order, of size about 1, x >= 0; where the last has x = 0 it is the pole.
+        Points in order, of size about 1, with x >= 0; a last point with x = 0 is the pole.
 
     Raises
     ------
     InputError
         Two neighbouring points are the same.
     NotConvergedError
-        The search ended beside every meridian.
+        The search did not converge to a meridian.
     """
     if np.linalg.norm(np.diff(points, axis=0), axis=1).min() == 0:
         raise InputError("two adjacent points of the meridian are equal: remove one of them")
@@ -158,7 +161,7 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
 
 
 class _Equations:
-    """x kappa = a + <b, gamma> at the nodes, pieces that end at the next point, angles that go on.
+    """Equations of a meridian: x kappa = a + <b, gamma> at the nodes, ends at the points, and continuous angles.
 
     Unknown are, piece by piece, the angles at the nodes and the length, then a and b.
     """
@@ -241,7 +244,7 @@ class _Equations:
                 joint = total * (n + 2) + i - 1
                 rows[joint, first], rows[joint, first - 2] = 1.0, -1.0
         if self.closes:
-            # half, turning, first and last are the last piece's
+            # half, turning, first and last have the values of the last piece
             c, s = np.cos(angles[-1, -1]), np.sin(angles[-1, -1])
             rows[-1, first:last] = self.slope[-1] * c
             rows[-1, last - 1] -= turning[-1] * s + half * (b2 * c - b1 * s)
@@ -288,7 +291,7 @@ def _through(
 
 
 def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> FloatArray | None:
-    """Newton's method with the least steps where equations are fewer than unknowns."""
+    """Newton's method; if there are fewer equations than unknowns, the steps have least norm."""
     for _ in range(STEPS):
         missed = equations.off(unknown, points)
         size = float(np.linalg.norm(missed))
@@ -297,7 +300,7 @@ def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> F
         slopes = equations.slopes(unknown, points)[:, : equations.count]
         step = _least_step(slopes, -missed)
         share = _most(equations, unknown, step)
-        # written so that a step to nowhere (not a number) is halved too
+        # this form of the comparison is true for NaN, too, so that such a step is halved
         while not (
             float(np.linalg.norm(equations.off(unknown + share * step, points))) <= (1 - 1e-4 * share) * size
         ):
@@ -313,8 +316,9 @@ def _nearest(
 ) -> tuple[FloatArray, FloatArray]:
     """Places on the meridian nearest to the points, in the sum of squares, and its unknowns.
 
-    Gauss and Newton with the equations as constraints: each step solves for the places that the linear model
-    brings nearest to the points, and is shortened until distance and missed equations together fall.
+    Gauss-Newton method with the equations as constraints. Each step minimises the distance to the points in the
+    linear
+    model. It is shortened until the merit, distance plus residual of the equations, decreases.
     """
     count = equations.count
     on_axis = np.zeros((int(equations.closes), count + 2 * len(points)))
@@ -381,7 +385,7 @@ MOST_TURNS = 20
 HOPELESS = "strips that tile a surface of revolution cannot follow them"
 NEAR_AXIS_SHARE = 0.05  # fraction of the largest distance from the axis
 TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
-"""End of the message where the last point is nearer to the axis than a share of the farthest."""
+"""End of the message if the last point is near the axis, compared with the farthest point."""
 
 NARROW_SHARE = 1e-3
 """Distance from the axis, as a fraction of the largest distance, below which a meridian is at the pole."""
@@ -471,7 +475,9 @@ def meridian(
     a : float
         Moment at the origin over stiffness and distance; no unit.
     b : (2,) array_like
-        Its change, 1/mm. A multiple of (0, 1) lets one end turn freely about the axis (symmetric supports).
+        Change of the moment with the position, 1/mm. A multiple of (0, 1) belongs to an end that turns freely about
+        the
+        axis (symmetric supports).
     start : (2,) array_like
         Position, mm; the first number is the (positive) distance from the axis.
     angle : float
@@ -524,7 +530,7 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         In order, mm, at x > 0, or a whole profile. If the last point is on the axis, the surface closes at the
         pole. The meridian starts at or near the first point and ends at the last.
     ring : float, optional
-        As in `meridian`: where a surface that closes at the pole ends.
+        As in `meridian`: distance from the axis, mm, at which a surface that closes at the pole ends.
 
     Raises
     ------
@@ -609,7 +615,7 @@ def _end(distance: Callable[[FloatArray], FloatArray], length: float, floor: flo
 
 
 def _profile(points: ArrayLike) -> FloatArray:
-    """Points (n, 2) that a meridian can be sought through."""
+    """Return valid points (n, 2) for the search of a meridian."""
     data = finite("the points of a meridian", points)
     if data.ndim != 2 or data.shape[1] != 2 or len(data) < 3:
         raise InputError("a meridian needs three points (x, y) or more, in mm")

@@ -1,4 +1,4 @@
-"""Result of `nearest_rod`: a rod, its distance from the drawn curve, binding limits, and advice."""
+"""Result of `nearest_rod`: rod, distance from the drawn curve, active limits, and suggestions."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -36,8 +36,9 @@ class Status(Enum):
 
 
 def judge_search(violation: float, deviation: float, settled: bool) -> Status:
-    """Status of a search, from the violation of its limits, its distance in diagonals, and whether it
-    converged."""
+    """Return the status of a search.
+
+    It follows from the violation of its limits, its distance in diagonals, and its convergence."""
     if violation > MET:
         return Status.NOT_MET
     if deviation > _UNLIKE:
@@ -47,7 +48,7 @@ def judge_search(violation: float, deviation: float, settled: bool) -> Status:
 
 @dataclass(frozen=True)
 class Binding:
-    """A limit, or a kept property, that increases the distance.
+    """Limit or kept property that increases the distance of the rod from the drawn curve.
 
     Attributes
     ----------
@@ -55,10 +56,10 @@ class Binding:
         "ratio", "margin", "curvature", "length", "keep-out", "stiffness bounds", "end position", "end tangent",
         "start position", "start tangent", "points", "inflection line", "symmetry", ...
     limit : float or None
-        Its value if that is one number (curvature in 1/mm, lengths in mm).
+        Value of the limit if it is a single number (curvature in 1/mm, lengths in mm).
     cost : float
-        Decrease of the distance (mean or largest, as measured), mm, per unit that the limit is relaxed, to first
-        order; for a kept property, per mm or rad that it moves.
+        Decrease of the minimised distance, mm, per unit by which the limit is relaxed, to first order; for a kept
+        property, per mm or rad by which it may move.
     broken : float
         Violation, in lengths of the drawn curve, radians or fractions of the limit.
     """
@@ -85,7 +86,7 @@ class NearestRod:
     mean_deviation : float
         Root mean square distance, mm, between points at corresponding arc lengths.
     binding : tuple of Binding
-        The limits that keep the rod away from the drawn curve, the most costly first.
+        Limits and kept properties that increase the distance, the most costly first.
     violation : float
         Largest violation of a limit, in lengths of the drawn curve, radians or fractions of the limit.
     iterations : int
@@ -99,9 +100,9 @@ class NearestRod:
     distance : float
         The minimised distance, with its measure and weights, mm.
     ties : tuple of Rod
-        Rods of a different shape that meet the limits and are as near within 2 %.
+        Rods of a different shape that meet the limits, with distances that exceed the least one by at most 2 %.
     ended : SearchPoint or None
-        End of the search, where `nearest_rod` begins if this record is its `start`.
+        End of the search; `nearest_rod` begins there if this record is its `start`.
     again : callable, optional
         `nearest_rod` with the remaining options of the request; see `relaxed`.
     """
@@ -166,7 +167,8 @@ class NearestRod:
         from elastica_cad.forming.editable_curve import editable_curve
 
         section = self.rod.section
-        if section is not None and section.stack is not None:  # its curvature jumps where plies end
+        # the curvature of a stack jumps where plies end
+        if section is not None and section.stack is not None:
             return self.rod.curve
         return editable_curve(self.rod)
 
@@ -220,10 +222,10 @@ class NearestRod:
         return sentences((self.verdict, *self.advice), " ")
 
 
-_MOST_ADVICE = 4  # limits that bind and are worth a sentence
-_SLIGHT_DIAGONALS = 1e-3  # distances below this are not worth advice
-_NEGLIGIBLE = 0.01  # savings not worth a sentence, as a fraction of the distance
-_MISSED = 1e-4  # a smaller violation is within the tolerance of the search
+_MOST_ADVICE = 4  # largest number of active limits with a suggestion
+_SLIGHT_DIAGONALS = 1e-3  # distance below which there are no suggestions
+_NEGLIGIBLE = 0.01  # saving, as a fraction of the distance, below which there is no suggestion
+_MISSED = 1e-4  # least violation that is reported; smaller ones are within the tolerance of the search
 _IN_LENGTHS = ("end position", "points", "keep-out")
 
 

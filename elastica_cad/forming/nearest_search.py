@@ -44,18 +44,18 @@ class SearchSettings(NamedTuple):
     Attributes
     ----------
     steps, unmet_steps : int
-        Total number of steps after which no new start is tried; and the same number if no start has met the limits
-        or the first one missed the margin. A stalled search counts with its largest possible number of steps.
+        Total number of steps after which no new start is tried. `unmet_steps` holds if no start has met the limits,
+        or if the first start missed the margin. A stalled search counts with its largest possible number of steps.
     tensions : tuple of float
         Tensions of straight starts, as fractions of the tension that provides the margin on its own. Taut starts
         are stable; unloaded starts do not buckle.
     long_distance, long_factor : float
-        Above this distance, a start longer than the target by this factor is tried too.
+        If the distance exceeds `long_distance`, a start longer than the target by `long_factor` is tried.
     random_distance : float
         Distance above which starts are tried that differ from the target by random waves.
     random_starts, random_lifted_steps : int
-        Largest number of such starts, and of their lifted steps; with few steps a start can still lead to several
-        local optima.
+        Largest number of random starts, and of lifted steps from each. Few steps keep the variety of the local
+        optima.
     random_angle : float
         Typical angle of the waves, rad.
     continued_distance, continued_factor : float
@@ -64,23 +64,23 @@ class SearchSettings(NamedTuple):
     exact_distance : float
         Distance below which a rod follows its target, so that a smaller ratio is tried.
     ratio_distance : float
-        Distance that such a smaller ratio may cost.
+        Largest increase of this distance for a smaller ratio.
     spline_factor : float
         Factor on the least ratio, because K is a spline with few coefficients.
     tie_factor, tie_distance : float
-        A result whose distance is within `tie_factor` of the least one is reported, too, if the rods are farther
-        apart than `tie_distance`.
+        Another result is reported if its distance is at most `tie_factor` times the least distance, and its rod is
+        farther than `tie_distance` from the best rod.
     closed_gap : float
         Distance between the ends, in lengths, below which a curve cannot be pulled straight.
     rescalings : int
         Largest number of further searches until a section carries its own weight.
     scale_reserve, scale_change : float
-        With a margin that depends on the widths: factor on the largest scale, which leaves room for other widths;
-        and factor by which a larger scale must differ to be tried.
+        Settings for a margin that depends on the widths: factor on the largest scale, which leaves room for other
+        widths; and least factor between scales that are tried.
     scale_factors : tuple of float
-        Factors on the scale that are tried for such a margin.
+        Factors on the scale that are tried for a margin that depends on the widths.
     margin_fraction : float
-        Fraction of such a margin that is required first.
+        Fraction of a margin that depends on the widths that is required first.
     """
 
     steps: int = 600
@@ -146,7 +146,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
     if before is not None and (near := _from_before(task, problem, before)) is not None:
         return _compared(Search(task, problem, near, (), near.iterations, before.off), [near])
     outcomes = [minimize(problem, _start(task, problem))]
-    # a margin that the first start misses is refused sooner than a long distance
+    # if the first start misses the margin, fewer steps are spent on other starts
     tight = outcomes[0].violation > MET and task.limits.margin is not None
     for enough, start in _starts(task, problem):
         best = min(outcomes, key=_rank)
@@ -154,7 +154,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         good = _is_optimum(best) and task.off(best.point) / task.target.diagonal < enough
         if not good and (spent < most or enough == np.inf):
-            # the largest distance does not measure how far two rods are apart
+            # equally near rods are compared by their mean distance only
             known = [] if task.request.measure == "max" else list(filter(_is_optimum, outcomes))
             outcomes.append(minimize(problem, start(), known=known))
     best = min(outcomes, key=_rank)
@@ -173,7 +173,7 @@ def _rescaled(search: Search, margin: float | None) -> Search:
         settled = search.task.settled(search.best.point)
         if (
             settled is search.task or settled.request.gravity is None
-        ):  # without weight nothing hangs on the scale
+        ):  # without weight the result does not depend on the scale
             search = search._replace(task=settled)
             break
         search = _go_on(search, settled)
@@ -223,7 +223,8 @@ def _go_on(search: Search, task: NearestTask) -> Search:
 
 
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
-    """Search from a previous end; return None if limits are violated or the result is much farther away."""
+    """Search from the end of a previous search; return None if limits are violated or the result is much farther
+    away."""
     z = before.seen_from(task.target, problem.grid.unknowns)
     rod = None if z is None else problem.grid.shoot(z)
     if rod is None or not np.isfinite(rod.moments[-1]):
@@ -235,8 +236,7 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
 
 
 def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
-    """Add to a search a rod of smaller ratio that is as near as its best, or else other results that are as
-    near."""
+    """Add an equally near rod of smaller ratio to a search, or else other equally near results."""
     task, problem, best, _, steps, _ = search
     free = task.is_scaled_freely or task.is_light
     if free and task.off(best.point) < SETTINGS.exact_distance * task.target.diagonal:
@@ -250,9 +250,10 @@ def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
 def _with_least_ratio(
     task: NearestTask, best: RodOutcome
 ) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
-    """Return an equally near rod with the least ratio that the target needs, if that is below the best rod's ratio.
+    """Return an equally near rod with the least ratio for the target, if this ratio is below that of the best rod.
 
-    If the target can be met exactly, the distance does not depend on the ratio and the search ends with any ratio.
+    If a rod can follow the target exactly, the distance does not depend on the ratio, and the search may end with a
+    large ratio.
     """
     K = best.point.stiffness
     law = None if task.section is None or task.is_light else task.section.law
@@ -266,7 +267,7 @@ def _with_least_ratio(
     try:
         tight = task.within_ratio(least)
         problem = pose_problem(tight)
-    except InputError:  # the stiffness is bounded elsewhere too
+    except InputError:  # limits conflict at the smaller ratio
         return None
     outcome = minimize(problem, _start(tight, problem, stiffness=min(least, 4.0) ** 0.5))
     near = max(task.off(best.point), SETTINGS.ratio_distance * task.target.diagonal)
@@ -277,7 +278,7 @@ def _with_least_ratio(
 def _ties(
     task: NearestTask, problem: RodProblem, best: RodOutcome, outcomes: Sequence[RodOutcome]
 ) -> Iterator[RodOutcome]:
-    """Yield results as near as the best result, within 2 %, that differ in shape from it and from each other."""
+    """Yield results of other shapes with distances that exceed the least one by at most 2 %."""
     allowed = best.objective * (
         SETTINGS.tie_factor if task.request.measure == "max" else SETTINGS.tie_factor**2
     )
@@ -291,7 +292,8 @@ def _ties(
 
 
 def _rank(outcome: RodOutcome) -> tuple[bool, float]:
-    """Return a sort key: results that meet the limits by distance, then the rest by distance and violation."""
+    """Return a sort key. Results that meet the limits come first, by distance; then the rest by distance and
+    violation."""
     met = outcome.violation <= MET
     return not met, outcome.objective + (0.0 if met else outcome.violation)
 
@@ -299,7 +301,7 @@ def _rank(outcome: RodOutcome) -> tuple[bool, float]:
 def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Callable[[], MappedRod]]]:
     """Yield further starts, each with the mean distance, in diagonals, below which it is not needed.
 
-    Starts with an infinite distance are tried, however many steps were used, as long as nothing meets the limits.
+    Starts with an infinite distance are tried until a result meets the limits, after any number of steps.
     """
     chord = task.target.position[-1] - task.target.position[0]
     chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed_gap)
@@ -354,12 +356,14 @@ def _start(
 
 
 _STRICTER = 6  # largest number of tapers for laying plies, each within stricter limits
-_BEYOND = 1.2  # factor on the violation of a limit, by which the next taper is stricter
-_WHOLE = 1e-9  # fraction of a ply that exceeds rounding
+_BEYOND = 1.2  # factor from the violation of a limit to its reduction for the next taper
+_WHOLE = 1e-9  # largest rounding error of a number of plies
 
 
 def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
-    """Return a stack of glued plies near the nearest taper; if it violates a limit, use a stricter taper."""
+    """Return a stack of glued plies near the nearest taper.
+
+    If the stack violates a limit, repeat with stricter limits for the taper."""
     curve, limits, keep = request.curve, request.limits or Limits(), request.keep or Keep()
     if limits.stiffness_bounds is not None or keep.points or keep.symmetry or keep.line:
         raise InputError(
@@ -400,7 +404,7 @@ def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
 
 
 def _taper_on_curve(request: RodSpec, law: LeavesLaw, length: tuple[float, float] | None) -> Rod | None:
-    """Return the taper that rests in the drawn curve, as thick as the stack may be, or None."""
+    """Return the taper that rests in the drawn curve, as thick as the stack allows, or None."""
     if length is not None and not length[0] <= request.curve.length <= length[1]:
         return None
     try:
@@ -447,9 +451,10 @@ def _stricter(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
     return limits
 
 
-_MOST_NODES = 5000  # beyond, time grows and the shape hardly changes
+_MOST_NODES = 5000  # largest number of nodes; more take time and hardly change the shape
 _UNBEARABLE = 50.0
-"""Length of a curve, in elasto-gravity lengths, above which its weight is the reason for a missing first rod."""
+"""Length of a curve, in elasto-gravity lengths, above which a search without a first rod is blamed on the
+weight."""
 
 
 def nearest_rod(
@@ -495,21 +500,22 @@ def nearest_rod(
     coefficients : int
         B-spline coefficients of the stiffness; by default 20, and 4 more for each half turn of the curve.
     section : BoundedLaw, optional
-        Relation of section and stiffness, as in `optimal_rod`. Its limits bound the ratio. Under gravity (only the
-        direction matters) the rod carries its own weight. A limit `sheet` bounds its strain. For a `LeavesLaw`, the
+        Relation of section and stiffness, as in `optimal_rod`. Its limits also limit the ratio. Under gravity (only
+        the direction has an effect) the rod carries its own
+        weight. A limit `sheet` limits its strain. For a `LeavesLaw`, the
         nearest rod of continuous thickness is found first, then approximated by plies (`lay_leaves`).
     natural_curvature : float or RestCurvature
         kappa_0, 1/mm. With a RestCurvature (pre-bent strip) the rod has the length of that strip within 1 %.
     start : NearestRod, optional
         Result of a similar request, such as the curve before a small move. The search begins at its rod and takes
-        two thirds of the time, or a tenth if many starts were needed. It stays near that local optimum as long as
-        the result meets the limits and is nearly as near as before; otherwise it starts again.
+        two thirds of the time, or a tenth if many starts were needed. If
+        the result violates limits or is much farther away than before, the search is repeated from new starts.
 
     Returns
     -------
     NearestRod
-        It has the least ratio (within 0.5 %) if the drawn curve meets the limits. A rod is also returned if the
-        limits cannot be met: see `status`, `met` and `binding`.
+        Nearest rod. If the drawn curve meets the limits, the rod has the least ratio (within 0.5 %). If the limits
+        cannot be met, a rod is returned, too: see `status`, `met` and `binding`.
 
     Raises
     ------

@@ -32,7 +32,7 @@ from elastica_cad.mechanics.rod_system import RodState, RodSystem
 from elastica_cad.refusals import Length as Mm
 
 _FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60  # default number of stiffness coefficients
-_COEFFICIENTS_PER_HALF_TURN = 4.2  # a curve that turns more needs a finer stiffness
+_COEFFICIENTS_PER_HALF_TURN = 4.2  # a curve with more turns needs more coefficients
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +56,8 @@ class NearestTask:
     grows : bool
         True if sizes without weight are made as large as the limits allow, once the rod is found.
     keeps_scale : bool
-        True if a strip that follows its bend keeps its scale, and each node stays within the largest width there.
+        True if the scale of a strip whose stiffness depends on the bend is fixed, and the width of each node is
+        limited.
     """
 
     request: RodSpec
@@ -115,16 +116,17 @@ class NearestTask:
 
     @property
     def is_scaled_freely(self) -> bool:
-        """True if K is only relative; K is absolute if the limits of the law determine its scale for any bend."""
+        """True if K has no scale during the search. It has a scale if the limits of the law determine it for every
+        bend."""
         return self.section is None or self.section.law.follows_bend
 
     @property
     def is_light(self) -> bool:
-        """True for a law of absolute sizes without weight, whose scale is found after the search."""
+        """True for a weightless law with limits of size, whose scale is determined after the search."""
         return self.grows and self.request.gravity is None and not self.is_scaled_freely
 
     def within_ratio(self, ratio: float) -> "NearestTask":
-        """Return the task with this largest ratio; without weight also in the sizes that can bend most."""
+        """Return the task with this largest ratio; without weight also with the sections that can bend most."""
         limits = replace(self.limits, ratio=ratio)
         section = self.section
         if section is not None and self.is_light:
@@ -132,7 +134,7 @@ class NearestTask:
         return replace(self, limits=limits, section=section)
 
     def settled(self, mapped: MappedRod) -> "NearestTask":
-        """Return the task with the largest widths that the limit allows for a rod, or itself if unchanged.
+        """Return the task with the largest allowed widths for a rod, or the task itself if they are unchanged.
 
         For laws that do not follow the bend, the limits determine the scale.
         """
@@ -144,7 +146,7 @@ class NearestTask:
 
     @property
     def without_followed_margin(self) -> "NearestTask":
-        """The task without a margin that depends on a scale not determined yet, or the task itself."""
+        """The task without its margin if the margin depends on an undetermined scale, otherwise the task itself."""
         if self.section is None or not self.is_scaled_freely or self.limits.margin is None:
             return self
         return self.with_margin(None)
@@ -175,7 +177,8 @@ class NearestTask:
 
     @property
     def in_smaller_sections(self) -> "NearestTask | None":
-        """The task with sections that withstand the bend of the target, or None if that makes no difference."""
+        """The task with sections that withstand the bend of the target, or None if they are the present
+        sections."""
         if self.section is None or self.is_scaled_freely or self.request.gravity is None:
             return None
         bent = _nodal_bend(self.target, self.request.natural_curvature, self.nodes)
@@ -195,7 +198,7 @@ class NearestTask:
         least = float(mapped.stiffness.min())
         length = mapped.length * size
         profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
-        if self.request.gravity is None and section is None:  # no weight to compute
+        if self.request.gravity is None and section is None:  # the rod has no weight
             s = np.linspace(0.0, length, self.nodes)
             profile, K = scaled_to_least(profile, s)
             rest = nodal_curvature(self.request.natural_curvature, s)
@@ -241,7 +244,7 @@ class NearestTask:
 
     @cached_property
     def mean_distance(self) -> MeanDistance:
-        """Arc length against arc length."""
+        """Distance between points of equal relative arc length."""
         targets, _ = self.target.at(even_steps(self.nodes))
         return MeanDistance(targets, self._shares)
 
@@ -301,7 +304,7 @@ class SearchPoint:
 
 
 def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArray] | None:
-    """Two points of the inflection line that is kept."""
+    """Two points of the inflection line to keep, or None."""
     line, curve = keep.line, request.curve
     if not line:
         return None

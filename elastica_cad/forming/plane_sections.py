@@ -269,7 +269,7 @@ def mesh_sections(
 
 
 def refuse_odd_planes(planes: object) -> None:
-    """Raise where planes are not a sequence of frames."""
+    """Refuse planes that are not a sequence of frames."""
     if not (isinstance(planes, Sequence) and all(isinstance(frame, Frame) for frame in planes)):
         raise InputError(
             f"planes must be a sequence of Frames, not {type(planes).__name__}: put a single plane in a list"
@@ -300,7 +300,7 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> PlaneSection:
 
 
 def _missing(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
-    """Reason why a plane cuts nothing."""
+    """Return the reason why a plane has no section."""
     used = np.unique(mesh.faces)
     low, high = float(local[used, 2].min()), float(local[used, 2].max())
     if low > 0 or high < 0:

@@ -1,4 +1,4 @@
-"""Small dense convex quadratic programs whose rows may be broken at a price, by interior points."""
+"""Interior-point method for small dense convex quadratic programs, whose rows may be violated at a price."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -11,9 +11,9 @@ from elastica_cad._types import BoolArray, FloatArray
 
 
 class InteriorPoints(NamedTuple):
-    """Settings of the method; a dozen factorisations usually suffice, because all unknowns are bounded.
+    """Settings of the method, which usually needs a dozen factorisations.
 
-    The active sets of HiGHS cycled without end on programs of a nearly solved problem.
+    The active-set method of HiGHS is not used, because it cycled on programs near the end of a search.
 
     Attributes
     ----------
@@ -22,8 +22,8 @@ class InteriorPoints(NamedTuple):
     backoff : float
         Largest step, as a fraction of the distance to the nearest bound.
     cycling, centered : int, float
-        Number of factorisations after which predictor and corrector may cycle (in one program of a thousand).
-        Later steps have no corrector and aim at the fraction `centered` of the complementarity.
+        After `cycling` factorisations, steps have no corrector and aim at the fraction `centered` of the
+        complementarity, because predictor and corrector may cycle (in one program of a thousand).
     most : int
         Largest number of factorisations.
     """
@@ -40,10 +40,10 @@ METHOD = InteriorPoints()
 
 @dataclass(frozen=True, eq=False)
 class QuadraticProgram:
-    """Minimise x^T H x / 2 + g^T x + sum of row prices, with lower <= x <= upper.
+    """Minimise x^T H x / 2 + g^T x plus the costs of violated rows, with lower <= x <= upper.
 
     Row k is A_k x = r_k (or A_k x >= r_k if `one_sided`); violating it by u costs `price[k]` u.
-    A price larger than the row's multiplier makes the row exact.
+    If the price exceeds the multiplier of a row, the solution meets the row exactly.
 
     Attributes
     ----------
@@ -87,7 +87,7 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accur
 
     `accuracy` is relative to the largest number in the gradient or on the Hessian's diagonal. The price of a row
     bounds its multiplier y. The row becomes the pairs p (y - y_low) = 0, q (y_high - y) = 0 with A x - r = p - q.
-    So equalities, inequalities and their elastic forms are one case.
+    Thus equalities, inequalities and rows that may be violated have the same form.
 
     Examples
     --------
@@ -123,7 +123,7 @@ def _compiled(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatAr
 
 
 _SIDES = np.array([[1.0], [-1.0]])
-"""Change of the distances from the lower and the upper bounds with the unknowns."""
+"""Derivatives of the distances from the lower and the upper bounds by the unknowns."""
 
 
 def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
@@ -158,9 +158,10 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
         system = matrix.copy()
         system.flat[:: n + m + 1] += ratio[0] + ratio[1]
         factors, pivots, info = lapack().dgetrf(system)
-        if info != 0 or not min(u.min(), v.min()) > 0:  # a pair has run out to zero: no step leaves it
+        # a pair has become zero by rounding, and no step can change it
+        if info != 0 or not min(u.min(), v.min()) > 0:
             break
-        # straight to mu = 0, then towards the centre that this leaves room for
+        # predictor towards mu = 0, then a corrector towards a value of mu that depends on the predictor
         aim = -product
         for corrector in (False, True):
             change = aim / u

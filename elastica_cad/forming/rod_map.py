@@ -1,6 +1,6 @@
 """Map from unknown stiffness and start to the rod, with its derivatives.
 
-Everything here is in lengths of the target curve, not in millimetres.
+The unit of length is the length of the target curve, not the millimetre.
 """
 
 from collections.abc import Callable, Hashable
@@ -68,7 +68,7 @@ SAME_SCALE = 1e-5
 """Relative difference of scales below which the weight agrees with the final sections."""
 
 FULL_STRAIN = 1 - 2e-5
-"""Share of a strain limit that is used; the rest covers the error of the strain between nodes and in fitted
+"""Fraction of a strain limit that is used; the rest covers errors of the strain between nodes and of fitted
 sizes."""
 
 
@@ -115,7 +115,8 @@ class SectionScale:
                     largest=Length(largest),
                 )
             ratio = min(ratio, most / low)
-            # the strain of a law that follows the bend does not depend on size alone: its scale is determined later
+            # if the stiffness depends on the bend, strain is not a function of size alone; the scale is determined
+            # later
             if not (heavy or law.follows_bend):
                 thin, thick = cls(law, low, ratio).strain(np.array([1.0, most / low]), limits.strain)
                 if thin < thick:
@@ -155,9 +156,10 @@ class SectionScale:
         return replace(self, scale=scale) if scale < self.scale * (1 - SAME_SCALE) else None
 
     def settled(self, bend: FloatArray, stiffness: FloatArray, rest: float | FloatArray) -> Self:
-        """Scale it so that the largest section belongs to nodal K (n,), bent by kappa - kappa_0 (n,) from `rest`.
+        """Return the sections scaled such that nodal K (n,), bent by kappa - kappa_0 (n,) from `rest`, reaches the
+        largest.
 
-        Returns itself where it has that scale already.
+        If the scale does not change, the result is this object.
         """
         law = self.law.bent(bend, rest)
         least, largest = law.limits
@@ -198,7 +200,7 @@ class SectionScale:
         return stiffness * CurlingLaw(curl, curl(bend + rest), rest).slope(bend)
 
     def strain(self, stiffness: FloatArray, limit: float | None) -> FloatArray:
-        """Share (n,) of what the skin is let bear that a curvature of 1/mm takes, of K (n,)."""
+        """Return the skin strain at a curvature of 1/mm, as a fraction (n,) of the allowed strain, for K (n,)."""
         layers = self.law.strains(np.ones(stiffness.size), self.law.parameter(self.scale * stiffness))
         shares = [layer.strain / (FULL_STRAIN * (limit or layer.limit)) for layer in layers]
         return np.asarray(np.max(shares, axis=0))
@@ -273,7 +275,7 @@ class MappedRod(DiscreteRod):
 
 @dataclass(frozen=True, eq=False)
 class Sensitivities:
-    """Derivatives of a rod in its p unknowns, with an optional last column that closes its defects.
+    """Derivatives of a rod by its p unknowns; an optional last column is the change that brings it into balance.
 
     Attributes
     ----------
@@ -334,9 +336,10 @@ class StripGrid:
     e : (2,) array
         Weight vector of Eq. 5 (it points up), times the unit of length cubed.
     weight : callable, optional
-        Weight q (n+1,) of K (n+1,) at the nodes, which `e` multiplies, and its derivative; K itself unless given.
+        Function that returns the weight q (n+1,) for K (n+1,) at the nodes, in units of `e`, and its derivative; by
+        default q = K.
     natural_curvature : float or (n+1,) array
-        Times the unit of length.
+        kappa_0 times the unit of length.
     supports : Supports
     """
 
@@ -367,7 +370,7 @@ class StripGrid:
 
     @cached_property
     def running(self) -> FloatArray:
-        """Integral of every basis function up to and with each node, for a rod of length 1 (n+1, m)."""
+        """Integral of every basis function up to and including each node, for a rod of length 1 (n+1, m)."""
         return np.asarray(np.cumsum(self.shares[:, None] * self.basis, axis=0))
 
     def carried(self, rod: MappedRod) -> CarriedWeight:
@@ -428,7 +431,8 @@ class StripGrid:
         K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
         edge, w = length / n, length * self.shares
 
-        # unknowns alpha_1, M_1, alpha_2, M_2, ..., alpha_{n+1}; right-hand sides are what drives them
+        # unknowns alpha_1, M_1, alpha_2, M_2, ..., alpha_{n+1}; the right-hand sides are the derivatives by the
+        # unknowns z
         right = np.zeros((2 * n + 1, columns), order="F")
         drive_angle, drive_moment = right[0::2], right[1::2]
         np.multiply((-w * M / K**2)[:, None], self.basis, out=drive_angle[:, u.stiffness])
@@ -468,7 +472,7 @@ class StripGrid:
         step = position[1:]
         with np.errstate(
             over="ignore", invalid="ignore"
-        ):  # sensitivities may overflow; `linearize` refuses them
+        ):  # derivatives may overflow; `linearize` refuses them
             np.multiply((-edge * T[:, 1])[:, None], angles[1:-1], out=step[:, 0])
             np.multiply((edge * T[:, 0])[:, None], angles[1:-1], out=step[:, 1])
             step[:, :, u.length] += T / n

@@ -37,7 +37,7 @@ from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.loads import LENGTHS_APART, RestCurvature
 from elastica_cad.refusals import Length
 
-_TOO_SENSITIVE = 1e50  # rad per unknown: squares of such derivatives overflow
+_TOO_SENSITIVE = 1e50  # largest derivative, rad per unknown; squares of larger ones overflow
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -108,7 +108,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return float(np.mean((first.position - other.position) ** 2))
 
     def for_open_points(self) -> "RodProblem":
-        """Return the problem without the constraints that make no sense far from balance."""
+        """Return the problem without the constraints that are only meaningful near balance."""
         return replace(self, constraints=tuple(c for c in self.constraints if not c.near_balance_only))
 
     def _moved(self, d: Sensitivities, change: FloatArray) -> MappedRod:
@@ -122,7 +122,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return np.asarray(np.clip(z, self.lower, self.upper))
 
     def with_given(self, unknowns: int | slice, value: FloatArray | float) -> "RodProblem":
-        """Return the problem with these unknowns fixed, as far as that is allowed."""
+        """Return the problem with these unknowns fixed, clipped to the box."""
         lower, upper = self.lower.copy(), self.upper.copy()
         lower[unknowns] = upper[unknowns] = np.clip(value, lower[unknowns], upper[unknowns])
         return replace(self, lower=lower, upper=upper)
@@ -130,7 +130,8 @@ class RodProblem(NonlinearProgram[MappedRod]):
     def _stacked(
         self, sensitivities: Sensitivities, values: Sequence[FloatArray] | None = None
     ) -> ConstraintRows:
-        """Rows of all constraints that matter near a rod; with a closing column, their values once it is closed."""
+        """Rows of all constraints near a rod; if the derivatives have a closing column, values are those of the
+        closed rod."""
         p = sensitivities.rod.z.size
         if not self.constraints:
             none, empty = np.zeros(0), np.zeros(0, dtype=int)
@@ -407,7 +408,7 @@ _IDLE = 1e-6  # fraction of the largest cost; smaller costs are below the accura
 
 
 def list_bindings(task: NearestTask, problem: RodProblem, outcome: Outcome[MappedRod]) -> tuple[Binding, ...]:
-    """Return all limits with a cost, the most costly relative change first."""
+    """Return all limits with a cost, sorted by the cost of a relative change, the largest first."""
     size, limits, u = task.target.size, task.limits, problem.grid.unknowns
     if task.request.measure == "max":
         per = size

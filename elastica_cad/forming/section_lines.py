@@ -85,7 +85,7 @@ class SectionLine:
     def split_by(self, point: ArrayLike, normal: ArrayLike) -> tuple["SectionLine", ...]:
         """Split the line at the plane through `point` (3,) with the normal `normal` (3,), such as a spine.
 
-        The line itself where the plane misses it.
+        If the plane misses the line, the result is the line itself.
         """
         n, p = np.asarray(normal, dtype=float), np.asarray(point, dtype=float)
         if n.shape != (3,) or p.shape != (3,) or not np.any(n) or not np.all(np.isfinite([n, p])):
@@ -97,7 +97,7 @@ class SectionLine:
         above = height >= 0
         i = np.flatnonzero(above[:-1] != above[1:])
         cuts = i + height[i] / (height[i] - height[i + 1])
-        if not self.is_closed:  # a plane through its end does not split it
+        if not self.is_closed:  # a plane through an end does not split an open line
             cuts = cuts[(cuts > 0) & (cuts < len(self.points) - 1)]
         return self._split(cuts) if cuts.size else (self,)
 
@@ -118,7 +118,7 @@ class SectionLine:
         return self._split(np.sort(corners)) if corners.size else (self,)
 
     def _split(self, cuts: FloatArray) -> tuple["SectionLine", ...]:
-        """Pieces between cuts, in points and shares of the way to the next."""
+        """Pieces between cuts, which are numbers of points plus fractions of a side."""
         last = len(self.points) - 1
         index = np.arange(last + 1)
         at = np.column_stack([np.interp(cuts, index, column) for column in self.points.T])
@@ -171,7 +171,7 @@ class PlaneSection:
         Raises
         ------
         InputError
-            None, or several: choose from `lines`.
+            The section has no line or several lines; choose from `lines`.
         """
         if len(self.lines) != 1:
             reason = (
@@ -269,7 +269,7 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
     x = points[:, 0]
     if np.all(x >= 0):
         return [points]
-    if closed:  # begin on the other side, so that no part runs over the seam
+    if closed:  # start on the other side, so that no part contains the start of the closed line
         shift = int(np.argmin(x[:-1]))
         points = np.concatenate([points[shift:-1], points[: shift + 1]])
         x = points[:, 0]
@@ -290,8 +290,8 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
 
 
 def _nearest(points: FloatArray, place: FloatArray) -> float:
-    """Position of the point of the polyline nearest to a place: number of a point plus the share of the way to
-    the next."""
+    """Return the position on the polyline nearest to a place, as the number of a point plus a fraction of a
+    side."""
     step = np.diff(points, axis=0)
     u = np.clip(((place - points[:-1]) * step).sum(axis=1) / (step**2).sum(axis=1), 0.0, 1.0)
     off = np.linalg.norm(points[:-1] + u[:, None] * step - place, axis=1)
@@ -485,7 +485,7 @@ def _place(line: SectionLine, point: FloatArray) -> str:
 
 
 def _refuse_corners(line: SectionLine, tolerance: float) -> None:
-    """Raise where a line has a corner; a turn between sides shorter than the tolerance is roughness."""
+    """Refuse a line with a corner; a turn between sides shorter than the tolerance counts as roughness."""
     turned, sides = _inner_turns(line.points), np.diff(lengths_along(line.points))
     turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
     if turned.max(initial=0.0) > SHARP_TURN_RAD:
@@ -605,7 +605,7 @@ def smooth_polyline(
     if spans.size and spans.shape[1:] != (2,):
         raise InputError("parts to smooth must be rows (k, 2) of finite lengths along the points, in mm")
     counted = np.any([(middle >= a) & (middle <= b) for a, b in spans], axis=0) if len(spans) else True
-    # a wavelength of four line lengths leaves only a parabola; larger values only lose digits
+    # with a wavelength of four line lengths only a parabola remains; larger values lose digits
     share = min(wavelength, 4 * s[-1]) / (2 * np.pi * at[1])
     third = third * (np.broadcast_to(counted, middle.shape) * share**3)[:, None]
     system = np.eye(count) + third.T @ third
@@ -659,7 +659,8 @@ def remove_false_inflections(
             break
         try:
             simpler = PlaneCurve(*fit_spline(even, 4, most / 20), 4)
-        except NotConvergedError:  # kinks where the smoothed part begins: a longer wavelength may have none
+        # the curve has kinks at the ends of the smoothed part; a longer wavelength may avoid them
+        except NotConvergedError:
             continue
         if not len(_false_bends(simpler, turn)):
             return simpler

@@ -155,7 +155,7 @@ def _vector(name: str, value: ArrayLike) -> FloatArray:
 
 
 def _row(name: str, value: ArrayLike) -> list[float]:
-    """One number or several in a row."""
+    """A number or a sequence of numbers."""
     v = np.atleast_1d(_numbers(name, value))
     if v.ndim != 1:
         raise InputError(f"{name} must be a number or a list of numbers, not an array of shape {v.shape}")
@@ -179,7 +179,7 @@ NAMED_REASONS = 6
 """Largest number of reasons in a refusal."""
 
 SAME_PLANE = 1e-9
-"""Two planes are the same when their numbers differ by less than this share of the largest."""
+"""Largest difference between the numbers of equal planes, as a fraction of the largest number."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -191,7 +191,7 @@ class Surface:
     points : (n, 3) array
         Places whose hull holds it, mm: the vertices of a mesh, the corners of a box around a CAD body.
     cut : callable
-        Its sections by planes, with half planes if the second argument is true: `cut(planes, half)`.
+        `cut(planes, half)` returns the sections of the surface, by half planes if `half` is True.
     """
 
     points: FloatArray
@@ -283,7 +283,7 @@ class AlongPath:
 
 @dataclass(frozen=True, eq=False)
 class GivenCuts:
-    """Planes as they are drawn."""
+    """Planes given by their frames."""
 
     half: ClassVar[bool] = False
     planes: tuple[Frame, ...]
@@ -294,7 +294,7 @@ class GivenCuts:
 
 
 class Split(Protocol):
-    """A way to split the line of a section."""
+    """Method to split the line of a section."""
 
     @property
     def name(self) -> str:
@@ -308,7 +308,7 @@ class Split(Protocol):
 
 @dataclass(frozen=True)
 class PlaneSplit:
-    """At a spine: the plane through `point` across `normal`.
+    """Split at a spine: the plane through `point` across `normal`.
 
     Raises
     ------
@@ -357,7 +357,7 @@ class CornerSplit:
     Raises
     ------
     InputError
-        An angle that no corner has.
+        The angle is not that of a corner.
     """
 
     corners: Annotated[float, Option("Split where the line turns by more than this angle.", "rad", least=0)]
@@ -407,7 +407,7 @@ class SectionSpec:
         Raises
         ------
         InputError
-            Planes that make no sense, or no section that a strip could follow.
+            The planes are invalid, or no strip can follow any section.
         """
         half = self.cuts.half if self.half is None else self.half
         divided = [self._divide(section) for section in surface.cut(self.cuts.frames(surface), half)]

@@ -24,9 +24,9 @@ from elastica_cad.mechanics.loads import (
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, examine_curvature, lengths
 from elastica_cad.refusals import Length, Listed, note
 
-_SHORTEST_SHARE = 1e-4  # pieces shorter than this, relative to the domain, are none
-_CHOICES = 5  # tried places for each support, between its first and last possible place
-_ROUNDS = 2  # and again about the best of them
+_SHORTEST_SHARE = 1e-4  # least length of a piece, relative to the domain
+_CHOICES = 5  # number of tried places for each support, between its first and last possible place
+_ROUNDS = 2  # number of refinements around the best places
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,9 +77,10 @@ def split(
 ) -> Splitting:
     """Return the fewest supports along a curve that make every piece realizable, with the least ratios.
 
-    A part of a realizable curve is realizable, with the same line and no larger ratio. So making each piece as long
-    as possible gives the fewest pieces. Doing the same from the other end gives the first possible place of each
-    support. Between its first and last place, each support is placed for the least sum of squared ratios.
+    A part of a realizable curve is realizable, with the same line and no larger ratio. So the fewest pieces result
+    if each piece is as long as possible. The same search from the other end gives the
+    first possible place of each support. Between its first and last place, each support is placed for the least sum
+    of squared ratios.
 
     Parameters
     ----------
@@ -95,7 +96,7 @@ def split(
     Raises
     ------
     NotRealizable
-        No supports are sufficient: the curvature touches zero, or there are too few `places`.
+        No number of supports is sufficient, because the curvature touches zero or there are too few `places`.
     InputError
         A ratio below 1, places outside the curve.
 
@@ -172,7 +173,7 @@ class _Cut:
 
     @property
     def least(self) -> float:
-        """Least parameter length of a piece that justifies two supports."""
+        """Least parameter length of a piece between two supports."""
         return 100 * self.short
 
     def takes(self, start: float, end: float) -> bool:
@@ -183,7 +184,7 @@ class _Cut:
             return self.ratio_of(start, end) <= self.ratio
         try:
             piece, held, tolerance = self._held(start, end)
-            if piece.is_closed:  # pieces have two ends
+            if piece.is_closed:  # a closed curve is not a piece, because it has no ends
                 return False
             return examine(piece, held, tolerance=tolerance).realizable
         except InputError:
@@ -213,7 +214,7 @@ class _Cut:
         while far - near > self.short / 10:
             middle = (near + far) / 2
             near, far = (middle, far) if self.takes(start, middle) else (near, middle)
-        # a shorter piece is stopped at `sure` itself, because no strip can pass there
+        # a shorter piece ends exactly at `sure`, because no strip can pass this place
         return near if near - sure > self.least else sure
 
     def _reach_of_places(self, start: float, near: float, far: float) -> float:
@@ -251,7 +252,7 @@ def _forwards(cut: _Cut) -> list[float]:
     start, high = cut.curve.domain
     supports: list[float] = []
     while not cut.takes(start, high):
-        # leave a last piece to check, because a closed curve needs a support only to have ends
+        # keep a last piece for the check, because the only support of a closed curve may give it ends
         end = min(cut.reach(start), high - 10 * cut.short)
         if end <= start:
             raise NotRealizable(_stuck(cut, start))
@@ -269,7 +270,7 @@ def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
         earliest = cut.turned(np.array(_forwards(mirrored))).tolist()
     except NotRealizable:
         return latest
-    # both directions need equally many, except for pieces at the limit
+    # both directions need equally many supports, except for pieces at the limit
     return earliest if len(earliest) == len(latest) else latest
 
 

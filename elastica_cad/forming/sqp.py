@@ -1,6 +1,7 @@
 """Sequential quadratic programming with a trust region and an exact penalty: problem, state and steps.
 
-A point has unknowns z and a state. At a closed point the state satisfies its equations, so z alone determines it.
+A point has unknowns z and a state. At a closed point the state satisfies the state equations, so z determines the
+state.
 The search uses nearly closed points, with values and derivatives that predict the closed point to first order.
 """
 
@@ -56,7 +57,7 @@ class ProgramSettings(NamedTuple):
     same_optimum : float
         A search ends near a known optimum, within this fraction of the distance of that optimum.
     sensitivity : float
-        Root of the objective's curvature, per scale, above which an unknown gets a finer scale.
+        Square root of the curvature of the objective, per scale, above which an unknown gets a finer scale.
 
     newton_steps : int
         Newton corrections for one iterate; each squares the defect.
@@ -79,13 +80,13 @@ class ProgramSettings(NamedTuple):
     clearance : float
         Distance that is kept from an active limit, so that rounding does not violate it.
     exact_steps : int
-        Newton steps at the end of a search; each squares the remaining violation, down to rounding.
+        Number of Newton steps at the end of a search; each squares the remaining violation, down to rounding.
     correctable_violation, exact_violation : float
-        Largest violation that these steps correct, and the violation at which they end.
+        Largest violation that the Newton steps correct, and the violation at which they end.
     correction_bound : float
-        Bound on such a step and on its multipliers, in multiples of the violation.
+        Bound on a Newton step and on its multipliers, in multiples of the violation.
     correction_accuracy : float
-        Accuracy of such a step, whose error the next one corrects.
+        Accuracy of a Newton step; the next step corrects the error.
     """
 
     steps: int = 80
@@ -149,7 +150,7 @@ class LocalModel:
 
 @dataclass(frozen=True, eq=False)
 class ConstraintRows:
-    """Stacked rows (value + jacobian @ step) of the constraints that matter near a point.
+    """Stacked rows (value + jacobian @ step) of the constraints that a step may violate.
 
     Attributes
     ----------
@@ -255,7 +256,7 @@ class NonlinearProgram(ABC, Generic[Point]):
 
     @abstractmethod
     def fallback(self) -> Point:
-        """Return a closed point for a search that found none."""
+        """Return a closed point to start from if a search finds none."""
 
     @abstractmethod
     def for_open_points(self) -> "NonlinearProgram[Point]":
@@ -264,7 +265,7 @@ class NonlinearProgram(ABC, Generic[Point]):
 
 @dataclass(frozen=True, eq=False)
 class ActiveSet:
-    """Rows, by their keys (k,), that have the values `aim` (k,) after closing."""
+    """Rows, given by their keys (k,), that have the values `aim` (k,) when the point is closed."""
 
     keys: IntArray
     aim: FloatArray
@@ -385,7 +386,7 @@ def iterate_at(
 
 
 def meet_equalities(here: Iterate[Point]) -> Iterate[Point]:
-    """Return the iterate such that it is closed by the least change that meets every equality."""
+    """Return the iterate of a point that is closed by the least change meeting every equality."""
     return replace(here, active=here.equalities)
 
 
@@ -395,9 +396,9 @@ def follow_step(
     """Return the iterate after a step (p + 1,), or None if its state does not converge.
 
     The state first changes linearly. Newton steps then close the point and move active rows to their predicted
-    values, with the least change of the free unknowns. They end when the rest is small, to second order, compared
-    with the promise. This allows far larger steps than solving for a sensitive state again, and avoids the Maratos
-    effect.
+    values, with the least change of the free unknowns. They end when the second-order error is small compared with
+    the predicted decrease. Steps can be far larger than
+    if the state were solved anew for the new unknowns, and the Maratos effect is avoided.
     """
     here, change = start, step
     for _ in range(SETTINGS.newton_steps):
@@ -456,9 +457,9 @@ class Outcome(Generic[Point]):
 def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
     """Find a nearly closed point near a point that is far from closed.
 
-    Here the state is an unknown, and its linearised equations are an additional constraint. So the quadratic
-    program is convex for any start. Its first step weights the error of the equations by its effect on the
-    objective.
+    Here the state is an unknown, and its linearised equations are an additional constraint. The quadratic program
+    is therefore convex for any start. The first step weights the error of the equations by
+    its effect on the objective.
     """
     program = program.for_open_points()
     point = best = start
@@ -475,7 +476,7 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
         point = here.local.moved(change)
         after = program.objective(point)
         changed = float(np.abs(here.local.state_jacobian @ change).max())
-        # second order in the change of state is what closing the point may add to its distance
+        # closing the point may increase the distance by a term of second order in the change of state
         if (rank := float(np.sqrt(2 * after)) + 0.1 * changed**2) < least:
             best, least = point, rank
         if (
@@ -535,11 +536,11 @@ class _Walk(Generic[Point]):
     radius : float
         Radius of the trust region, in scales.
     damping_fraction : float
-        Fraction of the full damping; it decreases when steps achieve what they promise.
+        Fraction of the full damping; it decreases when steps achieve the predicted decrease.
     solved : pair of ConstraintRows and QuadraticSolution, or None
         The last quadratic program.
     settled : bool
-        Whether no step promises more than the accuracy of the search.
+        True if no step predicts a decrease above the accuracy of the search.
     active : ActiveSet
         Constraints that the last step made active.
     """
@@ -607,7 +608,7 @@ class _Walk(Generic[Point]):
     ) -> Iterate[Point] | None:
         """Return an iterate that is nearer to being closed, or None.
 
-        The merit of an unreliable iterate may belong to a point that does not close as predicted.
+        The merit of an unreliable iterate may differ much from that of its closed point.
         """
         here = self.here
         nearer = follow_step(here, here.change, self.active, promise, highest_price)
@@ -619,7 +620,8 @@ class _Walk(Generic[Point]):
         return nearer
 
     def _adapt(self, gain: float, size: float, *, accepted: bool) -> None:
-        """Change radius and damping after a step of `size` scales with the fraction `gain` of its promise."""
+        """Change radius and damping after a step of `size` scales that achieved the fraction `gain` of its
+        prediction."""
         if gain > 0.75:
             self.radius = max(self.radius, min(5.0, 2 * size))
             self.damping_fraction = max(0.1 * self.damping_fraction, SETTINGS.least_damping)
@@ -643,7 +645,7 @@ def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
 
 
 def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution) -> ActiveSet:
-    """Equalities and the limits that a step touches, where it leads."""
+    """Equalities, and the limits that are active after a step, with their values after the step."""
     rows = here.local.rows
     y = solution.row_multipliers[: rows.value.size]
     touched = ~rows.one_sided | (y > 1e-6 * rows.price)
@@ -653,7 +655,7 @@ def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution
 def _prices(
     program: NonlinearProgram[Point], rows: ConstraintRows, solution: QuadraticSolution, before: FloatArray
 ) -> FloatArray:
-    """Prices for the merit: half as much again as the multipliers, falling step by step (Powell's rule)."""
+    """Prices for the merit function: 1.5 times the multipliers, decreasing step by step (Powell's rule)."""
     y = np.abs(solution.row_multipliers[: rows.value.size])
     largest = np.zeros_like(before)
     np.maximum.at(largest, rows.constraint, 1.5 * y)

@@ -1,4 +1,4 @@
-"""Straight first and last pieces of a drawn curve: they are where the strip is screwed on, and become its tabs."""
+"""Straight first and last pieces of a drawn curve, which become the tabs where the strip is fastened."""
 
 from dataclasses import dataclass
 
@@ -43,9 +43,9 @@ class StraightEnds:
     ) -> "StraightEnds":
         """Split straight pieces of 1 mm or more off the ends of an open curve that hold their angle.
 
-        Straight curves stay whole, and so do curves with a natural curvature that varies, because
-        it is counted from the start of the whole; fits to measured points, which have no drawn straight pieces;
-        and polylines.
+            Straight curves, polylines and fits to measured points are not split. Curves with a varying natural
+            curvature
+        are not split either, because its arc length counts from the start of the whole curve.
         """
         counted = isinstance(natural_curvature, RestCurvature)
         if curve.is_closed or curve.is_straight or counted or measured_points(curve) is not None:
@@ -69,7 +69,8 @@ class StraightEnds:
         return any(self.lengths)
 
     def place_of(self, point: ArrayLike, within: float) -> tuple[int, float] | None:
-        """Return the straight piece (0 or 1) within `within` mm of a point (2,), and the distance along it, mm."""
+        """Return the straight piece (0 or 1) at most `within` mm from a point (2,), and the distance along the
+        piece, mm."""
         for end, t, outward in zip((0, 1), self.bent.domain, (-1.0, 1.0), strict=True):
             angle = float(self.bent.angle_at(t))
             x, y = outward * np.cos(angle), outward * np.sin(angle)
