@@ -1,4 +1,4 @@
-"""A strip as made: causes that change its stiffness, and its shape in the holders."""
+"""Strip as made: effects of slots, tabs and curling on its stiffness, and its shape in the holders."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -59,9 +59,9 @@ def rod_as_built(rod: Rod, layout: Layout, layers: Sequence[Layer]) -> Rod:
     Returns
     -------
     Rod
-        The design's shape, supports and gravity: out of balance until bent.
+        Rod with the shape, supports and gravity of the design; it is not in balance until it is bent.
     """
-    if layout.size is not None:  # tapered: nothing is cut out of it
+    if layout.size is not None:  # nothing is cut out of a tapered strip
         return replace(rod, bending_stiffness=layout.bending_stiffness)
     n, s = rod.s.size, _cell_stations(rod)
     left = [layer.material(s) for layer in layers]
@@ -112,27 +112,27 @@ def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
 
 
 CUT, CUT_GRAIN = 1.15, 0.7
-"""Factor on `crack_energy` of an even sheet for a slot, and the exponent of sqrt(E / G) relative to an even sheet.
+"""Factor on `crack_energy` for a slot in a sheet without grain, and exponent of sqrt(E / G) relative to such a
+sheet.
 
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 STEP, TAB, TAB_REACH = 1.08, 0.86, 0.05
 """Factors on `crack_energy` for a step of the width and for a tab, and the distance of a tab's idle corners.
 
-The factor of a tab applies at nu = 0, because a tab keeps the strip from curling across. The distance is measured
-from the tab, in differences between the widths of strip and tab. It is for an even sheet and proportional to
-sqrt(E / G).
+The factor of a tab holds for nu = 0, because a tab prevents curling across the strip. The distance is measured
+from the tab, in differences between the widths of strip and tab. It is given for a sheet without grain and is
+proportional to sqrt(E / G).
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 RESTRAINT, WIDE_TAB = 0.35, 0.4
-"""Length, in widths, along which a clamp prevents curling across, and the least relative width of a tab that does.
-
-The length falls with the square of the width for narrower tabs.
+"""Length, in widths, along which a clamp prevents curling across, and least relative width of a tab that acts as a
+clamp. For narrower tabs the length decreases with the square of their width.
 
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 FREE_EDGE = 0.63
-"""Loss of width, in thicknesses, of a strip that is twisted, at both edges together (Saint-Venant)."""
+"""Width, in thicknesses, that a twisted strip loses in torsion at both edges together (Saint-Venant)."""
 
 LEAST_SHARE = 0.01
 """Least remaining width beside a slot, as a fraction of the width; used if the slot crosses the whole strip."""
@@ -148,9 +148,10 @@ KINKS = frozenset({"slots", "narrow tabs", "steps of width"})
 
 
 def _softer(kinks: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
-    """Return the fraction (n,) of stiffness left at the nodes for pairs of place (mm) and added length (mm).
+    """Return the remaining fraction (n,) of stiffness at the nodes, for pairs of place (mm) and added length (mm).
 
-    A kink adds as much angle as that length of strip. Sections under the same moment have the same mean curvature
+    A kink at the place adds the same angle as a piece of strip of the added length. Sections under the same moment
+    have the same mean curvature
     even if parts of them are idle. Only at the cut, tab or step does their mean slope jump.
     """
     at, lengths = np.array(kinks).T
@@ -190,7 +191,7 @@ def stiffness_shares(
     width, nu = layout.width, min(layout.sheet.poisson_ratio, 0.5)
     grain = float(np.sqrt(even_shear_ratio(nu) / layout.sheet.shear_ratio))
     curl = _curl_of(rod, layout)
-    free = np.zeros(2)  # fraction of a plate's stiffening that is still missing at the ends
+    free = np.zeros(2)  # fraction of the stiffening by plate bending that is missing at the ends
     if curl is not None and layout.backing is None and layout.pattern is None:
         free = 1 / curl.designed[[0, -1]] - 1 + nu**2
     kinks = {
@@ -225,7 +226,7 @@ class Curl:
     def on(self, rod: Rod) -> Rod:
         """Return a rod whose stiffness depends on its bend, and equals that of `rod` in the designed shape."""
         below = rod.law
-        if isinstance(below, CurlingLaw):  # a design whose ends were moved; it curls in the same way
+        if isinstance(below, CurlingLaw):  # a design whose ends were moved has the same curling
             below = below.below
         return replace(rod, law=CurlingLaw(self.factor, self.designed, rod.natural_curvature, below))
 
@@ -258,7 +259,8 @@ def curling_by_design(rod: Rod, design: Rod, layout: Layout) -> Rod:
 
 
 def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
-    """Return a design whose ends can be moved: K stays, and the cut strip curls according to its bend.
+    """Return a design whose ends can be moved; K is unchanged, and the stiffness of the cut strip depends on its
+    bend.
 
     If the widths are `corrected`, the stiffness in the design is K. Otherwise the rod is out of balance until it is
     bent. A sheet whose Poisson ratio is only estimated bends with E.
@@ -308,7 +310,7 @@ def _crowded(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
 
 
 def idle_length(width: float, narrow: float, thickness: float) -> float:
-    """Return the length, mm, that idle corners add to a strip that continues `narrow` mm wide, over `crack_energy`.
+    """Return the length, mm, that idle corners add where the width falls to `narrow` mm, divided by `crack_energy`.
 
     Strips joined side by side along their edges are a sheet with a row of cracks between the narrow parts. The
     stress intensity of a row of collinear cracks in a wide sheet is proportional to sqrt(tan(pi a / w))
@@ -326,8 +328,8 @@ def _beside_tabs(
 
     The place is the centroid of the length that the idle corners add.
 
-    A tab also keeps the strip from curling across beside it, which takes away a length: `restraint` (2,), of the
-    width, at the start and end.
+    A tab also prevents curling across the strip near it, which reduces the added length by `restraint` (2,), in
+    widths, at the start and end.
     """
     places, h = [], layout.sheet.thickness
     for end, inwards, tab, stiffer in zip(
@@ -384,7 +386,7 @@ class StripAsMade:
     Attributes
     ----------
     design : Rod
-        Wanted shape, with as many nodes as bending needs.
+        Design, with enough nodes for bending.
     layout : Layout
         Layout that the style made of the design.
     bending_stiffness : float
@@ -395,7 +397,7 @@ class StripAsMade:
         Rod with the stiffness and weight of the cut strip, without slots.
     shares : mapping of str to (n,) array
         Factors on that stiffness at the nodes in the designed shape, by cause: see `stiffness_shares`. "plates" are
-        those over joints of pieces.
+        the plates over joints of pieces.
     approximated : bool
         True if the drawing only approximates the stiffness, as holes and backings do.
     lap : LapJoint, optional
@@ -458,7 +460,7 @@ class StripAsMade:
     def rod(self) -> Rod:
         """Rod with all causes together, whose stiffness depends on its bend; out of balance until bent."""
         rod = _with_shares(self.cut, list(self.shares.values()))
-        if self.lap is not None:  # stiffer, and partly keeps the shape in which it is glued
+        if self.lap is not None:  # the lap is stiffer, and partly keeps the shape in which it is glued
             rod = replace(_with_shares(rod, [self.lap.share]), natural_curvature=self.lap.rest)
         return rod if self.curl is None else self.curl.on(rod)
 

@@ -1,4 +1,4 @@
-"""The boundary of a bent strip in space, free of any CAD kernel."""
+"""Boundary of a bent strip in space, independent of CAD kernels."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -95,8 +95,9 @@ Surface: TypeAlias = SpaceSurface | PlaneSurface | CylinderSurface | ExtrudedSur
 def trace_turn(surface: Surface) -> FloatArray:
     """Return the (2, 2) matrix that maps traces to the parameters of the surface in a kernel.
 
-    OpenCASCADE integrates areas and volumes span by span in v but by a single rule in u. The volume of a strip with
-    its length in u would be wrong by tenths, so splines are passed to the kernel `turned`.
+    OpenCASCADE integrates areas and volumes span by span in v, but with a single quadrature rule in u. If the
+    length
+    of a strip were along u, the error of its volume could exceed 10 %. Splines are therefore passed `turned`.
     """
     return QUARTER if isinstance(surface, SpaceSurface) else STRAIGHT
 
@@ -148,7 +149,7 @@ class Face:
 
 @dataclass(frozen=True, eq=False)
 class Boundary:
-    """Faces that share edges that share vertices.
+    """Faces with common edges and vertices.
 
     Attributes
     ----------
@@ -176,12 +177,12 @@ class Boundary:
 DEGREE = 5  # degree of the bent faces
 POSITION_TOLERANCE = 1e-6  # error of the centre line, mm
 SURFACE_TOLERANCE = 5e-8  # error of edges on the bent faces, mm
-MOST_SPANS = 4000  # in a face; a curve that needs more cannot be approximated
-PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])  # places in a span where the error is measured
-LEAST_SPANS = 3  # in an edge: kernels step from knot to knot, and fillets of one or two spans fail
+MOST_SPANS = 4000  # largest number of spans in a face; a curve that needs more cannot be approximated
+PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])  # number of places in a span at which the error is measured
+LEAST_SPANS = 3  # least number of spans in an edge; kernels fail to fillet edges of one or two spans
 MOST_PARTS = 4  # parts of a span in one subdivision
 SPARE = 1.1  # factor on the number of parts that the error requires
-FIRST_TURN = 0.2  # turn of the first spans, rad
+FIRST_TURN = 0.2  # largest turn of the initial spans, rad
 
 Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
@@ -369,7 +370,7 @@ def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
 
 
 def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
-    """Return the continuity of the shape at a knot; the curve's parameter may have less (an arc of pieces)."""
+    """Return the continuity of the shape at a knot, which may exceed that of the parametrisation."""
     if continuity >= 2:
         return continuity
     t0, t1 = curve.domain

@@ -25,7 +25,7 @@ CLOSE_MM = 1e-9
 """Tolerance, mm, between the two centres of the arc."""
 
 PARALLEL = 1e-200
-"""Replacement for a zero divisor: between parallel sides the ends of the arc leave the sides."""
+"""Replacement for a zero divisor between parallel sides; the ends of the arc are then beyond the sides."""
 
 CLOSE_SHARE = 1e-3
 """Tolerance as a fraction of the radius: for an arc that crosses a replaced side, and for flattening the side."""
@@ -63,8 +63,8 @@ def too_small_for(radius: float, path: Path) -> InputError:
 def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | None]:
     """Return paths with rounded corners, or None for each path that the radius does not fit.
 
-    A side too short for the arcs at both its ends is left out if an arc fits the sides before and after it. So the
-    blunt end of a hole that is cut off near its tip is rounded as the tip would be.
+    A side too short for the arcs at both its ends is left out if an arc fits the sides before and after it. A hole
+    that is cut off near its tip is thus rounded as the tip would be.
     """
     segments = [segment for path in paths for segment in path.segments]
     if not segments:
@@ -100,7 +100,7 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
             turns = [arcs.get(k) for k in ring.sides]
             if all(_is_inside(arc, gap, segments) for arc, gap in zip(turns, ring.gaps, strict=True)):
                 chain = [side for k, arc in zip(ring.sides, turns, strict=True) for side in (parts[k], arc)]
-                # ends of arcs are places where the sides are left
+                # the arcs end where they leave the sides
                 rounded[i] = Path([side for side in chain if side is not None], closed=True)
         left = following
     return rounded

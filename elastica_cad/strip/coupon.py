@@ -27,8 +27,7 @@ EDGE_MM = 0.5
 def coupon_overhang(sheet: Sheet, *, max_overhang: float = 400.0) -> float:
     """Return the free length, mm, whose end drops by about half the length, rounded down to whole centimetres.
 
-    At this length the reading error matters least. It is limited to `max_overhang`, mm; shorter lengths can be
-    measured less exactly.
+    At this length reading errors have the least effect. The length is limited to `max_overhang`, mm.
 
     Examples
     --------
@@ -164,7 +163,7 @@ def _scale(free: float, width: float) -> tuple[tuple[LayeredPath, ...], tuple[Te
         if major:
             figure = f"{left:g}"
             start = min(x + 1.0, free - text_width(figure, height) - EDGE_MM)
-            # write the whole length at the upper edge, clear of a round number that may follow closely
+            # write the whole length at the upper edge, so that it is clear of the next number, which may be close
             y = -edge - height if x == 0.0 else edge + long + 1.0
             texts.append(Text((start, y), figure, height, 0.0, ENGRAVE))
     return tuple(paths), tuple(texts)

@@ -1,4 +1,4 @@
-"""Drawings: paths and engraved texts on named layers, kerf compensation and bridges."""
+"""Drawings of paths and engraved texts on named layers, kerf compensation and bridges."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -163,7 +163,7 @@ def _check_layer(layer: str) -> None:
 
 
 def _without_twins(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
-    """Return the paths in order, without duplicates of an earlier path of the same layer or of an earlier cut."""
+    """Return the paths in order, without repetitions of an earlier path of the same layer or of an earlier cut."""
     if not items:
         return ()
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
@@ -187,7 +187,7 @@ def _twins(a: LayeredPath, b: LayeredPath) -> bool:
 
 
 FINEST_KERF_MM, COARSEST_KERF_MM = 1e-5, 10.0
-"""Least and largest error of a moved spline, mm; machines are coarser than the first."""
+"""Least and largest error of a moved spline, mm; the errors of machines are larger than the least error."""
 
 WIDEST_KERF_MM = 15.0
 """Largest kerf, mm; a router's bit of half an inch is 12.7 mm wide."""

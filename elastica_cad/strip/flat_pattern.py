@@ -19,13 +19,14 @@ from elastica_cad.refusals import Length
 from elastica_cad.strip.outline import pace
 
 SMOOTH = 2
-"""Number of continuous derivatives inside an edge; kernels offset faces, which loses a derivative."""
+"""Number of continuous derivatives inside an edge; an offset of a face in a kernel has one derivative less."""
 
 RAMP = 2e-5
 """Fraction of the loop's length below which a piece between two kinks is the ramp of a step in width."""
 
 NO_JUMP = 1e-4
-"""Effect, mm, over a span below which a jump of the second derivative is smoothed; the error is 1 % of it."""
+"""Effect, mm, of a jump of the second derivative over a span, below which the jump is smoothed. The error of the
+smoothing is 1 % of the effect."""
 
 NO_STEP = 1e-5
 """Distance, mm, below which the ends of two sides are joined."""

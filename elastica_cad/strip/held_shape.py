@@ -1,4 +1,4 @@
-"""Reactions of a held strip, the shape it takes as made, and the expected error."""
+"""Reactions of a held strip, its shape as made, and the expected deviation from its design."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -18,7 +18,8 @@ from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.tab_seats import EndPose, TabSeat
 
 MEETING_SHARE = 1e-4
-"""Distance, as a fraction of the length, below which ends meet; rods with few nodes close to this accuracy."""
+"""Distance, as a fraction of the length, below which ends meet; closed rods with few nodes have gaps of this
+size."""
 
 
 def closes(rod: Rod) -> bool:
@@ -67,10 +68,10 @@ LEAST_REPORTED_MM = 0.005
 
 
 Source: TypeAlias = Literal["computed", "model", "sheet"]
-"""Computed shape, uncertainty of the model, or sheet, cut and clamps."""
+"""Sources of deviation: the computed shape, the uncertainty of the model, or sheet, cut and clamps."""
 
 MOST = np.sqrt(0.5)
-"""Fraction of the whole deviation above which a cause is most of it, because the squares of causes add."""
+"""Fraction of the whole deviation above which a source is most of it; the squares of the sources add."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,7 +92,7 @@ class HeldShape:
     corrected : bool
         True if the widths were corrected. `parts` then belong to the strip without the correction.
     as_plate : bool
-        True if the widths compensate anticlastic bending, which would move the strip otherwise.
+        True if the widths compensate anticlastic bending, which would otherwise change the shape of the strip.
     made_up_for : tuple of str
         Causes that the corrected widths compensate; the effect of holders is not corrected.
     open : float
@@ -116,7 +117,7 @@ class HeldShape:
 
     @property
     def sheet_adds(self) -> float:
-        """Deviation due to sheet, cut and clamps together, mm; they are independent of each other."""
+        """Deviation due to sheet, cut and clamps together, mm, combined as independent errors."""
         return float(np.linalg.norm([*self.sheet.values(), 0.0]))
 
     @property
@@ -197,8 +198,9 @@ def shape_responses(
 ) -> FloatArray:
     """Return displacements (n, m, 2), mm, of the nodes of a rod in balance to first order, with its start fixed.
 
-    The shape answers changes of moment and weight at the same shape by H d(alpha) + C^t d(lambda) = -d(imbalance),
-    C d(alpha) = d(chord), with the Hessian H of the discrete energy (paper, section 7.1) and the ends' rows C.
+    Changes of moment and weight at the same shape cause an imbalance. The change of shape satisfies
+    H d(alpha) + C^t d(lambda) = -d(imbalance) and C d(alpha) = d(chord), with the Hessian H of the discrete energy
+    (paper, section 7.1) and the rows C of the end positions.
 
     Parameters
     ----------
@@ -223,7 +225,7 @@ def shape_responses(
     answers = solve_tridiagonal(*discrete.hessian, np.hstack([-imbalance, rows.T]))
     turned, forced = answers[:, :m], answers[:, m:]
     chord = 0.0 if apart is None else apart.T[list(discrete.held)]
-    # turning the parts of a straight rod does not move its ends along the rod
+    # to first order, rotations of a straight rod do not move its ends along the rod
     turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]
     normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
     moved = np.zeros((n, m, 2))
@@ -251,14 +253,14 @@ OPEN_PLAIN, OPEN_CURLED, OPEN_BUILT, OPEN_GRAINED = 1e-4, 2.5e-4, 3e-4, 2.2e-3
 """Uncertainties as fractions of the length, whatever the causes.
 
 The first holds for any strip. The second holds for a sheet that curls across, at nu = 0.3, and scales with nu^2.
-The third holds for perforated and laminated strips. The last is added for such strips in a sheet with grain,
-because holes and borders are computed without grain; it scales with the excess of sqrt(E / G) over an even
-sheet."""
+The third holds for perforated and laminated strips. The last is added for perforated and laminated strips of sheets
+with grain, because holes and borders are computed without grain. It scales with the excess of sqrt(E / G) over that
+of a sheet without grain."""
 
 OPEN_WIDE = 2e-3
 """Uncertainty as a fraction of the length, because sections of a wide strip of varying width do not stay straight.
 
-It scales with (width / length)^2 and with E / G relative to an even sheet."""
+It scales with (width / length)^2 and with E / G relative to a sheet without grain."""
 
 
 def open_deviation(
@@ -309,13 +311,13 @@ class MakingTolerance:
     thickness_wave : float
         Amplitude of a wave of the thickness as a fraction of the thickness; its period is the strip's length.
     grain : float
-        Largest angle by which the grain wanders to either side along the strip, rad; for sheets with grain.
+        Largest deviation of the direction of the grain along the strip, rad; for sheets with grain.
     clamps : float
         Angle by which each clamp is turned, rad.
     kerf : float
         Width lost along the strip in addition to the corrected kerf, mm.
     modulus : float
-        Fraction by which Young's modulus is smaller; it matters only for strips under weight or loads.
+        Relative reduction of Young's modulus; it has an effect only on strips under weight or loads.
 
     Raises
     ------
@@ -353,7 +355,7 @@ class MakingTolerance:
 
 
 USUAL_TOLERANCE = MakingTolerance()
-"""Tolerances of a workshop that works with care."""
+"""Tolerances of a careful workshop."""
 
 
 def sheet_effects(

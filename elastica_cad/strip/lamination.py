@@ -1,4 +1,4 @@
-"""Laminated strips: an outline of any width, with a narrower glued strip that determines the stiffness."""
+"""Laminated strips: a base of any width, with a narrower backing glued on that determines the stiffness."""
 
 from dataclasses import dataclass
 from typing import Annotated
@@ -26,7 +26,8 @@ from elastica_cad.strip.styles import (
 )
 
 SLACK = 3e-4
-"""Relative amount by which a rod's stiffness, fitted at fewer stations, may pass its bounds; it is then clipped."""
+"""Relative excess over its bounds to which the stiffness of a rod is clipped; it is due to fewer stations of the
+fit."""
 
 FIT_MM = 1e-5
 """Largest error of the backing's width, mm."""
@@ -37,7 +38,8 @@ class Laminated:
     """A base of given width with a narrower backing glued on, computed from the exact two-layer section.
 
     The backing continues into both tabs, where it is as wide as the base, so that holes in the tabs align both.
-    Without `max_width` the backing is somewhere as wide as the base, as in the paper (section 8.1). A laminate's
+    Without `max_width` the backing has the width of the base at one place, as in the paper (section 8.1). A
+    laminate's
     weight is not proportional to its stiffness. Use `optimal_laminate` for a rod under its own weight.
 
     Parameters
@@ -111,7 +113,7 @@ class Laminated:
             return None
         width = float(self.width)
         least, most = max(self.least_backing, min_width or 0.0), min(width, max_width or width)
-        if least >= most:  # refused where it is laid out
+        if least >= most:  # `lay_out` refuses this rod
             return None
         section = LaminatedSection(sheet, self.backing)
         return BoundedBacking(section, np.asarray(width), (least, most))
@@ -119,7 +121,7 @@ class Laminated:
     def _scale(
         self, rod: Rod, section: LaminatedSection, base: Profile, least: float, most: float | None
     ) -> float:
-        """Return c, N mm2: the rod's own, or the largest whose backing fits."""
+        """Return c, N mm2: the bending stiffness of the rod, or the largest for which the backing fits."""
         s = stations_of(rod.length, base, rod.profile)
         w1 = base(s)
         s = refine_stations(s, section.bending_stiffness(w1, w1) / rod.profile(s), w1 / rod.profile(s))
@@ -208,5 +210,5 @@ def _backing_width(rod: Rod, section: LaminatedSection, base: Profile, scale: fl
         return section.backing_width(base(s), scale * rod.profile(s))
 
     breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < 2]
-    # the backing's width is limited to the width of the base, with a kink too small to declare
+    # the width of the backing is limited to that of the base, and its kink is negligible
     return Profile.fit(width, rod.length, breaks=breaks, tolerance=FIT_MM)

@@ -34,7 +34,7 @@ from elastica_cad.strip.slots import (
 from elastica_cad.strip.styles import Layout
 
 TICK_SHARE = 0.3
-"""Length of a mark across on each side of the middle, as a fraction of the width; at an edge it would notch it."""
+"""Length of a mark on each side of the middle, as a fraction of the width; a mark at an edge would be a notch."""
 
 
 FLAT_MM = 1e-4
@@ -76,7 +76,7 @@ class Layer:
         return self.low + self.sheet.thickness
 
     def called(self, strip: str) -> str:
-        """Return the layer's name in files: the strip's, and which layer it is."""
+        """Return the name of the layer in files, from the name of the strip and the suffix of the layer."""
         return f"{strip}-{self.name.replace(' ', '-')}" if self.name else strip
 
     @cached_property
@@ -118,7 +118,7 @@ class Layer:
         station = numbers_in_groups(count) + np.repeat(first, count)
         u = (at[station] - x[line]) / (x1 - x)[line]
         crossing = np.sign(x - x1)[line] * (y[line] * (1 - u) + y1[line] * u)
-        # a loop is run round either way
+        # loops may have either direction
         sign = np.sign(np.bincount(loop[line], crossing, minlength=len(self.holes) + 1))
         sign[1:] *= -1
         left = np.empty(at.size)
@@ -247,7 +247,7 @@ def _leaf_text(name: str, layer: Layer) -> Text:
 
 
 def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
-    """Return True if a slot of a strip of one width is deep enough to cut a narrower strip."""
+    """Return True if a slot in a strip of this width also cuts a narrower strip."""
     points, _ = slot.center_line(outer)
     return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
 
@@ -268,7 +268,7 @@ def _ticks(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path
 def _label_texts(
     label: str, layout: Layout, width: Profile, ends: Ends, layer: Layer, *, slotted: bool
 ) -> tuple[Text, ...]:
-    """Return the label, clear of cuts: along the middle or, if there are holes, across a tab with room."""
+    """Return the label, clear of cuts: along the middle or, if there are holes, across a tab with enough room."""
     if layout.pattern is None:
         return (label_off_cuts(label, width, Cuts(rim=layer.rim if slotted else None)),)
     length = width.length
@@ -286,7 +286,7 @@ END_MM = 1e-6
 """Distance, mm, inside the free part at which material is measured, because a bare end has no width."""
 
 PLATE_END, PLATE_CUT = 0.25, 0.82
-"""Length of a glued plate that carries nothing, in thicknesses: at each of its ends, and over the joint.
+"""Length of a glued plate without load, in thicknesses: at each end of the plate, and over the joint.
 
 The first is fitted to the strips of `docs/finite_elements.md`. The second holds for a stack that is cut half
 through: an edge crack in bending (Tada, Paris and Irwin 1973) turns as much as 5.7 thicknesses of the stack."""
@@ -297,7 +297,8 @@ class LapJoint:
     """Effect of a lap joint on the strip.
 
     Two layers of widths w and v are bent from kappa_0 to the drawn curvature kappa and glued. Their moment is
-    proportional to w + v, but the design needs w. Glued, they bend as a section of width c w, with
+    proportional to w + v, but the design needs a moment proportional to w. The glued layers bend as a section of
+    width c w, with
     c w = w + v + 12 w v / (w + v) for layers of equal thickness. So the lap has c times the strip's stiffness and
     the rest curvature kappa - (w + v) / (c w) (kappa - kappa_0). It stays straighter than drawn.
 
@@ -325,7 +326,7 @@ class LapJoint:
         length, lap_width : float
             Length and width of the tab, mm.
         """
-        # cells reach half an edge to either side of their node
+        # a cell extends half an edge to both sides of its node
         edges = np.concatenate([[0.0], (rod.s[1:] + rod.s[:-1]) / 2, [rod.length]])
         covered = np.clip((length - edges[:-1]) / np.diff(edges), 0.0, 1.0)
         both = width + lap_width
@@ -337,7 +338,7 @@ class LapJoint:
 
 @dataclass(frozen=True)
 class LapPlates:
-    """Plates over joints of a strip's pieces: of the same sheet, solid, as wide as the strip, glued on one side.
+    """Solid plates of the same sheet, as wide as the strip, glued on one side over the joints of its pieces.
 
     Attributes
     ----------

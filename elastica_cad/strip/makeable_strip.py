@@ -29,13 +29,14 @@ from elastica_cad.strip.slots import Cut, Cuts, Slot, end_numbers, label_off_cut
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults, find_strip_faults
 
-SPACING_SHARE = 1 / 24  # of the length: spacing of a correction's knots, wide for smooth outlines
+# spacing of the knots of a correction, as a fraction of the length; it is wide for smooth outlines
+SPACING_SHARE = 1 / 24
 SMOOTHING = 5e-3  # weight of the second differences of the coefficients against the remaining drift
 SIZE = 7e-3  # weight of the coefficients themselves, which selects the smallest of the possible changes
 
 
 def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
-    """Return cubic B-splines (n, m) at even stations s (n,); in a closed strip both ends have the same one."""
+    """Return cubic B-splines (n, m) at even stations s (n,); in a closed strip, one spline covers both ends."""
     pieces = round(1 / SPACING_SHARE)
     knots = np.concatenate([np.zeros(3), np.linspace(0.0, s[-1], pieces + 1), np.full(3, s[-1])])
     shared = np.eye(pieces + 3)
@@ -72,7 +73,7 @@ def _correct_widths(
         A, left = _without_motion(rod.position[1:], A), _without_motion(rod.position[1:], left)
     scale = float(np.abs(A).max()) * np.sqrt(len(A))
     identity = np.eye(basis.shape[1])
-    # the whole change must be small and smooth
+    # the sum of all changes must be small and smooth
     whole = scale * np.concatenate([SMOOTHING * np.diff(identity, n=2, axis=0), SIZE * identity])
     system, wanted = np.concatenate([A, whole]), np.concatenate([-left, -whole @ correction])
     from scipy.optimize import lsq_linear
@@ -94,7 +95,7 @@ def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
 
 ROUNDS = 8
 LEAST_GAIN = 0.97  # stop after a round that leaves a larger fraction of the deviation
-LARGEST_GUESS = 0.5  # largest logarithm of a width's change in the first guess
+LARGEST_GUESS = 0.5  # largest logarithm of the factor on a width in the first guess
 ENOUGH_SHARE = 1e-5  # deviation, as a fraction of the length, that needs no correction
 
 
@@ -108,7 +109,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
     ----------
     strip : Strip
     largest : float
-        Largest logarithm of a width's change relative to the mean. Ends become wider where a slot is beside a
+        Largest logarithm of the factor on a width, relative to the mean. Ends become wider where a slot is beside a
         narrow tab; if the ends keep their width, the rest of the strip becomes narrower.
 
     Returns
@@ -134,7 +135,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
     strip = replace(strip, correction=None) if strip.correction is not None else strip
     design = strip.as_made.design
     basis = _width_basis(design.s, closed=strip.is_closed)
-    # first guess: each place is wider by as much as it is softer, smoothed along the strip
+    # first guess: the width is divided by the loss of stiffness, and smoothed along the strip
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.shares.values()], axis=0))
     clip = min(LARGEST_GUESS, largest)
     guess = np.clip(np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -clip, clip)
@@ -245,7 +246,7 @@ class Splice:
     def deviation(self) -> float:
         """Deviation due to the plates, bent and held as designed, mm, without their weight.
 
-        For a strip whose widths compensate the plates, the remaining deviation.
+        If the widths compensate the plates, it is the remaining deviation.
         """
         held = replace(self.strip, plates=self.plates).held()
         return held.deviation if held.corrected else held.parts["plates"]
@@ -340,7 +341,8 @@ class Splice:
 
 @dataclass(frozen=True, eq=False)
 class _Whole:
-    """A layer before it is cut: its name, width, lines marked on it, joints, mm along it, slots, names of ends."""
+    """Layer to be cut into pieces: its name, width, marked lines, joints (mm along it), slots, and names of
+    ends."""
 
     name: str
     layer: Layer
@@ -485,9 +487,10 @@ def make_within(
     Raises
     ------
     InputError
-        It cannot be cut or handled, unless `ignore_limits`. The message gives place and cure of each fault.
+        The strip cannot be cut or handled, and `ignore_limits` is False. The message gives the place of each fault,
+        and a suggestion.
     StrainError
-        It would break, unless `ignore_limits`.
+        The strip would break, and `ignore_limits` is False.
     """
     refuse_broken(strip, ignore_limits)
     with suppress(InputError):  # missing room for joints is reported below with the other faults

@@ -16,7 +16,9 @@ MARKS = (0.25, 0.5, 0.75)
 """Places at which heights are measured, as fractions of the length."""
 
 LENGTHS, ANGLES = ("chord", "height_1", "height_2", "height_3"), ("start_angle", "end_angle")
-"""Measured quantities: mm from end to end, mm from that line to the marks, degrees between line and tabs."""
+"""Measured quantities: distance of the ends, mm; heights of the marks over the line between the ends, mm; and
+angles
+between this line and the tabs, degrees."""
 
 UNITS = dict.fromkeys(LENGTHS, "mm") | dict.fromkeys(ANGLES, "degrees")
 """Unit of each measured quantity."""
@@ -25,7 +27,8 @@ SKETCHED = 60
 """Approximate number of points of the curve for a page."""
 
 UNEVEN_SHARE = 0.02
-"""Least relative difference of the stiffness at equal distances from both ends; else the ends are equivalent."""
+"""Relative difference of the stiffness at equal distances from both ends, above which the ends are not
+equivalent."""
 
 EXPLAINED = 0.6
 """Least fraction of the differences that a reported cause must explain."""
@@ -48,7 +51,7 @@ MEANINGS: Mapping[str, str] = {
 """Sentence on each cause."""
 
 ONCE = ("end for end", "wrong side")
-"""Causes without a size, which are present or not."""
+"""Causes that are present or not, without a size."""
 
 THICKEST_PERCENT = 6.0
 """Largest wave of the thickness of a sheet, in percent."""
@@ -67,8 +70,9 @@ class Measuring:
     uncertain : mapping of str to float
         Uncertainty of each value due to model, sheet, cut and clamps.
     causes : mapping of str to tuple of mapping
-        Changes of the values due to each of `MEANINGS`: for one degree, millimetre or percent, or in all. A wave
-        has two such changes.
+        Changes of the values due to each cause of `MEANINGS`: per degree, millimetre or percent, or in all for
+        causes
+        without a size. A wave has two sets of changes.
     shape : tuple of (float, float)
         Points of the curve, evenly along it, mm.
 

@@ -1,4 +1,4 @@
-"""Outline of a flat part: tabs, holes, and the rim of two long sides from a width."""
+"""Outline of a flat part: tabs, holes, and the two long sides for a given width."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -319,7 +319,7 @@ MEETING_MM = 1e-9
 """Distance, mm, below which ends meet."""
 
 EVEN = 1e-10
-"""Relative deviation from an even x along a spline that counts as rounding."""
+"""Relative deviation of x from a linear function of the parameter that counts as rounding."""
 
 
 def flat_rim(width: Profile, ends: Ends) -> Path:
@@ -371,7 +371,8 @@ def add_register_holes(width: Profile, ends: Ends, diameter: float) -> Ends:
 
 
 def graph(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: bool = False) -> Spline:
-    """Return the spline function with coefficients (m,) as a curve over x, run from its start or from its end."""
+    """Return the spline function with coefficients (m,) as a curve over x, directed from its start or from its
+    end."""
     return graphs(knots, values[None], degree, backward=backward)[0]
 
 
@@ -382,7 +383,7 @@ def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: 
     if backward:
         knots, points = knots[0] + knots[-1] - knots[::-1], points[:, ::-1]
     first = PlaneCurve(knots, points[0], degree)
-    return [Spline(curve) for curve in first.siblings(points)]  # all run along x
+    return [Spline(curve) for curve in first.siblings(points)]  # all curves are graphs over x
 
 
 def pace(segment: Segment) -> tuple[float, float] | None:
@@ -435,9 +436,9 @@ def _side(width: Profile, factor: float, *, backward: bool = False) -> Spline:
 
 
 def _flush(tab: Tab, width: float) -> Tab:
-    """Return the tab without shoulders that are too small to cut or on a tab without length.
+    """Return the tab without shoulders that are too small to cut.
 
-    The ends of smaller shoulders would coincide in a file.
+    A tab without length has no shoulders. The ends of smaller shoulders would coincide in a file.
     """
     small = tab.width is not None and min(abs(tab.width - width), tab.length) < SHOULDER_MM
     return replace(tab, width=None) if small else tab

@@ -36,7 +36,8 @@ from elastica_cad.strip.styles import (
 )
 
 FIT_MM = 2e-5
-"""Largest error of width, material and full diamond along the strip: of the sums of ligaments some 1e-4 mm."""
+"""Largest error of width, material and full diamond along the strip, mm; sums of ligaments then have errors of 1e-4
+mm."""
 
 FIT_ROUNDING = 1e-12
 """Relative error of the widths that are fitted."""
@@ -50,7 +51,8 @@ CLEAR_OF_SLOTS_MM = 0.02
 
 @dataclass(frozen=True, eq=False)
 class DiamondPattern:
-    """Full diamonds in `rows` along and `columns` across, diamonds in the gaps between them, halves at the edges.
+    """Pattern of diamonds: full diamonds in `rows` along and `columns` across, diamonds in the gaps, halves at the
+    edges.
 
     Let H = width - material, n = `columns` and t = material / (2 n + 2), and let T(s) rise from 0 to 1 over half a
     row and fall again. Full diamonds are T H / n wide across, diamonds in the gaps (1 - T) H / n, and halves along
@@ -233,7 +235,7 @@ class _Row:
     stretches: tuple["_Stretch", ...]
     columns: int
     full: bool
-    lost: float = 0.0  # length lost to ends and slots, mm
+    lost: float = 0.0  # length that is not available to holes because of ends and slots, mm
 
     @property
     def across(self) -> int:
@@ -284,7 +286,7 @@ class _Stretch:
             return self
         inner = self.knots[(self.knots > a) & (self.knots < b)]
         knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
-        sites = np.clip(greville(knots, 3), a, b)  # a mean of equal knots may be off by rounding
+        sites = np.clip(greville(knots, 3), a, b)  # the mean of equal knots may differ from them by rounding
         values = bezier_spans(self.knots, 3).basis(sites) @ self.values
         solved = np.linalg.solve(bezier_spans(knots, 3).basis(sites), values)
         return _Stretch(knots, np.asarray(solved, dtype=float))
@@ -321,8 +323,8 @@ class Perforated:
     """An outline of given width with diamond holes; the ligaments' summed width is proportional to the stiffness.
 
     The sum is taken straight across the strip and holds at every station of the free part (paper, section 8.1).
-    Only rounded corners leave more, in the short `tip_zone` about the tips. So the weight per length is ~ K, as in
-    a plain strip.
+    Only rounded corners leave more material, in the short `tip_zone` about the tips. The weight per length is
+    therefore proportional to K, as in a plain strip.
     Without `max_width` as much material is left as the holes allow.
 
     Parameters
@@ -406,7 +408,7 @@ class Perforated:
         if self.corner_radius == 0 or not isinstance(layout.pattern, DiamondPattern):
             return 0.0
         s = stations_of(layout.width.length, layout.width, layout.material)
-        # the halves at the edges are the sharpest
+        # the half diamonds at the edges have the smallest angle
         return layout.pattern.bridge / 2 + float(2 * self.corner_radius / layout.pattern.slopes(s).min())
 
     def _warnings(self, pattern: DiamondPattern, s: FloatArray) -> tuple[str, ...]:
@@ -434,8 +436,8 @@ class Perforated:
         """Return the extra width (n,), mm, of rounded tips at the joints, at the worst station beside them.
 
         A circle in a corner of half angle a ends where the corner is 2 r (sec a - tan a) wide. Half diamonds have
-        half the angle of the others and end farther from the joint. Where the others end, halves leave half the
-        extra width.
+        half the angle of full diamonds and end farther from the joint. At the ends of full diamonds, half diamonds
+        leave half the extra width.
         """
         slope = pattern.slopes(pattern.joints)
         others, halves = (
@@ -480,7 +482,7 @@ class _Fit:
         self.highest = self.by_ligaments.highest
 
     def scale(self, max_width: float | None, min_width: float | None) -> float:
-        """Return c, N mm2: the rod's own, or the largest value for `max_width`."""
+        """Return c, N mm2: the bending stiffness of the rod, or the largest value for `max_width`."""
         if self.lowest > self.highest * (1 + SEEN_APART):
             raise InputError(self._infeasible())
         rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes
@@ -563,8 +565,8 @@ class _Fit:
     def _least_outline(self) -> tuple[int, float]:
         """Return the index of the place where the outline is too narrow, and a width, mm, that fits there.
 
-        The width is infinite if none fits. An outline of constant width grows everywhere, so the material that the
-        holes must leave grows too.
+        The width is infinite if none fits. A constant outline becomes wider everywhere, so the least material that
+        the holes leave increases too.
         """
         rigidity = self.section.rigidity
         need = self.lowest * self.K / rigidity + self.holes

@@ -22,10 +22,11 @@ from elastica_cad.strip.slots import Cuts, Slot, end_numbers
 from elastica_cad.strip.strip import Placed, Strip, strip_names
 
 SAME_SIZE_MM, SIZE_STATIONS = 1e-3, 65
-"""Largest difference in thickness or diameter, mm, between equal strips, and number of compared places."""
+"""Largest difference in thickness or diameter, mm, between strips that count as equal, and number of compared
+places."""
 
 SAME_BEND_RAD = 1e-4
-"""Largest difference in angle over the length of a strip, rad, between equal natural shapes."""
+"""Largest difference in angle over the length of a strip, rad, between natural shapes that count as equal."""
 
 SLOT_DIGITS = 6
 """Decimals of compared sizes of slots, mm; sizes of copies differ by rounding."""

@@ -35,7 +35,7 @@ QUARTER_TURN_DEG = 90.0
 """Least lean, degrees, that no slot has."""
 
 STRAIGHT_MM = 1e-7
-"""Sides that bend less than this are lines."""
+"""Largest bend of a side of a slot that is drawn as a line."""
 
 Side = Literal["upper", "lower"]
 Relief = Literal["square", "round"]
@@ -223,7 +223,7 @@ SAME_POINT_MM = 1e-9
 """Distance, mm, below which points are equal."""
 
 SAME_PARAMETER = 1e-6
-"""Difference below which parameters may belong to the same place; then the distance decides."""
+"""Difference of parameters below which the distance decides whether two places are the same."""
 
 REACHES = (1.0, 4.0, 16.0)
 """Extensions of the slot's sides, in widths of the slot, that are tried until they meet the edge."""

@@ -1,4 +1,4 @@
-"""Solid records that a CAD kernel only translates: flat parts, bent strips, and blocks made of prisms."""
+"""Records of solids for translation by a CAD kernel: flat parts, bent strips, and blocks made of prisms."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -67,7 +67,7 @@ JOINT_GAP_MM = 0.01
 """Gap between the ends of a closed strip, mm: far above the tolerance of kernels."""
 
 FEW_SPANS = 8
-"""Largest number of spans of a spline whose wall is extruded without a check; sides of holes have a single span."""
+"""Largest number of spans of a spline whose wall is extruded without a check of its area."""
 
 EVEN_SHARE = 1e-4
 """Largest error of the area below a wall in a kernel, as a fraction of the part's area."""
@@ -75,7 +75,7 @@ EVEN_SHARE = 1e-4
 RULE = np.polynomial.legendre.leggauss(16)
 """Points in -1..1 and weights of the rule that OpenCASCADE uses along an extruded wall with any number of spans."""
 
-BESIDE_MM = 20.0  # distance between the flat and the bent strip in a file
+BESIDE_MM = 20.0  # distance, mm, between the flat and the bent strip in a file
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,4 @@
-"""A strip: the flat part whose width gives a rod its stiffness, its shoulders, its summary, its place in space."""
+"""Strip: the flat part whose width gives a rod its stiffness, its ends, its report, and its place in space."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
@@ -99,8 +99,9 @@ def corner_factor(sheet: Sheet, width: float, tab: float) -> float:
     Strip and tab are bent by the same moment. The factor is based on a flat bar in tension with shoulders t deep
     and fillets of radius r (Pilkey, Peterson's Stress Concentration Factors, chart 3.1). In a bent plate its excess
     over 1 is smaller by (1 + nu) / (3 + nu), as beside an elliptic hole (Goodier, Phil. Mag. 22, 1936). A corner
-    counts as rounded by the thickness of the sheet. The mean strain of a sharp corner over the nearest quarter of
-    the thickness is about the same, and less if the tab is gripped up to its mouth. Solids in CalculiX agree within
+    counts as rounded by the thickness of the sheet. A sharp corner has about the same mean strain over the nearest
+    quarter of the thickness, or less if the tab is
+    gripped up to its mouth. Solids in CalculiX agree within
     15 %.
 
     Parameters
@@ -138,7 +139,7 @@ class Shoulder:
     def verdict(self) -> StrainVerdict:
         """Result of the strain rule: a tab breaks at its mean strain; corners of a brittle tab may crack before.
 
-        In a sheet that yields or creeps, the peak in a corner evens out.
+        In a sheet that yields or creeps, the peak of the strain in a corner decreases.
         """
         mean = judge_strain(self.sheet, self.strain, self.at)
         if mean.refused or self.sheet.kind not in BRITTLE:
@@ -178,7 +179,7 @@ class Shoulder:
 
 def _find_shoulders(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) -> tuple[Shoulder, ...]:
     """Return the ends of a strip whose tabs are too narrow for the moment there."""
-    if layout.size is not None:  # not cut from a sheet: a tab is as wide as the strip
+    if layout.size is not None:  # a planed or turned strip has tabs of its own width
         return ()
     shoulders = []
     for at, tab, station in zip((0.0, layout.width.length), ends, (0, -1), strict=True):
@@ -191,7 +192,8 @@ def _find_shoulders(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) 
         shoulders += [
             Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * wide / narrow)
             for layer in strains
-            if layer.strain[station] <= layer.limit  # else the end itself is reported, which no tab can help
+            # otherwise the strain of the end itself is reported, independent of the tab
+            if layer.strain[station] <= layer.limit
         ]
     return tuple(shoulder for shoulder in shoulders if not shoulder.verdict.allowed)
 
@@ -301,7 +303,7 @@ def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: b
 
 
 def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
-    """Warn of plywood bent more sharply than its published radii, if its strain gave no warning."""
+    """Warn of plywood bent more sharply than its published radii, unless there is a warning about its strain."""
     bend = bends.amount
     tightest = int(np.argmax(bend))
     for cut, layer in zip(layers, strains, strict=False):
@@ -437,7 +439,7 @@ class Strip:
             raise InputError(
                 f"the rod is a {type(self.rod).__name__}: give a Rod, such as the result of optimal_rod"
             )
-        if self.rod.follows_bend:  # its widths are those that make it as stiff as it is in this shape
+        if self.rod.follows_bend:  # the widths belong to the stiffness in this shape
             object.__setattr__(self, "rod", as_bent(self.rod))
         object.__setattr__(self, "sheet", Sheet.of(self.sheet))
         require_style(self.style)
@@ -475,7 +477,7 @@ class Strip:
         return self.drawing()._repr_svg_()
 
     def _repr_html_(self) -> str:
-        summary = import_module("elastica_cad.strip.summary")  # which imports this module
+        summary = import_module("elastica_cad.strip.summary")  # imported here, because it imports this module
         return self._repr_svg_() + rows_table(repr(self), summary.strip_rows(self))
 
     def table(self) -> dict[str, FloatArray]:
@@ -503,7 +505,7 @@ class Strip:
         """Profile of "thickness" or "diameter", mm along the free part, if it varies instead of the width."""
         section, size = self.layout.section, self.layout.size
         if section is None or size is None or section.quantity not in ("thickness", "diameter"):
-            return {}  # the number of plies varies
+            return {}  # in a stack the number of plies varies instead
         return {section.quantity: size}
 
     def breadth(self, digits: str = ".2f") -> str:
@@ -529,7 +531,8 @@ class Strip:
         return cut_layers(self.layout, self.ends, self.slots, name=self.label or "strip")
 
     def cut_as(self, other: "Strip") -> "Strip":
-        """Return the strip itself, with the layers of another strip that is cut alike (`cut_key`)."""
+        """Return this strip with the layers of another strip that is cut alike (`cut_key`), so that they are
+        computed once."""
         vars(self)["layers"] = other.layers
         return self
 
@@ -652,7 +655,7 @@ class Strip:
         Raises
         ------
         NotConvergedError
-            It collapses under its weight as it creeps.
+            The strip collapses under its weight as it creeps.
         """
         if not self.creep:
             return None
@@ -679,7 +682,7 @@ class Strip:
 
     @property
     def end_thicknesses(self) -> tuple[float, float]:
-        """Thickness at the start and end of the free part, of all layers there, mm."""
+        """Thickness of all layers together at the start and end of the free part, mm."""
         if self.layout.size is not None:
             start, end = self.layout.size([0.0, self.rod.length]).tolist()
             return start, end

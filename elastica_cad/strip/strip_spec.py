@@ -1,4 +1,4 @@
-"""The request for a strip, its checks, and the strip made from it."""
+"""Request for a strip, with its checks, and the strip that it makes."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -243,7 +243,7 @@ def _limits_beside(
                 where={"field": (name, "limits.width")},
             )
     narrowest, widest = min_width or low, max_width or high
-    if narrowest > widest:  # refused where the widths are compared
+    if narrowest > widest:  # refused later, when the widths are compared
         return limits
     return replace(limits, width=(narrowest, widest))
 
@@ -320,7 +320,8 @@ class StripSpec(EqualByValue):
         If one is given, `nearest_rod` may change the curve; else the strip takes the curve exactly.
     gravity : Gravity, bool or sequence of float, optional
         True for the sheet's own weight along -y of the drawing, two numbers for its direction in the drawing, or
-        three for a direction in space. Of the last, the component in the plane of `frame` acts. A `Gravity` is used
+        three for a direction in space. Of a direction in space, only the component in the plane of `frame` acts. A
+        `Gravity` is used
         unchanged. A laminate carries the weight of both its layers.
     loads : sequence of PointMass, or Weight
         Masses hung on the strip in addition to its own weight, or the whole weight in newtons. They need gravity.
@@ -565,7 +566,7 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def _pulled(self) -> tuple[Gravity | None, float]:
-        """Gravity in the plane of the curve, and the fraction of a weight that acts there."""
+        """Gravity in the plane of the curve, and the fraction of a weight that acts in this plane."""
         return pull_in_plane(self.gravity, self.material, self.frame)
 
     @property
@@ -583,7 +584,8 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def rod_spec(self) -> RodSpec:
-        """Request for the rod; requests that differ only in ends, slots, label or unloaded widths have the same."""
+        """Request for the rod. Strips that differ only in ends, slots, label or unloaded widths have equal
+        requests."""
         gravity, share = self._pulled
         layers: LaminateLayers | None = None
         weight = _hung_weight(self.loads, share)
@@ -693,7 +695,8 @@ class StripSpec(EqualByValue):
         felt = self.gravity_in_plane
         asks_for_margin = self.limits is not None and self.limits.margin is not None
         if law is None and self.makes_up_for_curl and (felt is not None or asks_for_margin):
-            law = self._width_law  # with the sheet's weight and the stability of a plate
+            # includes the weight of the sheet and the stability of a strip that bends as a plate
+            law = self._width_law
             share = 1.0 if felt is None else (self.material.elasto_gravity_length / felt.length) ** 3
         if law is None and felt is None and isinstance(self.style, Laminated):
             changes = self.limits is not None or self.keep is not None
@@ -741,7 +744,7 @@ class StripSpec(EqualByValue):
             See `optimal_rod`, `optimal_laminate`, `nearest_rod` and `Strip`; or the strip cannot be cut or handled,
             with place and cure of each fault.
         StrainError
-            It would break.
+            The strip would break.
         """
         rod = accepted_rod(solve_rod(self.rod_spec) if found is None else found)
         if self.makes_up_for_curl and rod.section is None:

@@ -46,7 +46,7 @@ CORRECTION_TOLERANCE = 1e-6
 CURVATURE_STATIONS = 2001
 """Number of places on the curve's smooth panels for computing the strain."""
 
-_RODS = 64  # number of rods with cached bends, which equal strips of a model share
+_RODS = 64  # number of rods with cached bends; equal strips of a model share them
 
 MOST_EXTREMES = 200
 """Largest number of local extremes with finer stations; more extremes are due to rounding."""
@@ -59,7 +59,7 @@ NO_WIDTH = note(
     "a strip needs {max_width} or {min_width}, in mm, because its curve sets only the ratio of its widths",
     max_width=FieldName("max_width"), min_width=FieldName("min_width"),
 )  # fmt: skip
-"""Message of a plain strip without a width; other styles have their own outline."""
+"""Message for a plain strip without a width; other styles do not need `max_width`."""
 
 
 @dataclass(frozen=True, eq=False)

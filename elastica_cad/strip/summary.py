@@ -36,7 +36,7 @@ def strip_rows(
     verdict : Stability, optional
         Stability of the strip's rod, if it is known already.
     quick : bool
-        Show "…" for stability and accuracy, and leave out creep: these take longest to compute.
+        Show "…" for stability and accuracy, and leave out creep, because their computation takes longest.
 
     Examples
     --------

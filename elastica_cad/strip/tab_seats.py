@@ -16,7 +16,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length, note
 
 STEEPEST_RAD = np.radians(80.0)
-"""Turn, rad, from which on a tab counts as not held."""
+"""Least turn, rad, of a tab that counts as not held."""
 
 STOP_RAD = np.radians(0.05)
 """Step of the tried turns, rad."""
@@ -98,7 +98,7 @@ class TabSeat:
 
     @property
     def room(self) -> float:
-        """Clearance of the tab across the edges in its designed direction, mm; 0 if they press it."""
+        """Clearance of the tab between the edges in its designed direction, mm; 0 if the edges press the tab."""
         return max(0.0, float(self.left[:, 1].min() - self.right[:, 1].max()) - self.thickness)
 
     @property
@@ -145,13 +145,13 @@ class TabSeat:
         return -self._stop(-1), self._stop(1)
 
     def _stop(self, sense: int) -> float:
-        # for way = +1 the outward direction is the strip's direction, so turns are the tab's turns
+        # for way = +1 the outward direction is that of the strip, so turns have the same sign
         turn = np.arange(0.0, STEEPEST_RAD, STOP_RAD)
         cos, sin = np.cos(sense * turn)[:, None], np.sin(sense * turn)[:, None]
         (a, b), (c, d) = self.left.T, self.right.T
         most = (b - (a * sin + self.thickness / 2) / cos).min(axis=1)
         least = (d + (self.thickness / 2 - c * sin) / cos).max(axis=1)
-        # a larger angle may fit again, but the first stop counts
+        # a larger angle may fit again, but the tab stops at the first contact
         room = most - least
         jams = np.flatnonzero(room[1:] < -1e-12)
         if not jams.size:
@@ -162,10 +162,8 @@ class TabSeat:
 
 STEP_SHARE = 0.05  # largest move of an end in a step, as a fraction of the length
 STEP_RAD = 0.15  # largest turn of an end in a step
-PRICE = 100.0  # price of an overlap relative to the forces, far above most contacts' multipliers
-TAB_PIECES = (
-    16  # number of pieces of a bending tab; the error of its turn at the mouth is then half a percent
-)
+PRICE = 100.0  # price of an overlap relative to the forces, far above the multipliers of most contacts
+TAB_PIECES = 16  # number of pieces of a bending tab, for an error of 0.5 % of its turn at the mouth
 
 
 @dataclass(frozen=True, eq=False)
@@ -301,7 +299,7 @@ DIFFERENCE_SHARE = 1e-5  # step of the finite differences of reactions, as a fra
 SETTLED_SHARE = 1e-9  # step that ends the search, as a fraction of the length
 LEAST_SHARE = 1e-6  # least stiffness of a direction, as a fraction of the largest eigenvalue
 DEARER = 10.0  # factor on the price of an overlap if a tab still overlaps
-DEAREST = 1e6  # price of an overlap from which on the tab does not fit
+DEAREST = 1e6  # price of an overlap at which the search ends, because the tab does not fit
 OVERLAP_SHARE = 1e-7  # largest overlap due to rounding, as a fraction of the length
 SEATING_STEPS = 3
 SEATING = 1e4  # factor on the stiffness of the ends while tabs bend into their seats

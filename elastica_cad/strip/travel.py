@@ -1,4 +1,4 @@
-"""A strip whose ends are moved along a path: forces, moments, energy, strain and safety at each step."""
+"""Strip whose ends move along a path, with forces, moments, energy, strain and safety at each step."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -33,8 +33,9 @@ TURN_TITLES = " turn deg   force N  strain %    margin"
 class Travel:
     """States of a strip at k positions of its ends, in physical units.
 
-    `stable` and `snaps_at` are for ends whose positions are prescribed. An end under a constant weight runs away
-    where the force decreases with the travel: `force_falls_at`.
+    `stable` and `snaps_at` hold for prescribed positions of the ends. An end under a constant load is unstable
+    where
+    the force decreases with the travel (`force_falls_at`).
 
     Attributes
     ----------
@@ -200,7 +201,7 @@ class Travel:
 
     @cached_property
     def _at_rest(self) -> Rod:
-        """Rod before its ends are moved, also under a weight for which it was not designed."""
+        """Rod in balance before its ends are moved; its weight may differ from that of the design."""
         return bend(self.strip.rod_to_bend)
 
     def _first(self, fails: Callable[[Rod], bool]) -> float | None:

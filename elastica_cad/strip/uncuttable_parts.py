@@ -129,7 +129,7 @@ def limits_or_default(shop: FabricationLimits | None) -> FabricationLimits:
 
 
 DEFAULT_LIMITS = FabricationLimits()
-"""Limits of an unknown workshop."""
+"""Limits for parts whose workshop is unknown."""
 
 
 SAMPLES_PER_WIDTH = 12  # points along a cut for each least width; the error of a width is then a percent
@@ -143,7 +143,7 @@ FLAT_SHARE = 0.02  # flatness of the sampled cuts, as a fraction of the least wi
 
 @dataclass(frozen=True)
 class ThinPlace:
-    """A place with too little material: its middle (x, y) and width, mm, and the numbers of the cuts beside it.
+    """Place with too little material: its middle (x, y) and width, mm, and the numbers of the cuts beside it.
 
     `loops` counts outlines before holes.
     """
@@ -205,7 +205,7 @@ def _opposed(
 ) -> tuple[IntArray, IntArray]:
     """Return pairs (k,) of points at most `reach` apart with opposite normals, the first among those `searching`.
 
-    The angle between the normals is bounded together with the distance, which is weighed by `least`.
+    The angle between the normals is limited by adding the direction to the coordinates, scaled by `least`.
     """
     # compare places and directions together: normals of facing points sum to at most 2 sin(acos(FACING))
     here, there = np.hstack([points, least * normals])[searching], np.hstack([points, -least * normals])
@@ -251,7 +251,7 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
     order = np.argsort(width, kind="stable")
     i, j = near_pairs(middle[order], middle[order], least)
     ranks = np.arange(order.size)
-    thinnest, known = ranks.copy(), None  # rank of the thinnest place of each group, as far as known
+    thinnest, known = ranks.copy(), None  # rank of the thinnest known place of each group
     while known is None or not np.array_equal(thinnest, known):
         known = thinnest.copy()
         np.minimum.at(thinnest, i, known[j])
@@ -309,7 +309,8 @@ class _Chords:
         return replace(whole, middle=whole.middle + place * whole.vector, vector=whole.vector / count)
 
     def has_in_front(self, others: "_Chords", least: float) -> BoolArray:
-        """Return True (m,) for chords with the other chord (m) in the material, at most `least` mm in front."""
+        """Return True (m,) for chords whose partner (m) is in the direction of the material, at most `least` mm
+        away."""
         ends = others.middle - self.middle + np.array([-0.5, 0.5])[:, None, None] * others.vector
         normals = self.inward
         ahead = np.sum(ends * normals, axis=2)
@@ -400,11 +401,11 @@ def find_strip_faults(
     >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
     A: only 1.5 mm wide at ... mm from the start of the curve (birch-plywood-0.8 needs 3 mm). ...
     """
-    if strip.layout.size is not None:  # not cut from a sheet; its section law has limits of its own
+    if strip.layout.size is not None:  # the section law of a planed or turned strip has limits of its own
         return ()
     shop = shop or FabricationLimits()
     name = strip.label or "strip"
-    joined = shop.lap is not None  # may be joined from pieces
+    joined = shop.lap is not None  # a longer strip may be joined from pieces
     stocks = [shop.stock_for(layer.sheet) for layer in strip.layers]
     leasts = [shop.width_for(layer.sheet) for layer in strip.layers]
     if isinstance(strip.style, Laminated):  # a glued backing needs no strength by itself
