@@ -9,7 +9,8 @@ from freecad.elastica_wb.features import strip
 from freecad.elastica_wb.features.strip_properties import spec_of
 from freecad.elastica_wb.live.curve_picture import curve_picture
 
-from tests.freecad.features import new
+from elastica_cad.forming import fairing_request
+from tests.freecad.features import change, new
 
 WAVY = [(0, 0), (40, 90), (110, 130), (190, 150), (260, 120), (310, 60), (330, -20)]
 PEN = [(0, 0), (30, 60), (80, 70), (120, 40), (160, 10), (200, 10), (240, 60)]
@@ -49,3 +50,36 @@ def test_arcs_and_lines_are_followed_exactly(document):
     document.recompute()
     made = new(strip.create, document, sketch)
     assert made.Deviation.Value == 0
+
+
+BENDS = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
+"""No flat strip takes this curve."""
+
+
+@pytest.mark.parametrize(
+    ("points", "scale", "knots", "options", "fails"),
+    [
+        (PEN, 1.1, PIECES, {}, False),
+        (PEN, 0.2, PIECES, {}, True),
+        (PEN, 1.2, PIECES, {"MinWidth": 29.0}, True),
+        (BENDS, 1.0, None, {"Smooth": 0.5}, True),
+    ],
+    ids=["made", "too sharp", "too narrow", "not realizable"],
+)
+def test_a_curve_is_smoothed_once_for_results_and_errors(
+    document, drawn, monkeypatch, points, scale, knots, options, fails
+):
+    """FreeCAD recomputes a failed strip at each change of the document."""
+    smoothed, fair = [], fairing_request.fair_curve
+    monkeypatch.setattr(
+        fairing_request, "fair_curve", lambda curve, *rest: smoothed.append(curve) or fair(curve, *rest)
+    )
+    made = strip.create(document, drawn([(scale * x, scale * y) for x, y in points], 3, knots=knots))
+    change(made, **options)
+    reasons, state = made.Reasons, made.State
+    assert ("Invalid" in state) == fails
+    for x in (1, 2):
+        made.touch()
+        change(document.getObject("Box") or document.addObject("Part::Box", "Box"), Length=x)
+        assert [made.Reasons, made.State] == [reasons, state]
+    assert len(smoothed) == 1

@@ -26,6 +26,7 @@ from freecad.elastica_wb.solving.strip_cache import (
     flat_shape,
     held_shape,
     judged,
+    moved_by_smoothing,
     solve_strip,
 )
 from freecad.elastica_wb.solving.verdicts import is_bent_beforehand, strip_faults
@@ -91,7 +92,7 @@ class StripFeature(Feature):
                 Held="",
             )
         changed = find_nearest(spec.rod_spec).deviation if spec.may_change else None
-        _show_results(obj, strip, changed, spec.rod_spec.smoothing.moved)
+        _show_results(obj, strip, changed, moved_by_smoothing(spec))
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
         """Write the error into the results. Hide nothing while the sketch is open."""

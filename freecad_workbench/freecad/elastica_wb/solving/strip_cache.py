@@ -3,10 +3,11 @@
 
 """Strips and nearest curves by request. Equal requests are solved once."""
 
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
-from functools import lru_cache
-from typing import Any
+from functools import lru_cache, wraps
+from typing import Any, TypeVar
 
 import numpy as np
 import Part
@@ -34,8 +35,31 @@ from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, glued
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
-remembered = lru_cache(maxsize=256)
-"""Cache by arguments. It holds the present and the previous result (for undo) of a hundred strips."""
+Result = TypeVar("Result")
+
+
+def remembered(function: Callable[..., Result]) -> Callable[..., Result]:
+    """Cache results and errors by arguments: of a hundred strips the present and the previous ones, for undo.
+
+    FreeCAD recomputes a failed object at each change of the document, also if the change is unrelated.
+    """
+
+    @lru_cache(maxsize=256)
+    def outcome(*arguments: Any) -> Result | ElasticaError:
+        try:
+            return function(*arguments)
+        except ElasticaError as error:
+            return error
+
+    @wraps(function)
+    def result_or_error(*arguments: Any) -> Result:
+        result = outcome(*arguments)
+        if isinstance(result, ElasticaError):
+            raise result.with_traceback(None)  # without the frames of earlier calls
+        return result
+
+    return result_or_error
+
 
 STEPS, FINER = 641, 21
 
@@ -77,7 +101,19 @@ def solve_strip(spec: StripSpec) -> Strip:
     ElasticaError
         The strip cannot be made; the message states the problem, its place and a solution.
     """
-    return in_background(SEARCHING, _strip, spec.in_plane) if spec.may_change else _strip(spec.in_plane)
+    spec = _first_equal(spec.in_plane)
+    return in_background(SEARCHING, _strip, spec) if spec.may_change else _strip(spec)
+
+
+def moved_by_smoothing(spec: StripSpec) -> float:
+    """Return how far smoothing moves the curve of a request that is solved, mm."""
+    return _first_equal(spec.in_plane).rod_spec.smoothing.moved
+
+
+@remembered
+def _first_equal(spec: StripSpec) -> StripSpec:
+    """Return the first of equal requests, which has computed its smoothing already."""
+    return spec
 
 
 def find_nearest(spec: RodSpec) -> NearestRod:
