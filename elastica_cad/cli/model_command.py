@@ -102,6 +102,7 @@ def model(
     say_step("laying parts on sheets" + (", bending strips with their slots" if effects else ""))
     contents = kit_contents(made, read.kit, entries=read.entries, effects=effects)
     kit = model_kit(contents, step=step, pictures=pictures, parts=parts, archives=archives)
+    say_step(f"writing {kit.files[0].name}", 1, len(kit.files))
     kit.write(
         output,
         force=force,

@@ -126,6 +126,8 @@ class Design:
             strip = replace(
                 strips[key], label=entry.label, engrave=entry.spec.engrave, slots=entry.spec.slots
             )
+            if not strip.slots:
+                strip.cut_as(strips[key])
             placed.append(Placed(strip, entry.frame.origin, entry.frame.x_axis, entry.frame.y_axis))
             if done is not None:
                 done(entry.label)
@@ -370,9 +372,10 @@ def _side_by_side(entries: Sequence[StripEntry]) -> list[StripEntry]:
 
 def _require_labels(taken: Container[str], entries: Sequence[StripEntry], where: str) -> None:
     """Refuse a label shared by two strips, except for copies of a part in one table."""
-    alike = dict[str, Any]()
+    known = dict[str, StripEntry]()
     for entry in entries:
-        if entry.label in taken or alike.setdefault(entry.label, _likeness(entry)) != _likeness(entry):
+        first = known.setdefault(entry.label, entry)
+        if entry.label in taken or (first is not entry and _likeness(first) != _likeness(entry)):
             raise InputError(
                 (
                     "{place}: two strips have the label {twice!r}. Give each strip a different label, with {{i}} "

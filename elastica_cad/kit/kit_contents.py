@@ -28,6 +28,7 @@ from elastica_cad.strip.makeable_strip import Splice, joined_within, spliced
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import Piece, strip_pieces
 from elastica_cad.strip.strip import Strip, distinct_names
+from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults, find_strip_faults
 
 
@@ -88,10 +89,11 @@ def kit_contents(
         Parts larger than a sheet; strips, base or frame that cannot be cut and handled, without `ignore_limits`.
     """
     spec = spec or KitSpec()
-    model = _joined(model, spec, entries)
-    messages = [*_bent_blanks(model), *_strip_faults(model, spec, entries), *_unstable(model)]
+    requests = {entry.label: entry.spec for entry in entries}
+    model = _joined(model, spec, requests)
+    messages = [*_bent_blanks(model), *_strip_faults(model, spec, requests), *_unstable(model)]
     holders = list[Holder]()
-    joined = _spliced(model, spec, entries)
+    joined = _spliced(model, spec, requests)
     strips = strip_pieces(model.parts, numbered=_numbers_ends(model, spec))
     pieces = (*_cut(strips, joined), *(plate.piece for plate in model.plates), *spec.extras(model))
     nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
@@ -122,18 +124,18 @@ def kit_contents(
     return KitContents(model, spec, pieces, nests, tuple(holders), tuple(entries), held, tuple(messages))
 
 
-def _joined(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> Model:
+def _joined(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> Model:
     """Return the model with plates over the joints of its strips, clear of the slots for neighbours."""
-    known = {id(strip): joined_within(strip, _shop_of(strip, spec, entries)) for strip in model.strips}
+    known = {id(strip): joined_within(strip, _shop_of(strip, spec, requests)) for strip in model.strips}
     if all(known[id(strip)] is strip for strip in model.strips):
         return model
     return model.with_strips([known[id(strip)] for strip in model.strips])
 
 
-def _spliced(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> dict[str, Splice]:
+def _spliced(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> dict[str, Splice]:
     """Return the spliced strips, by name: those longer than the stock, if the workshop joins pieces."""
     splices = {
-        part.name: spliced(part.strip.labelled(part.name), _shop_of(part.strip, spec, entries))
+        part.name: spliced(part.strip.labelled(part.name), _shop_of(part.strip, spec, requests))
         for part in model.parts
     }
     ends = ("1", "2") if _numbers_ends(model, spec) else ("", "")
@@ -145,9 +147,9 @@ def _numbers_ends(model: Model, spec: KitSpec) -> bool:
     return bool(spec.holders or model.plates or spec.pages)
 
 
-def _shop_of(strip: Strip, spec: KitSpec, entries: Sequence[StripEntry]) -> FabricationLimits:
+def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> FabricationLimits:
     """Return the requested workshop, with its stock limited to a nested sheet without its borders."""
-    shop = next((entry.spec.shop for entry in entries if entry.label == strip.label), spec.shop)
+    shop = requests[strip.label].shop if strip.label in requests else spec.shop
     if shop.lap is None:
         return shop
     lost = 2 * spec.nesting.margin + widened_by(strip.sheet, spec.cutting.kerf)
@@ -165,9 +167,8 @@ def _cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, 
     return tuple(pieces)
 
 
-def _strip_faults(model: Model, spec: KitSpec, entries: Sequence[StripEntry]) -> tuple[str, ...]:
+def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> tuple[str, ...]:
     """Return faults that are ignored on request: strips that cannot be cut with the slots for their neighbours."""
-    requests = {entry.label: entry.spec for entry in entries}
     messages: list[str] = []
     clear: set[tuple[int, FabricationLimits]] = set()  # strips that are cut alike share their layers
     for part in model.parts:

@@ -108,7 +108,7 @@ def model_kit(
     """
     model, spec, cutting = contents.model, contents.spec, contents.spec.cutting
     parts, step, pictures = parts or cutting.service, step and not step_trouble(), pictures and can_draw()
-    name, files = file_word(model.name), list[File]()
+    name, files, taken = file_word(model.name), list[File](), set[str]()
     listed = contents.cut_list.in_files(_homes(contents, parts=parts))
     csv, txt, json, page = _lists(name)
     if pictures:
@@ -130,15 +130,16 @@ def model_kit(
         if pictures:
             files.append(File(f"{stem}.png", partial(_draw_nest, nest), "picture of a sheet"))
     for piece in contents.pieces if parts else ():
-        stem = f"{PARTS}/{piece.file_stem}"
-        if any(file.name.casefold() == cutting.file_name(stem, "svg").casefold() for file in files):
+        cut = cutting_files(piece.drawing, f"{PARTS}/{piece.file_stem}", cutting, piece.sheet, "part")
+        names = {file.name.casefold() for file in cut}
+        if taken & names:
             raise InputError(
                 "{name}: another part has the same file {file_stem}.svg. Choose labels that differ in more "
                 "than capital letters and signs.",
                 name=piece.name,
                 file_stem=piece.file_stem,
             )
-        files += cutting_files(piece.drawing, stem, cutting, piece.sheet, "part")
+        files, taken = [*files, *cut], taken | names
     if step:
         files += _blocks(contents)
     files.append(File(json, lambda path: write_json(path, report), "report"))

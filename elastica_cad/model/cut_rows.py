@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from elastica_cad._values import require_record, several
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER
 from elastica_cad.strip.layers import Layer
-from elastica_cad.strip.pieces import FlatShape, Piece
+from elastica_cad.strip.pieces import DistinctShapes, FlatShape, Piece
 
 CSV_COLUMNS = {
     "part": "{0.part}", "sheet": "{0.sheet}", "thickness_mm": "{0.thickness:g}", "length_mm": "{0.length:.2f}",
@@ -118,7 +118,7 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
         File names by the names of pieces; the default is `file_stem` with .dxf.
     """
     rows, pieces = [], several("pieces", pieces, Piece, "Piece")
-    seen: list[tuple[FlatShape, str]] = []
+    shapes, first_names = DistinctShapes(), list[str]()
     for piece in pieces:
         length, width = piece.size
         rows.append(
@@ -133,22 +133,23 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
                 piece.mass,
                 f"{piece.file_stem}.dxf",
                 "" if piece.sheet.grain == "none" else piece.sheet.grain,
-                _like(piece, seen),
+                _like(piece, shapes, first_names),
             )
         )
     return CutList(tuple(rows)).in_files({} if files is None else files)
 
 
-def _like(piece: Piece, seen: list[tuple[FlatShape, str]]) -> str:
+def _like(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -> str:
     """Return the name of the first piece seen with the same shape, or register this piece and return ""."""
     outer = piece.drawing.on(CUT_OUTER)
     if len(outer) != 1 or piece.worked is not None:  # the drawing alone does not determine the shape
         return ""
     shape = FlatShape((Layer(piece.sheet, outer[0], piece.drawing.on(CUT_INNER)),))
-    first = next((name for other, name in seen if other.equals(shape)), "")
-    if not first:
-        seen.append((shape, piece.name))
-    return first
+    number = shapes.number(shape)
+    if number < len(first_names):
+        return first_names[number]
+    first_names.append(piece.name)
+    return ""
 
 
 def _table(rows: Sequence[Sequence[str]], *, right: Sequence[int]) -> str:

@@ -28,7 +28,6 @@ from elastica_cad.strip.makeable_strip import compensate_widths
 from elastica_cad.strip.pieces import (
     EqualStrips,
     Piece,
-    count_shapes,
     cut_key,
     group_equal_strips,
     strip_pieces,
@@ -251,11 +250,15 @@ class Model:
 
     def name_of(self, index: int) -> str:
         """Return the name of strip `index` in messages: its label, or its number counted from 1."""
-        return strip_names(self.placed)[self._place(index)]
+        return self._names[0][self._place(index)]
 
     def single_name_of(self, index: int) -> str:
         """Return the name of strip `index`, with its place if other strips have the same label."""
-        return distinct_names(self.placed)[self._place(index)]
+        return self._names[1][self._place(index)]
+
+    @cached_property
+    def _names(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        return strip_names(self.placed), distinct_names(self.placed)
 
     def _place(self, index: int) -> int:
         if not is_whole(index) or not -len(self.placed) <= index < len(self.placed):
@@ -287,7 +290,7 @@ class Model:
     @cached_property
     def shape_count(self) -> int:
         """Number of different shapes of the strips, regardless of engraving."""
-        return count_shapes(self.parts)
+        return len({part.shape for part in self.parts})
 
     def with_strips(self, strips: Sequence[Strip]) -> "Model":
         """Return the model with other strips in the same places."""

@@ -93,8 +93,9 @@ class _Box:
 
 @dataclass
 class _Row:
-    """A row of boxes: where it begins across the sheet, how wide it is, how much of its length is taken."""
+    """A row of boxes: its sheet, its start and width across the sheet, and the length that its boxes take."""
 
+    sheet: int
     start: float
     wide: float
     taken: float = 0.0
@@ -220,40 +221,44 @@ def _packed(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float,
     """Place boxes in the order of decreasing width, each in the row that it fills best or in a new row."""
     queue = [ways for ways, piece in zip(boxes, pieces, strict=True) for _ in range(piece.count)]
     queue.sort(key=lambda ways: (-_rounded(ways[0].wide), -_rounded(ways[0].long)))
-    sheets: list[list[_Row]] = []
+    shortest = min(box.long for ways in boxes for box in ways)
+    rows: list[_Row] = []  # with room for the shortest box
+    ends: list[float] = []  # of the last row of each sheet, mm
     places: list[_Place] = []
     for ways in queue:
         fits = [
-            (_rounded(row.wide - box.wide), _rounded(room[0] - row.taken - box.long), number, k, box)
-            for number, rows in enumerate(sheets)
-            for k, row in enumerate(rows)
+            (
+                _rounded(row.wide - box.wide),
+                _rounded(room[0] - row.taken - box.long),
+                row.sheet,
+                row.start,
+                row,
+                box,
+            )
+            for row in rows
             for box in ways
             if box.wide <= row.wide + SLACK_MM and row.taken + box.long <= room[0] + SLACK_MM
         ]
         if fits:
-            _, _, number, k, box = min(fits, key=lambda fit: fit[:4])
-            row = sheets[number][k]
+            *_, row, box = min(fits, key=lambda fit: fit[:4])
         else:
             box = ways[0]
-            roomy = [i for i, rows in enumerate(sheets) if _ends(rows) + box.wide <= room[1] + SLACK_MM]
-            number = roomy[0] if roomy else len(sheets)
-            if not roomy:
-                sheets.append([])
-            row = _Row(_ends(sheets[number]), box.wide)
-            sheets[number].append(row)
-        places.append(_Place(box, number, row.taken, row.start))
+            roomy = (i for i, end in enumerate(ends) if end + box.wide <= room[1] + SLACK_MM)
+            number = next(roomy, len(ends))
+            ends += [0.0] * (number == len(ends))
+            row = _Row(number, ends[number], box.wide)
+            rows.append(row)
+            ends[number] += box.wide
+        places.append(_Place(box, row.sheet, row.taken, row.start))
         row.taken += box.long
+        if row.taken + shortest > room[0] + SLACK_MM:
+            rows.remove(row)
     return places
 
 
 def _rounded(size: float) -> float:
     """Return the size rounded for comparison."""
     return round(size, _TIE_DECIMALS)
-
-
-def _ends(rows: Sequence[_Row]) -> float:
-    """End of the last row of a sheet, mm."""
-    return rows[-1].start + rows[-1].wide if rows else 0.0
 
 
 def _drawing(

@@ -1,11 +1,13 @@
 """Pieces to cut from sheets with their counts, and groups of equal strips and pieces."""
 
 import re
+from bisect import bisect_left, bisect_right, insort
 from collections import Counter
 from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from itertools import count
+from operator import itemgetter
 
 import numpy as np
 
@@ -24,6 +26,9 @@ from elastica_cad.strip.strip import Placed, Strip, strip_names
 SAME_SIZE_MM, SIZE_STATIONS = 1e-3, 65
 """Largest difference in thickness or diameter, mm, between strips that count as equal, and number of compared
 places."""
+
+SIZE_TOLERANCE = 1e-6
+"""Largest difference in length, box and root of area between equal loops, as a fraction of their length."""
 
 SAME_BEND_RAD = 1e-4
 """Largest difference in angle over the length of a strip, rad, between natural shapes that count as equal."""
@@ -71,11 +76,14 @@ class EqualStrips:
         Its label, or "strip 3" from its number in the model.
     members : tuple of int
         Indices of the strips in the model.
+    shape : int
+        Number of its shape; parts with the same shape differ in engraving only.
     """
 
     strip: Strip
     name: str
     members: tuple[int, ...]
+    shape: int
 
     @property
     def count(self) -> int:
@@ -88,42 +96,19 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
 
     Strips are equal if sheet, label and all cut loops are equal after rotating the part or turning it over.
     """
-    groups: list[tuple[FlatShape, Strip, list[int]]] = []
+    shapes = DistinctShapes()
+    groups: dict[tuple[int, Hashable], list[int]] = {}
     known: dict[int, list[int]] = {}  # a strip in several places is compared only once
     for index, strip in enumerate(item.strip for item in placed):
         if id(strip) not in known:
-            shape = FlatShape.of(strip)
-            alike = next(
-                (
-                    members
-                    for first, other, members in groups
-                    if _same_marks(other, strip) and first.equals(shape)
-                ),
-                None,
-            )
-            if alike is None:
-                alike = []
-                groups.append((shape, strip, alike))
-            known[id(strip)] = alike
+            marks = strip.label, strip.engraved, *sorted(slot.mate for slot in strip.slots)
+            known[id(strip)] = groups.setdefault((shapes.number(FlatShape.of(strip)), marks), [])
         known[id(strip)].append(index)
     names = strip_names(placed)
-    return tuple(EqualStrips(strip, names[members[0]], tuple(members)) for _, strip, members in groups)
-
-
-def count_shapes(parts: Sequence[EqualStrips]) -> int:
-    """Return the number of different shapes among parts, whatever is engraved on them."""
-    shapes: list[FlatShape] = []
-    for part in parts:
-        shape = FlatShape.of(part.strip)
-        if not any(shape.equals(other) for other in shapes):
-            shapes.append(shape)
-    return len(shapes)
-
-
-def _same_marks(a: Strip, b: Strip) -> bool:
-    """Return True if both strips have the same engraving."""
-    mates = [sorted(slot.mate for slot in strip.slots) for strip in (a, b)]
-    return (a.label, a.engraved) == (b.label, b.engraved) and mates[0] == mates[1]
+    return tuple(
+        EqualStrips(placed[members[0]].strip, names[members[0]], tuple(members), shape)
+        for (shape, _), members in groups.items()
+    )
 
 
 def _near(a: FloatArray | None, b: FloatArray | None, room: float) -> bool:
@@ -167,13 +152,13 @@ class FlatShape:
             for p, q in zip(self.layers, other.layers, strict=True)
         ):
             return True  # strips that are cut alike share their loops
-        if np.abs(self._size - other._size).max() > SAME_MM * self._size[0]:
+        if np.abs(self.size_of_loops - other.size_of_loops).max() > SIZE_TOLERANCE * self.size_of_loops[0]:
             return False
         ways = WAYS if self.bent is None else WAYS[:1]  # turning a pre-bent strip changes its bend
         return any(self._covers(other, signs) for signs in ways)
 
     @cached_property
-    def _size(self) -> FloatArray:
+    def size_of_loops(self) -> FloatArray:
         """Length, box and areas of the loops, which are cheap to compare."""
         layers = self.layers
         width, height = np.diff(layers[0].outline.bounds, axis=0)[0]
@@ -196,6 +181,24 @@ class FlatShape:
                 if not any(_along(candidate, points) for candidate in near):
                     return False
         return True
+
+
+class DistinctShapes:
+    """Different shapes of parts, numbered from 0, in order of length."""
+
+    def __init__(self) -> None:
+        self._found: list[tuple[float, int, FlatShape]] = []
+
+    def number(self, shape: FlatShape) -> int:
+        """Return the number of the first equal shape; a new shape gets the next number."""
+        length = float(shape.size_of_loops[0])
+        low, high = ((length * (1 + side * 2 * SIZE_TOLERANCE),) for side in (-1, 1))
+        near = self._found[bisect_left(self._found, low) : bisect_right(self._found, high)]
+        for _, number, other in sorted(near, key=itemgetter(1)):
+            if other.equals(shape):
+                return number
+        insort(self._found, (length, len(self._found), shape))
+        return len(self._found) - 1
 
 
 def _samples(path: Path) -> FloatArray:

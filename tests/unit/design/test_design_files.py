@@ -262,6 +262,13 @@ def test_bases_of_one_sheet_are_laid_on_the_same(read):
     ]
 
 
+def test_copies_with_different_labels_share_their_cuts(read):
+    arches = f"[[strips]]\ncount = 2\nlabel = 'A{{i}}'\norigin = [0, '50 * i', 0]\n{ARC}\n"
+    first, second = read(HEAD + arches).model().strips
+    assert first.layers is second.layers
+    assert (first.label, second.label) == ("A1", "A2")
+
+
 def test_a_stand_is_the_simplest_holder_that_takes_all_tabs(read):
     arches = f"[[strips]]\ncount = 3\nlabel = 'A{{i}}'\norigin = [0, '50 * i', 0]\n{ARC}\n"
     turned = arches.replace("end = 2.9", "end = 2.9, rotation = '0.12 * i'")

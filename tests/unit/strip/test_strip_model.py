@@ -23,7 +23,7 @@ from elastica_cad import (
 from elastica_cad.mechanics.rod import csv_text
 from elastica_cad.model import plate_pair, ring_pair, ring_plate
 from elastica_cad.model.plate_pairs import end_plates
-from elastica_cad.strip.pieces import count_shapes
+from elastica_cad.strip.pieces import FlatShape
 
 pytestmark = pytest.mark.core
 
@@ -63,9 +63,18 @@ def test_equal_strips_are_cut_once():
 def test_shapes_are_counted_whatever_is_engraved():
     placed = [Placed(strip(label=name)) for name in "ABC"]
     placed += [Placed(mirror_image(label="D")), Placed(strip(max_width=19, label="E"))]
-    parts = Model(placed).parts
-    assert len(parts) == 5
-    assert count_shapes(parts) == 2
+    model = Model(placed)
+    assert [part.shape for part in model.parts] == [0, 0, 0, 0, 1]
+    assert model.shape_count == 2
+
+
+def test_only_shapes_of_nearly_equal_length_are_compared(monkeypatch):
+    compared = []
+    equals = FlatShape.equals
+    monkeypatch.setattr(FlatShape, "equals", lambda a, b: compared.append((a, b)) or equals(a, b))
+    placed = [Placed(strip(max_width=20 + width)) for width in (0, 1, 2, 3, 4, 2)]
+    assert [part.count for part in Model(placed).parts] == [1, 1, 2, 1, 1]
+    assert len(compared) == 1
 
 
 def test_slots_of_a_part_turned_about():
