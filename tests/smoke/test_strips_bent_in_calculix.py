@@ -5,6 +5,7 @@ The whole campaign is `make campaign-elements`; `tests/smoke/setup.sh` installs 
 """
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ import pytest
 import elastica_cad as ec
 from elastica_cad.strip.strip import corner_factor
 from tests.campaign.finite_elements.bent_strip import bend_cut_strip
+from tests.campaign.finite_elements.between import even_bow, slat_on_a_rail, solved, tied_strip
 from tests.campaign.finite_elements.calculix import Material
 from tests.campaign.finite_elements.cases import CASES
 from tests.campaign.finite_elements.closed_forms import LENGTH, elastica, uniform_strip
@@ -110,3 +112,11 @@ def test_corners_beside_a_tab_are_strained_as_the_rule_has_it(width, tab, shear_
     solid = Material(12000.0, nu, 700.0, shear_modulus, shear_modulus and 6000.0)
     found = corner_strain(width, tab, 1.0, solid, tmp_path)
     assert corner_factor(sheet, width, tab) == pytest.approx(found, rel=0.15)
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("make", [partial(slat_on_a_rail, "slat"), tied_strip, even_bow])
+def test_forces_between_the_ends_hold_the_drawn_curve(make, tmp_path):
+    found = solved(make(), tmp_path, 6.0)
+    assert found.deviation < 3e-3
+    assert found.found == pytest.approx(found.computed, rel=0.03)

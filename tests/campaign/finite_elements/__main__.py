@@ -8,6 +8,7 @@ Needs ccx (Debian: calculix-ccx) and gmsh.
 import argparse
 from pathlib import Path
 
+from tests.campaign.finite_elements.between import between_ends
 from tests.campaign.finite_elements.cases import CASES
 from tests.campaign.finite_elements.closed_forms import known_answers
 from tests.campaign.finite_elements.drawn_by_seed import strips_drawn, tabs_drawn
@@ -30,7 +31,8 @@ def main() -> None:
         "--only",
         nargs="+",
         default=[""],
-        help="parts of names of strips, or: known, sideways, pockets, tapered, joined, drawn, tabs, flexures",
+        help="parts of names of strips, or: known, sideways, pockets, tapered, joined, drawn, tabs, flexures, "
+        "between",
     )
     parser.add_argument("--widths", nargs="+", choices=list(WIDTHS), default=list(WIDTHS))
     asked = parser.parse_args()
@@ -53,6 +55,7 @@ def main() -> None:
         "flexures": flexed_parts,
         "drawn": strips_drawn,
         "tabs": tabs_drawn,
+        "between": between_ends,
     }
     for part, found in parts.items():
         for record in found(folder) if wanted(part) else ():

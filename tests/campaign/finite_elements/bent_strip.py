@@ -1,6 +1,6 @@
 """One strip: cut files out, cut files in, bent and held as designed, compared with the curve that was drawn."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -100,13 +100,13 @@ def bend_cut_strip(
     return BentStrip(body, position, answer.eigenvalues, np.array(sideways, dtype=bool), stations, strayed)
 
 
-def flat_body(strip: Strip, folder: Path, *, size: float) -> Bricks:
-    """A strip as its cut files have it, written to a folder and read again."""
+def flat_body(strip: Strip, folder: Path, *, size: float, at: Sequence[float] = ()) -> Bricks:
+    """A strip as its cut files have it, written to a folder and read again; elements meet across `at`, mm."""
     folder.mkdir(parents=True, exist_ok=True)
     files = [folder / f"layer{i}.dxf" for i in range(len(strip.layers))]
     for drawing, path in zip(strip.drawings(), files, strict=True):
         write_drawing(drawing, path, force=True)
-    return extrude(mesh_cut_files(files, size=size, at=(0.0, strip.rod.length)), _levels(strip))
+    return extrude(mesh_cut_files(files, size=size, at=sorted({0.0, *at, strip.rod.length})), _levels(strip))
 
 
 def on_curve(curve: PlaneCurve, nodes: np.ndarray) -> np.ndarray:
