@@ -26,7 +26,7 @@ _MOST_SPANS = 20_000
 
 
 def as_cubics(path: Path, tolerance: float = 0.02, *, rational: bool = True) -> Path:
-    """Return the path with clamped splines of degree 3 at most; splines that are already so stay exact.
+    """Return the path with clamped splines of degree 3 at most; splines with these properties stay exact.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ def as_cubics(path: Path, tolerance: float = 0.02, *, rational: bool = True) -> 
     tolerance : float
         Largest distance, mm, of a replaced spline from its original; checked between the samples.
     rational : bool
-        False replaces weighted splines too, for writers of polynomial pieces.
+        If False, weighted splines are replaced too, for file formats with polynomial pieces only.
 
     Examples
     --------
@@ -230,7 +230,7 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
             start = a, spline.tangent_at(a)
             b, biarc = _longest(spline, start, end, tolerance)
             if end - b < 0.5 * (b - a) and b < end:
-                # two pieces of similar size instead of a very short last piece
+                # make two pieces of similar size instead of a very short last piece
                 middle = (a + end) / 2
                 shorter, off = _biarc(spline, start, middle)
                 b, biarc = (middle, shorter) if off <= _TAKEN * tolerance else (b, biarc)
@@ -279,7 +279,7 @@ def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[l
     square = float(chord @ chord)
     if along <= _ROUNDING_SHARE * float(np.abs([p, q]).max()):
         return [], np.inf  # the chord runs backwards, or the spline is a loop
-    # positive root of bend d^2 + 2 along d = square, in the form that holds for bend = 0 too
+    # positive root of bend d^2 + 2 along d = square, in a form that is also valid for bend = 0
     d = square / (along + np.sqrt(along**2 + bend * square))
     middle = (p + d * s + q - d * t) / 2
     pieces = [_arc(p, middle, s, 1.0), _arc(middle, q, t, -1.0)]

@@ -16,13 +16,15 @@ _FINE = 1e-14
 """Size of the last coefficients, relative to the speed, below which they are rounding errors."""
 
 _NOISE_SHARE = 1e-8
-"""Size of coefficients, relative to the speed, below which they are rounding errors if halving the panel does not
-reduce them."""
+"""Size of coefficients, relative to the speed, below which halving is tested; if it does not reduce the
+coefficients,
+they are rounding errors."""
 
 _NARROWEST = 2.0**-40
 """Narrowest panel, as a fraction of the parameter range; halving it further gives rounding errors only."""
 
-_NEWTON_STEPS = 40  # three are usual; as many only where the speed is almost 0
+# largest number of steps; three are usual, and many are needed only where the speed is almost 0
+_NEWTON_STEPS = 40
 
 _SITES = chebyshev.chebpts1(_DEGREE + 1)
 _TO_SERIES = np.linalg.inv(chebyshev.chebvander(_SITES, _DEGREE)).T

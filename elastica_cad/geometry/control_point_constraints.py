@@ -200,7 +200,7 @@ class CollinearInflections:
         normal = left_of(chord) / size
         offset = position[others] - position[i]
         along = offset @ chord / size**2
-        # d<offset, n>: rotation of the chord moves the line by the fraction `along` of the movement of its far end
+        # d<offset, n>: if the chord rotates, the line moves by the fraction `along` of the movement of its far end
         step = jacobian[others] - jacobian[i] - along[:, None, None] * (jacobian[j] - jacobian[i])
         return offset @ normal, np.asarray(np.einsum("k,ikq->iq", normal, step))
 
@@ -323,7 +323,7 @@ def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
 def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> tuple[FloatArray, FloatArray]:
     """Return positions (k, 2) of the inflections near given parameters, and derivatives (k, 2, 2 m).
 
-    They stay where kappa = kappa_0, so dt_0/dq = -(d kappa/dq) / (d kappa/dt).
+    At an inflection t_0, kappa = kappa_0 stays true, so dt_0/dq = -(d kappa/dq) / (d kappa/dt).
     """
     t = _nearest_inflections(curve, np.atleast_1d(np.asarray(near, dtype=float)), kappa_0)
     velocity = curve.evaluate(t, 1)

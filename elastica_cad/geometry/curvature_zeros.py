@@ -1,7 +1,7 @@
 """Zeros of piecewise polynomials along a curve: zeros of the curvature and crossings with a line.
 
 The sign of the curvature is that of det(P, P', P'') / w^3 in homogeneous coordinates P = (x w, y w, w). This is
-a polynomial on every knot span. So no zero is missed between samples, however close two zeros are.
+a polynomial on every knot span. Therefore no zero is missed between samples, even if two zeros are very close.
 """
 
 from collections.abc import Callable

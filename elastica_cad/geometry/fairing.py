@@ -8,7 +8,7 @@ It keeps the ends and end tangents of the drawn curve; on request the curvature 
 is the largest for which the curve stays within the tolerance. If the drawn curve is closed, c is periodic. The
 slope of the curvature is linearised about the curve of the previous round. All systems are sparse.
 
-Corners of at most 5 degrees are removed first, by turning handles.
+Corners of at most 5 degrees are removed first, by turning the handles beside them.
 """
 
 from collections.abc import Callable
@@ -60,7 +60,8 @@ def allowed_distance(vertices: FloatArray) -> float:
 
 
 def smooth_through(points: FloatArray, tolerance: float) -> PlaneCurve:
-    """Return the line through points (n, 2) that are in line, else the spline within `tolerance` mm of them."""
+    """Return the line through points (n, 2) if they are collinear, else the spline within `tolerance` mm of
+    them."""
     chord = points[-1] - points[0]
     x, y = chord / max(float(np.hypot(*chord)), 1e-300)
     along, across = ((points - points[0]) @ np.array([[x, -y], [y, x]])).T
@@ -261,7 +262,7 @@ class _Problem:
         """Fix the end control points; return the index of the unknown (m,) of each control point, -1 if fixed."""
         step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
         first, last = (3 if is_unbent else 2 for is_unbent in unbent)
-        # control points of a straight line with constant speed
+        # these control points would be on a straight line with constant speed
         reach = np.array([0.0, 1.0, 3.0])[:, None]
         self.held[:first] = (ends.position[0] + reach * step[0])[:first]
         self.held[-last:] = (ends.position[1] - reach * step[1])[:last][::-1]
@@ -355,7 +356,7 @@ def _farthest(points: FloatArray, curve: PlaneCurve) -> float:
 
 
 PER_ROUNDING = 2 * np.sqrt(2.0)
-"""Largest distance between the end of a handle and its node that rounding of all coordinates by 1 causes."""
+"""Largest error of the distance between the end of a handle and its node if all coordinates are rounded by 1."""
 
 SMOOTHING_SHARE = 0.5
 """Fraction of the allowed distance that is used to remove corners; the rest is for smoothing the curvature."""
@@ -428,7 +429,8 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     healing = _healed(curve, SMOOTHING_SHARE * most)
     if len(healing.healed) < len(corners):
         return None
-    needed = 1.05 * healing.moved / SMOOTHING_SHARE  # the bound of a turn refers to sines
+    # the factor covers the difference between an angle and its sine in the bound of a turn
+    needed = 1.05 * healing.moved / SMOOTHING_SHARE
     offered = max(_one_figure(needed, np.ceil), _one_figure(usual_tolerance(curve), np.floor))
     return offered if offered <= most and not round_corners(curve, offered)[0].has_corners else None
 

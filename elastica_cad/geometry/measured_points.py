@@ -1,4 +1,4 @@
-"""Origin of a curve's numbers, and the noise of measured points."""
+"""Origin of the coordinates of a curve, and the noise of measured points."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -19,7 +19,8 @@ FEWEST = 8
 """Fewest differences of an order from which the noise is estimated."""
 
 SETTLED = 0.7
-"""Ratio of the differences of successive orders: a smooth curve's decrease faster, those of noise do not."""
+"""Ratio of the differences of successive orders. Differences of a smooth curve decrease faster; those of noise do
+not."""
 
 CROWDED_SHARE = 0.1
 """Noise, as a fraction of the point spacing, above which every other point is left out, because the order of
@@ -35,7 +36,7 @@ MOST_DECIMALS = 9
 """Largest number of decimals of millimetres that points may have."""
 
 REACH = 4.0
-"""Number of standard deviations from a smooth curve within which about a hundred points are; fewer for fewer
+"""Largest distance of about a hundred noisy points from a smooth curve, in standard deviations; smaller for fewer
 points."""
 
 OUTLIER_TIMES = 4.0
@@ -125,7 +126,7 @@ class MeasuredPoints:
         ),)  # fmt: skip
 
     def turns_beside(self, place: FloatArray) -> tuple[float, float, float]:
-        """Return by how much the points turn at the point nearest to a place (2,), and at its neighbours, rad.
+        """Return the turning angles, rad, at the point nearest to a place (2,) and at its neighbours.
 
         Turns to the left are positive. At neighbours beyond the ends they are 0.
         """
@@ -136,7 +137,7 @@ class MeasuredPoints:
 
     @property
     def bend_changes(self) -> int:
-        """Number of times that the points turn the other way, by more than the rounding of their digits can turn.
+        """Number of changes of the sense of turning of the points that exceed the effect of rounding.
 
         A curve through the points has as many inflections or more.
         """
@@ -167,7 +168,7 @@ class MeasuredPoints:
 
 
 def _half_last_decimal(points: FloatArray) -> float:
-    """Return half a unit of the last decimal of coordinates; of numbers with all their digits, of the ninth.
+    """Return half a unit of the last decimal of coordinates, or of the ninth decimal if they have more decimals.
 
     Examples
     --------
@@ -182,9 +183,10 @@ def _half_last_decimal(points: FloatArray) -> float:
 def estimate_noise(points: FloatArray) -> float:
     """Return the standard deviation, mm, of the distance of points (n, 2) from a smooth curve.
 
-    It is the median of divided differences normal to the curve, scaled to unit variance of white noise. The
-    order is the first whose next higher order does not reduce the estimate (Gasser, Sroka and Jennen-Steinmetz,
-    Biometrika 73, 1986, take order 2). It is 0 if there are too few points, or if the differences decrease like
+    It is the median of divided differences normal to the curve, scaled to unit variance of white noise. The order
+    is the least for which the next order does not reduce the estimate (Gasser, Sroka and
+    Jennen-Steinmetz, Biometrika 73, 1986, use order 2). It is 0 if there are too few points, or if the differences
+    decrease like
     those of a smooth curve.
 
     Examples

@@ -38,8 +38,9 @@ from elastica_cad.geometry.splines import (
 )
 from elastica_cad.refusals import Length, note
 
-_STANDSTILL_SHARE = 1e-9  # fraction of the largest speed on the span; lower speeds count as zero
-_STILL_SPAN = 1e-14  # fraction of the largest speed of all; a span without higher speeds is a point
+_STANDSTILL_SHARE = 1e-9  # speed that counts as zero, as a fraction of the largest speed on the span
+# largest speed of a span that is a point, as a fraction of the largest speed of the curve
+_STILL_SPAN = 1e-14
 _ALONG_SHARE = 1e-9  # smallest component of a velocity along the axis of its cone, as a fraction
 _MOST_HALVINGS = 27  # halvings of a knot span; if a direction is undecided after them, there is a cusp
 
@@ -74,7 +75,7 @@ class TangentAngle:
 def hodograph(bezier: FloatArray) -> FloatArray:
     """Return Bernstein coefficients (p, n, 2) along the velocity of homogeneous Bezier pieces (p, degree + 1, 3).
 
-    The derivative by u times the squared weight: w P' - P w' (degree times left out).
+    They are those of w P' - P w', the derivative by u times the squared weight, without the factor of the degree.
     """
     a, b = bezier[:, :-1], bezier[:, 1:]
     if np.ptp(bezier[..., 2]) == 0:
@@ -324,7 +325,7 @@ def curvature_slope(d1: FloatArray, d2: FloatArray, d3: FloatArray) -> FloatArra
 
 
 ORDERS_OF_SIDES = 3
-"""Number of derivatives that `KnotSides` compares; the multiplicity of a knot determines the higher ones."""
+"""Number of derivatives that `KnotSides` compares; the multiplicity of a knot determines higher derivatives."""
 
 SHORT_SPAN_SHARE = 1e-6
 """Distance between knots, as a fraction of the domain, below which continuity is checked by evaluation only."""
@@ -381,7 +382,8 @@ def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
 
 
 SHORT_HANDLE = 1e-3
-"""Length of a handle, as a fraction of the curve's size, that is intended even if coordinates have few digits."""
+"""Length of a handle, as a fraction of the size of the curve, above which it is not a rounding error of
+coordinates."""
 
 
 def _refuse_standstill(
@@ -439,11 +441,11 @@ SAME_KNOT = 1e-12
 would be rounding errors."""
 
 FAR_SIZES = 1e6
-"""Distance of a move, in sizes of the curve, above which digits are lost and the curve is checked again."""
+"""Distance of a move, in sizes of the curve, above which coordinates lose digits and the curve is checked again."""
 
 _AHEAD_SHARE = 1e-6
-"""Smallest step of a control polygon along the chord between the ends, as a fraction of the chord, that counts
-as progress."""
+"""Least step of a control polygon along the chord between the ends, as a fraction of the chord, for which the curve
+certainly has no point of zero speed."""
 
 MOST_TURNS = 100
 """Largest number of turns of an arc."""
@@ -489,11 +491,12 @@ class NurbsCurve:
         shown, rounding = (place, 0.0) if drawn is None else (drawn.shown, drawn.rounding)
         steps = np.diff(points, axis=0)
         along = steps @ steps.sum(axis=0)
-        if self.is_rational or along.min() <= _AHEAD_SHARE * along.sum():  # else no point has zero speed
+        # otherwise the control polygon shows that no point has zero speed
+        if self.is_rational or along.min() <= _AHEAD_SHARE * along.sum():
             _refuse_standstill(self._pieces, self.control_points, shown, rounding)
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the numbers alone: cached results are much larger and quickly computed again."""
+        """Return the numbers without cached results, which are much larger and quickly computed again."""
         return {field.name: getattr(self, field.name) for field in fields(self)}
 
     def _part(

@@ -28,9 +28,10 @@ _BLOCK = 4096
 """Number of points whose distances from all chords of a spline are in memory at a time (some ten MB)."""
 
 _NEWTON_STEPS = 6
-_ROUNDING_SHARE = 1e-12  # fraction of a length
-_SETTLED = 1e-12  # fraction of the domain; the distance changes with the square of such a step
-_UNSETTLED = 1e-7  # fraction of the domain; after larger last steps, Newton's method has not converged
+_ROUNDING_SHARE = 1e-12  # distance that is a rounding error, as a fraction of a length
+# last step of Newton's method, as a fraction of the domain; the distance changes with its square
+_SETTLED = 1e-12
+_UNSETTLED = 1e-7  # last step, as a fraction of the domain, above which Newton's method has not converged
 _SEARCHES = 20  # number of refinements, each to a quarter of the span or less
 
 
@@ -70,7 +71,8 @@ def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
 def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return distances (n, m) of points from chords a[j] b[j], and the nearest positions on the chords (0 to 1)."""
     (x, y), (dx, dy) = a.T, (b - a).T
-    left, down = p[:, :1] - x, p[:, 1:] - y  # separate, because sums over an axis of length 2 are slow
+    # x and y are separate, because sums over an axis of length 2 are slow
+    left, down = p[:, :1] - x, p[:, 1:] - y
     square = dx**2 + dy**2
     where = left * dx
     where += down * dy
@@ -122,7 +124,7 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
 def _searched(p: FloatArray, curve: PlaneCurve, low: FloatArray, high: FloatArray) -> FloatArray:
     """Return least distances (n,) of points from the spans low to high of a curve, by repeated sampling.
 
-    Used if the speed is so uneven that Newton's method leaves the span found by chords.
+    This search is used if the speed is so uneven that Newton's method leaves the span found by chords.
     """
     rows, least = np.arange(len(p)), np.full(len(p), np.inf)
     for _ in range(_SEARCHES):
@@ -196,7 +198,7 @@ class Path:
     def polyline(cls, points: ArrayLike, bulges: ArrayLike | None = None, *, closed: bool = False) -> "Path":
         """Return a path of lines through `points` (n, 2), or arcs for nonzero bulges, tan(turn / 4) as in DXF.
 
-        Repeated points are passed over; a closed path may or may not repeat its first point at the end.
+        Repeated points are skipped; a closed path may or may not repeat its first point at the end.
         """
         p = numbers(points, "the points of a polyline")
         if p.ndim != 2 or p.shape[1:] != (2,) or not np.all(np.isfinite(p)):
@@ -293,7 +295,8 @@ class Path:
         rows = [chord_points(segment, tolerance)[:-1] for segment in self.segments]
         points = np.concatenate(rows if self.closed else [*rows, self.end[None]])
         if self.closed and len(points) < 3 and not all(isinstance(s, Line) for s in self.segments):
-            return self.points(tolerance / 4)  # a thin closed path needs more points to have an area
+            # the polygon of a thin closed path needs more points to have an area
+            return self.points(tolerance / 4)
         return points
 
     def closed_points(self, tolerance: float) -> FloatArray:

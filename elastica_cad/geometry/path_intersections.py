@@ -144,7 +144,7 @@ def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArr
 
 
 _FAN = 8
-"""Number of boxes that are joined to one: few levels for short polylines, few useless pairs for long ones."""
+"""Number of boxes in a group: a compromise between the number of levels and the number of useless pairs."""
 
 
 def _box_tree(points: FloatArray) -> list[tuple[FloatArray, FloatArray]]:

@@ -133,7 +133,7 @@ CORNER_RAD = 1e-5
 ROUNDED_ZERO_SHARE = 1e-6
 """Largest rounding error of a zero of the curvature, as a fraction of the length of a piece."""
 
-_ROUNDING = 1e-10  # fraction of an angle
+_ROUNDING = 1e-10  # rounding error of an angle, as a fraction of the angle
 
 
 @dataclass(frozen=True, eq=False)
@@ -292,7 +292,8 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def inflections(self) -> FloatArray:
-        """Arc lengths (k,), mm, where the curvature changes sign; of a straight piece between, its middle."""
+        """Arc lengths (k,), mm, where the curvature changes sign; if it does so along a straight piece, the
+        middle."""
         return np.array([(z.s + z.s_end) / 2 for z in self.curvature_zeros if z.changes_sign])
 
     @cached_property
@@ -461,7 +462,7 @@ def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
     return tuple(curve.trimmed(*ends).drawn_as(drawn) for ends in pairwise(places))
 
 
-DEGREE = 5  # the curvature has two continuous derivatives, which checks of equilibrium use
+DEGREE = 5  # two continuous derivatives of the curvature, which checks of equilibrium use
 
 
 def integrate_tangents(

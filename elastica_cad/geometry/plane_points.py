@@ -77,8 +77,8 @@ def is_similarity(matrix: FloatArray) -> bool:
 def similarity_of(matrix: FloatArray) -> tuple[float, float, float]:
     """Return the scale, angle (rad) and orientation of a similarity, a 3x3 matrix that maps circles to circles.
 
-    The hand is 1.0, or -1.0 where the map mirrors in the x axis before it turns. That the matrix is a similarity is
-    not checked: `is_similarity` does that.
+    The orientation is 1.0, or -1.0 if the map mirrors in the x axis before it rotates. The caller must check with
+    `is_similarity` that the matrix is a similarity.
 
     Examples
     --------

@@ -16,8 +16,9 @@ def binomials(degree: int) -> FloatArray:
 
 
 _SPLIT = 0.46875
-"""Fraction at which an interval is divided. It is exact in binary, and not 0.5 because symmetric curves have
-zeros there."""
+"""Fraction at which an interval is divided. It is exact in binary. It is not 0.5, because symmetric curves have
+zeros
+at 0.5."""
 
 
 def scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
@@ -153,8 +154,7 @@ class Root:
 
 
 _MOST_HALVINGS = 48
-"""Largest number of halvings; a piece halved this often is as short as rounding errors and holds one multiple
-zero."""
+"""Largest number of halvings; the remaining piece is as short as rounding errors and contains one multiple zero."""
 
 _GENTLE, _BLUR = 10.0, 4.0
 """Factors of e, the third root of the noise. A sign change whose slope is below 10 e^2 times the largest
@@ -308,9 +308,10 @@ DENSE_PARTS = 24
 """Number of parts of each panel at whose ends bounds are checked first."""
 
 EXTREME_STEPS = 2
-"""Steps of Halley's method from the nearest sample to an extreme; two raise the error to the ninth power."""
+"""Number of steps of Halley's method from the nearest sample to an extreme; two steps raise the error to the ninth
+power."""
 
-_REACH = 0.15  # from a sample to the extreme next to it
+_REACH = 0.15  # largest distance from a sample to the extreme next to it
 _NEAR_SHARE = (
     0.05  # fraction of a function's range: extremes this close to its largest or smallest value are searched
 )

@@ -110,7 +110,7 @@ class Profile:
             tolerance=tolerance,
             breaks=breaks,
             knots=finite("knots", knots),
-            rounding=1e-9,  # quotients of moment and curvature are rarely more accurate
+            rounding=1e-9,  # accuracy of quotients of moment and curvature
         )
         return cls(spline_knots, coefficients, degree)
 
@@ -158,7 +158,7 @@ class Profile:
     @cached_property
     def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
         pieces = self._function.pieces
-        at_knots = pieces[:, [0, -1]]  # both sides of a jump count
+        at_knots = pieces[:, [0, -1]]  # includes both sides of a jump
         # only pieces with coefficients beyond the extremes at the knots can have extremes inside
         passing = (pieces.min(axis=1) < at_knots.min()) | (pieces.max(axis=1) > at_knots.max())
         which = passing.nonzero()[0]

@@ -230,7 +230,8 @@ class Arc:
         Raises
         ------
         InputError
-            The matrix would make an ellipse of it; `Path.transformed` then takes a spline.
+            The matrix would map the arc to an ellipse; `Path.transformed` replaces the arc by a spline in this
+            case.
         """
         m = require_affine(matrix)
         if not is_similarity(m):
@@ -306,7 +307,7 @@ class Spline:
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
         """Return the signed area swept by the ray from `origin`, mm2, by Gauss's rule on each Bezier piece.
 
-        Exact without weights, where x y' - y x' is of degree 2 p - 1 at most.
+        The result is exact without weights, because x y' - y x' is then of degree 2 p - 1 at most.
         """
         origin = point(origin, "origin")
         edges, _ = self.curve.bezier_table
@@ -403,7 +404,7 @@ def _first_places(segment: Segment, tolerance: float) -> FloatArray:
     if isinstance(segment, Line):
         return _ENDS
     if isinstance(segment, Arc):
-        # at most 120 degrees, so that a circle has an inside
+        # steps of at most 120 degrees, so that the polygon of a circle has an area
         half = acos(min(max(1 - tolerance / segment.radius, 0.5), 1 - 1e-15))
         return np.linspace(0.0, 1.0, ceil(abs(segment.sweep) / (2 * half) - 1e-9) + 1)
     knots, (t0, t1) = segment.curve.knots, segment.curve.domain
@@ -454,7 +455,7 @@ def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> F
     """Return largest distance (n,) of the probes (n, k, 2) of each span from the chord between its ends (n, 2)."""
     chord, off = ends - begins, probes - begins[:, None, :]
     size = (chord**2).sum(axis=1)[:, None]
-    # beyond the chord, its end is the nearest point, as in hairpins
+    # if a point is beyond the chord, as in hairpins, the end of the chord is the nearest point
     along = np.divide((off * chord[:, None]).sum(axis=2), size, out=np.zeros(off.shape[:2]), where=size > 0)
     away = off - np.clip(along, 0.0, 1.0)[..., None] * chord[:, None]
     return np.asarray(np.hypot(away[..., 0], away[..., 1]).max(axis=1), dtype=float)

@@ -1,4 +1,4 @@
-"""Self-intersections of a curve, and the angles under which a point of the curve sees the curve."""
+"""Self-intersections of a curve, and the angles of the directions from a point of the curve to the whole curve."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -26,8 +26,9 @@ from elastica_cad.geometry.polynomials import (
 _MOST_HALVINGS = 40
 """Largest number of halvings, which makes a piece as short as rounding errors."""
 
-_NEWTON_SHARE = 1e-4  # fraction of the extent, below which Newton's method starts
-_MOST_PAIRS = 1000  # more pairs mean overlapping stretches, of which a tenth of the points is enough
+_NEWTON_SHARE = 1e-4  # size of a piece, as a fraction of the extent, below which Newton's method starts
+# largest number of pairs; more pairs are due to overlapping stretches, and a tenth of them is used
+_MOST_PAIRS = 1000
 
 
 def find_self_intersections(
@@ -147,7 +148,7 @@ def _distinct(pairs: FloatArray, edges: FloatArray) -> FloatArray:
     return np.array(kept).reshape(-1, 2)
 
 
-_AT_KNOT_SHARE = 1e-9  # fraction of a span
+_AT_KNOT_SHARE = 1e-9  # distance from a knot that counts as at the knot, as a fraction of a span
 
 
 @dataclass(frozen=True)

@@ -286,8 +286,8 @@ class SplineFunction:
 def spline_through(x: FloatArray, values: FloatArray, degree: int) -> SplineFunction:
     """Return the spline function through values (n, ...) at increasing x (n,).
 
-    A cubic spline has no knots at the second and the second last x, and a quintic spline has none at the two
-    next to each end. A spline of even degree is the single polynomial through degree + 1 values.
+    A cubic spline has no knots at the second and the second last x. A quintic spline has none at the two x next to
+    each end. A spline of even degree is the single polynomial through degree + 1 values.
 
     Examples
     --------
@@ -388,9 +388,10 @@ _MOST_SPANS = 3000
 _NARROWEST_SHARE = 1e-9
 """Narrowest span, as a fraction of the domain."""
 
-_SAME_BREAK_SHARE = 1e-10  # fraction of the domain: closer breaks count as one
-_ALIKE = 1e-7  # the same if the slope is continuous at a break, because the span between is singular
-_WIDER_TIMES = 8.0  # width relative to a bad neighbour from which a span is cut too
+_SAME_BREAK_SHARE = 1e-10  # distance of breaks that count as equal, as a fraction of the domain
+# distance of equal breaks with a continuous slope; a narrower span between them would be singular
+_ALIKE = 1e-7
+_WIDER_TIMES = 8.0  # width of a span, relative to a bad neighbour, above which the span is divided too
 
 _REFINED_SHARE = 0.05
 """Error, as a fraction of the largest error, above which a span is refined."""
@@ -398,7 +399,7 @@ _REFINED_SHARE = 0.05
 _CORRECTIONS = 2
 """Number of times that the parameters are moved to the nearest points of the curve, for each knot vector."""
 
-_POINTS_EACH = 4  # points for each control point that a fit must have before it goes below its tolerance
+_POINTS_EACH = 4  # least number of points for each control point in a fit below the tolerance
 _ENOUGH_FOR_NOISE = 100  # fewest points that separate noise from shape; fewer points may be interpolated
 _MOST_INTERPOLATED = 1000
 """Largest number of points that are interpolated, which is the size of a dense system."""
@@ -406,7 +407,7 @@ _MOST_INTERPOLATED = 1000
 _STRIDE_SHARE = (
     0.4  # largest move of a point, as a fraction of its distance from the next, if the order changed
 )
-_LEAST_PENALTY = 1e-11  # penalty that only determines what the data leave undetermined
+_LEAST_PENALTY = 1e-11  # penalty that only determines coefficients without data
 _ALLOWED_INCREASE = 1.1  # factor of the root mean square distance that is allowed for a smoother curve
 
 
@@ -811,7 +812,7 @@ def _chord_parameters(data: FloatArray) -> FloatArray:
 
 
 def _derivative_gram(spans: Spans) -> FloatArray:
-    """Return integrals (m, m) of products of the basis functions' third derivatives."""
+    """Return the integrals (m, m) of products of the third derivatives of the basis functions."""
     x, w = np.polynomial.legendre.leggauss(spans.degree - 2)
     width = np.diff(spans.edges)
     t = (spans.edges[:-1, None] + width[:, None] * (1 + x) / 2).ravel()

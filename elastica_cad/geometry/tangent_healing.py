@@ -19,9 +19,9 @@ ANYWAY = 1e-9
 SURE = np.radians(5.0)
 """Largest angle of a corner that is removed by default, rad, even if rounding explains larger ones."""
 
-_STRAIGHT = 1e-12  # fraction of the squared chord: control points closer to a line count as on it
-_CLOSED = 1e-9  # fraction of the size: ends closer than this are equal
-_SHORT = 1e-12  # fraction of the longest handle: control points closer than this coincide
+_STRAIGHT = 1e-12  # distance, as a fraction of the squared chord, of a control point that counts as on a line
+_CLOSED = 1e-9  # distance of ends that count as equal, as a fraction of the size
+_SHORT = 1e-12  # distance of control points that coincide, as a fraction of the longest handle
 
 
 @dataclass(frozen=True)
@@ -89,9 +89,10 @@ def heal_tangents(
 ) -> Healing:
     """Return the spline without the corners that `rounding` (mm, per coordinate) explains.
 
-    This concerns knots of full multiplicity, and the seam of a closed clamped spline. The control points before
-    and after the node are turned about the node so that both move equally far: the longer handle turns by the
-    smaller angle. A straight piece is kept if its neighbour can turn alone. Splines of degree 2 are first
+    This concerns knots of full multiplicity, and the seam of a closed clamped spline. The control points before and
+    after the node are turned about the node by equal distances, so the longer handle
+    turns by the smaller angle. A straight piece is not turned if rounding explains the whole turn of its neighbour.
+    Splines of degree 2 are first
     raised to degree 3, because their control points belong to two nodes.
 
     Parameters

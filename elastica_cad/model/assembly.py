@@ -156,7 +156,7 @@ class AssemblyStep:
     number : int
         From 1.
     strip : str
-        Engraved name, with the strip's place if several strips have the same name.
+        Engraved name, with the number of the strip if several strips have the same name.
     part : str
         Name of the cut piece.
     ends : (str, str)

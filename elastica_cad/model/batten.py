@@ -45,7 +45,8 @@ def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, F
     """Return columns (n,) by name at stations (n,), mm along a tapered strip: size in mm and inch, strain, safety.
 
     Stations are measured from the start of the free part; each row also has the distance from the tip of the first
-    tab. The default stations include both tips. Safety is the strain limit of the material divided by the strain,
+    tab. The default stations include the tips of both tabs. Safety is the strain limit of the material divided by
+    the strain,
     and infinite where the strip is not bent.
 
     Raises
@@ -113,7 +114,8 @@ def _label_lines(strip: Strip) -> list[str]:
     """Return the lines of text below a side view."""
     law, sheet = strip.layout.section, strip.sheet
     flat = law is not None and law.quantity == "thickness"
-    stock = sheet.full_name.removesuffix(f" {sheet.thickness:g} mm")  # a sheet is given for its wood
+    # only the material is named, because the size of the stock differs from that of the sheet
+    stock = sheet.full_name.removesuffix(f" {sheet.thickness:g} mm")
     wide = f"{stock}, {strip.width.extremes[1]:g} mm wide: plane both faces alike"
     instruction = wide if flat else f"{stock}, round: turn it to the diameters"
     ticks = "full size, seen from the side; at a tick: mm from this tip, and the size there"
@@ -122,10 +124,10 @@ def _label_lines(strip: Strip) -> list[str]:
 
 
 ENDS = Supports("pinned", "pinned")
-SEARCH_NODES, FINE_NODES = 401, 2401  # during the search for the taper, and for the final curve
-MOST_CAMBER = 0.4  # fraction of the chord; a deeper batten is a bow
-MOST_FULL = 0.8  # fraction of the length; the rest must be long enough for the taper
-SETTLED = 1e-7  # of camber and place, in chords
+SEARCH_NODES, FINE_NODES = 401, 2401  # number of nodes in the search for the taper, and for the final curve
+MOST_CAMBER = 0.4  # largest camber, as a fraction of the chord; a deeper batten is a bow
+MOST_FULL = 0.8  # largest part of full size, as a fraction of the length; the taper needs the rest
+SETTLED = 1e-7  # accuracy of camber and place, in chords
 MOST_STEPS = 30
 
 
@@ -280,7 +282,7 @@ class Batten:
     ----------
     spec : BattenSpec
     curve : PlaneCurve
-        The shape between its pressed ends, the chord along x.
+        Shape between the pressed ends, with the chord along x.
     """
 
     spec: BattenSpec

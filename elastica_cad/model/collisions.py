@@ -153,7 +153,7 @@ class Body:
 
 
 def _steps(low: float, high: float, pitch: float) -> FloatArray:
-    """Even places (n,) from low to high, about so far apart."""
+    """Return evenly spaced places (n,) from `low` to `high`, at most `pitch` apart."""
     return np.linspace(low, high, max(2, int(np.ceil((high - low) / pitch)) + 1))
 
 
@@ -287,7 +287,7 @@ def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meetin
     for i, j in combinations(range(len(placed)), 2):
         pair, strips = (names[i], names[j]), (placed[i].strip, placed[j].strip)
         if (i, j) in slotted:
-            # strips that are cut alike share their layers
+            # strips that are cut alike have the same layers
             cut = (id(strip.layers) for strip in strips)
             alike = *cut, slotted[i, j], *place_between(placed[i].frame, placed[j].frame)
             if alike in clear:
@@ -364,7 +364,7 @@ def self_contact(strip: Strip) -> Places | None:
     True
     """
     rod, turned = strip.rod, turns_along(strip.rod.angle)
-    # between two places that meet a curve turns by half a circle or more
+    # between two places that meet, a curve turns by at least half a turn
     if np.ptp(rod.angle) < np.pi:
         return None
     size = strip.layout.size

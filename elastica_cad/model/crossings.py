@@ -1,9 +1,10 @@
 """Crossings in space of two bent strips, taken as ruled surfaces.
 
 The surfaces meet where gamma_a + v z_a = gamma_b + u z_b. The component along n = z_a x z_b is independent of u, v:
-<n, gamma_a(s_a)> = <n, gamma_b(s_b)>. This is a level set in the plane of (s_a, s_b), with one branch for each
-pair of stretches on which both heights are monotone. The other components give v and u. If the rulings are
-parallel, the plane curves cross at points, and each point is a whole common ruling.
+<n, gamma_a(s_a)> = <n, gamma_b(s_b)>. The solutions are curves in the plane of (s_a, s_b), the level set of a
+height difference. The level set has one
+branch for each pair of stretches on which both heights are monotone. The other components give v and u. If the
+rulings are parallel, the plane curves cross at points, and each crossing point belongs to a common ruling.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -27,7 +28,7 @@ STATIONS = 400
 """Least number of samples of a strip for its crossings; interpolation between them is accurate to 1e-5 mm."""
 
 _TABLES = 128  # largest number of curves whose tables are cached for equal strips, crossings and collisions
-_ROUNDING = 1e-12  # of places: strips as thin as a line may meet in spite of it
+_ROUNDING = 1e-12  # largest rounding error of places; strips of no width may meet in spite of it
 
 InPlane = tuple[FloatArray, FloatArray]
 """Points and unit tangents (n, 2) of a strip's curve in its own plane."""
@@ -61,7 +62,7 @@ class RuledStrip:
 
     @property
     def stations(self) -> FloatArray:
-        """Arc lengths (n,) dense enough to find crossings from."""
+        """Arc lengths (n,), dense enough as starting points for crossings."""
         return self._spline.knots[2:-2:2]
 
     def half_width(self, s: FloatArray) -> FloatArray:
@@ -135,8 +136,8 @@ def _over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
 
 
 ZERO = 1e-11
-"""A value below this, in the unit of the function, counts as zero; for lengths in mm it is rounding in a model
-of 10 m."""
+"""Largest value, in the unit of the function, that counts as zero; for lengths it is the rounding error, mm, in a
+model of 10 m."""
 
 ZERO_STEPS = 80
 """Largest number of steps, far more than needed: each step gains more than one and a half digits."""
@@ -172,23 +173,25 @@ def _bracketed_zeros(
 
 
 PARALLEL_RAD = 2e-8
-"""Rulings at less than this angle count as parallel: over 1 m they part by 20 nm."""
+"""Largest angle, rad, between rulings that count as parallel; over 1 m they separate by 20 nm."""
 
 HEIGHT_ERROR = 1e-13
-"""Newton's method ends when the two heights differ by less than this share of the longer strip."""
+"""Difference of the two heights at which Newton's method ends, as a fraction of the length of the longer strip."""
 
 MOST_STEPS = 30
-"""Largest number of Newton steps; six are usual, and where surfaces touch, each only halves the error."""
+"""Largest number of Newton steps. Six are usual; more are needed where surfaces touch, because a step then only
+halves
+the error."""
 
 SAME_HEIGHT = 1e-9
-"""Nodes whose heights differ by less than this share of the longer strip are the same: equal strips have theirs
-in pairs."""
+"""Difference of heights of nodes that count as equal, as a fraction of the length of the longer strip; equal strips
+have pairs of equal nodes."""
 
 LEVEL_SLOPE = 1e-12
-"""A curve is level when the slope of its height is nowhere larger than this."""
+"""Largest slope of the height of a curve that counts as level."""
 
 LEAST_SQUARED_SLOPE = 1e-14
-"""Squared slope of the heights below which the surfaces count as touching; Newton's steps are limited there."""
+"""Squared slope of the heights below which the surfaces count as touching, and Newton steps are limited."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -244,7 +247,7 @@ class Ruling:
 
 
 def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
-    """Crossings of the two plane curves, both drawn in the plane of a."""
+    """Crossings of the two plane curves in the plane of a."""
     sign = float(np.sign(a.axis @ b.axis))
     moved = Frame(a.frame.local(b.frame.origin), a.frame.axes @ b.frame.x_axis, a.frame.axes @ b.frame.y_axis)
     m = np.eye(3)
@@ -269,7 +272,7 @@ class _Heights:
 
     @cached_property
     def up(self) -> FloatArray:
-        """n brought to unit length."""
+        """Unit vector along n."""
         return self.n / np.linalg.norm(self.n)
 
     def along(self, strip: RuledStrip, s: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -284,7 +287,7 @@ class _Heights:
 
     @cached_property
     def _ways(self) -> tuple[tuple[FloatArray, float], ...]:
-        """Slopes of the height along x and y of each frame, and the height of its origin."""
+        """Return the slopes of the height along x and y of a frame, and the height of its origin."""
         origin = self.a.frame.origin
         return tuple(
             (strip.frame.axes[:2] @ self.up, float((strip.frame.origin - origin) @ self.up))
@@ -307,7 +310,8 @@ class _Heights:
 
 @dataclass(frozen=True, eq=False)
 class Branch:
-    """A connected part of the level set, drawn roughly by (s_a, s_b) at its nodes; q counts the nodes."""
+    """Connected part of the level set, approximated by (s_a, s_b) at its nodes; the parameter q is the number of a
+    node."""
 
     heights: _Heights
     s_a: FloatArray
@@ -319,7 +323,7 @@ class Branch:
         return np.arange(self.s_a.size, dtype=float)
 
     def at(self, q: FloatArray) -> IntersectionPoints:
-        """Newton's method across the level set, from between the nodes."""
+        """Newton's method across the level set, starting on the lines between the nodes."""
         h = self.heights
         s_a, s_b = (np.interp(q, self.nodes, row) for row in (self.s_a, self.s_b))
         on_curves = h.a.in_plane(s_a), h.b.in_plane(s_b)
@@ -336,7 +340,7 @@ class Branch:
 
 
 IntersectionCurve: TypeAlias = Branch | Ruling
-"""Curve of common points over a parameter; between two of its nodes it can only cross an edge."""
+"""Curve of common points over a parameter; crossings of edges are the only special points between two nodes."""
 
 
 def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
@@ -407,7 +411,7 @@ def _joint(k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float) -> tu
     """
     as_a, as_b = bound in (c_a[0], c_a[-1]), bound in (c_b[0], c_b[-1])
     if as_a and as_b:
-        return None  # the surfaces touch there: no way leads on
+        return None  # the level set ends at this turning point, because the surfaces touch
     if as_a:
         return "a", k if bound == c_a[0] else k + 1, m
     return "b", m if bound == c_b[0] else m + 1, k
@@ -419,7 +423,7 @@ def _joined(
     first: int,
     second: int,
 ) -> list[tuple[FloatArray, FloatArray]]:
-    """Pieces that end at the same turn, put together."""
+    """Pieces joined at their common turning points."""
     counts = {"a": first, "b": second}
     homes: dict[tuple[str, int, int], list[int]] = {}
     for i, pair in enumerate(ends):
@@ -429,7 +433,7 @@ def _joined(
     left = set(range(len(pieces)))
 
     def grown(i: int, key: tuple[str, int, int] | None) -> list[tuple[FloatArray, FloatArray]]:
-        """Pieces from the far end of the chain beyond `key` to it, in order towards piece i."""
+        """Pieces of the chain that ends at `key`, in order from its other end towards piece i."""
         chain: list[tuple[FloatArray, FloatArray]] = []
         while key is not None:
             after = [j for j in homes.get(key, []) if j != i and j in left]
@@ -458,7 +462,7 @@ NODE_PARTS = 4
 """Number of parts between nodes among which crossings of edges are bracketed."""
 
 ON_EDGE_MM = 1e-8
-"""A crossing that ends this near to an edge, mm, ends on it."""
+"""Largest distance, mm, from an edge of the end of a crossing that counts as on the edge."""
 
 LENGTH_POINTS = 33
 """Number of points for measuring the length along a crossing, accurate to 0.1 %."""
@@ -466,7 +470,7 @@ LENGTH_POINTS = 33
 
 @dataclass(frozen=True, eq=False)
 class CrossingPoints:
-    """Points that both strips share.
+    """Common points of both strips.
 
     Attributes
     ----------
@@ -506,7 +510,7 @@ class Crossing:
         p = self.locus.at(self.start + x * (self.end - self.start))
         (place, tangent), (_, other) = p.on_curves
         normals = a.normal(tangent), b.normal(other)
-        # half the angle between unit vectors has this tangent, to rounding at every angle
+        # tangent of half the angle between unit vectors, accurate for every angle
         apart, together = np.linalg.norm([normals[0] - normals[1], normals[0] + normals[1]], axis=2)
         return CrossingPoints(
             np.column_stack([p.s_a, p.v]),
@@ -517,7 +521,8 @@ class Crossing:
 
     @cached_property
     def course(self) -> tuple[FloatArray, FloatArray, CrossingPoints]:
-        """Places x (n,) from 0 to 1, all nodes of the locus among them, lengths up to them, mm, and the points."""
+        """Places x (n,) from 0 to 1 including all nodes of the locus, the lengths up to them, mm, and the
+        points."""
         nodes = (self.locus.nodes - self.start) / (self.end - self.start)
         x = distinct(np.concatenate([np.linspace(0.0, 1.0, LENGTH_POINTS), nodes[(nodes > 0) & (nodes < 1)]]))
         points = self.at(x)
@@ -530,12 +535,12 @@ class Crossing:
 
     @cached_property
     def middle(self) -> float:
-        """The x half way along."""
+        """Place x of the middle of the crossing, by length."""
         x, along, _ = self.course
         k = int(np.searchsorted(along, along[-1] / 2)) - 1
         pace = float((x[k + 1] - x[k]) / (along[k + 1] - along[k]))
         middle, half = float(x[k]) + pace * (along[-1] / 2 - along[k]), along[-1] / 2 - along[k]
-        for _ in range(2):  # between nodes x is smooth: the secant method takes a few steps
+        for _ in range(2):  # the length is smooth between nodes, so two steps of the secant method suffice
             done = lengths_along(self.at(np.linspace(x[k], middle, 5)).position)[-1]
             middle += (half - done) * pace
         return float(middle)
@@ -617,6 +622,6 @@ def _edges(
 
 
 def _blocks(flags: BoolArray) -> list[tuple[int, int]]:
-    """(first, last + 1) of the runs of True."""
+    """Return the first index and the last index + 1 of each sequence of True."""
     steps = np.diff(np.concatenate([[0], flags.astype(int), [0]]))
     return list(zip(np.flatnonzero(steps > 0).tolist(), np.flatnonzero(steps < 0).tolist(), strict=True))

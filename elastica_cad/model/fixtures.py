@@ -119,14 +119,14 @@ def tabs_to_hold(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> l
 
 
 def require_ends(ends: object) -> None:
-    """Refuse what names no ends of strips."""
+    """Refuse values that do not name ends of strips."""
     named = ends if isinstance(ends, Sequence) and not isinstance(ends, str) else (ends,)
     if not all(isinstance(end, str) and end in ENDS for end in named):
         raise InputError(f'ends are {ends!r}: give a list of "start" and "end" with its records')
 
 
 def _require_holdable(strip: Strip, name: str | None = None) -> None:
-    """Refuse a strip whose ends fit none of our holders."""
+    """Refuse a strip whose ends fit no holder of this package."""
     if strip.layout.stack is not None:
         raise InputError(
             f"{name or strip.label or 'strip'}: a stack of plies is on one side of its curve, where "
@@ -135,14 +135,15 @@ def _require_holdable(strip: Strip, name: str | None = None) -> None:
 
 
 LEAST_WALL_MM = 0.8
-"""Thinnest printed wall, mm: two lines of a 0.4 mm nozzle."""
+"""Least thickness of a printed wall, mm: two lines of a 0.4 mm nozzle."""
 
 GROOVE_SHARE = 0.16, 0.075
-"""Width and depth of engraved strokes over the height of the letters: at 4 mm a 0.4 mm nozzle still prints the
-width, and the depth is two fine layers."""
+"""Width and depth of engraved strokes as fractions of the height of the letters. A 0.4 mm nozzle prints the width
+at a
+height of 4 mm; the depth is then two fine layers."""
 
 LABEL_MM = 4.0
-"""Height of the part number, where there is room."""
+"""Height of the part number, mm, if there is room."""
 
 LEVEL = 1e-6
 """Tolerance for heights, mm, and directions."""
@@ -318,7 +319,8 @@ class EndFixture(EqualByValue):
 
     @property
     def lowest(self) -> float:
-        """Height of the block's lowest corner over the floor, mm, before it is drawn down to it."""
+        """Height of the lowest corner of the block over the floor, mm, before the block is extended to the
+        floor."""
         up, _, height = self._up
         return float((self._core @ up).min() - height)
 
@@ -329,14 +331,15 @@ class EndFixture(EqualByValue):
 
     @property
     def seat(self) -> TabSeat:
-        """The pocket as the tab feels it."""
+        """Seat of the tab in the pocket."""
         pocket = TabSeat.pocket(self.tab.length, self.tab.thickness, self.clearance)
         return pocket.moved(*self.lean)
 
     @cached_property
     def solid(self) -> PrismSolid:
-        """The block, as prisms put together and taken away, the pocket first; its joint "tab" is where the strip
-        ends.
+        """Block as a union and difference of prisms, the pocket first.
+
+        Its joint "tab" is at the end of the free part of the strip.
         """
         up, along, height = self._up
         core = self._core
@@ -357,7 +360,7 @@ class EndFixture(EqualByValue):
         return PrismSolid(tuple(added), (*removed, *self._letters()), {"tab": self.tab.frame})
 
     def _prism(self, corners: FloatArray, across: float) -> FlatSolid:
-        """A profile drawn across the block, half to either side of the strip's middle."""
+        """Return a prism with this profile, symmetric about the middle plane of the strip."""
         return FlatSolid(_polygon(corners), (), across, self._profile.shifted(z=-across / 2))
 
     def _pocket(self) -> FlatSolid:
@@ -367,7 +370,7 @@ class EndFixture(EqualByValue):
         shift, turn = self.lean
         cos, sin = np.cos(turn), np.sin(turn)
         corners = np.array([(front, -half), (back, -half), (back, half), (front, half)])
-        # left of the curve is off the strip's lower side: -y of the profile
+        # the left of the curve is the lower side of the strip, and -y of the profile
         leaned = corners @ np.array([[cos, -sin], [sin, cos]]) - (0.0, shift)
         return self._prism(leaned, self.tab.width + 2 * self.clearance)
 
@@ -381,7 +384,7 @@ class EndFixture(EqualByValue):
         ]
 
     def _tip_hole(self, body: FloatArray) -> list[FlatSolid]:
-        """For the screw of a T-slot, through the wall behind the tip and all below it."""
+        """Hole for the screw of a T-slot, through the wall behind the tip and everything below it."""
         slot, tab = self.tab.t_slot, self.tab.frame
         if slot is None:
             return []
@@ -414,7 +417,7 @@ class EndFixture(EqualByValue):
 def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[FlatSolid]:
     """Return the grooves of letters of this height in a face whose normal is the z axis of `side`.
 
-    Every line or arc of a stroke is a groove of its own with a flat bottom; grooves that meet overlap.
+    Every line or arc of a stroke is a separate groove with a flat bottom; grooves that meet overlap.
     """
     width, depth = (share * height for share in GROOVE_SHARE)
     frame = side.shifted(z=-depth)

@@ -1,4 +1,5 @@
-"""A slotted frame: rails that hold all tabs and ribs that join them; feet that hold tabs at their angle."""
+"""Slotted frames of rails that hold the tabs and ribs that join the rails, and feet that hold tabs at their
+angle."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -39,13 +40,14 @@ SLOT_ROOM_MM = 3.0
 """Least distance between the slots of ribs and of tabs, mm; the sheet may need more."""
 
 LABEL_MM = 6.0
-"""Height of a rib's name, where there is room."""
+"""Height of the name of a rib, mm, if there is room."""
 
 MOST_RIBS = 200
 """Largest number of ribs of a frame."""
 
 STEP_MM = 2.5
-"""Step on each side of a tongue, mm: it is narrower in the first of two rails, which keeps the gap between them."""
+"""Step on each side of a tongue, mm. The tongue is narrower in the first of two rails, so the step keeps their
+gap."""
 
 ON_SIDE_MM = 1e-6
 """Largest distance, mm, by rounding, of a point on a side of the rib from this side."""
@@ -310,7 +312,7 @@ class _RibPlan:
             for base in bases:
                 drawn = None if drawn is None else _with_tongue(drawn, base, (behind, under), step)
             if drawn is not None and self_crossing(drawn, closed=True) is None:
-                # in the part behind the first tongue
+                # for the part of the rib behind the first tongue
                 label = centred_text(self.name, a.at(0.0, half), min(LABEL_MM, 0.6 * depth), 1.6 * rest)
                 return Rib(self.name, sheet, frame, Path.polygon(drawn), label)
         raise InputError(
@@ -384,7 +386,7 @@ LEAST_GLUED_MM = 4.0
 """Least length of a tab behind its plate for gluing, mm."""
 
 FOOT_LABEL_MM = 3.0
-"""Height of a foot's name, where there is room."""
+"""Height of the name of a foot, mm, if there is room."""
 
 
 def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib, ...]:
@@ -421,7 +423,8 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
         n = np.array([plate.frame.z_axis @ profile.x_axis, plate.frame.z_axis @ profile.y_axis])
         low = float((plate.frame.origin - profile.origin) @ plate.frame.z_axis) - thickness
         walls = profile.local(plate.frame.point(np.column_stack([slot.corners, np.full(4, -thickness)])))
-        level = np.array([-n[1], n[0]]) / np.hypot(*n) * np.sign(n[0])  # along the plate's back, towards +y
+        # direction along the back of the plate, towards +y
+        level = np.array([-n[1], n[0]]) / np.hypot(*n) * np.sign(n[0])
         for side, called in ((1.0, "a"), (-1.0, "b")):
             face = side * tab.thickness / 2
             begin = (low - n[1] * face) / n[0]
@@ -465,5 +468,5 @@ def _label(name: str, corners: np.ndarray) -> Text:
     """Return the name in the middle of a triangle, as large as possible."""
     sides = np.roll(corners, -1, axis=0) - corners
     (ux, uy), (vx, vy) = sides[:2]
-    inner = abs(ux * vy - uy * vx) / np.hypot(*sides.T).sum()  # radius of the circle inscribed
+    inner = abs(ux * vy - uy * vx) / np.hypot(*sides.T).sum()  # radius of the inscribed circle
     return centred_text(name, corners.mean(axis=0), min(FOOT_LABEL_MM, inner / 2), 1.6 * inner)

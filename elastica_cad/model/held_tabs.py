@@ -19,17 +19,18 @@ from elastica_cad.strip.tab_seats import WALL_PLACES, TabSeat
 
 def _seat_between(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> TabSeat:
     """Return the seat between the walls (2, n, 2) of a slot, in the plane of the strip's curve."""
-    # of a wall that begins beyond the tab's tip its edge counts
+    # for a wall that begins beyond the tip of the tab, use its edge
     reached = [places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in walls]
     left, right = sorted(reached, key=lambda places: -float(places[:, 1].mean()))
     return TabSeat(left, right, tab.thickness, note("slot of {name}", name=plate.name))
 
 
 def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
-    """Return for each slot with a tab its number among the plate's slots, the tab, and its walls, the first
-    corners' first.
+    """Return the number of each slot with a tab, the tab, and the walls of the slot; the first wall has the first
+    corners.
 
-    Walls are places (2, n, 2) into the tab and to its left, where lines down them meet the plane of the curve.
+    Walls are places (2, n, 2) into the tab and to its left, where vertical lines of the walls meet the plane of the
+    curve.
     """
     through = [(k, slot.tab) for k, slot in enumerate(plate.slots) if slot.tab is not None]
     if not through:
@@ -40,7 +41,7 @@ def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
     corners[..., 2] = depths
     frames = [tab.frame for _, tab in through]
     origins, axes = np.array([frame.origin for frame in frames]), np.array([frame.axes for frame in frames])
-    # along the tab, across it and off the strip's upper side
+    # coordinates along the tab, across it, and away from the upper side of the strip
     local = (plate.frame.point(corners) - origins[:, None, None]) @ np.swapaxes(axes, 1, 2)[:, None]
     begin, finish = local[:, [0, 3]], local[:, [1, 2]]
     u = begin[..., 1] / (begin[..., 1] - finish[..., 1])
@@ -185,7 +186,7 @@ def _tipping(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float
         PlacedTab.of(member.strip, k, member.frame).frame for k in sorted(ENDS, key=lambda k: k != end)
     )
     right, left = np.abs(np.degrees(seat.turning))
-    # where the tab turns to the left of the curve, the strip before it turns to the right, which is its z axis
+    # if the tab turns to the left of the curve, the strip before it turns to the right, the direction of the z axis
     lies_right = (other.origin - here.origin) @ here.z_axis > 0
     return (left, right) if lies_right else (right, left)
 

@@ -1,4 +1,4 @@
-"""Strips that cross in space are slotted half way each, so that they slide into each other."""
+"""Slots in strips that cross in space, half way into each strip, so that the strips slide into each other."""
 
 from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
@@ -65,9 +65,10 @@ def _bent_slot_width(
         for matrix in (np.linalg.inv(slopes), rows, mates, across)
     )
     z = np.repeat(list(product((-0.5, 0.5), repeat=2)), len(along), axis=0) * thickness
-    x = np.zeros((len(rows), 3))  # across the slot, and along and across the other strip
+    x = np.zeros((len(rows), 3))  # coordinates across the slot, and along and across the other strip
     error = np.full(len(rows), np.inf)
-    farthest = ruled.length + other.length  # where faces do not meet, steps would grow beyond all numbers
+    # bound of steps, because they grow without limit if the faces do not meet
+    farthest = ruled.length + other.length
     for _ in range(MOST_STEPS):
         here = _on_face(ruled, rows + x[:, :1] * across, z[:, :1])
         there = _on_face(other, mates + x[:, 1:], z[:, 1:])
@@ -262,7 +263,7 @@ def place_between(first: Frame, second: Frame) -> tuple[float, ...]:
 
 @dataclass(frozen=True, eq=False)
 class _Cutter:
-    """Makes slots from crossings."""
+    """Builder of slots at crossings."""
 
     strips: tuple[Strip, ...]
     names: tuple[str, ...]
@@ -370,7 +371,7 @@ class _Cutter:
     def refuse_touching(
         self, members: tuple[int, int], ruled: tuple[RuledStrip, RuledStrip], crossings: Iterable[Crossing]
     ) -> None:
-        """Strips with parallel rulings must keep clear of each other but where they cross."""
+        """Refuse strips with parallel rulings that touch anywhere except at their crossings."""
         a, b = ruled
         if np.linalg.norm(np.cross(a.axis, b.axis)) > PARALLEL_RAD:
             return

@@ -83,7 +83,8 @@ class NestedSheet(Drawing):
 
 @dataclass(frozen=True)
 class _Box:
-    """A piece to be laid, with its margin: index, size along the rows and across them, turned by a quarter."""
+    """Piece to be placed, with its margin: index, sizes along and across the rows, and True if turned by 90
+    degrees."""
 
     piece: int
     long: float
@@ -93,7 +94,7 @@ class _Box:
 
 @dataclass
 class _Row:
-    """A row of boxes: its sheet, its start and width across the sheet, and the length that its boxes take."""
+    """Row of boxes: its sheet, its start and width across the sheet, and the length that its boxes take."""
 
     sheet: int
     start: float
@@ -209,7 +210,8 @@ def _boxes(index: int, piece: Piece, margin: float, room: tuple[float, float], u
     """Return the orientations in which the piece fits the sheet."""
     x, y = (side + margin for side in piece.size)
     boxes = []
-    turns = {"along": (False,), "across": (True,)}.get(piece.sheet.grain, (False, True))  # grain is along x
+    # the grain of the sheet is along x
+    turns = {"along": (False,), "across": (True,)}.get(piece.sheet.grain, (False, True))
     for turned in turns:
         long, wide = (y, x) if turned != upright else (x, y)
         if long <= room[0] + SLACK_MM and wide <= room[1] + SLACK_MM:

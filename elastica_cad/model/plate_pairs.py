@@ -1,4 +1,4 @@
-"""Plates that follow tabs wherever these are, alone or in pairs that hold inclined tabs at their angle."""
+"""Plates in the best plane for tabs, single or in pairs that hold inclined tabs at their angle."""
 
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import replace
@@ -39,7 +39,7 @@ LEAN_ROUNDS = 6
 """Largest number of rounds of moving slots; three are usually enough."""
 
 LEANED_MM = 0.03
-"""Movement of slots, mm, below which the rounds end; each round moves them a tenth as far as the one before."""
+"""Movement of slots, mm, below which the rounds end; each round reduces the movement to a tenth."""
 
 
 def plate_pair(
@@ -190,7 +190,7 @@ def _leans(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, 
 def _moved(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
     """Return the slots of a plate, moved within the plate by the shift and turn for each tab."""
     slots, walls = list(plate.slots), slot_walls(plate)
-    # left of the curve is -z of the tab; its projection is the direction within the plate
+    # the left of the curve is -z of the tab; its projection is the direction of movement in the plate
     ways = np.array([(tab.frame.x_axis, -tab.frame.z_axis) for _, tab, _ in walls]).reshape(-1, 2, 3)
     for (k, tab, wall), (into, left) in zip(walls, (ways @ plate.frame.axes.T)[..., :2], strict=True):
         if (lean := leans.get(tab.key)) is not None:
@@ -203,7 +203,7 @@ def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatA
     moves = []
     for wall in walls:
         place, slope = lean.touched(wall)
-        # the tab is bent there: a wall that moves within the plate moves across the tab and along it
+        # the tab is bent at the plate, so a wall that moves in the plate moves both across and along the tab
         across = left - slope * into
         moves.append((lean.shift + lean.turn * place) / float(across @ left) * left)
     first, second = moves

@@ -41,7 +41,7 @@ LEAST_OPENING_SHARE = 0.4
 """Least radius of the opening of a round plate, as a fraction of the plate's radius."""
 
 LABEL_MM = 4.0
-"""Height of engraved names, where there is room."""
+"""Height of engraved names, mm, if there is room."""
 
 BELOW_MM = 1e-6
 """Least depth of the end of a tab below the upper face of its plate, mm."""
@@ -151,17 +151,17 @@ class BasePlate:
     ----------
     sheet : Sheet
     frame : Frame
-        Its upper face, z up.
+        Upper face of the plate, z up.
     outline : Path
         Closed, in the frame.
     slots : tuple of TabSlot
     name : str
     warnings : tuple of str
-        Why it should not be cut, where it was made all the same.
+        Reasons not to cut the plate, if limits were ignored.
     opening : Path or None
-        A closed loop in its middle that is cut out.
+        Closed loop of the cut-out in the middle, or None.
     glued : bool
-        Are its tabs glued at their angle, with feet?
+        True if the tabs are glued at their angle, with feet.
     """
 
     sheet: Sheet
@@ -487,7 +487,8 @@ def _rim_text(
     largest = min(LABEL_MM, 0.4 * (outer - inner))
     for height in np.linspace(largest, LEAST_LABEL_MM, 12).tolist() if largest > LEAST_LABEL_MM else ():
         half, below = text_width(name, height) / 2, height * TAILS
-        most = float(np.sqrt(max(outer**2 - half**2, 0.0))) - height  # the upper corners are on the circle
+        # the upper corners of the name are on the circle
+        most = float(np.sqrt(max(outer**2 - half**2, 0.0))) - height
         if most >= inner + below:
             low = min(most, (inner + below + outer - height) / 2)
             return (Text((center[0] - half, center[1] + low), name, height, 0.0, ENGRAVE),)

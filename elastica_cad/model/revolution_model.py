@@ -35,7 +35,8 @@ WIDTH_MM = 1e-5
 """Largest error of a width, mm."""
 
 PARALLEL = 1e-12
-"""Largest slope that counts as rounding error; two planes are then the same, and two bounds do not cross."""
+"""Largest difference of slopes that is a rounding error; two planes then count as equal, and bounds do not
+cross."""
 
 END_MM = 1e-9
 """Largest distance, mm, of a kink that counts as being at an end."""
@@ -119,7 +120,8 @@ def _bound(
     z, r = frame.z_axis, opposite.z_axis
     z = z * np.sign((middles[1] - frame.origin) @ z)
     r = r * np.sign((middles[0] - opposite.origin) @ r)
-    normal = z - r  # of the points as far from either plane, on the sides that face each other
+    # normal of the plane at equal distances from both strips, on the sides that face each other
+    normal = z - r
     pace = float(normal @ z)
     if not (np.any(z) and np.any(r)) or pace < PARALLEL:
         raise InputError(
