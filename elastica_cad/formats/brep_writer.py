@@ -31,8 +31,8 @@ from elastica_cad.strip.bent_boundary import (
 )
 from elastica_cad.strip.flat_pattern import on_segment
 
-EDGE_TOLERANCE_MM = 1e-7  # mm: default tolerance of edges and faces in OpenCASCADE
-VERTEX_TOLERANCE_MM = 1e-6  # mm: largest gap between edges in records
+EDGE_TOLERANCE_MM = 1e-7  # default tolerance of edges and faces in OpenCASCADE
+VERTEX_TOLERANCE_MM = 1e-6  # largest gap between edges in records
 
 _HEAD = b"\nOpen CASCADE Topology V3 (c)\n"  # the first version that contains the ends of edges in (u, v)
 _SOLID, _SHELL, _FACE, _WIRE, _EDGE, _VERTEX = range(2, 8)
@@ -70,7 +70,8 @@ class BinaryBrep:
 
     @property
     def for_bintools(self) -> bytes:
-        """Return the bytes for BinTools, which end with orientation, number counted from the last, and place."""
+        """Return the bytes for BinTools, which end with the orientation, number (from the last shape) and place of
+        the whole."""
         return self.tables + pack("<B2i", 0, 1, 0)
 
     @property

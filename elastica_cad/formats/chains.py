@@ -23,23 +23,27 @@ from elastica_cad.geometry.splines import bezier_spans, interpolation_sites, kno
 from elastica_cad.geometry.tangent_healing import heal_tangents
 from elastica_cad.refusals import Length
 
-JOIN_TOLERANCE = 0.01  # mm: files are written with three or four decimals
-NEAR_MM, NEAR_SHARE = 3.0, 0.1  # mm, and fraction of the smaller curve: closer ends may belong together
+JOIN_TOLERANCE = 0.01  # tolerance, mm, of joints; files have three or four decimals
+# distance of ends that may belong together: mm, and fraction of the smaller curve
+NEAR_MM, NEAR_SHARE = 3.0, 0.1
 DIGIT_MM, DIGIT_SHARE = 0.5, 0.01  # largest rounding gap to close: mm, and fraction of the smaller curve
 _ALONGSIDE = np.cos(np.radians(160.0))  # cosine of the turn above which two curves run side by side
 HOLE_ASIDE = 0.1  # largest distance of a hole's centre from its straight end, as a fraction of the diameter
-SAME_POINT = 1e-13  # fraction of the largest coordinate: closer points differ by rounding
-LARGEST_TURN, LEAST_TURN = 50.0, 5.0  # degrees: corners of points, and of sides without a smooth curve
+SAME_POINT = 1e-13  # rounding distance of points, as a fraction of the largest coordinate
+# turn, degrees, of a corner of points, and of a corner of sides without a smooth curve
+LARGEST_TURN, LEAST_TURN = 50.0, 5.0
 _STRAIGHT_ON = np.cos(np.radians(1.0))  # cosine of the largest turn at which two ends share a tangent
-_LONG = 20.0  # tolerances: longer sides of a polyline are intended to be straight
+_LONG = 20.0  # length, in tolerances, above which a side of a polyline is intended to be straight
 _DIGIT = 1.1 * np.sqrt(
     2.0
 )  # largest error of an end in units of coordinate rounding, with an allowance for angles
-_DENSE = 50  # number of inner knots: a spline with more was interpolated through points
-_ROUGH = 0.2  # fraction of the largest curvature: points are noisy if second differences at knots are larger
+_DENSE = 50  # number of inner knots above which a spline was interpolated through points
+# second difference at knots, as a fraction of the largest curvature, above which points are noisy
+_ROUGH = 0.2
 _REFINED = 10  # rounds of the search for the nearest point, each four times as fine
-_CROWD = 50  # ends at one point, on all layers: more than this are not joined
-_CROWDED_CELLS = 4  # crowds in the cells around an end, above which the end is not compared with each of them
+_CROWD = 50  # largest number of ends at a point, on all layers, that are joined
+# number of `_CROWD` in the cells around an end, above which the end is not compared with other ends
+_CROWDED_CELLS = 4
 
 _Joints: TypeAlias = dict[
     tuple[int, int], tuple[int, int]

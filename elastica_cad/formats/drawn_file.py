@@ -28,9 +28,7 @@ _MOST_SAMPLES = 8000
 _EACH_SIDE = 4  # samples per width
 _ACROSS = 3.0  # largest distance of the opposite side of a stroke, in widths
 _EVEN = 0.05  # largest variation of the width along a stroke, as a fraction
-_CAPS = (
-    6.0  # widths: length of the outline, at both ends of the stroke together, where no opposite side is near
-)
+_CAPS = 6.0  # length of the outline without an opposite side, at both ends of the stroke together, in widths
 
 
 def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
@@ -315,7 +313,7 @@ class DrawnFile:
         Raises
         ------
         InputError
-            None, or several.
+            No curve or several curves are selected.
         """
         curves = self.chosen(which, layer)
         how = how.format(count=len(self.curves))
@@ -351,7 +349,7 @@ class DrawnFile:
         with name_source(self.path):
             return CurveList(
                 [curve.curve for curve in good or self.curves[:1]], self
-            )  # the first raises its own error
+            )  # the first curve raises its error
 
 
 class CurveList(list[PlaneCurve]):
@@ -568,7 +566,7 @@ def _parts(curve: DrawnCurve) -> set[str]:
 
 
 def list_things(counted: Mapping[str, int]) -> str:
-    """Return a list in words, such as "2 text, 1 image"; only the first kinds where there are many.
+    """Return a list in words, such as "2 text, 1 image"; if there are many kinds, only the first.
 
     Examples
     --------

@@ -44,7 +44,7 @@ class Edge:
     knots : (m + degree + 1,) array
         Full knot vector, clamped or not.
     points : (m, 2) or (m, 3) array
-        Control points; of an edge of degree 1 the vertices of a polyline.
+        Control points; for degree 1 the vertices of a polyline.
     degree : int
         1 or more.
     weights : (m,) array, optional
@@ -179,10 +179,11 @@ class Edge:
         """Return parameters along the edge, `each` to a span, both ends and all knots included."""
         edges = self.spans.edges
         places = edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0, 1, each)
-        return knot_runs(np.sort(places, axis=None))[0]  # `np.unique` loads all of numpy.ma
+        # used instead of `np.unique`, which loads all of numpy.ma
+        return knot_runs(np.sort(places, axis=None))[0]
 
     def reversed(self) -> "Edge":
-        """Return the same edge run from its end to its start."""
+        """Return the reversed edge."""
         weights = None if self.weights is None else self.weights[::-1]
         return Edge(
             self.knots[0] + self.knots[-1] - self.knots[::-1],
@@ -198,7 +199,7 @@ class Edge:
         source = source or self.source
         if not np.isfinite(points).all():
             return Edge(self.knots, points, self.degree, self.weights, source)
-        edge = object.__new__(Edge)  # all other fields are checked
+        edge = object.__new__(Edge)  # the other fields are checked already
         parts = {"knots": self.knots, "points": points, "degree": self.degree, "weights": self.weights}
         vars(edge).update(parts, source=source)
         return edge

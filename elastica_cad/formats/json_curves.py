@@ -45,13 +45,13 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
     Raises
     ------
     InputError
-        Not JSON, another schema, a missing or bad entry, which is named.
+        The file is not JSON or has another schema, or an entry is missing or invalid; the message names the entry.
     """
     try:
         data = json.loads(file.read_bytes())
     except RecursionError as error:
         raise InputError("has lists or records nested too deeply: give a file that elastica wrote") from error
-    except ValueError as error:  # also an integer of thousands of digits
+    except ValueError as error:  # raised for an integer of thousands of digits, too
         raise InputError(
             "is not JSON ({partition}): export it again", partition=str(error).partition(";")[0]
         ) from error

@@ -154,7 +154,7 @@ def read_sized_surface(
     Raises
     ------
     InputError
-        The size of the surface is impossible for a model made of strips, or as `read_surface`.
+        The size of the surface is impossible for a model made of strips; also the errors of `read_surface`.
     """
     unit = "mm" if unit is None and scale is not None else unit
     surface = read_surface(path, unit=unit, scale=1.0 if scale is None else scale)

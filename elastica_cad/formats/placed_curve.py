@@ -88,10 +88,10 @@ def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
     return np.array([x_axis, y_axis])
 
 
-JOIN = 1e-4  # mm: largest gap between ends of edges that meet
+JOIN = 1e-4  # largest gap, mm, between ends of edges that meet
 TANGENT = 1e-3  # rad
-EVEN = 1e-6  # rad: curves with a smaller total turn have no side
-MEANT = 0.05  # fraction of the extent of all edges: ends farther apart are not intended to meet
+EVEN = 1e-6  # least total turn, rad, of a curve that determines the side of its plane
+MEANT = 0.05  # largest distance of ends that are intended to meet, as a fraction of the extent of all edges
 AS_DRAWN = np.eye(3)
 
 

@@ -122,8 +122,9 @@ class PointTable:
         Raises
         ------
         InputError
-            No text file; a heading with two units, or with a unit that is not known; signs between thousands that
-            may be decimal signs.
+            The file is not text; the heading has two units or an unknown unit; or separators of thousands may be
+            decimal
+            signs.
         """
         rows, remarks, separator = _parted(read_text(file))
         layout = _Layout.of(rows)
@@ -275,7 +276,7 @@ class _Layout:
         units = [
             *units,
             *(unit_name for unit_name in stated if len(names) < 2 or unit_name not in names),
-        ]  # several unknown names are names of curves
+        ]  # several unknown names in a heading are names of curves
         if count == 1:
             last = max(curves[0])
             rows = [(n, [cells[k] for k in curves[0]] if len(cells) > last else cells) for n, cells in below]
@@ -450,14 +451,14 @@ def _in_mm(cell: str, scale: float) -> float:
     Raises
     ------
     ValueError
-        Another text.
+        The text is not a length.
     """
     inches = read_offset(cell)
     return scale * read_number(cell) if inches is None else MM_PER_INCH * inches
 
 
 def _is_number(cell: str) -> bool:
-    """Return True if `_in_mm` takes the cell."""
+    """Return True if `_in_mm` can convert the cell."""
     try:
         _in_mm(cell, 1.0)
     except ValueError:
@@ -561,7 +562,7 @@ def read_path_points(file: Path) -> FloatArray:
     Raises
     ------
     InputError
-        A row without three finite numbers, which is named.
+        A row does not have three finite numbers; the message names the row.
     """
     with name_source(file):
         table = PointTable.read(file, unit=None)

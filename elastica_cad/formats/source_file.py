@@ -35,18 +35,18 @@ LARGEST_OF_KIND = {".toml": 2 * 2**20} | dict.fromkeys(
 
 
 def require_file(path: str | Path) -> Path:
-    """Return the path, and refuse it unless a file is there that can be read and holds something.
+    """Return the path, and refuse it unless it is a readable file that is not empty.
 
     Raises
     ------
     InputError
-        Nothing there, a folder, no permission, no bytes, or more than are read.
+        The file is missing, a folder, not readable, empty, or too large.
     """
     path, noted = require_path(path), _read.get()
     if noted is not None:
         noted.setdefault(path.absolute(), mark_file(path))
     require_below(path)
-    if os.path.isdir(path):  # False, not an error, for invalid names
+    if os.path.isdir(path):  # `isdir` returns False for invalid names, without an error
         raise InputError("{path} is a folder: name one file in it", path=path)
     if os.path.exists(path) and not path.is_file():
         raise InputError("{path} is a device or a pipe, not a file: name a file", path=path)
@@ -165,8 +165,9 @@ MOST_DEGREE = 25
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _WRITTEN = re.compile(r"[-+]?(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")
-_PROGRAMS = 6  # significant digits from which a program may use a fixed number of them instead of decimals
-_EVIDENCE = 2  # number of large numbers that are not multiples of 10 from which their decimals are decisive
+# least number of significant digits that may be a fixed number of digits of a program, instead of decimals
+_PROGRAMS = 6
+_EVIDENCE = 2  # least number of large coordinates, no multiples of 10, whose decimals are decisive
 
 
 def check_places(points: FloatArray) -> FloatArray:
@@ -190,7 +191,7 @@ def check_places(points: FloatArray) -> FloatArray:
 
 
 def check_size(points: FloatArray) -> None:
-    """Refuse a curve whose control points (n, d), mm, span less or more than any strip."""
+    """Refuse a curve whose control points (n, d), mm, have a smaller or larger extent than any strip."""
     check_places(points)
     size = float(np.ptp(points, axis=0).max()) if len(points) else 0.0
     if size != 0 and not SMALLEST_SIZE <= size <= LARGEST_SIZE:
@@ -218,7 +219,7 @@ def check_count(count: int, most: int, what: str, instead: str) -> int:
 
 
 def check_degree(degree: int) -> int:
-    """Return the degree of a spline, and refuse it unless it is 1 or more."""
+    """Return the degree of a spline, and refuse a degree below 1."""
     if not 1 <= degree <= MOST_DEGREE:
         raise InputError(
             "a spline has degree {whole}, outside 1 to {most_degree}: export it with degree 3",

@@ -215,7 +215,7 @@ class _Shapes:
         self._paths: dict[int, PathData] = {}
 
     def painted(self, shapes: Sequence[Any]) -> Sequence[Any]:
-        """Return the shapes of svgelements that have a stroke or a fill, or all where none has."""
+        """Return the shapes of svgelements that have a stroke or a fill, or all shapes if no shape has."""
         shown = [shape for shape in shapes if not _is_hidden(shape)]
         seen = [shape for shape in shown if any(_paints(shape.values, what) for what in _PAINTS)]
         if seen:

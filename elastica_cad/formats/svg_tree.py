@@ -56,7 +56,7 @@ _Steps = list[tuple[str, list[re.Match[str]]]]
 class _Rule(NamedTuple):
     steps: _Steps
     weight: tuple[int, ...]
-    declared: list[tuple[str, str, bool]]  # name, value, is it important
+    declared: list[tuple[str, str, bool]]  # name, value, True if important
 
 
 def _apply_styles(root: Element) -> list[str]:
@@ -104,7 +104,8 @@ def _apply_styles(root: Element) -> list[str]:
 
 def _rules(sheet: Element) -> Iterator[tuple[str, str, bool]]:
     """Return selectors and declarations of the rules of a sheet, and whether they always apply on a screen."""
-    holds: list[bool | None] = [_holds(sheet.get("media", ""))]  # None: not on a screen, or no rules
+    # an entry is None if the sheet has no rules for a screen
+    holds: list[bool | None] = [_holds(sheet.get("media", ""))]
     selector = text = ""
     for piece in _PIECE.findall(_COMMENT.sub(" ", "".join(sheet.itertext()))):
         if piece == "{":
@@ -240,7 +241,7 @@ PHYSICAL = {"pc": MM_PER_INCH / 6, "q": 0.25} | {unit: MILLIMETRES[unit] for uni
 """Size of units other than the pixel, mm."""
 
 _MM = PHYSICAL | {"px": MILLIMETRES["px"], "": MILLIMETRES["px"]}
-_MM |= dict.fromkeys(("em", "rem"), 16 * _MM["px"])  # of the default font
+_MM |= dict.fromkeys(("em", "rem"), 16 * _MM["px"])  # size of the default font
 _LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 
 
@@ -285,7 +286,7 @@ _HELD = ("svg", "symbol")
 
 Box = tuple[float, float, float, float]
 Extent = tuple[float, float]
-Fit = tuple[float, float, float, float]  # scales, then the position of the origin
+Fit = tuple[float, float, float, float]  # scales along x and y, then the position of the origin
 
 
 def _fit_views(root: ElementTree.Element) -> None:
@@ -449,10 +450,11 @@ _TOKEN = re.compile(
 
 _PACKED = b"\x1f\x8b"  # first bytes of gzip
 _HEAD = 4096  # bytes read at a time to find the first element
-_LONGEST_ENTITY = 1000  # characters; expat limits the total of all references
+_LONGEST_ENTITY = 1000  # largest length of an entity, characters; expat limits the total of all references
 _DEEPEST = 200  # largest depth of nested elements
-_MOST_ELEMENTS = 5 * MOST_SHAPES  # with expanded clones; groups and texts take time too
-_MOST_TEXT = 64 * 2**20  # characters, with expanded clones
+# largest number of elements with expanded clones; groups and texts take time, too
+_MOST_ELEMENTS = 5 * MOST_SHAPES
+_MOST_TEXT = 64 * 2**20  # largest number of characters, with expanded clones
 MARK = "data-shape"
 """Attribute with the number of the shape in the tree, for expanded clones."""
 
@@ -621,7 +623,8 @@ def _read_head(file: BinaryIO) -> str:
             texts.append(text)
 
     parser.EntityDeclHandler, parser.StartElementHandler, parser.CommentHandler = declare, begin, comment
-    with suppress(ExpatError, LookupError):  # not XML: the parser of the whole file reports it
+    # if the file is not XML, the parser of the whole file raises the error
+    with suppress(ExpatError, LookupError):
         while elements < 2 and (data := file.read(_HEAD)):
             parser.Parse(data)
     file.seek(0)
@@ -631,7 +634,7 @@ def _read_head(file: BinaryIO) -> str:
 def _refuse_bombs(tree: SvgTree) -> None:
     """Count the shapes that clones (`use`) expand to, and remove clones that refer to themselves."""
     order: list[tuple[ElementTree.Element, int]] = [(tree.root, 0)]
-    for element, depth in order:  # grows during the loop: parents before children
+    for element, depth in order:  # `order` grows during the loop, parents before children
         if depth > _DEEPEST:
             raise InputError(
                 "has groups nested more than {deepest} deep: ungroup them before export", deepest=_DEEPEST
@@ -652,7 +655,7 @@ def _refuse_bombs(tree: SvgTree) -> None:
             size = len(element.get("d", "")) + len(element.get("points", ""))
             for node in below:
                 if node is links.get(element) and node in state and not state[node][0]:
-                    unlink(element)  # its expansion contains nothing to read
+                    unlink(element)  # the expansion of this clone contains no shapes
                 elif node in state:
                     shapes, elements, size = (
                         mine + its for mine, its in zip((shapes, elements, size), state[node], strict=True)

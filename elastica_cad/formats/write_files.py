@@ -1,4 +1,4 @@
-"""Atomic writing of files, singly or together."""
+"""Atomic writing of single files and of groups of files."""
 
 import json
 import os
@@ -38,7 +38,7 @@ def write_json(path: Path, record: Any) -> None:
 
 
 def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
-    """Return the file to be written, with links followed, and refuse early where it can't be.
+    """Return the file to be written, with links followed, and refuse it early if it can't be written.
 
     Raises
     ------
@@ -248,7 +248,7 @@ def check_folder(folder: str | os.PathLike[str], names: Iterable[str], *, force:
     Raises
     ------
     InputError
-        As `write_together` would.
+        As `write_together`.
 
     Examples
     --------
@@ -278,7 +278,7 @@ def _workshop(ground: Path, above: Path) -> Iterator[Path]:
     """
     for place in {ground, above}:
         for old in place.glob(".elastica-*"):
-            with suppress(OSError):  # in use, or another process removes it
+            with suppress(OSError):  # the folder is in use, or another process removes it
                 _remove_stale(old)
     home = ground / f".elastica-{os.urandom(8).hex()}"
     home.mkdir()
@@ -295,13 +295,13 @@ def _workshop(ground: Path, above: Path) -> Iterator[Path]:
 def _remove(home: Path) -> None:
     """Remove a temporary folder, and its lock file last, so that an interrupted removal can be recognized."""
     shutil.rmtree(home / _FILES, ignore_errors=True)
-    with suppress(OSError):  # a user may look into the folder
+    with suppress(OSError):  # removal fails while a user views the folder
         (home / _LOCK).unlink(missing_ok=True)
         home.rmdir()
 
 
 def _remove_stale(home: Path) -> None:
-    """Remove a temporary folder with our name and lock file if it is older than a day and its process is dead."""
+    """Remove a temporary folder of this package if it is older than a day and its process is dead."""
     lock = home / _LOCK
     if home.is_symlink() or lock.is_symlink() or not re.fullmatch(r"\.elastica-[0-9a-f]{16}", home.name):
         return
@@ -319,7 +319,7 @@ def _take(lock: BinaryIO | FileIO) -> None:
     if sys.platform == "win32":
         import msvcrt
 
-        lock.seek(len(_OURS))  # after the text, which stays readable
+        lock.seek(len(_OURS))  # lock the byte after the text, so that the text stays readable
         msvcrt.locking(lock.fileno(), msvcrt.LK_NBLCK, 1)
     else:
         import fcntl
@@ -387,7 +387,7 @@ def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) ->
 
 
 def _check(target: Path, names: Iterable[str], *, force: bool) -> None:
-    """Refuse existing files, and files in place of folders."""
+    """Refuse existing files, and files with the names of required folders."""
     for path in (target / name for name in names):
         files = [parent for parent in path.parents if parent.exists() and not parent.is_dir()]
         if files:

@@ -1,4 +1,4 @@
-"""A part with two rest shapes, cut from a sheet: outline, pads, holder, strain, and travel."""
+"""Part with two rest shapes, cut from a sheet: outline, pads, holder, strain, and path between the shapes."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
@@ -37,7 +37,8 @@ from elastica_cad.strip.lettering import Text, fit_label
 from elastica_cad.strip.solids import FlatSolid
 
 LEAST_CUT_MM, LEAST_PRINTED_MM = 0.8, 0.9
-"""Thinnest tongue that a laser leaves sound, and that a nozzle of 0.4 mm prints in two lines."""
+"""Least thickness in the plane, mm, of a part cut by laser, and of a part printed in two lines of a 0.4 mm
+nozzle."""
 
 SIDE_MM = 1e-3
 """Tolerance of the cut sides, mm."""
@@ -60,7 +61,9 @@ REST_SHARE = 1e-3
 Two rest shapes within this distance count as the same."""
 
 SPARE = 0.98
-"""Fraction of the strain limit that is used, because a part that stretches moves otherwise if it is thicker."""
+"""Fraction of the strain limit that is used. The rest is a reserve, because the path of a part that stretches
+depends
+on its thickness."""
 
 OFF_MM = 0.1
 """Thickness tolerance in the plane of careful cutting or printing, mm."""
@@ -172,9 +175,10 @@ class Flexure:
 
     Notes
     -----
-    With t the depth and E the sheet's modulus h(s) = (12 B K / (E t))^(1/3). A state is strained by
-    |kappa - kappa_0| h / 2 times Winkler's factor of curved beams on the inner side, and by its axial force. In the
-    fillets at the roots the strain is larger by a notch factor. The fillets are partly within the free length, so
+    With t the depth and E the sheet's modulus h(s) = (12 B K / (E t))^(1/3). The strain of a state on the inner
+    side is |kappa - kappa_0| h / 2 times Winkler's factor of curved beams, plus
+    the strain due to the axial force. In the fillets at the roots the strain is larger by a notch factor. The
+    fillets are partly within the free length, so
     that the ends are as compliant as ends clamped at the drawn places.
 
     Examples
@@ -223,7 +227,7 @@ class Flexure:
         low, high = self.thickness_range
         return f"<Flexure of {self.pair.length:.4g} mm, {self.sheet.name}, {low:.3g} to {high:.3g} mm thick>"
 
-    # --- what it is made of
+    # --- thickness, strain and rest shapes
 
     @cached_property
     def scale(self) -> float:
@@ -255,7 +259,7 @@ class Flexure:
         def excess(scale: float) -> float:
             return float(self._strains(bends, pull * scale**2, scale).max()) - most
 
-        high = 2 * most / float(np.abs(bends).max())  # the other causes of strain only lower it
+        high = 2 * most / float(np.abs(bends).max())  # other causes of strain only reduce the thickness
         return high if excess(high) <= 0 else float(brentq(excess, high / 20, high, xtol=1e-9 * high))
 
     @property
@@ -264,7 +268,7 @@ class Flexure:
         return self.scale, self.scale * self.pair.ratio ** (1 / 3)
 
     def thickness_at(self, s: FloatArray) -> FloatArray:
-        """Thickness in the plane (n,), mm, at arc lengths (n,), mm; beyond the ends as there."""
+        """Thickness in the plane (n,), mm, at arc lengths (n,), mm; constant beyond the ends."""
         inside = np.clip(numbers(s, "the arc lengths"), 0.0, self.pair.length)
         return np.asarray(self.scale * self.pair.first.profile(inside) ** (1 / 3))
 
@@ -294,7 +298,7 @@ class Flexure:
         return np.array([rod.curvature - self.pair.natural_curvature for rod in rods])
 
     def _pull_of(self, rods: Iterable[Rod]) -> FloatArray:
-        """Axial strain (k, n) that the forces of shapes of the part cause, over the square of `scale`, 1/mm2."""
+        """Axial strain (k, n) due to the forces of shapes of the part, divided by the square of `scale`, 1/mm2."""
         along = [
             (rod.force * np.column_stack([np.cos(rod.angle), np.sin(rod.angle)])).sum(axis=1) for rod in rods
         ]
@@ -413,8 +417,9 @@ class Flexure:
     def overhang(self, s: float) -> float:
         """Return the distance from an end of the free length to its pad, mm.
 
-        The fillet thickens the part towards the pad. It is as compliant as a piece of the strip of the length
-        `give`, so it begins at this distance within the free length. The compliance of the root in the pad is that
+        The fillet makes the part thicker towards the pad. Its compliance is that of a piece of the strip of the
+        length `give`, so it begins at this distance within the free length. The compliance of the root in the pad
+        is that
         of a half-plane.
         """
         s = require_number(s, "the arc length", "mm")
@@ -509,7 +514,7 @@ class Flexure:
         """Body of the unloaded part, from z = 0 to the depth."""
         return FlatSolid(self.outline, self.holes, self.sheet.thickness)
 
-    # --- from state to state
+    # --- paths between the states
 
     @cached_property
     def pushed(self) -> tuple[float, FloatArray]:
@@ -585,7 +590,7 @@ class Flexure:
         )  # fmt: skip
 
     def _push(self, start: Rod, scale: float, *snap: float) -> PushPath:
-        """Push the point straight to its place in the other state, with finer steps up to a snap (mm)."""
+        """Push the point straight to its place in the other state; steps are finer before a snap at `snap` mm."""
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
         travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*snap, float(np.hypot(*push)))]
@@ -633,7 +638,7 @@ class Flexure:
             _distance(rods[-1].position, second.position) <= REST_SHARE * first.length,
         )  # fmt: skip
 
-    # --- whether it can be made
+    # --- faults and warnings
 
     @cached_property
     def contacts(self) -> dict[str, float]:
@@ -802,7 +807,7 @@ class Flexure:
 
 
 def _overhang(h: float, r: float) -> float:
-    """`Flexure.overhang` of a part h thick at its root with a fillet of radius r, mm."""
+    """Return `Flexure.overhang`, mm, of a part of thickness h at its root with a fillet of radius r, mm."""
     x, w = _GAUSS[0] * r / 2 + r / 2, _GAUSS[1] * r / 2
     wide = h + 2 * (r - np.sqrt(r**2 - x**2)) if r else np.array([h])
     give = float(w @ (h / wide) ** 3) if r else 0.0
@@ -815,7 +820,8 @@ def _distance(positions: FloatArray, others: FloatArray) -> float:
 
 
 HALF_PLANE = 0.44
-"""Length of strip, in thicknesses, as compliant as a root in a half-plane: O'Donnell, J. Appl. Mech. 27 (1960)."""
+"""Length of strip, in thicknesses, that is as compliant as a root in a half-plane (O'Donnell, J. Appl. Mech. 27,
+1960)."""
 
 
 SHARP_MM = 0.1

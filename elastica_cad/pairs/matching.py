@@ -26,12 +26,12 @@ NEWTON_STEPS = 20
 MET = 1e-13  # tolerance in lengths and rad
 
 TANGENT_ERROR = 1e-9
-"""Accuracy of the ends of the changed curve, as a share of the length."""
+"""Accuracy of the ends of the changed curve, as a fraction of the length."""
 
 LARGEST_TURN = 0.5
 """Largest change of direction, rad, anywhere on the curve."""
 
-EQUAL = 1e-12  # lengths that differ by less of themselves are equal
+EQUAL = 1e-12  # relative difference of lengths that count as equal
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,9 +196,9 @@ def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float
 
 @dataclass(frozen=True, eq=False)
 class _Drawn:
-    """A curve and its desired clamps: start (2,), end (2,), both angles (2,).
+    """Curve and its desired clamps: start (2,), end (2,), both angles (2,).
 
-    With u the fraction of its length, its angle changes by c + alpha u + <beta, integral of position>; c is the
+    Its angle changes by c + alpha u + <beta, integral of position>, where u is the fraction of the length and c the
     change at the start.
     """
 
@@ -217,8 +217,10 @@ class _Drawn:
 
     @cached_property
     def _nodes(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Edges of panels (N + 1,) by u; weights (N p,), angles (N p,) and changes of curvature by the numbers
-        (N p, 3) at their nodes; turns by the numbers (N p + 1, 3), there and at the end.
+        """Quadrature of the curve and derivatives by the three unknowns.
+
+        They are the edges of panels (N + 1,) by u; weights (N p,), angles (N p,) and derivatives of the curvature
+        (N p, 3) at the nodes; and derivatives of the angle (N p + 1, 3) at the nodes and at the end.
         """
         curve = self.curve
         edges = curve.arc_length(curve.smooth_panels) / curve.length
@@ -269,7 +271,8 @@ class _Drawn:
         return numbers
 
     def change(self, length: float) -> float:
-        """Integral of the square of the change of curvature times the length; infinite for no small change."""
+        """Integral of the square of the change of curvature times the length; infinite if no small change
+        suffices."""
         numbers = self.numbers(length)
         if numbers is None:
             return np.inf

@@ -4,8 +4,8 @@ The moments of a strip that is held at its ends are affine in position in both s
 
     K (kappa_1 - kappa_0) = M_1 = a_1 + <b_1, gamma_1>,    K (kappa_2 - kappa_0) = M_2 = a_2 + <b_2, gamma_2>,
 
-so K d = N with d = kappa_1 - kappa_2 and N = M_1 - M_2, which has a number and two vectors as parameters. K > 0
-exists if and only if some N has the sign of d everywhere and the same zeros with the same orders. Then
+so K d = N with d = kappa_1 - kappa_2 and N = M_1 - M_2. The parameters of N are a number and two vectors. K > 0
+exists if and only if some N has the sign of d everywhere, and the same zeros with the same orders. Then
 kappa_0 = kappa_1 - M_1 / K.
 """
 
@@ -54,8 +54,9 @@ FAINT_SHARE = 1e-9
 """Difference of curvature in a dip or between two zeros, as a fraction of the largest, that counts as zero."""
 
 GENTLE_SHARE = 1e-7
-"""Slope at a zero, as a fraction of the largest difference over the length, that counts as zero: the strip would
-be wider there by its reciprocal."""
+"""Slope at a zero, as a fraction of the largest difference over the length, that counts as zero. The width of the
+strip
+at the zero would grow with its reciprocal."""
 
 SHORT_SHARE = 0.01
 """Longest zero of high order, as a fraction of the length; a longer one is a flat stretch."""
@@ -214,7 +215,7 @@ def _with_orders(
         t = float(curve.parameter(np.array(s)))
         sign = int(np.sign(difference.at(t)))
         zeros.append(PairZero(s, t, 2, sign, sign))
-    for end in (0.0, curve.length):  # or a zero as near beyond it
+    for end in (0.0, curve.length):  # or a zero at the same small distance beyond the end
         if all(z.s != end for z in zeros):
             t = curve.domain[int(end > 0)]
             value, slope = (abs(float(along(t))) for along in (difference.at, difference.slope_at))
@@ -238,7 +239,8 @@ def _can_be_met(first: PlaneCurve, zero: PairZero) -> bool:
     """Return True if some difference of moments N has a zero of the same order.
 
     N' = <b_1, T_1> - <b_2, T_2>, and where d = 0, N'' = kappa (<b_1, n_1> - <b_2, n_2>) with the common curvature
-    kappa. So a double zero is possible where the curves are bent. If N'' vanishes too, the order of N exceeds the
+    kappa. A double zero is therefore possible where the curves are bent. If N'' vanishes too, the order of N
+    exceeds the
     order of d by two.
     """
     if zero.order == 2:
@@ -380,7 +382,7 @@ class PairedPanels:
         rows = PanelFunction.through(self.stiffness @ free).dense
         _, sigma, vt = svd(rows, full_matrices=False)
         rank = int(np.count_nonzero(sigma > DEPENDENT_SHARE * sigma[0]))
-        # only rounding is left if the conditions exclude every stiffness
+        # if the conditions exclude every stiffness, only rounding errors remain
         is_free = np.abs(self._difference @ free).max(initial=0.0) > CONGRUENT_SHARE
         return (free @ vt[:rank].T, free @ vt[rank:].T) if is_free else (free[:, :0], free)
 
@@ -398,7 +400,7 @@ class PairedPanels:
 
     @cached_property
     def beyond(self) -> tuple[PairZero, ...]:
-        """Zeros after the longest initial sequence of zeros that some N has."""
+        """Zeros after the longest initial sequence of zeros for which some N exists."""
         for count in range(1, len(self.check.zeros) + 1):
             free = null_space(self.conditions[:count])
             if not free.shape[1] or np.abs(self._difference @ free).max() <= CONGRUENT_SHARE:

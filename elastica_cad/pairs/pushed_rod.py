@@ -15,12 +15,12 @@ EDGES = 480
 """Edges of the discrete rod (paper, section 7.1); its relative error (1 / EDGES)^2 is that of a drawing."""
 
 STIFF, STIFFEST = 400.0, 1000.0
-"""Length over thickness for a rod of unknown thickness, and the largest value used. A thinner rod hardly
+"""Length over thickness for a rod of unknown thickness, and largest value in computations. A thinner rod hardly
 stretches, and rounding errors would exceed its forces."""
 
 MOST_ITERATIONS = 2000
 CALM = 1e-8
-"""Force on a node at rest, at most, as a fraction of the largest force of an edge."""
+"""Largest force on a node at rest, as a fraction of the largest force of an edge."""
 
 FIRST_DAMPING, LEAST_DAMPING, DAMPING_STEP = 1e-6, 1e-12, 4.0
 """Damping, as a fraction of the largest stiffness of a node, and its factor. It is added where the energy is not
@@ -30,7 +30,8 @@ NOISE = 4e-15
 """Rounding error of the forces, over the stiffness of an edge times the length over the shortest edge."""
 
 ROUNDING = 1e-11
-"""Promised decrease, as a fraction of the energy, below which a step is accepted because rounding hides it."""
+"""Predicted decrease, as a fraction of the energy, below which a step is accepted, because rounding hides the
+decrease."""
 
 KICK = 1e-4
 """Asymmetric perturbation that leaves a ridge of the energy, as a fraction of the length."""
@@ -123,8 +124,8 @@ def push_path(
 ) -> PushPath:
     """Push a clamped rod at a point in a direction; the point is free to move across the direction.
 
-    At every step the rod descends from its previous shape to a local minimum of the energy. So it snaps where its
-    branch of shapes ends.
+    At every step the rod descends from its previous shape to a local minimum of the energy. The rod therefore snaps
+    where its branch of shapes ends.
 
     Parameters
     ----------
@@ -211,7 +212,8 @@ def _require_plain(rod: Rod) -> Rod:
 
 @dataclass(frozen=True, eq=False)
 class _Chain:
-    """Nodes (n + 1, 2), from the first on, in a frame whose x axis is the push; edges stretch and turns bend."""
+    """Discrete rod with nodes (n + 1, 2) relative to the first node; x is along the push, edges stretch, nodes
+    bend."""
 
     s: FloatArray
     edge: FloatArray
@@ -366,7 +368,7 @@ class _Chain:
                     there = x.copy()
                     there[1:-1] += step.reshape(-1, 2)
                     energy = self.energy(there)
-                    # near rest the energy falls by less than its rounding
+                    # near rest, the decrease of the energy is below its rounding error
                     promised = float(-slope.ravel() @ step)
                     if energy <= here or promised <= ROUNDING * abs(here):
                         x, here = there, energy

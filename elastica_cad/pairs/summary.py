@@ -1,4 +1,4 @@
-"""Labelled rows that report a part with two states: the same in text and on the page."""
+"""Labelled rows of the report on a part with two states, for text and page."""
 
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.pairs.flexure import Flexure

@@ -305,7 +305,7 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
         program.hold(rows.dense, offset.dense)
     for _ in range(METHOD.most_rounds):
         answer = program.solve()
-        if answer is None:  # only the given numbers meet the bounds, up to rounding
+        if answer is None:  # within rounding, only the given numbers meet the bounds
             return np.zeros(none.shape[1])
         z, most = answer
         settled = True
@@ -329,7 +329,8 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
 
 
 def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bounded) -> FloatArray:
-    """Move from start towards goal as far as the bounds hold and the largest value does not increase."""
+    """Return the farthest point from start towards goal at which bounds hold and the largest value does not
+    increase."""
     values = [(rows @ start + offset, rows @ (goal - start)) for rows, offset in functions]
     most = max(float(value.max()) for value, _ in values) * (1 + BOUNDED)
     room = [(most - value, change) for value, change in values]
