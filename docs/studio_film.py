@@ -48,23 +48,26 @@ def frame(browser, at):
 def main():
     """Write the film."""
     frames = []
-    with tempfile.TemporaryDirectory() as folder, running(cwd=folder) as server:
-        with chromium(folder, size=SIZE) as studio:
-            inside = studio.browser.execute_script("return [innerWidth, innerHeight]")
-            studio.browser.set_window_size(*(2 * np.array(SIZE) - inside).tolist())
-            studio.open(server.address)
-            studio.start("arch")
-            studio.until(lambda: studio.shape())
-            start = studio.point(POINT)
-            studio.mouse("mouseMoved", start, buttons=0)
-            studio.mouse("mousePressed", start, clickCount=1)
-            for share in 0.5 - 0.5 * np.cos(np.pi * np.arange(FRAMES + 1) / FRAMES):
-                at = start + share * PULL
-                studio.mouse("mouseMoved", at)
-                sleep(ANSWER_S)
-                frames.append(frame(studio.browser, at))
-            studio.mouse("mouseReleased", start, clickCount=1)
-    film = [frames[0]] * HOLD + frames + [frames[-1]] * HOLD + frames[::-1]
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        running(cwd=folder) as server,
+        chromium(folder, size=SIZE) as studio,
+    ):
+        inside = studio.browser.execute_script("return [innerWidth, innerHeight]")
+        studio.browser.set_window_size(*(2 * np.array(SIZE) - inside).tolist())
+        studio.open(server.address)
+        studio.start("arch")
+        studio.until(studio.shape)
+        start = studio.point(POINT)
+        studio.mouse("mouseMoved", start, buttons=0)
+        studio.mouse("mousePressed", start, clickCount=1)
+        for share in 0.5 - 0.5 * np.cos(np.pi * np.arange(FRAMES + 1) / FRAMES):
+            at = start + share * PULL
+            studio.mouse("mouseMoved", at)
+            sleep(ANSWER_S)
+            frames.append(frame(studio.browser, at))
+        studio.mouse("mouseReleased", start, clickCount=1)
+film = [frames[0]] * HOLD + frames + [frames[-1]] * HOLD + frames[::-1]
     colours = film[0].quantize(128)
     film = [picture.quantize(palette=colours, dither=Image.Dither.NONE) for picture in film]
     film[0].save(
