@@ -261,6 +261,8 @@ def mounted(rod: "Rod", between: tuple[Element, ...] | None) -> tuple[ElementFor
     A pin or rail at a point off the strip moves the strip there. A pin in the place of a pin of the rod keeps its
     station. A tie without a length is as long as the distance of its places.
     """
+    if not (rod.between if between is None else between):
+        return ()  # without the curve, for which a rod with steps of its curvature has no spline
     curve = rod.curve
     if between is None:
         return tuple(_kept(action, curve) for action in rod.between)
