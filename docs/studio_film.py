@@ -67,7 +67,7 @@ def main():
             sleep(ANSWER_S)
             frames.append(frame(studio.browser, at))
         studio.mouse("mouseReleased", start, clickCount=1)
-film = [frames[0]] * HOLD + frames + [frames[-1]] * HOLD + frames[::-1]
+    film = [frames[0]] * HOLD + frames + [frames[-1]] * HOLD + frames[::-1]
     colours = film[0].quantize(128)
     film = [picture.quantize(palette=colours, dither=Image.Dither.NONE) for picture in film]
     film[0].save(
