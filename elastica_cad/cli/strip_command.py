@@ -260,7 +260,7 @@ def _is_taken(requested: RequestedCurve, chosen: Mapping[str, Any]) -> bool:
 def _compensated(result: StripResult) -> Iterator[Row]:
     """Yield the accuracy with corrected widths, if it is much better."""
     strip = result.strip
-    if result.spec.compensate or result.spec.law is not None:
+    if result.spec.compensate or result.spec.law is not None or strip.rod.acting:
         return
     with suppress(NotConvergedError):
         if strip.held_deviation > STRAYED_SHARE * strip.rod.length:

@@ -26,6 +26,7 @@ from elastica_cad.design.tables import Formula, Table
 from elastica_cad.errors import InputError, near_names, quoted
 from elastica_cad.forming.limits import Limits
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.elements import Element, Pin, Rail, Tie
 from elastica_cad.mechanics.loads import EndName, RestCurvature, Supports
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, RoundLaw, ThicknessLaw
@@ -107,6 +108,7 @@ def _cutting(kerf: float | str = KERF, **options: Any) -> Cutting:
 
 BY_KIND: dict[Record, dict[str, Record]] = {
     Style: {"plain": Plain, "perforated": Perforated, "laminated": Laminated},
+    Element: {"rail": Rail, "pin": Pin, "tie": Tie},
     BoundedLaw: {"thickness": _thickness, "rod": _rod, "tube": _tube, "leaves": _leaves},
 }
 """Records by the value of the key `kind`; the first is the default."""

@@ -11,7 +11,9 @@ from elastica_cad.errors import InputError, NotConvergedError, installed_version
 from elastica_cad.formats.json_curves import curve_record
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.nearest_record import NearestRod
+from elastica_cad.mechanics.elements import NOUNS
 from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.mechanics.stability import Stability
 from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.held_shape import HeldShape, Reactions
@@ -153,11 +155,7 @@ def report_strip(
         "check": None if rod.check is None else report_check(rod.check),
         "nearest": None if near is None else _nearest_report(near),
         "stability": None if stability is None else _stability_report(stability),
-        "sideways": {
-            "word": strip.sideways.word,
-            "margin": round_numbers(strip.sideways.margin),
-            "meaning": strip.sideways.meaning,
-        },
+        "sideways": None if strip.sideways is None else _sideways_report(strip.sideways),
         "creep": _creep(strip),
         "moved_by_snapping": round_numbers(rod.moved),
         "smoothing": None if smoothing is None else _smoothing_report(smoothing),
@@ -184,6 +182,7 @@ def report_strip(
         "mass": round_numbers(strip.mass),
         "layers": _layers(strip),
         "reactions": _reactions_report(strip.reactions()),
+        "between": _between(strip),
         "warnings": list(strip.warnings),
     }
 
@@ -195,6 +194,26 @@ def _stability_report(stability: Stability) -> dict[str, Any]:
         "word": stability.word,
         "meaning": stability.meaning,
     }
+
+
+def _sideways_report(verdict: SidewaysStability) -> dict[str, Any]:
+    return {
+        "word": verdict.word,
+        "margin": round_numbers(verdict.margin),
+        "meaning": verdict.meaning,
+    }
+
+
+def _between(strip: Strip) -> list[dict[str, Any]]:
+    """Return rails, pins, ties and point forces with their stations (mm) and forces on the strip (N)."""
+    return [
+        {
+            "kind": NOUNS[type(action.element)],
+            "at": round_numbers(action.s),
+            "force": round_numbers(strip.bending_stiffness * action.force),
+        }
+        for action in strip.rod.acting
+    ]
 
 
 def _stations_report(strip: Strip, count: int) -> dict[str, Any]:
@@ -335,7 +354,9 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
 
 
 def _held(strip: Strip) -> dict[str, Any] | None:
-    """Return the strip held at its designed ends, or None if it has no shape near the design."""
+    """Return the strip held at its designed ends, or None with elements or without a shape near the design."""
+    if strip.rod.acting:
+        return None
     try:
         return report_held(strip.held())
     except NotConvergedError:
@@ -344,7 +365,7 @@ def _held(strip: Strip) -> dict[str, Any] | None:
 
 def _measuring(strip: Strip) -> dict[str, Any] | None:
     """Return measurable quantities for `elastica compare`, or None if closed or without a rest shape."""
-    if strip.is_closed:
+    if strip.is_closed or strip.rod.acting:
         return None
     try:
         return measuring_record(Measuring.of(strip))

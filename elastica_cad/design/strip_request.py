@@ -12,6 +12,7 @@ from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import (
     End,
     Gravity,
@@ -32,16 +33,16 @@ from elastica_cad.strip.outline import Hole, Tab, TSlot
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.strip_spec import Loads, StripSpec
 from elastica_cad.strip.styles import Plain
 from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
 RECORDS = {
     record.__name__: record
     for record in (
-        End, FabricationLimits, Gravity, Hole, LaidLeaves, Laminated, Leaf, MakingTolerance, Perforated, Plain,
-        PointMass, Profile, RestCurvature, RoundLaw, Sheet, Slot, Supports, Tab, ThicknessLaw, TSlot, Weight,
-        WidthLaw,
+        End, FabricationLimits, Gravity, Hole, LaidLeaves, Laminated, Leaf, MakingTolerance, Perforated, Pin,
+        Plain, PointForce, PointMass, Profile, Rail, RestCurvature, RoundLaw, Sheet, Slot, Supports, Tab,
+        ThicknessLaw, Tie, TSlot, Weight, WidthLaw,
     )
 }  # fmt: skip
 """Records of a request by the names that a report has for them."""
@@ -177,10 +178,20 @@ def request_record(spec: StripSpec, strip: Strip) -> dict[str, Any]:
     rod = strip.rod
     values |= {
         "sheet": spec.material, "ends": spec.tabs, "samples": rod.s.size,
+        "between": tuple(action.on_curve for action in rod.between),
+        "loads": _placed_loads(spec, rod),
         "law": rod.section if isinstance(spec.law, LeavesLaw) else spec.law,
         "stiffness": rod.profile, "bending_stiffness": strip.bending_stiffness,
     }  # fmt: skip
     return {name: _encoded(value) for name, value in values.items()}
+
+
+def _placed_loads(spec: StripSpec, rod: Rod) -> Loads:
+    """Return the loads in the plane of the curve, with point forces at their places along the rest shape."""
+    loads, forces = spec.in_plane.loads, iter(rod.point_forces)
+    if isinstance(loads, Weight):
+        return loads
+    return tuple(next(forces).on_curve if isinstance(load, PointForce) else load for load in loads)
 
 
 def _encoded(value: Any) -> Any:

@@ -7,6 +7,7 @@ if TYPE_CHECKING:
 
     from elastica_cad.forming.limits import Keep, Limits
     from elastica_cad.kernel.strip_body import Point
+    from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
     from elastica_cad.mechanics.loads import Gravity, PointMass, RestCurvature, Supports, Weight
     from elastica_cad.mechanics.stiffness_law import BoundedLaw
     from elastica_cad.strip.held_shape import MakingTolerance
@@ -40,8 +41,11 @@ class StripOptions(TypedDict, total=False):
         "Own weight of the strip: true, the direction of gravity, or also its elasto-gravity length.",
     ]
     loads: Annotated[
-        "PointMass | Sequence[PointMass] | Weight",
-        "Masses that hang on the strip, or its weight in newtons, own weight included.",
+        "tuple[PointMass | PointForce] | Weight",
+        "Masses and forces on the strip, or its weight in newtons, own weight included.",
+    ]
+    between: Annotated[
+        "tuple[Rail | Pin | Tie]", "Rails, pins and ties that hold the strip between its ends."
     ]
     supports: Annotated["Supports", "Supports of the start and the end of the curve."]
     natural_curvature: Annotated[

@@ -22,7 +22,7 @@ from elastica_cad.model.fixtures import EndFixture, crowded_blocks
 from elastica_cad.model.held_tabs import hold_each, holder_plays, rocking_tabs
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces, widened_by
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import Length, Listed, note
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.makeable_strip import Splice, joined_within, spliced
 from elastica_cad.strip.outline import ENDS, StripEnd
@@ -250,9 +250,19 @@ def _held(
 ) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
     """Return the as-made shape of each held strip, and notes on tabs that rock and strips without rest."""
     held_shapes = dict[str, HeldShape]()
-    notes = [*holder_plays(model.placed, holders), *rocking_tabs(model.placed, holders)]
-    shapes = zip(distinct_names(model.placed), hold_each(model.placed, holders), strict=True)
-    for k, (name, shape) in enumerate(shapes):
+    names = distinct_names(model.placed)
+    free = [k for k, member in enumerate(model.placed) if not member.strip.rod.acting]
+    placed = tuple(model.placed[k] for k in free)
+    notes = [*holder_plays(model.placed, holders), *rocking_tabs(placed, holders)]
+    if others := [name for k, name in enumerate(names) if k not in free]:
+        notes.append(
+            note(
+                "The shape as made is not computed with rails, pins, ties or point forces: {strips}.",
+                strips=Listed(others),
+            )
+        )
+    for k, shape in zip(free, hold_each(placed, holders), strict=True):
+        name = names[k]
         if k in unheld:
             continue
         if isinstance(shape, NotConvergedError):

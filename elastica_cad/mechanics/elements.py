@@ -30,8 +30,12 @@ Place: TypeAlias = float | tuple[float, float]
 _AT = Option("Place along the curve, or a point (x, y) near it.", "mm")
 
 
+class Element:
+    """Rail, pin or tie, which holds a strip between its ends."""
+
+
 @dataclass(frozen=True)
-class Rail:
+class Rail(Element):
     """Rail across the strip that pushes normal to it; the strip slides over the rail.
 
     The direction of the push follows from the balance: a bar is mounted on the side from which it pushes.
@@ -58,7 +62,7 @@ class Rail:
 
 
 @dataclass(frozen=True)
-class Pin:
+class Pin(Element):
     """Pin that holds a place of the strip and lets the strip turn, such as a ring or a screw through a lug.
 
     Parameters
@@ -79,7 +83,7 @@ class Pin:
 
 
 @dataclass(frozen=True)
-class Tie:
+class Tie(Element):
     """Taut cord between two places of the strip, which it pulls towards each other.
 
     Parameters
@@ -129,9 +133,6 @@ class PointForce:
     def __post_init__(self) -> None:
         object.__setattr__(self, "at", _require_place(self.at, "a point force"))
         object.__setattr__(self, "force", tuple(pair(self.force, "the force of a point force").tolist()))
-
-
-Element: TypeAlias = Rail | Pin | Tie
 
 
 def _require_place(at: object, owner: str) -> Place:
@@ -228,6 +229,7 @@ class PlacedElement:
         if isinstance(element, PointForce):
             s = np.array([_station(element.at, drawn, element)]) * (curve.length / drawn.length)
             return cls(element, s, np.array([[element.force]]))
+        assert isinstance(element, Rail | Pin)
         s = np.array([_station(element.at, drawn, element)])
         if curve is not drawn:
             s = np.array([_foot(curve, drawn.at(s).position[0])])
@@ -348,6 +350,13 @@ class ElementForce:
         return self.mount or Mount()
 
     @property
+    def on_curve(self) -> Any:
+        """The element or load with its places as arc lengths along the rod."""
+        names = ("start", "end") if isinstance(self.element, Tie) else ("at",)
+        element: Any = self.element
+        return replace(element, **dict(zip(names, self.s.tolist(), strict=True)))
+
+    @property
     def size(self) -> float:
         """Size of the force, 1/mm2; the pull of a tie."""
         return float(np.hypot(*self.force[0]))
@@ -401,7 +410,7 @@ def lumped(forces: Iterable[ElementForce], nodes: int, length: float) -> FloatAr
 
 def require_free_between(rod: Any, task: str) -> None:
     """Refuse a rod with elements or point forces for a task that does not take them into account."""
-    if rod.between or rod.point_forces:
+    if rod.acting:
         raise InputError(
             "{task} does not take rails, pins, ties or point forces into account yet. Use a rod without them.",
             task=task,

@@ -294,6 +294,7 @@ def _new(element: Element, before: ElementForce | None, curve: PlaneCurve) -> El
         return _kept(ElementForce(element, s, none), curve)
     if isinstance(element, Pin) and before is not None and isinstance(before.element, Pin):
         s = before.s
+    assert isinstance(element, Rail | Pin)
     foot = curve.at(s)
     point = np.array(element.at) if isinstance(element.at, tuple) else foot.position[0]
     side, off = 0, float((point - foot.position[0]) @ _normal(foot.angle[0]))

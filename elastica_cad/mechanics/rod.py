@@ -576,6 +576,11 @@ class Rod:
         return law if factor is None else CurlingLaw(factor, factor(self.curvature), rest, law)
 
     @property
+    def acting(self) -> tuple[ElementForce, ...]:
+        """Elements and point forces between the ends."""
+        return (*self.between, *self.point_forces)
+
+    @property
     def between_forces(self) -> FloatArray:
         """Force on the strip of each element in the order of `between` (m, 2), 1/mm2; of a tie at its start."""
         return np.array([action.force[0] for action in self.between]).reshape(-1, 2)
@@ -594,7 +599,7 @@ class Rod:
             return ()
         steps = [
             (float(s), force)
-            for one in (*self.between, *self.point_forces)
+            for one in self.acting
             for s, force in zip(one.s, one.force, strict=True)
             if self.s[1] / 2 < s < self.length - self.s[1] / 2
         ]
@@ -692,7 +697,7 @@ class Rod:
             force = edge_forces(np.zeros(2), load)
             nodal[1:-1] = (force[:-1] + force[1:]) / 2
             nodal[0], nodal[-1] = force[0] - load[0], force[-1] + load[-1]
-        acting = (*self.between, *self.point_forces)
+        acting = self.acting
         if acting:
             between = lumped(acting, self.s.size, self.length)
             force += edge_forces(between[0], between)

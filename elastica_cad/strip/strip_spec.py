@@ -21,6 +21,7 @@ from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.fairing import may_step
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.elements import Element, Pin, PointForce, Rail, Tie, require_elements
 from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.least_ratio import LaminateLayers
 from elastica_cad.mechanics.loads import (
@@ -52,8 +53,8 @@ from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimit
 GravityOption: TypeAlias = Gravity | bool | Sequence[float] | None
 """A `Gravity`, True for the sheet's own weight along -y, or the direction of the weight."""
 
-Loads: TypeAlias = "tuple[PointMass, ...] | Weight"
-"""Masses hung on a strip in addition to its own weight, or the whole weight in newtons."""
+Loads: TypeAlias = "tuple[PointMass | PointForce, ...] | Weight"
+"""Masses and forces on a strip in addition to its own weight, or the whole weight in newtons."""
 
 
 def pull_in_plane(gravity: GravityOption, sheet: Sheet, frame: Frame | None) -> tuple[Gravity | None, float]:
@@ -83,18 +84,21 @@ def pull_in_plane(gravity: GravityOption, sheet: Sheet, frame: Frame | None) -> 
 
 
 def _lightened(loads: Loads, share: float) -> Loads:
-    """Return the masses multiplied by `share`; a weight in newtons is not changed."""
+    """Return the masses multiplied by `share`; forces and a weight in newtons are not changed."""
     if isinstance(loads, Weight):
         return loads
-    return tuple(replace(load, mass=share * load.mass) for load in loads)
+    return tuple(
+        replace(load, mass=share * load.mass) if isinstance(load, PointMass) else load for load in loads
+    )
 
 
-def _hung_weight(loads: Loads, share: float) -> Weight | None:
-    """Return loads for `optimal_rod`; in an inclined plane only a fraction of a mass acts."""
+def _hung_weight(loads: Loads, share: float, gravity: Gravity | None) -> Weight | None:
+    """Return the weight for `optimal_rod`; in an inclined plane only a fraction of a mass acts."""
     felt = _lightened(loads, share)
     if isinstance(felt, Weight):
         return felt
-    return Weight(masses=felt, own=True) if felt else None
+    masses = tuple(load for load in felt if isinstance(load, PointMass))
+    return Weight(masses=masses, own=True) if masses or (felt and gravity is not None) else None
 
 
 def _direction(direction: object) -> tuple[float, ...]:
@@ -323,8 +327,11 @@ class StripSpec(EqualByValue):
         three for a direction in space. Of a direction in space, only the component in the plane of `frame` acts. A
         `Gravity` is used
         unchanged. A laminate carries the weight of both its layers.
-    loads : sequence of PointMass, or Weight
-        Masses hung on the strip in addition to its own weight, or the whole weight in newtons. They need gravity.
+    loads : sequence of PointMass and PointForce, or Weight
+        Masses hung on the strip in addition to its own weight, and forces (N), or the whole weight in newtons.
+        Masses and a weight need gravity.
+    between : sequence of Rail, Pin and Tie
+        Elements that hold the strip between its ends. Sideways stability and accuracy are not computed with them.
     supports : Supports
         Supports of the ends, clamped by default.
     natural_curvature : float or RestCurvature
@@ -428,11 +435,19 @@ class StripSpec(EqualByValue):
         ),
     ] = None
     loads: Annotated[
-        tuple[PointMass, ...] | Weight,
+        tuple[PointMass | PointForce, ...] | Weight,
         Option(
-            "Masses that hang on the strip, or its weight in newtons, own weight included.",
+            "Masses and forces on the strip, or its weight in newtons, own weight included.",
             group="weight",
-            written=tuple[PointMass, ...] | Weight,
+            written=tuple[PointMass | PointForce, ...] | Weight,
+        ),
+    ] = ()
+    between: Annotated[
+        tuple[Rail | Pin | Tie, ...],
+        Option(
+            "Rails, pins and ties that hold the strip between its ends.",
+            group="ends",
+            written=tuple[Element, ...],
         ),
     ] = ()
     supports: Annotated[
@@ -529,7 +544,8 @@ class StripSpec(EqualByValue):
     def __post_init__(self) -> None:
         require_curve(self.curve)
         sheet = Sheet.of(self.sheet)
-        object.__setattr__(self, "supports", require_supports(self.supports))
+        supports = require_supports(self.supports, between=bool(self.between))
+        object.__setattr__(self, "supports", supports)
         require_natural_curvature(self.natural_curvature)
         require_declared(StripSpec, vars(self))
         if self.frame is not None:
@@ -546,13 +562,37 @@ class StripSpec(EqualByValue):
             "sheet": sheet,
             "loads": self.loads
             if isinstance(self.loads, Weight)
-            else several("loads", self.loads, PointMass, "PointMass"),
+            else several("loads", self.loads, PointMass | PointForce, "PointMass or PointForce"),
+            "between": require_elements(self.between),
             "ends": ends,
             "slots": slots,
         }
         for name, value in settled.items():
             object.__setattr__(self, name, value)
         _check_together(self.rod_spec)
+        if self.between or self.rod_spec.point_forces:
+            self._require_alone()
+
+    def _require_alone(self) -> None:
+        """Refuse fields that do not take elements and point forces into account."""
+        curve = self._begun
+        conflicts = {
+            "a law": ("law", self.law is not None),
+            "a nearest curve": ("limits" if self.limits is not None else "keep", self.may_change),
+            "a style other than plain": ("style", not isinstance(self.style, Plain)),
+            "creep": ("creep", bool(self.creep)),
+            "compensation of the widths": ("compensate", bool(self.compensate)),
+            "a closed curve": ("curve", curve.is_closed),
+        }
+        for what, (name, given) in conflicts.items():
+            if given:
+                raise InputError(
+                    "Rails, pins, ties and point forces cannot be combined with {what}. Leave out {field}, or "
+                    "these elements.",
+                    what=note(what),
+                    field=FieldName(name),
+                    where={"field": (name, "between", "loads")},
+                )
 
     @property
     def material(self) -> Sheet:
@@ -588,7 +628,8 @@ class StripSpec(EqualByValue):
         requests."""
         gravity, share = self._pulled
         layers: LaminateLayers | None = None
-        weight = _hung_weight(self.loads, share)
+        weight = _hung_weight(self.loads, share, gravity)
+        forces = [] if isinstance(self.loads, Weight) else self.loads
         if isinstance(self.style, Laminated) and gravity is not None:
             layers = self._layers(self.style, gravity)
             if isinstance(self.loads, Weight):
@@ -602,6 +643,8 @@ class StripSpec(EqualByValue):
             self.natural_curvature,
             self.samples,
             weight=weight,
+            between=self.between,
+            point_forces=tuple(load for load in forces if isinstance(load, PointForce)),
             limits=self._makeable_limits if self.limits is not None or self.keep is not None else None,
             keep=self.keep,
             layers=layers,
@@ -679,8 +722,9 @@ class StripSpec(EqualByValue):
         sheet = self.material
         if self.compensate is not None or self.law is not None or not isinstance(self.style, Plain):
             return False
-        # loads determine the widths
-        return sheet.poisson_known and sheet.poisson_ratio > 0 and not self.loads
+        # loads determine the widths, and a section with weight does not take elements into account
+        free = not self.loads and not (self.between and self.gravity_in_plane is not None)
+        return sheet.poisson_known and sheet.poisson_ratio > 0 and free
 
     @property
     def _width_law(self) -> WidthLaw:
@@ -831,5 +875,5 @@ def make_strip(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Strip:
     """
     refuse_unknown(fields, {option.name for option in fields_of(StripSpec)} - {"curve", "sheet"}, "a strip")
     spec = StripSpec(curve, sheet, **fields)
-    with changes_suggested_in_python(spec.curve, spec.may_change):
+    with changes_suggested_in_python(spec.curve, spec.may_change or bool(spec.between)):
         return spec.make()

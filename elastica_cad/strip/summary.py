@@ -8,8 +8,9 @@ import numpy as np
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.forming.nearest_record import NearestRod
+from elastica_cad.mechanics.elements import ElementForce, Rail, Tie
 from elastica_cad.mechanics.stability import Stability, stability
-from elastica_cad.refusals import Length, is_reported, note
+from elastica_cad.refusals import Length, Refusal, is_reported, note, sentences
 from elastica_cad.report_rows import Row, in_order, warning_row
 from elastica_cad.strip.held_shape import HeldShape, about
 from elastica_cad.strip.holding_template import distance_between, distance_of_tips, held_ends
@@ -51,12 +52,13 @@ def strip_rows(
     """
     rows = [size_row(strip), *_nearest(strip, near), *strain_rows(strip)]
     if quick:
-        rows += [Row(note("Stability"), LATER), hold_row(strip), Row(note("Accuracy"), LATER)]
+        rows += [Row(note("Stability"), LATER), hold_row(strip), *_between_rows(strip)]
+        rows += [Row(note("Accuracy"), LATER)]
     else:
         verdict = stability(strip.rod) if verdict is None else verdict
-        rows += [stability_row(strip, verdict), hold_row(strip)]
+        rows += [stability_row(strip, verdict), hold_row(strip), *_between_rows(strip)]
         with suppress(NotConvergedError):
-            rows.append(accuracy_row(strip.held()))
+            rows.append(_not_computed() if strip.rod.acting else accuracy_row(strip.held()))
         with suppress(NotConvergedError):
             rows += [Row(note("Creep"), str(strip.crept))] if strip.crept is not None else []
     reported = {*strip.strain_warnings, *([near.status.value] if near is not None else [])}
@@ -120,12 +122,14 @@ def stability_row(strip: Strip, verdict: Stability) -> Row:
     """Return the row on both stabilities of a strip: in its plane and sideways."""
     sideways = strip.sideways
     details = [note("The stability margin is {margin:.3g}; 5 is safe.", margin=verdict.margin)]
-    if sideways.decided:
+    if sideways is not None and sideways.decided:
         details.append(note("The sideways margin is {margin:.3g}; 5 is safe.", margin=sideways.margin))
     if verdict.rating == "unstable":
         text = note("unstable: the strip snaps into another shape")
     elif verdict.rating == "close to snapping":
         text = note("close to snapping: a push can move the strip into another shape")
+    elif sideways is None:
+        text = note("stable in its plane; sideways not checked with rails, pins, ties or point forces")
     elif sideways.word == "unstable":
         text = note("unstable sideways: the strip tips over; guide it at the sides, or make it wider")
     elif sideways.word == "low":
@@ -165,6 +169,47 @@ def hold_row(strip: Strip) -> Row:
         tips=Length(distance_of_tips(ends)),
     )
     return Row(note("Hold"), load, (details,))
+
+
+def _between_rows(strip: Strip) -> Iterator[Row]:
+    """Yield the row on the forces of rails, pins and ties, if there are any."""
+    if not strip.rod.between:
+        return
+    texts = [_element_text(action, strip) for action in strip.rod.between]
+    details = note(
+        "Left and right are seen along the strip from its start; a bar that pushes to the left is on the right. "
+        "Angles are from the x axis of the drawing."
+    )
+    yield Row(note("Between"), sentences(texts, "; "), (details,))
+
+
+def _element_text(action: ElementForce, strip: Strip) -> Refusal:
+    """Return the place and the force (N) of an element in words."""
+    curve = strip.rod.curve.at(action.s)
+    force = strip.bending_stiffness * action.size
+    if isinstance(action.element, Tie):
+        return note(
+            "tie from {start:.0f} to {end:.0f}, {length:.1f} long, pulls {force:.2g} N",
+            start=Length(action.s[0]), end=Length(action.s[1]), force=force,
+            length=Length(float(np.hypot(*(curve.position[1] - curve.position[0])))),
+        )  # fmt: skip
+    x, y = action.force[0]
+    if isinstance(action.element, Rail):
+        left = y * np.cos(curve.angle[0]) > x * np.sin(curve.angle[0])
+        text = (
+            "rail at {at:.0f} pushes {force:.2g} N to the left"
+            if left
+            else "rail at {at:.0f} pushes {force:.2g} N to the right"
+        )
+        return note(text, at=Length(action.s[0]), force=force)
+    return note(
+        "pin at {at:.0f} pushes {force:.2g} N at {angle:.0f} degrees",
+        at=Length(action.s[0]), force=force, angle=float(np.degrees(np.arctan2(y, x))),
+    )  # fmt: skip
+
+
+def _not_computed() -> Row:
+    return Row(note("Accuracy"), note("not computed with rails, pins, ties or point forces"))
 
 
 def accuracy_row(held: HeldShape) -> Row:

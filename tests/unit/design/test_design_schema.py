@@ -115,6 +115,8 @@ reshape = { handles = [[0, 0], [9, 0], [9, 9], [0, 9]], to = [[0, 0], [9, 0], [9
     HEAD + '[[strips]]\ncurve = "one.json"\ngravity = { length = 90, direction = [0, -1] }\n'
     "loads = { alpha = 0.001, beta = 0, own = true, masses = [{ at = 9, mass = 1 }] }\n",
     ONE + "loads = [{ at = 30, mass = 2 }]\ngravity = true\n",
+    ONE + 'between = [{ at = 30, one_sided = false }, { kind = "rail", at = 20 }, { kind = "pin", at = 60 }, '
+    '{ kind = "tie", start = 10, end = 70 }]\nloads = [{ at = 40, force = [0, -0.001] }]\n',
     ONE + "limits = { strain = 0.01 }\nkeep = { ends = [true, false], tangents = true }\n",
     HEAD + '[[strips]]\ncurve = { file = "two.svg", id = "a" }\n',
     HEAD + '[[strips]]\ncurve = { file = "two.svg", layer = "L" }\n',
@@ -292,7 +294,7 @@ def fits(fragment, value):
         return (
             isinstance(value, dict)
             and set(value) <= set(TABLES[name])
-            and (not kinds or value["kind"] in kinds)
+            and (not kinds or value.get("kind", kinds[0]) in kinds)
         )
     return (
         isinstance(value, list)

@@ -173,7 +173,7 @@ class TestLoads:
         ({"style": "plain"}, r"give Plain\(\)"),
         ({"limits": 3.5}, "limits is 3.5: it must be a Limits"),
         ({"keep": True}, "keep is True: it must be a Keep"),
-        ({"loads": (5.0,)}, "loads hold 5.0: give PointMass records"),
+        ({"loads": (5.0,)}, "loads hold 5.0: give PointMass or PointForce records"),
         ({"supports": "clamped"}, "give a Supports record"),
         ({"natural_curvature": math.inf}, "natural_curvature is inf"),
         ({"natural_curvature": "0"}, "natural_curvature is '0'"),

@@ -1,0 +1,88 @@
+"""Strips that rails, pins, ties and point forces hold: their report and what refuses these elements."""
+
+import json
+
+import numpy as np
+import pytest
+
+import elastica_cad as ec
+from elastica_cad.design.reports import report_strip
+from elastica_cad.errors import InputError
+from elastica_cad.mechanics.stiffness_law import ThicknessLaw
+from elastica_cad.strip.summary import strip_rows
+
+WAVE = ec.PlaneCurve.spline(
+    [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)], degree=5
+)
+SHEET = "birch-plywood-0.8"
+
+
+def strip_between(*elements, **options):
+    return ec.make_strip(WAVE, SHEET, max_width=40, between=elements, **options)
+
+
+def test_the_report_has_each_force_and_says_what_is_not_checked():
+    strip = strip_between(ec.Rail(200), ec.Tie(40, 310))
+    rows = {row.label: row for row in strip_rows(strip)}
+    rail, tie = strip.bending_stiffness * strip.rod.between_forces
+    chord = np.hypot(*np.diff(WAVE.at([40.0, 310.0]).position, axis=0)[0])
+    tangent = WAVE.at([200.0]).angle[0]
+    side = "left" if rail @ (-np.sin(tangent), np.cos(tangent)) > 0 else "right"
+    assert rows["Between"].text == (
+        f"rail at 200 mm pushes {np.hypot(*rail):.2g} N to the {side}; "
+        f"tie from 40 mm to 310 mm, {chord:.1f} mm long, pulls {np.hypot(*tie):.2g} N"
+    )
+    assert (
+        rows["Stability"].text
+        == "stable in its plane; sideways not checked with rails, pins, ties or point forces"
+    )
+    assert rows["Stability"].severity == "warning"
+    assert rows["Accuracy"].text.startswith("not computed")
+    report = json.loads(json.dumps(report_strip(strip, name="wave", files={})))
+    assert report["sideways"] is report["held"] is report["measuring"] is None
+    assert [element["kind"] for element in report["between"]] == ["rail", "tie"]
+    assert report["between"][1]["force"][0] == pytest.approx(tie, rel=1e-3)
+
+
+def test_a_pin_and_a_force_are_reported_and_the_forces_balance():
+    loads = (ec.PointMass(150, 50), ec.PointForce(250, (0, -0.2)))
+    strip = strip_between(ec.Pin(200), loads=loads, gravity=True)
+    text = {row.label: row.text for row in strip_rows(strip)}["Between"]
+    pin = strip.bending_stiffness * strip.rod.between_forces[0]
+    assert text == (
+        f"pin at 200 mm pushes {np.hypot(*pin):.2g} N at {np.degrees(np.arctan2(pin[1], pin[0])):.0f} degrees"
+    )
+    ends = strip.reactions()
+    held = ends.start_force + ends.end_force + pin + (0, -0.2)
+    newtons = 9.80665e-3 * (strip.mass * strip.rod.length / (strip.rod.length + 20) + 50)  # without two tabs
+    assert held == pytest.approx([0, newtons], abs=5e-3)
+
+
+@pytest.mark.parametrize(
+    ("options", "what"),
+    [
+        ({"limits": ec.Limits()}, "a nearest curve. Leave out limits"),
+        ({"keep": ec.Keep()}, "a nearest curve. Leave out keep"),
+        ({"style": ec.Perforated(30), "max_width": None}, "a style other than plain. Leave out style"),
+        ({"style": ec.Laminated(30, "card-200gsm"), "max_width": None}, "a style other than plain"),
+        ({"law": ThicknessLaw(ec.Sheet.named(SHEET), 1, 3, width=20), "max_width": None}, "a law. Leave out"),
+        ({"creep": 0.5}, "creep. Leave out creep"),
+        ({"compensate": True}, "compensation of the widths. Leave out compensate"),
+        ({"curve": ec.PlaneCurve.ellipse((0, 0), (90, 60))}, "a closed curve. Leave out curve"),
+    ],
+)
+def test_other_tasks_refuse_elements_in_one_sentence(options, what):
+    request = {"curve": WAVE, "sheet": SHEET, "max_width": 40} | options
+    for element in ({"between": ec.Rail(200)}, {"loads": ec.PointForce(200, (0, -0.1))}):
+        with pytest.raises(InputError, match=f"cannot be combined with {what}"):
+            ec.StripSpec(**request, **element)
+
+
+def test_a_bow_may_have_free_ends():
+    flat = ec.Rod.straight(500.0)
+    bent = ec.bend(flat, end=(400.0, 0.0), supports=ec.Supports("pinned", "pinned")).curve
+    free = ec.Supports("free", "free")
+    bow = ec.make_strip(bent, SHEET, max_width=20, supports=free, between=ec.Tie(0, bent.length), smooth=0)
+    assert any("400.0 mm long, pulls" in row.text for row in strip_rows(bow))
+    with pytest.raises(InputError, match="free to move"):
+        ec.StripSpec(bent, SHEET, max_width=20, supports=free)
