@@ -16,7 +16,7 @@ from numpy.linalg import LinAlgError
 
 from elastica_cad._types import FloatArray
 
-_ROUNDS = 100  # of Brent's method, which takes a dozen
+_ROUNDS = 100  # largest number of steps of Brent's method, which usually needs a dozen
 
 
 @cache
@@ -65,7 +65,7 @@ def _alone(package: str, name: str, needed: str) -> Any | None:
 
     The module is not added to `sys.modules`, because scipy loads its own copy later.
     """
-    scipy = find_spec("scipy")  # not imported either, because it imports network modules and more
+    scipy = find_spec("scipy")  # not imported, because it imports network modules and more
     places = None if scipy is None else scipy.submodule_search_locations
     spec = PathFinder.find_spec(
         f"scipy.{package}.{name}", [str(Path(path) / package) for path in places or ()]

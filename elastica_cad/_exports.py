@@ -11,7 +11,7 @@ from typing import Any
 
 @contextmanager
 def installed_modules() -> Iterator[None]:
-    """Import no module of the working folder in the block; a notebook has that folder in `sys.path` as ""."""
+    """Prevent imports from the working folder in the block; a notebook has this folder in `sys.path` as ""."""
     paths = sys.path.copy()
     sys.path[:] = filter(None, paths)
     try:

@@ -8,12 +8,13 @@ from elastica_cad._text import html_text
 from elastica_cad._types import FloatArray
 from elastica_cad.report_rows import Row
 
-BLUE, RED, GREY, INK = "#2f6db3", "#c2452d", "#8a8f98", "#3c4658"  # read on light and dark
+# colour that is legible on light and dark backgrounds
+BLUE, RED, GREY, INK = "#2f6db3", "#c2452d", "#8a8f98", "#3c4658"
 
-WIDTH_PX, TALLEST_PX = 640.0, 420.0  # a notebook's column, and less than a screen
+WIDTH_PX, TALLEST_PX = 640.0, 420.0  # width of the column of a notebook, and a height below that of a screen
 EDGE_PX = 8.0
 LINE_PX = 1.6
-FIGURES = 5  # of coordinates in pixels: a hundredth
+FIGURES = 5  # number of decimals of coordinates in pixels
 
 
 def svg_of_lines(lines: Iterable[tuple[FloatArray, str, bool]], title: str) -> str:

@@ -15,7 +15,7 @@ PACKAGES = Path(__file__).parents[1]
 def python_command(module: str, function: str) -> list[str]:
     """Return the command that calls a function of this package in a new Python.
 
-    -P because `python` would search the working folder for modules first.
+    The option -P is needed, because `python` would otherwise search the working folder for modules first.
     """
     run = f"import sys; sys.path.append({str(PACKAGES)!r}); from {module} import {function}; {function}()"
     return [sys.executable, "-P", "-c", run]

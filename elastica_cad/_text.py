@@ -11,14 +11,15 @@ from pathlib import PurePath, PurePosixPath, PureWindowsPath
 
 _SUSPECT = re.compile(
     r"[^ -~\n\xa0\u1680\u2000-\u200a\u202f\u205f\u3000]"
-)  # all but ASCII, line ends and spaces
+)  # all characters except ASCII, line ends and spaces
 
 
 def printable(text: str) -> str:
-    r"""The text, signs that cannot be seen (control codes, marks of direction, lone surrogates) as their numbers.
+    r"""Return the text with escaped invisible characters: control codes, marks of direction, lone surrogates.
 
-    Such signs recolour a terminal, write to its clipboard, or let a line read backwards; line ends and spaces stay.
-    The number is written as JSON writes it, so a JSON record holds the same after as before.
+    These characters could recolour a terminal, write to its clipboard, or reverse a line. Line ends and spaces
+    stay.
+    The escapes are those of JSON, so a JSON record has the same contents.
 
     Examples
     --------
@@ -56,11 +57,11 @@ _PLAIN = re.compile(r"[^&|<>^()%!]+")
 _NOT_OF_DRAWINGS = {
     "-o": 1, "--output": 1, "--force": 0, "--json": 0, "-v": 0, "--verbose": 0, "-q": 0, "--quiet": 0, "--watch": 0,
 }  # fmt: skip
-"""Options that change nothing in a drawing, and how many words follow them."""
+"""Options without effect on a drawing, and the number of words that follow each option."""
 
 
 def quote_words(words: Iterable[str], *, windows: bool = os.name == "nt") -> str:
-    """The words as they are typed, in quotes where the shell of this system, or cmd of Windows, needs them.
+    """Return the words as typed, in quotes if the shell of this system, or cmd of Windows, needs quotes.
 
     Examples
     --------
@@ -69,7 +70,7 @@ def quote_words(words: Iterable[str], *, windows: bool = os.name == "nt") -> str
     """
     if not windows:
         return shlex.join(words)
-    # cmd takes & and the like for its own outside of quotes, which `list2cmdline` sets around blanks alone
+    # cmd interprets characters such as & outside quotes, and `list2cmdline` quotes only words with blanks
     lines = (subprocess.list2cmdline([word]) for word in words)
     return " ".join(word if word[0] == '"' or _PLAIN.fullmatch(word) else f'"{word}"' for word in lines)
 
@@ -90,7 +91,7 @@ def command_of_drawings(words: Iterable[str], *, windows: bool = os.name == "nt"
     for word in rest:
         option, given, value = word.partition("=") if word.startswith("--") else ("", "", word)
         if (name := option or word) in _NOT_OF_DRAWINGS or word.startswith("-o"):
-            if not given and _NOT_OF_DRAWINGS.get(name):  # its value is the next word
+            if not given and _NOT_OF_DRAWINGS.get(name):  # the value of the option is the next word
                 next(rest, "")
             continue
         shown = path(value).name if path(value).is_absolute() else value

@@ -5,7 +5,9 @@ import tomllib
 from typing import Any
 
 DEEPEST_KEY = 30
-"""Keys joined by dots: ten times what a design file needs. The parser's memory grows with their square."""
+"""Largest number of keys joined by dots, ten times the need of a design file. The memory of the parser grows with
+its
+square."""
 
 _TOO_DEEP = re.compile(
     rf"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{DEEPEST_KEY}}}"""
@@ -18,7 +20,7 @@ def parse_toml(text: str) -> dict[str, Any]:
     Raises
     ------
     tomllib.TOMLDecodeError
-        No TOML, or a key of more than `DEEPEST_KEY` parts.
+        The text is not TOML, or a key has more than `DEEPEST_KEY` parts.
 
     Examples
     --------

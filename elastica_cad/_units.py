@@ -1,4 +1,4 @@
-"""Units of length in mm, what an inch is, and numbers as rulers have them."""
+"""Units of length in mm, and numbers with fractions, feet and inches."""
 
 import re
 
@@ -97,7 +97,7 @@ def read_number(text: str) -> float:
 def read_offset(text: str) -> float | None:
     """Return the inches of feet, inches and eighths, as tables of offsets have them, or of marked feet and inches.
 
-    A plus behind the eighths is a sixteenth more, a minus a sixteenth less. None of any other text.
+    A plus after the eighths adds a sixteenth, a minus subtracts a sixteenth. The result is None for any other text.
 
     Examples
     --------
@@ -118,5 +118,5 @@ def read_offset(text: str) -> float | None:
 
 
 def is_in_inches(text: str) -> bool:
-    """Return True if it is written as only inches are: a fraction, feet and inches, or feet, inches and eighths."""
+    """Return True if the form implies inches: a fraction, feet and inches, or feet, inches and eighths."""
     return _FRACTION.fullmatch(text) is not None or read_offset(text) is not None

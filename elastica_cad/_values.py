@@ -93,19 +93,19 @@ def as_floats(values: object) -> FloatArray | None:
 
 
 def numbers(values: object, what: str) -> FloatArray:
-    """Numbers of any shape as floats; NaN and infinity pass.
+    """Return numbers of any shape as floats; NaN and infinity are accepted.
 
     Raises
     ------
     InputError
-        Texts, None, rows of unequal length, or whole numbers larger than all floats among them.
+        Values are texts, None, rows of unequal length, or integers larger than all floats.
 
     Examples
     --------
     >>> numbers([1, 2], "the heights").tolist()
     [1.0, 2.0]
     """
-    array = None if values is None else as_floats(values)  # numpy takes None for NaN
+    array = None if values is None else as_floats(values)  # numpy converts None to NaN
     if array is None:
         raise InputError(f"{what} must be numbers, not {quoted(values)}")
     return array
@@ -126,7 +126,7 @@ def pair(value: object, what: str) -> FloatArray:
 
 
 def three(values: object, what: str) -> FloatArray:
-    """Three finite numbers (3,); refuses anything else."""
+    """Return three finite numbers (3,); refuse other values."""
     row = None if values is None else as_floats(values)
     if row is None or row.shape != (3,) or not np.isfinite(row).all():
         raise InputError("{what} is {given}: give three finite numbers", what=what, given=quoted(values))
@@ -134,7 +134,7 @@ def three(values: object, what: str) -> FloatArray:
 
 
 def direction(values: object, what: str) -> FloatArray:
-    """Unit vector (3,) along three finite numbers that are not all 0; refuses anything else."""
+    """Return the unit vector (3,) along three finite numbers that are not all 0; refuse other values."""
     row = three(values, what)
     if not row.any():
         raise InputError("{what} is zero: give a direction of three numbers", what=what)
@@ -142,12 +142,12 @@ def direction(values: object, what: str) -> FloatArray:
 
 
 def alike(**values: object) -> tuple[FloatArray, ...]:
-    """Numbers of shapes that go together, by their names, each as it is.
+    """Return arrays of compatible shapes by their names, each in its own shape.
 
     Raises
     ------
     InputError
-        No numbers, or of shapes that do not.
+        Values are not numbers, or their shapes are not compatible.
 
     Examples
     --------
@@ -166,7 +166,7 @@ def alike(**values: object) -> tuple[FloatArray, ...]:
 
 
 def require_flag(value: object, what: str) -> bool:
-    """Yes or no; refused where it is neither.
+    """Return the boolean; refuse other values.
 
     Raises
     ------
@@ -190,7 +190,7 @@ def is_series(value: object) -> TypeGuard[Iterable[Any]]:
 
 
 def require_record(value: object, record: type[Any] | UnionType, what: str, cure: str) -> None:
-    """Raise InputError unless the value is such a record; `cure` is the instruction in the message.
+    """Raise InputError unless the value is a record of this class; `cure` is the instruction in the message.
 
     Raises
     ------
@@ -207,7 +207,7 @@ def require_path(path: object) -> Path:
     Raises
     ------
     InputError
-        Something else, such as a number or None.
+        The value is not a path, but for example a number or None.
     """
     if not isinstance(path, str | PathLike):
         raise InputError(f"{path!r} is not the name of a file or folder. Pass a name such as 'arch.dxf'.")
@@ -234,7 +234,7 @@ def several(
     return items
 
 
-_KEPT = "_value_key"  # in a record's own dictionary
+_KEPT = "_value_key"  # key of the cached value in the dictionary of a record
 _PLAIN = frozenset({type(None), bool, int, float, str})  # most fields have one of these types
 
 
@@ -290,7 +290,7 @@ def _compared(kind: type) -> tuple[str, ...] | None:
 
 
 MORE_DIGITS = 9
-"""Largest number of digits beyond the usual digits; numbers that still look alike count as equal."""
+"""Largest number of digits in addition to the usual digits; numbers that still look equal count as equal."""
 
 SEEN_APART = 1e-5
 """Least relative difference that six digits always show; a figure that is closer to its limit meets the limit."""
@@ -338,7 +338,7 @@ def distinct_digits(first: float, other: float, digits: str) -> tuple[float, flo
 
 
 def round_numbers(value: Any) -> Any:
-    """Ten significant digits: more would be noise, and the same design must give the same file."""
+    """Round to ten significant digits, because more would be noise, and equal designs must give equal files."""
     array = np.asarray(value, dtype=float)
     if array.ndim == 0:
         return float(f"{float(array):.10g}")

@@ -1,4 +1,4 @@
-"""Declared options: a field is declared once, on its record, and read by every front end.
+"""Declared options. Each field is declared on its record, and all front ends use this declaration.
 
 A field, or a parameter of a function, is declared by its annotation:
 `ratio: Annotated[float | None, Option("Largest stiffness ratio.", least=1, common=True)] = None`.
@@ -23,14 +23,14 @@ Record: TypeAlias = Callable[..., Any]
 """A dataclass, or a function whose parameters are declared in the same way."""
 
 REQUIRED = MISSING
-"""Default of a field that must be given."""
+"""Default of a required field."""
 
 
 MOST_ELEMENTS = 10_000
 """Default limit for the elements of a list, ten times as many as in the longest list of an example."""
 
 LONGEST_TEXT = 1_000
-"""Largest number of characters of a text, unless a field declares its own bound: paths of files are shorter."""
+"""Largest number of characters of a text if its field has no bound; paths of files are shorter."""
 
 
 @dataclass(frozen=True)
@@ -167,9 +167,9 @@ def declared(record: Record) -> tuple[Field, ...]:
 
 
 def require_declared(record: Record, values: Mapping[str, Any], whose: str = "") -> None:
-    """Refuse values of declared fields, by their names, that are of another kind or out of bounds.
+    """Refuse values of declared fields, given by name, that have another kind or are out of bounds.
 
-    Values of fields that are not declared pass, as does None where that is the default.
+    Values of other fields are accepted, and None if it is the default.
 
     Raises
     ------

@@ -7,31 +7,31 @@ MAX_WIDTH = 30.0
 """Largest width of a new strip in FreeCAD and in the notebook."""
 
 UNKNOWN_WIDTH = 40.0
-"""Widest place of a strip whose width is unknown, where a drawn curve is judged."""
+"""Largest width that is assumed for the check of a drawn curve if the width of the strip is unknown."""
 
 RATIO = 3.5
-"""Largest stiffness ratio, widest to narrowest place, where a curve may be changed to meet it."""
+"""Largest stiffness ratio (widest to narrowest place) if the curve may be changed."""
 
 CUTTABLE_RATIO = 9.5
 """Stiffness ratio of a strip 30 mm wide that can just be cut at its narrowest place."""
 
 UNLIMITED_RATIO = 1000.0
-"""Stiffness ratio where no limit is given: 0.1 mm beside 100 mm, which no machine cuts."""
+"""Largest stiffness ratio without a given limit: widths of 0.1 and 100 mm, which no machine cuts."""
 
 TAB_LENGTH = 10.0
 """Length of a tab."""
 
 RING_TAB_LENGTH = 8.0
-"""Length of a tab that is held by a ring: through 3 mm, with room for glue."""
+"""Length of a tab that is held by a ring: it passes 3 mm of material and leaves room for glue."""
 
 KERF = 0.0
-"""Kerf that cutting files are corrected for: none, as many cutting services correct for their own."""
+"""Kerf for which cutting files are corrected. It is 0, because many cutting services correct their kerf."""
 
 LASER_KERF = 0.2
-"""Width of a laser's cut, for a part with two rest shapes of a sheet without a kerf of its own."""
+"""Kerf for a part with two rest shapes if its sheet has no kerf."""
 
 CLEARANCE = 0.1
-"""Added to the thickness of a sheet in the slot that takes it."""
+"""Difference between the width of a slot and the thickness of the sheet in it."""
 
 PLAY = 0.3
 """Clearance beside a tab in its slot on either side; it is small, since tabs may be close to each other."""
@@ -40,7 +40,7 @@ BORDER = 8.0
 """Width of material beside slots and seats of a plate."""
 
 BASE_PLAY, BASE_BORDER = 0.5, 12.0
-"""The same of a base plate."""
+"""Width of material beside the slots of a base plate."""
 
 POCKET_CLEARANCE = 0.15
 """Clearance around a tab in its printed pocket."""

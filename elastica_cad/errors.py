@@ -93,11 +93,11 @@ class ElasticaError(Exception):
         changes: Sequence[Change] = (),
         **values: Any,
     ) -> None:
-        if isinstance(text, Refusal):  # a sentence that is a record already
+        if isinstance(text, Refusal):  # the text is a record already
             where, changes = {**text.where, **(where or {})}, (*changes, *text.changes)
             values = {**text.values, **values}
             text = text.text
-        # an error as a value is kept as its text, which can be handed to another process
+        # an error among the values is replaced by its text, which can be passed to another process
         values = {
             name: str(value) if isinstance(value, BaseException) else value for name, value in values.items()
         }
@@ -105,13 +105,13 @@ class ElasticaError(Exception):
         super().__init__(str(self.refusal))
 
     def __str__(self) -> str:
-        return self.refusal  # a text that is the record, for what shows it in other words
+        return self.refusal  # the text is the record itself, so that front ends can translate it
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (type(self), str(self)), self.__dict__
 
     def at(self, **where: Any) -> Self:
-        """This error, with more places: `raise problem.at(strip="A1")`, or `raise` alone behind it."""
+        """Return this error after adding places to it: `raise problem.at(strip="A1")`."""
         self.refusal = self.refusal.at(**where)
         return self
 
@@ -122,13 +122,13 @@ def _restored(kind: type[ElasticaError], message: str) -> ElasticaError:
 
 
 class InputError(ElasticaError, ValueError):
-    """Input that no computation can start from: a bad file, number, option or curve."""
+    """The input is invalid: a file, number, option or curve."""
 
     KIND = "input"
 
 
 class UnknownOptionError(InputError, TypeError):
-    """An option that no strip has, as Python itself refuses unknown arguments."""
+    """The option does not exist; also a `TypeError`, as Python raises for unknown arguments."""
 
     KIND = "unknown"
 
@@ -140,7 +140,7 @@ class StrainError(InputError):
 
 
 class NotConvergedError(ElasticaError, RuntimeError):
-    """A solver stopped short of its tolerance; no half-converged shape is ever returned."""
+    """A solver did not reach its tolerance; an inaccurate shape is never returned."""
 
     KIND = "not converged"
 

@@ -67,7 +67,8 @@ def read_curves(
     Raises
     ------
     InputError
-        A folder, a missing, empty or unknown file, nothing usable in it; the message names the file.
+        The file is missing, a folder, empty, of an unknown type, or has no usable curve; the message names the
+        file.
     MissingDependencyError
         The library that reads this format is not installed.
 
@@ -138,7 +139,7 @@ def read_drawing(
 
 
 def _kernel_drawing(path: Path, unit: str | None) -> DrawnFile:
-    """Curves of a STEP or BREP file, through the OCCT of an installed kernel."""
+    """Read the curves of a STEP or BREP file with the OCCT of an installed kernel."""
     try:
         from elastica_cad.kernel.step_files import read_step_drawing
     except ImportError as error:

@@ -1,4 +1,4 @@
-"""The record of a refusal: its English template, the values in it, where it is, and which changes would mend it."""
+"""Record of a refusal: its English template and values, the place of the problem, and suggested changes."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from contextvars import ContextVar
@@ -17,7 +17,7 @@ PLACES = ("file", "strip")
 
 
 class _Worded:
-    """Base of values that a front end shows in its own words and units."""
+    """Base of values that each front end shows in its own language and units."""
 
     __slots__ = ()
 
@@ -26,7 +26,7 @@ class _Worded:
 
 
 class Length(_Worded, float):
-    """A length in mm, shown with its unit and three digits, or all before the point; a template may have a format.
+    """Length in mm, shown with its unit and at least three digits; a template may define a format.
 
     Examples
     --------
@@ -53,7 +53,7 @@ class FieldName(_Worded, str):
 
 
 class MaterialWidth(FieldName):
-    """The name `max_width` where it limits the ligaments or the backing of a strip with an outline of its own.
+    """The name `max_width` if it limits the ligaments or the backing of a strip with a separate outline width.
 
     FreeCAD has a property for that limit; files and options do not.
     """
@@ -177,7 +177,7 @@ class Wording(Formatter):
         return self._digits(mm, spec or (".0f" if 999.5 <= abs(mm) < 1e9 else ".3g"))
 
     def _digits(self, value: float, spec: str) -> str:
-        """Digits without an exponent where a person would write none, and no trace of rounding for 0."""
+        """Return the digits, without an exponent for numbers of usual size and without the sign of 0."""
         text = float.__format__(float(value), spec)
         text = text if text.strip("-0.") else text.lstrip("-")
         if "e" in text:
@@ -186,7 +186,7 @@ class Wording(Formatter):
         return text if self.point == "." else text.replace(".", self.point)
 
     def _joined(self, items: Listed, spec: str) -> str:
-        """Without the unit, where all are lengths."""
+        """Join the items; if all are lengths, omit their unit."""
         lengths = _are_lengths(items)
         texts = [
             self._joined(item, spec) if lengths and isinstance(item, Listed) else
@@ -236,7 +236,8 @@ class Change:
 class Refusal(str):
     """Reason for an error, or message about an answer: an English sentence with its data.
 
-    As a text it is the sentence after its places. Front ends format the sentence in another language or unit from
+    Its `str` is the places followed by the sentence. Front ends format the sentence in another language or unit
+    from
     the template and the values. No code parses the sentence.
 
     Parameters
@@ -281,7 +282,7 @@ class Refusal(str):
         values, where = dict(values or {}), dict(where or {})
         sentence = ENGLISH.template(text)
         sentence = ENGLISH.vformat(sentence, (), values) if values else sentence
-        # a traceback shows it on a terminal
+        # a traceback prints the text on a terminal
         record = super().__new__(cls, printable(_with_places(sentence, where)))
         record.kind, record.text, record.severity = kind, text, severity
         record.values, record.where, record.changes = values, where, tuple(changes)

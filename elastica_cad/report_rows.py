@@ -1,4 +1,4 @@
-"""Labelled rows of reports: the same in text, notebook, FreeCAD's panel and the page."""
+"""Labelled rows of reports, for text, notebook, the panel of FreeCAD and the page."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Strips as sketch and part objects: flat, bent, in place, with sliding ends and with the blocks that hold them."""
+"""Sketch and part objects of strips: flat, bent, placed, with sliding ends, and the blocks that hold them."""
 
 from collections.abc import Iterable, Sequence
 from copy import copy
@@ -54,10 +54,10 @@ def _numbered(name: str, number: int) -> str:
 
 
 Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Strip | StripBody | Iterable[bd.Edge]
-"""A curve that is drawn, or a strip that was made before: then there is nothing to solve."""
+"""Drawn curve, or a finished strip, which is used without a new solution."""
 
 
-COLOR = "_color"  # where shapes of build123d keep theirs
+COLOR = "_color"  # the attribute in which shapes of build123d store their joints
 
 
 class _Pickled:
@@ -76,7 +76,7 @@ class Layer(_Pickled, bd.Solid):
 
 
 class _Made(_Pickled, StripBody):
-    """The strip behind a shape; copies of the shape share it. Its properties make the other bodies."""
+    """Strip of a shape, shared by copies of the shape. Its properties return the other bodies."""
 
     def _start(self) -> Frame | None:
         if self._parts:
@@ -95,7 +95,7 @@ class _Made(_Pickled, StripBody):
 
     @property
     def copies(self) -> "bd.ShapeList[Self]":
-        """The bodies that several `Locations` made, each with its own joints; itself where it was made once."""
+        """Bodies at several `Locations`, each with its own joints; for a single location the body itself."""
         body: Any = self
         parts = self._parts
         shapes = bd.ShapeList([] if parts else [self])
@@ -109,7 +109,8 @@ class _Made(_Pickled, StripBody):
         return shapes
 
     def _publish_to_context(self, object_scope: Any) -> None:
-        """As in build123d; where several `Locations` make copies, each has joints, numbered from the second on."""
+        """As in build123d; copies at several `Locations` have their own joints, numbered from the second copy
+        on."""
         body: Any = self
         bd.BaseObject._publish_to_context(body, object_scope)
         occt.lock(body.wrapped)
@@ -228,26 +229,27 @@ class _Travelled:
 
 
 class Slider(_Travelled, bd.LinearJoint):
-    """Linear joint "slider": a strip's end on its way, straight and with its direction held, to another point.
+    """Linear joint "slider": a strip's end that moves straight to another point, with its direction held.
 
-    `connect_to(joint, position=...)` moves what rides on the end; `bent(position)` is the strip then.
+    `connect_to(joint, position=...)` moves the part on the end; `bent(position)` returns the strip for this
+    position.
 
     Parameters
     ----------
     rib : BentStrip or PlacedStrip
-        Gets the joint.
+        Body with the joint.
     end : point, or (2,) array_like
-        Where the end goes: a point in space, or two numbers in the rib's `frame`, mm.
+        Final position of the end: a point in space, or two numbers in the rib's `frame`, mm.
 
     Attributes
     ----------
     travel : Travel
-        The shapes on the way, and how long it is.
+        Shapes on the path, and its length.
 
     Raises
     ------
     InputError
-        A body that is not bent, a point that the strip does not reach.
+        The body is not bent, or the strip does not reach the point.
 
     Examples
     --------

@@ -82,7 +82,7 @@ def elastic_strip(
             )
         context.pending_edges = bd.ShapeList()
         path = list(bd.Wire.combine(path)) if len(path) > 1 else path
-        # pending edges are where the active locations put them, once for each
+        # pending edges have been placed already, once for each active location
         drawn = bd.LocationList([bd.Location()]) if form == "bent" else nullcontext()
         with drawn:
             strips: list[Any] = [

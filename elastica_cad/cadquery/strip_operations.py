@@ -208,7 +208,7 @@ def _part_shapes(part: "AssemblyPart") -> list[cq.Shape]:
 Form: TypeAlias = Literal["flat", "bent", "outline"]
 
 METHOD = "elasticStrip"
-CHAIN = 1e-4  # mm: ends of pending edges that are meant to meet
+CHAIN = 1e-4  # distance, mm, of ends of pending edges that are intended to meet
 
 
 def register() -> None:
@@ -217,7 +217,7 @@ def register() -> None:
     Raises
     ------
     InputError
-        Another library has put an `elasticStrip` there.
+        The class has an `elasticStrip` of another library.
     """
     methods: dict[type, Callable[..., Any]] = {cq.Workplane: _workplane_strip, cq.Sketch: _sketch_strip}
     for owner, method in methods.items():
@@ -280,10 +280,10 @@ def _workplane_strip(
             continue
         records = FlatSolid.layers(made.strip) if form == "flat" else BentSolid.layers(made.strip, made.frame)
         bodies.append(make_body(records, made))
-    tidy = clean and bool(combine)  # alone the strip is clean, and stays the object that knows its rod
+    tidy = clean and bool(combine)  # a single strip needs no cleaning, and stays the object with its rod
     points = [item for item in self.objects if not isinstance(item, cq.Edge | cq.Wire)]
     places = points or [cq.Location()]
-    local = form != "bent" or bool(points)  # what is drawn in place stays as it was made
+    local = form != "bent" or bool(points)  # a bent strip at its drawn place is not changed
     if local and form == "bent":
         bodies = [body.moved(self.plane.location.inverse) for body in bodies]
     left = iter([body for body in bodies for _ in places])

@@ -1,4 +1,4 @@
-"""Strips as faces, solids and compounds of CadQuery, the functions that make them, and blocks that hold them."""
+"""Faces, solids and compounds of strips in CadQuery, their functions, and blocks that hold the strips."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -53,7 +53,7 @@ def free_name(name: str, assembly: cq.Assembly) -> str:
 
 
 Drawn: TypeAlias = cq.Edge | cq.Wire | cq.Workplane | PlaneCurve | Strip | StripBody | Iterable[cq.Edge]
-"""A curve that is drawn, or a strip that was made before: then there is nothing to solve."""
+"""Drawn curve, or a finished strip, which is used without a new solution."""
 
 KEPT = ("_made", "_joints", "_label", "label", "color")
 
@@ -142,26 +142,26 @@ class _Made(StripBody, _Pickled):
         return end_fixture(self, end=end, **sizes)
 
     def moved(self, *args: Any, **options: Any) -> Any:
-        """As `Shape.moved`; a single copy still knows its strip."""
+        """As `Shape.moved`; a single copy has the same strip."""
         return self._knowing_its_strip(super().moved(*args, **options))
 
     def located(self, loc: cq.Location) -> Self:
-        """As `Shape.located`; the copy still knows its strip."""
+        """As `Shape.located`; the copy has the same strip."""
         made: Self = self._knowing_its_strip(super().located(loc))
         return made
 
     def copy(self, mesh: bool = False) -> Self:
-        """As `Shape.copy`; the copy still knows its strip."""
+        """As `Shape.copy`; the copy has the same strip."""
         made: Self = self._knowing_its_strip(super().copy(mesh))
         return made
 
     def clean(self) -> Self:
-        """As `Shape.clean`; what comes of it still knows its strip."""
+        """As `Shape.clean`; the result has the same strip."""
         made: Self = self._knowing_its_strip(super().clean())
         return made
 
     def scale(self, factor: float) -> cq.Shape:
-        """As `Shape.scale`: a plain body, as a strip of another size has other numbers."""
+        """As `Shape.scale`; the result is a plain body, because a strip of another size has other properties."""
         plain = cq.Shape.cast(super().scale(factor).wrapped)
         plain.label = self.label
         return plain
@@ -239,8 +239,9 @@ class Slider:
         self._rib = rib
 
     def place(self, position: float) -> cq.Location:
-        """Return the place of the end `position` along the way, mm or degrees: x along it, or along the strip that
-        turns; z across the strip.
+        """Return the frame of the end at a position on the path, mm or degrees.
+
+        The x axis is along the path, or along the strip if the end turns; z is across the strip.
         """
         if self.travel.angle is None:
             return make_location(self.travel.place) * cq.Location((position, 0, 0))
@@ -252,7 +253,7 @@ class Slider:
         return bent_strip(strip, plane=self.travel.frame, color=self._rib.color)
 
     def constrain(self, assembly: cq.Assembly, name: str, position: float) -> cq.Assembly:
-        """Hold a child, or a tagged face of it ("carriage?foot"), on the way for `solve()`, square to it."""
+        """Constrain a child, or a tagged face of it ("carriage?foot"), to the strip's end for `solve()`."""
         at, turn = self.place(position).toTuple()
         child, _, _ = name.partition("?")
         return assembly.constrain(name, "FixedPoint", at).constrain(child, "FixedRotation", turn)
@@ -260,7 +261,7 @@ class Slider:
     def write_glb(
         self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
     ) -> None:
-        """Write the way there and back as an animation; a file that is there only with `force`."""
+        """Write the path forth and back as an animation; an existing file is only overwritten with `force`."""
         self.travel.write_glb(path, frames=frames, seconds=seconds, force=force)
 
 
@@ -291,7 +292,8 @@ class _Ended(_Jointed):
         if end not in ENDS:
             raise InputError(f'A strip has no end {end!r}. Use "start" or "end".')
         tab = self.strip.ends[0 if end == "start" else 1].length
-        if self.strip.is_closed and self._made.home is not None:  # bent, its lap is another body
+        # in the bent state, the lap is a separate body
+        if self.strip.is_closed and self._made.home is not None:
             tab = 0.0
         tip = cq.Vector(*(self.joints[end] * cq.Location((tab, 0, 0))).toTuple()[0])
         return min(self.Faces(), key=lambda face: (face.Center() - tip).Length)

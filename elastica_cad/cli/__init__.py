@@ -1,6 +1,6 @@
 """The `elastica` command.
 
-Nothing large is imported before `main`, because only `main` ends quietly after Ctrl-C.
+Large modules are imported inside `main`, because only `main` ends without a traceback after Ctrl-C.
 """
 
 import gc
@@ -30,15 +30,15 @@ def main(arguments: list[str] | None = None) -> None:
     """
     if arguments is None:
         if not sys.warnoptions:
-            warnings.simplefilter("ignore")  # warnings of Python are for programmers
-        # matrices are small, so threads are slower; with a single thread results are the same on every machine
+            warnings.simplefilter("ignore")  # hide warnings of Python, which are for programmers
+        # a single thread is faster for small matrices, and gives equal results on every machine
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-        # collecting cycles among the imported objects would take a fifth of a command's time
+        # garbage collection of the imported objects would take a fifth of the time of a command
         gc.set_threshold(200_000, 20, 20)
     try:
         from elastica_cad.plot.drawing_process import drawing_process
 
-        # a program that calls `main` draws in its own process, which may have imported matplotlib
+        # a program that calls `main` draws in its own process, because it may have imported matplotlib
         with drawing_process(() if arguments is not None else sys.argv[1:]) as process:
             code = _run(arguments, process)
     except KeyboardInterrupt:
@@ -47,7 +47,7 @@ def main(arguments: list[str] | None = None) -> None:
         code = OUTPUT_CLOSED
     finally:
         if arguments is None:
-            gc.freeze()  # not at the end of the process either
+            gc.freeze()  # no garbage collection at the end of the process either
     if code == OUTPUT_CLOSED:
         _drop_output(1, 2)
     sys.exit(code)
@@ -63,10 +63,10 @@ def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
     except click.ClickException as problem:
         problem.show()
         return problem.exit_code
-    except click.Abort:  # what click makes of Ctrl-C
+    except click.Abort:  # click raises this exception for Ctrl-C
         return INTERRUPTED
     except OSError as problem:
-        if problem.filename is not None:  # of a file, not of standard output
+        if problem.filename is not None:  # the error of a file, not of standard output
             raise
         return _unprinted(problem)
     return code if isinstance(code, int) else 0
@@ -80,7 +80,7 @@ def _unprinted(problem: OSError) -> int:
 
 
 def _drop_output(*streams: int) -> None:
-    """Let what standard output (1) and standard error (2) still hold go nowhere."""
+    """Discard the buffered text of standard output (1) and standard error (2)."""
     for stream in streams:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
 

@@ -199,7 +199,7 @@ def _report(made: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
         "camber": depth, "camber_place": place,
         "end_force_N": made.end_force, "mass_g": made.strip.mass, "max_strain": made.strip.max_strain,
         "strain_limit": made.strip.strain_limit, "warnings": list(made.strip.warnings),
-        # JSON has no infinity: the ends do not bend
+        # replaced, because JSON has no infinity: the safety of ends that do not bend
         "table": {key: [v if np.isfinite(v) else None for v in values.tolist()] for key, values in table.items()},
     }  # fmt: skip
 

@@ -53,7 +53,7 @@ from elastica_cad.strip.travel import Travel, bend_strip
 OF_A_CURVE = {
     "--curve": "number", "--layer": "layer", "--unit": "unit", "--smooth": "smooth", "--nearest": "nearest",
 }  # fmt: skip
-"""Options that a straight strip has no use for."""
+"""Options without effect on a straight strip."""
 
 
 @click.command("bend")

@@ -58,9 +58,9 @@ MOST_SHEETS = 3
 """Largest number of sheets in a row without -v: the thickest suitable of their kinds,
 or those with the least enlarged curve."""
 
-EVEN = 1.005  # ratio of widths that is not visible
+EVEN = 1.005  # largest ratio of widths that is not visible
 WIDE_MM = 40.0
-"""Usual width, with which a ratio of widths is illustrated."""
+"""Usual width of a strip, mm, for illustrating a ratio of widths."""
 
 
 @click.command()
@@ -185,7 +185,7 @@ class _Request:
         outcome = self._smoothed(requested, verdict)
         report = report_check(verdict)
         report["advice"] = " ".join([*outcome, report["advice"]])
-        # the check reports the noise
+        # the check reports noise itself
         of_curve = (message for message in smoothing.notes if message not in smoothing.noise)
         report["notes"] = [*outcome, *([ends.message] if ends else []), *of_curve]
         if verdict.realizable and self.alone:
@@ -211,7 +211,7 @@ class _Request:
         """Return the command `elastica strip` for the strip of a common sheet that is nearest to the curve."""
         if self.natural_curvature or self.smooth is not None or Path("out").exists():
             return ""
-        # these import all that makes strips
+        # imported here, because these modules import all modules for strips
         from elastica_cad.cli.strip_options import option_words
         from elastica_cad.strip.strip_spec import StripSpec
 

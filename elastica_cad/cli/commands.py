@@ -1,4 +1,4 @@
-"""The group of commands, and what all do alike: errors as sentences, JSON, the gate for numbers, watching files."""
+"""Group of commands and their common behaviour: errors as sentences, JSON, limits of numbers, watched files."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, nullcontext
@@ -101,7 +101,7 @@ def _imported(name: str) -> click.Command:
 
 @contextmanager
 def _quiet_pipes() -> Iterator[None]:
-    """End without a message where nobody reads the output any more, as in `elastica sheets | head -1`."""
+    """End without a message if the reader of the output has ended, as in `elastica sheets | head -1`."""
     try:
         yield
     except BrokenPipeError:
@@ -148,7 +148,7 @@ class _Sentences(click.Group):
 
 
 def _spelled(path: str) -> str:
-    """Return the option of the running command that sets a field; the field's key where there is none."""
+    """Return the option of the running command that sets a field, or the key of the field if there is no option."""
     context, typed = click.get_current_context(), option_name(path.rpartition(".")[2])
     if any(typed in parameter.opts for parameter in context.command.params):
         return typed
@@ -281,7 +281,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
                 _refuse(problem)
                 return
             if "force" in own:
-                chosen["force"] = True  # files that it wrote itself are overwritten
+                chosen["force"] = True  # files that this run wrote earlier are overwritten
 
         remake_on_change(make, partial(echo, err=True))
 
@@ -290,7 +290,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
 
 
 def _check_numbers(chosen: Mapping[str, Any], *, huge: bool) -> None:
-    """Refuse nan and inf among the options of the running command; without `huge` also numbers no drawing has."""
+    """Refuse nan and inf among the options; without `huge` also numbers that are too large for a drawing."""
     for option in click.get_current_context().command.params:
         kinds = option.type.types if isinstance(option.type, click.Tuple) else [option.type]
         is_length = any(isinstance(kind, Length) for kind in kinds)
@@ -320,7 +320,7 @@ def _numbers(value: Any) -> Iterator[float]:
 
 
 def _speaking(*names: str, help: str) -> click.Option:
-    """Return an option for the output of the command, which sets the voice before other options are processed."""
+    """Return an option for the output of the command; it takes effect before other options are processed."""
 
     def set_voice(_: click.Context, param: click.Parameter, value: bool) -> None:
         if value:

@@ -146,7 +146,7 @@ def _known(chosen: dict[str, Any]) -> Sheet:
             max_strain=GUESSED_STRAIN,
         )
     sheet = Sheet.named(chosen["sheet"])
-    if thickness is not None:  # it is still that material, by its name
+    if thickness is not None:  # a measured thickness does not change the name of the sheet
         sheet = replace(sheet.with_thickness(thickness), name=sheet.name)
     return sheet if density is None else replace(sheet, density=density, density_range=None)
 

@@ -13,7 +13,7 @@ from elastica_cad.design.records import help_with_unit, paths_of, require_path_o
 
 
 def _completed(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
-    """Keys of a strip and of a design file that begin as typed, for shells."""
+    """Return the keys of a strip and of a design file that begin as typed, for completion in shells."""
     known = {**paths_of(DesignKeys), **paths_of(CommandKeys)}
     return [path for path in known if path.startswith(typed)]
 

@@ -32,7 +32,7 @@ from elastica_cad.strip.pieces import EqualStrips
 from elastica_cad.strip.summary import accuracy_row, size_row
 
 MOST_SHOWN = 6
-"""Notes that are printed; the report holds all."""
+"""Number of notes that are printed; the report contains all notes."""
 
 
 @click.command()
@@ -115,7 +115,7 @@ def model(
 
 
 KEYS = {"nearest": "limits = {{}}", "lap": "shop = {{ lap = {value:g} }}"}
-"""Lines of a design file that make a change, where they are not FIELD = VALUE."""
+"""Lines of a design file for changes that are not written as FIELD = VALUE."""
 
 
 def _suggestion(design: Design, problem: ElasticaError) -> str:
@@ -232,7 +232,8 @@ def _warnings(model: Model) -> Iterator[Refusal]:
 
 
 def _one_of_each(messages: Iterable[str]) -> Iterator[str]:
-    """Yield messages; of those that differ only in numbers and names the first, with the number of the others."""
+    """Yield messages; if messages differ only in numbers and names, the first with the number of the other
+    messages."""
     kinds: dict[str, list[str]] = {}
     for message in dict.fromkeys(messages):
         kinds.setdefault(getattr(message, "text", message), []).append(message)

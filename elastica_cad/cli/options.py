@@ -133,7 +133,8 @@ smooth_option = click.option(
 
 
 class _Folder(click.Path):
-    """A folder for results; a forgotten name, which makes the next option the folder, is refused."""
+    """Parameter type of the output folder; it refuses an option as the name, because the name was probably
+    forgotten."""
 
     def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> Any:
         if str(value).startswith("-"):
@@ -151,9 +152,7 @@ output_options = join_options(
 
 
 def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
-    """Return a decorator that adds options for the material, by name or from a file, and for another thickness of
-    it.
-    """
+    """Return a decorator that adds options for the material, by name or from a file, and for its thickness."""
 
     return join_options(
         click.option("--sheet", required=required, metavar="NAME|FILE",
@@ -169,7 +168,7 @@ def requested_sheet(chosen: Mapping[str, Any]) -> "Sheet":
     Raises
     ------
     InputError
-        No such sheet or file, or a thickness that no sheet has.
+        There is no such sheet or file, or no sheet has this thickness.
     """
     from elastica_cad.mechanics.sheets import Sheet
 

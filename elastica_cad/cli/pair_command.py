@@ -89,7 +89,7 @@ def pair(**chosen: Any) -> None:
     else:
         spec, cutting = _spec_of(chosen, settings), cutting_of({"cut": cut})
     name = chosen["name"] or path.stem
-    cutting.options(Sheet.of(spec.sheet))  # refuses a kerf that is not known before all the work
+    cutting.options(Sheet.of(spec.sheet))  # refuses an unknown kerf before the computation
     if matched := spec.matched:
         say_row(Row("Curves", str(matched)))
     say_step("looking for the rod that rests in both curves")

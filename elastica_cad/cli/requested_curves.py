@@ -163,8 +163,7 @@ class RequestedCurve:
             return self.drawn.curve
 
     def bendable(self, smooth: float | None) -> PlaneCurve:
-        """Return the curve as drawn, and refuse it where it has corners that rounding by `smooth` mm would not
-        remove.
+        """Return the curve as drawn, and refuse it if smoothing by `smooth` mm does not remove its corners.
 
         Raises
         ------
@@ -318,7 +317,7 @@ class Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class befo
     name = "blank"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Return the value as the key `natural_curvature` of a design file takes it."""
+        """Return the value in a form that the key `natural_curvature` of a design file accepts."""
         try:
             return float(value)
         except ValueError:

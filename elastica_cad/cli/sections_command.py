@@ -59,7 +59,7 @@ _IDLE = {
     "--radial": ("up",), "--angle": ("up",), "--parallel": ("zero",), "--offset": ("zero",),
     "--along": ("point", "axis", "zero"),
 }  # fmt: skip
-"""Options that do not place the planes of a family."""
+"""Options that do not apply to a family of planes."""
 
 Triple = tuple[float, float, float]
 TRIPLE = (float, float, float)
@@ -275,7 +275,7 @@ def _strip_keys(chosen: dict[str, Any], output: Path) -> dict[str, Any]:
 
 
 def _verdict(curve: SectionCurve) -> dict[str, Any]:
-    """Return whether a strip can follow the curve of a section, and if not, why."""
+    """Return a text on whether a strip can follow the curve of a section, with the reason if it cannot."""
     verdict: dict[str, Any] = {
         "name": curve.name, "length": curve.curve.length, "deviation": curve.deviation, "realizable": False,
         "ratio": None, "problem": None,

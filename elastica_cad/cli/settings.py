@@ -17,7 +17,7 @@ from elastica_cad.errors import InputError, quoted
 F = TypeVar("F", bound=Callable[..., Any])
 
 GROUPS = ("curve", "sheet", "widths", "ends", "limits", "weight", "files")
-"""In which options of a strip are listed."""
+"""Order of the groups in which options of a strip are listed."""
 
 
 @dataclass(frozen=True)
@@ -73,12 +73,12 @@ class BentKeys(StripKeys):
 
 
 def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
-    """Return the table that `KEY=VALUE` texts make: values are TOML, a bare word is a text.
+    """Return the table of `KEY=VALUE` texts; values are TOML, and a word without quotes is a text.
 
     Raises
     ------
     InputError
-        A text without "=", or an unknown key, with the nearest that is known.
+        A text has no "=", or a key is unknown; the message has the most similar key.
 
     Examples
     --------
@@ -152,7 +152,7 @@ def set_option(record: Record) -> Callable[[F], F]:
 
 
 def _values(kind: Kind) -> list[str]:
-    """Words that a value may be."""
+    """Return the words that are possible values."""
     words = list(kind.choices)
     for part in written(kind).alternatives:
         words += ["true", "false"] if part.name == "flag" else [] if part == kind else _values(part)
@@ -160,4 +160,4 @@ def _values(kind: Kind) -> list[str]:
 
 
 DEEPEST = 1
-"""Dots in the paths that `elastica help` lists; it explains those below by their tables."""
+"""Largest number of dots in the paths that `elastica help` lists; longer paths are explained with their tables."""

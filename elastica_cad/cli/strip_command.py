@@ -77,10 +77,10 @@ def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:
 
 
 class _Grouped(click.Command):
-    """Lists its options in groups."""
+    """Command that lists its options in groups."""
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Each group with its own heading."""
+        """Write each group with its heading."""
         for group, parameters in grouped(self.get_params(ctx)).items():
             rows = [
                 row
@@ -212,7 +212,7 @@ def _suggestion(
     def requests(change: Change) -> Sequence[StripSpec]:
         if change.field == "split_corners":
             pieces = split_at_corners(spec.curve)
-            drawn = spec.curve.degree > 1  # points of degree 1 are not meant as straight strips
+            drawn = spec.curve.degree > 1  # points of degree 1 are not intended as straight strips
             apart = drawn and 1 < len(pieces) <= MOST_PIECES and not (spec.slots or spec.may_change)
             return [spec.changed(curve=piece) for piece in pieces] if apart else []
         return changed_requests(spec, change)

@@ -29,11 +29,11 @@ from elastica_cad.strip.strip_spec import StripSpec
 CALLED = {
     "style.kind": "style", "style.width": "outer_width", "keep.length": "keep_length", "ends.length": "tab",
 }  # fmt: skip
-"""Options that are not called as the last name of the key that they set."""
+"""Options with a name other than the last name of the key that they set."""
 
 BY_HAND = ("style", "keep", "ends", "supports", "gravity", "natural_curvature", "limits", "cut", "keep.ends",
            "keep.tangents", "limits.strain")  # fmt: skip
-"""Keys with options whose values have another form than in a table, or that are replaced by their subkeys."""
+"""Keys whose option values have another form than in a table, and keys that are replaced by their subkeys."""
 
 FLAGS = ("keep.length", "ignore_limits")
 """Keys that an option without a value sets to true."""
@@ -53,7 +53,7 @@ def typed_name(path: str) -> str:
 
 
 CHANGED = {"nearest": "limits", "lap": "shop.lap", "split_corners": "curve.split_corners"}
-"""Keys that changes of a refusal set, where they are called otherwise."""
+"""Keys with another name in the suggested changes of a refusal."""
 
 
 def option_words(change: Change) -> tuple[str, ...]:

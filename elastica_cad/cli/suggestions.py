@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def name_program() -> str:
-    """Return how to call this program: by name, by path where the name finds another, or as a module."""
+    """Return the command of this program: its name, its path if the name finds another program, or the module."""
     called = Path(sys.argv[0])
     if called.parts[-2:] == ("elastica_cad", "__main__.py"):
         return f"{quote_words([sys.executable])} -m elastica_cad"
@@ -50,7 +50,8 @@ def typed_line(*added: str, instead: str | None = None) -> str:
 
 
 def typed_length(mm: float) -> str:
-    """Return a length (mm) as the running command takes it, with its unit where the command uses another."""
+    """Return a length (mm) as an argument of the running command, with its unit if the command uses another
+    unit."""
     context = click.get_current_context(silent=True)
     units = "mm" if context is None else context.find_root().params.get("units", "mm")
     return f"{mm:g}" if units == "mm" else f"{mm:g}mm"

@@ -1,4 +1,5 @@
-"""Output of commands for people and programs: messages, warnings and answers; and re-running on change."""
+"""Output of commands for people and programs (messages, warnings, answers), and repetition after changes of
+files."""
 
 import json
 import sys
@@ -102,7 +103,7 @@ def voice() -> Voice:
 
 
 def echo(text: str, *, nl: bool = True, err: bool = False) -> None:
-    """Write a line with control codes made visible, so that no text from a file steers a terminal."""
+    """Write a line with escaped control codes, so that text from a file cannot control a terminal."""
     click.echo(printable(text), nl=nl, err=err)
 
 
@@ -185,7 +186,7 @@ def say_step(text: str, number: int = 0, count: int = 0) -> None:
 
 
 PATIENCE_S = 5.0
-"""Seconds after which a command shows that it is working, and again after as many."""
+"""Time, s, after which a command shows that it is working, and the interval of further messages."""
 
 
 @contextmanager
@@ -276,7 +277,7 @@ def remake_on_change(make: Callable[[], None], tell: Callable[[str], None]) -> N
 
 
 def _wait_for_change(read: dict[Path, FileMark]) -> None:
-    """Wait until a file differs from the file that was read, and no file changes any more."""
+    """Wait until a file differs from the version that was read and no file is being changed."""
     before, still = read, 0
     while True:
         time.sleep(LOOK_S)

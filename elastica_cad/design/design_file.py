@@ -252,7 +252,7 @@ def parse_design(path: Path) -> dict[str, Any]:
     Raises
     ------
     InputError
-        No TOML, or nothing that can be read.
+        The file is not TOML or cannot be read.
     """
     try:
         text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
@@ -354,7 +354,7 @@ def _read_strips(
 
 
 COPIES_APART_MM = 20.0
-"""Distance between copies of a part that the file places at the same position, mm."""
+"""Distance, mm, between copies of a part if the file gives them the same position."""
 
 
 def _side_by_side(entries: Sequence[StripEntry]) -> list[StripEntry]:
@@ -432,7 +432,8 @@ def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
         return first
     for problem in problems:
         slips.add(str(problem))
-    first.refusal = Refusal(first.refusal.kind, slips.text)  # its suggestions do not apply to all
+    # without the suggestions of the first error, which do not apply to the other errors
+    first.refusal = Refusal(first.refusal.kind, slips.text)
     return first
 
 

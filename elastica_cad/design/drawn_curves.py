@@ -27,13 +27,13 @@ CORNERS = ("bottom_left", "bottom_right", "top_right", "top_left")
 
 
 def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -> FloatArray:
-    """Return the projective map (3, 3) that takes corners of the box around curves to `places`, mm; other corners
-    stay.
+    """Return the projective map (3, 3) from corners of the box around curves to `places`, mm; other corners stay.
 
     Raises
     ------
     InputError
-        An unknown corner, a box without height or width, corners that make no map (see `four_point_map`).
+        A corner is unknown, the box has no height or width, or the corners do not define a map (see
+        `four_point_map`).
 
     Examples
     --------
@@ -99,7 +99,7 @@ class Reshape:
         Raises
         ------
         InputError
-            Handles that make no map, or a curve sent through infinity.
+            The handles do not define a map, or the map sends the curve through infinity.
         """
         if self.handles is not None and self.to is not None:
             return curve.transformed(four_point_map(self.handles, self.to))
@@ -122,7 +122,7 @@ class CurveOfFile(_Curve):
     unit: Annotated[str | None, Option("Unit of the file, if the file names none.")] = None
 
     def drawn(self, reader: Reader, where: str, _: Table) -> PlaneCurve:
-        """Read the file, and return the curve that the table chooses."""
+        """Read the file, and return the curve that the table selects."""
         path = reader.folder / self.file
         if not path.is_file():
             raise InputError(

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 def cutting_keys() -> dict[str, Field]:
-    """Return the fields of `Cutting` by their keys: Python reserves the word `for`."""
+    """Return the fields of `Cutting` by their keys, which differ for the key `for`, a reserved word of Python."""
     return {"for" if option.name == "recipient" else option.name: option for option in declared(Cutting)}
 
 
@@ -102,7 +102,7 @@ class Cutting:
         return self.recipient == "service"
 
     def file_name(self, stem: str, suffix: str) -> str:
-        """Return the name of a file, with the unit where the file cannot hold it or a service gets it.
+        """Return the name of a file, with the unit if the file format has no unit or a service gets the file.
 
         Examples
         --------
@@ -188,7 +188,7 @@ class HolderSpec:
         Raises
         ------
         InputError
-            No such strips, or the holder does not fit them.
+            There are no such strips, or the holder does not fit them.
         """
         from elastica_cad.model.fixtures import end_fixtures
         from elastica_cad.model.frames import add_feet, slotted_frame
@@ -260,9 +260,9 @@ class KitSpec:
     ignore_limits: bool = False
 
     def extras(self, model: "Model") -> "tuple[Piece, ...]":
-        """Return coupons of the model's sheets and the reference bar, where they are requested.
+        """Return the requested coupons of the sheets of the model, and the requested reference bar.
 
-        A cutting service gets no bar, because its machine is not the user's.
+        There is no bar for a cutting service, because the user does not calibrate its machine.
         """
         from elastica_cad.strip.coupon import coupon_drawing, reference_bar
         from elastica_cad.strip.pieces import Piece

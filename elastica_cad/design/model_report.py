@@ -132,12 +132,12 @@ STYLE = (
 def compose_start_page(
     name: str, lines: Sequence[str], notes: Sequence[str], files: Mapping[str, str]
 ) -> str:
-    """Return the HTML page that a kit opens with: what was made, what to know, and its files.
+    """Return the start page of a kit in HTML, with a summary, notes and links to the files.
 
     Parameters
     ----------
     name : str
-        Of the model.
+        Name of the model.
     lines : sequence of str
         Summary of the model, in a few sentences.
     notes : sequence of str

@@ -196,7 +196,7 @@ class DesignKeys(SharedKeys):
 
 
 def read_kit(top: Table, reader: Reader) -> KitSpec:
-    """Read from a whole design what is made beside the strips: holders, nesting, cutting, coupons."""
+    """Read the request for everything besides the strips from a design: holders, nesting, cutting, coupons."""
     known = {entry.name: entry for entry in fields_of(DesignKeys)}
 
     def options_of(key: str) -> dict[str, Any]:
@@ -230,7 +230,7 @@ def _read_holders(top: Table, reader: Reader, nesting: Nesting) -> Iterator[Hold
 def _read_holder(kind: HolderKind, table: Table, number: int, reader: Reader, nesting: Nesting) -> HolderSpec:
     """Return a holder; in a list, its default name has a number."""
     options = reader.given(HOLDERS[kind], table)
-    options.pop("thickness", None)  # the sheet is read with it
+    options.pop("thickness", None)  # the thickness is part of the sheet
     strips, sheet = options.pop("strips", "*"), options.pop("sheet", None)
     laid = {key: options.pop(key) for key in ("sheet_size", "margin") if key in options}
     if number and kind in ("base", "rings"):

@@ -23,8 +23,9 @@ def read_pair(
     Raises
     ------
     InputError
-        A missing table, an unknown key, a value of the wrong kind, or an unreadable curve; the message names the
-        place.
+        The table is missing, a key is unknown, a value has the wrong kind, or a curve is unreadable. The message
+        names
+        the place.
     """
     path = require_file(path)
     table = parse_design(path)
@@ -33,7 +34,7 @@ def read_pair(
 
 
 def read_cutting(path: Path, changes: Mapping[str, Any]) -> Cutting:
-    """Read from a design file how cutting files are written, with `changes` of these keys."""
+    """Read the options of cutting files from a design file, with `changes` of their keys."""
     table = parse_design(require_file(path))
     return cutting_of(merged(table, {"cut": changes}), str(path))
 

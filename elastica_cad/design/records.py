@@ -126,7 +126,7 @@ WRITTEN: dict[Record, Kind] = {
 
 
 def written(kind: Kind) -> Kind:
-    """Return the kind as a file writes it, with every form that a record may be written in."""
+    """Return the kind of a value in a file, with all forms in which a record may be written."""
     if kind.name == "either":
         alternatives = [alternative for inner in kind.of for alternative in written(inner).alternatives]
         return Kind("either", tuple(dict.fromkeys(alternatives)))
@@ -172,13 +172,13 @@ class Reader:
     Attributes
     ----------
     sheets : mapping
-        Sheets by the names that a file may use besides those that all know.
+        Sheets by name that a file may use in addition to the known sheets.
     folder : Path
-        From which files are named.
+        Folder to which names of files are relative.
     read_curves : callable or None
         Reads a curve file.
     sheet : Sheet or None
-        Of the strip that is read.
+        Sheet of the strip that is read.
     """
 
     sheets: Mapping[str, Sheet] = field(default_factory=dict)
@@ -192,8 +192,9 @@ class Reader:
         Raises
         ------
         InputError
-            Unknown or missing keys, values of the wrong kind or that the record refuses; the message names the
-            place.
+            Keys are unknown or missing, or values have the wrong kind or are refused by the record. The message
+            names
+            the place.
         """
         if record in BY_KIND:
             kinds = BY_KIND[record]
@@ -506,7 +507,7 @@ def require_path_of(path: str, record: Record) -> Field:
     Raises
     ------
     InputError
-        There is none; the message names the nearest.
+        There is no such field; the message names the most similar path.
     """
     known = paths_of(record)
     if path not in known:

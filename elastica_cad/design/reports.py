@@ -28,7 +28,8 @@ from elastica_cad.strip.measuring import Measuring
 from elastica_cad.strip.strip import Strip
 
 STATIONS = 201
-"""Number of places, uniform in arc length, for the curvature of a pre-bent strip; a constant one has two."""
+"""Number of places, uniform in arc length, for the curvature of a pre-bent strip; a constant curvature has two
+places."""
 
 
 def report_blank(strip: Strip) -> dict[str, Any] | None:
@@ -217,7 +218,7 @@ def _between(strip: Strip) -> list[dict[str, Any]]:
 
 
 def _stations_report(strip: Strip, count: int) -> dict[str, Any]:
-    """Stiffness and widths at so many places, uniform in arc length."""
+    """Return stiffness and widths at `stations` places, uniform in arc length."""
     rod, layout = strip.rod, strip.layout
     s = np.linspace(0.0, rod.length, count)
     return {
@@ -252,7 +253,7 @@ def _reactions_report(reactions: Reactions) -> dict[str, Any]:
 
 
 def _layers(strip: Strip) -> list[dict[str, Any]]:
-    """Return the layers, the base first; a planed or turned strip with its largest thickness."""
+    """Return the layers, the base first; the thickness of a planed or turned strip is its largest."""
     worked = strip.layout.worked_size
     return [
         {

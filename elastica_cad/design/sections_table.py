@@ -30,7 +30,7 @@ WrittenSplit: TypeAlias = PlaneSplit | PointSplit | CornerSplit
 
 @dataclass(frozen=True)
 class SectionsTable:
-    """The table `sections`: a surface, and how planes cut it into curves."""
+    """The table `sections`: a surface, and the planes that cut it into curves."""
 
     mesh: Annotated[
         str, Option("File name of the surface, relative to the design file: OBJ, STL, PLY or STEP.")
@@ -73,14 +73,14 @@ IN_PLACE = {"radial": "angles", "parallel": "offsets"}
 def read_sections(
     table: Table, reader: Reader, read_surface: SurfaceReader | None
 ) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
-    """Return the curves of the sections that a table requests, each with its plane, and sentences worth knowing.
+    """Return the curves of the sections that a table requests, each with its plane, and notes.
 
     Raises
     ------
     InputError
-        A missing surface, planes that make no sense, or no section that a strip could follow.
+        The surface is missing, the planes are invalid, or no strip can follow any section.
     MissingDependencyError
-        trimesh is not installed, or for CAD bodies no kernel.
+        trimesh (for meshes) or a CAD kernel (for bodies) is not installed.
     """
     for name, key in IN_PLACE.items():
         cuts = table.table(name)
@@ -183,4 +183,5 @@ def _split_keys(split: Split) -> dict[str, Any]:
 
 def _degrees(angle: float) -> str:
     """Return an angle (rad) as a formula in degrees, without the rounding of pi."""
-    return f"{float(np.round(np.degrees(angle), 10))!r} * degrees"  # restores the typed number
+    # removes rounding errors of the conversion
+    return f"{float(np.round(np.degrees(angle), 10))!r} * degrees"

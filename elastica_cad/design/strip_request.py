@@ -48,7 +48,7 @@ RECORDS = {
 """Records of a request by the names that a report has for them."""
 
 SOLVED = ("curve", "frame", "limits", "keep", "smooth", "straight_ends", "seam_position", "ignore_limits")
-"""Fields of `StripSpec` that a finished strip has no use for."""
+"""Fields of `StripSpec` without effect on a finished strip."""
 
 SAME_SHARE = 1e-6
 """Largest relative difference of equal stiffnesses."""
@@ -66,7 +66,7 @@ class FinishedStrip:
     bending_stiffness : float
         Least bending stiffness, N mm2.
     designed : StripSpec, optional
-        The request in the report, if `spec` is a changed one.
+        Request in the report, if `spec` is changed.
     """
 
     spec: StripSpec
@@ -81,7 +81,7 @@ class FinishedStrip:
         Raises
         ------
         InputError
-            Something else.
+            The record is not the request of a strip.
         """
         try:
             values = _decoded(dict(record))
@@ -126,11 +126,12 @@ class FinishedStrip:
         """Make the strip with the stiffness in the report."""
         spec, designed = self.spec, self.designed or self.spec
         rod_spec = spec.rod_spec
-        laid = isinstance(rod_spec.section, LaidLeaves)  # piecewise constant, unlike that of a solved rod
+        # the stiffness of plies is piecewise constant, unlike that of a solved rod
+        laid = isinstance(rod_spec.section, LaidLeaves)
         # a law and the layers of a heavy laminate determine weight and size
         solved = spec if spec.law is not None or rod_spec.layers is not None else designed
         rod = solve_rod(replace(solved.rod_spec, section=None if laid else solved.rod_spec.section))
-        assert isinstance(rod, Rod)  # a request without limits
+        assert isinstance(rod, Rod)  # because the request has no limits
         if not np.allclose(rod.stiffness, self.stiffness(rod.s), rtol=SAME_SHARE):
             rod = rod.with_stiffness(self.stiffness)
         scale = self.bending_stiffness
@@ -166,7 +167,7 @@ def read_request(path: Path) -> Any:
         return None
     try:
         data = json.loads(path.read_bytes())
-    except (OSError, ValueError, RecursionError):  # which the reader of curves refuses
+    except (OSError, ValueError, RecursionError):  # the reader of curves refuses this file
         return None
     return data.get("request") if isinstance(data, dict) else None
 

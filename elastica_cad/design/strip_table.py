@@ -1,4 +1,4 @@
-"""The table of a design file for a strip: its curve, its position in space, and how it is made."""
+"""The table of a design file for a strip: its curve, its position in space, and its request."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -136,12 +136,12 @@ def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve 
 
 
 def read_fields(table: Table, reader: Reader) -> dict[str, Any]:
-    """Return the fields of `StripSpec` that a table gives, but for its curve and plane.
+    """Return the fields of `StripSpec` that a table gives, except its curve and plane.
 
     Raises
     ------
     InputError
-        No sheet, or values of another kind; the place is named.
+        The sheet is missing, or values have another kind; the message names the place.
     """
     known = {entry.name: entry for entry in fields_of(StripSpec) if entry.name != "curve"}
     if not table.has("sheet"):
@@ -164,7 +164,7 @@ def read_request(table: Table, reader: Reader, curve: PlaneCurve, frame: Frame |
     Raises
     ------
     InputError
-        No sheet, unknown values, or what `StripSpec` refuses.
+        The sheet is missing, values are unknown, or `StripSpec` refuses them.
     """
     values = read_fields(table, reader)
     direction = values.get("gravity")

@@ -38,7 +38,7 @@ FUNCTIONS: dict[str, tuple[Callable[..., Value], int]] = {
     "floor": (np.floor, 1), "sign": (np.sign, 1), "min": (np.minimum, 2), "max": (np.maximum, 2),
     "where": (np.where, 3),
 }  # fmt: skip
-"""Functions and how many arguments they take; where(condition, a, b) chooses."""
+"""Functions and the number of their arguments; where(condition, a, b) is a if the condition holds, else b."""
 
 _OPERATORS: dict[type[ast.operator], Callable[[Value, Value], Value]] = {
     ast.Add: np.add, ast.Sub: np.subtract, ast.Mult: np.multiply, ast.Div: np.divide, ast.Pow: np.power,
@@ -120,7 +120,7 @@ class Formula:
         Raises
         ------
         InputError
-            A name that has no value, or a result that is not finite.
+            A name has no value, or the result is not finite.
         """
         known: dict[str, Value] = {**CONSTANTS, **(values or {}), **more}
         tree, names = self._parsed
@@ -165,7 +165,7 @@ def _parsed(text: str) -> _Parsed:
 
 
 def _check(node: ast.expr, formula: Formula, depth: int = 0) -> None:
-    """Refuse whatever is not arithmetic."""
+    """Refuse everything except arithmetic."""
     if depth > MOST_NESTED:
         raise _refusal(node, formula, "this is nested too deeply; use let to name parts")
     match node:
@@ -259,7 +259,7 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
     Raises
     ------
     InputError
-        Neither a number nor a formula, or a formula that fails.
+        The value is neither a number nor a formula, or the formula fails.
     """
     if isinstance(value, str):
         value = Formula(value, where)(scope)
@@ -334,7 +334,7 @@ class Table:
     Parameters
     ----------
     data : mapping
-        As parsed.
+        Values as parsed, by key.
     where : str
         File and place, for messages.
     scope : mapping
@@ -356,7 +356,7 @@ class Table:
         self.defaults = defaults
 
     def only(self, *keys: str) -> "Table":
-        """Return this table, and refuse it where it holds any other key."""
+        """Return this table, and refuse it if it has any other key."""
         slips = Slips()
         for key in self.data:
             if key not in keys:
@@ -375,12 +375,12 @@ class Table:
         return self
 
     def place(self, key: str) -> str:
-        """Return how messages call the place of a key."""
+        """Return the name of the place of a key in messages."""
         return f"{self.where}: {key}" if self.where else key
 
     @contextmanager
     def naming(self, key: str | None = None) -> Iterator[None]:
-        """Let errors of the block name this table, or the value of `key`, unless they name a place already."""
+        """Add this table, or the place of `key`, to errors of the block that do not name a place."""
         try:
             yield
         except InputError as error:
@@ -399,7 +399,7 @@ class Table:
         return default if self.defaults is None else self.defaults.raw(key, default)
 
     def has(self, key: str) -> bool:
-        """Tell whether a key is given, here or in the defaults."""
+        """Return True if a key is given, here or in the defaults."""
         return self.raw(key) is not None
 
     def number(self, key: str, default: float | None = None) -> float:
@@ -408,7 +408,7 @@ class Table:
         Raises
         ------
         InputError
-            Missing without a default, or no number.
+            The value is missing without a default, or is not a number.
         """
         value = self.raw(key, default)
         if value is None:
@@ -416,7 +416,7 @@ class Table:
         return _compute_number(value, self.place(key), self.scope)
 
     def maybe(self, key: str) -> float | None:
-        """Return a number, or None where it is not given."""
+        """Return a number, or None if it is not given."""
         return self.number(key) if self.has(key) else None
 
     def count(self, key: str, default: int, most: float = MOST) -> int:
@@ -473,7 +473,7 @@ class Table:
         return [numbered.vector(name, size) for name in numbered.data]
 
     def text(self, key: str, default: str | None = None, choices: Sequence[str] = ()) -> str:
-        """Return a text, and refuse it where `choices` are given and it is none of them."""
+        """Return a text, and refuse it if `choices` are given and do not contain it."""
         value = self.raw(key, default)
         if not isinstance(value, str):
             raise InputError(

@@ -17,7 +17,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.occt import sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 
-OFFSET = 1e-6  # mm: accuracy of the approximation of offset curves, which are not NURBS
+OFFSET = 1e-6  # accuracy, mm, of the approximation of offset curves, which are not NURBS
 
 
 def plane_curve(
@@ -114,7 +114,7 @@ def _drawn_edge(edge: Shape) -> DrawnEdge:
         spline = (
             None if isinstance(basis, k.Geom_OffsetCurve) else k.GeomConvert.CurveToBSplineCurve_s(trimmed)
         )
-    except Exception as error:  # whatever the kernel's binding makes of Standard_Failure
+    except Exception as error:  # the class of Standard_Failure depends on the binding of the kernel
         raise InputError("The kernel cannot evaluate the curve of an edge. Draw the edge again.") from error
     if spline is None:
         followed = k.GeomConvert_ApproxCurve(trimmed, OFFSET, k.GeomAbs_Shape.GeomAbs_C2, 1000, 9)

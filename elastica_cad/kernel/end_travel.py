@@ -1,4 +1,4 @@
-"""A strip whose end slides along a line or turns: its shapes, the place of its end, an animation of its skin."""
+"""Strip whose end slides along a line or turns: its shapes, the position of its end, and an animation."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -97,7 +97,7 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
     """Return the flat places (along, across, height) of points of a strip bent into a circle about the origin."""
     flat = np.column_stack([points[:, 2]] * 3)
     turn = np.arctan2(points[:, 1], points[:, 0])
-    # tabs are straight: their points are at angles below 0 or above that of the arc
+    # points of the straight tabs are at angles below 0 or above the angle of the arc
     for end, sign in ((0.0, -1.0), (TURN_RAD, 1.0)):
         along = np.array([-np.sin(end), np.cos(end)])
         beyond = sign * (points[:, :2] @ along)
@@ -197,7 +197,8 @@ class Travel:
         """Displacement of the end, mm, or its rotation, degrees."""
         if self.angle is None:
             return float(np.hypot(*self._way))
-        return round(float(abs(np.degrees(self._turn))), 9)  # 30 degrees are within a joint's 30 degrees
+        # rounded, so that the range of a joint includes its end
+        return round(float(abs(np.degrees(self._turn))), 9)
 
     @property
     def unit(self) -> str:
@@ -293,7 +294,7 @@ def travel_of(rib: StripBody, end: Point | None, angle: float | None) -> Travel:
     Raises
     ------
     InputError
-        A body that is not bent, a point off the plane in which it bends, or as `Travel`.
+        The body is not bent, or the point is outside the plane of its curve; also the errors of `Travel`.
     """
     require_record(rib, StripBody, "what slides", "a bent strip")
     if rib._made.home is None:

@@ -1,4 +1,4 @@
-"""Bodies as triangles, and the files that hold them: STL for printing, GLB for browsers and phones."""
+"""Triangles of bodies, and their files: STL for printing, GLB for browsers and phones."""
 
 from collections.abc import Iterator, Sequence
 from os import PathLike

@@ -34,7 +34,7 @@ def make_boundary(boundary: Boundary) -> Shape:
 
 
 def _read(brep: BinaryBrep) -> Shape:
-    """The shape that was written."""
+    """Return the shape of a BREP record."""
     k = kernel()
     shape = k.TopoDS_Shape()
     k.BinTools.Read_s(shape, BytesIO(brep.for_bintools))
@@ -47,7 +47,7 @@ def make_solid(record: BodyRecord | PrismSolid) -> Shape:
 
 
 def lock(shape: Shape) -> Shape:
-    """Lock a body, so that booleans leave it unchanged: OpenCASCADE then copies what it has to change."""
+    """Lock a body, so that boolean operations leave it unchanged and change copies of its parts."""
     shape.Locked(True)
     return shape
 
@@ -123,8 +123,9 @@ def make_location(frame: Frame) -> Any:
 
 
 def moved_frame(frame: Frame, motion: Any) -> Frame:
-    """The frame after a gp_Trsf that moves, turns or mirrors; of an image x and z are kept, as frames are
-    right-handed.
+    """Return the frame after a gp_Trsf that moves, turns or mirrors.
+
+    After a mirror only the x and z axes are images, because frames are right-handed.
     """
     axes = plane_axes_of(frame).Transformed(motion)
     x, z = (np.array([d.X(), d.Y(), d.Z()]) for d in (axes.XDirection(), axes.Direction()))

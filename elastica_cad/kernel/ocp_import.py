@@ -20,7 +20,7 @@ def bare(shape: Any) -> Any:
     """Return the OpenCASCADE shape in a wrapper, None for an empty wrapper, or any other object unchanged."""
     try:
         inside = getattr(shape, "wrapped", shape)
-    except AssertionError:  # build123d's, of an empty shape
+    except AssertionError:  # raised by build123d for an empty shape
         return ()
     return () if inside is None and shape is not None else inside
 
@@ -89,7 +89,8 @@ def kernel_trouble() -> str:
 
 
 def library_trouble(library: str, error: ImportError) -> str:
-    """Return what to do where a library above OpenCASCADE fails to import: install it, or repair what it needs."""
+    """Return the remedy if a library that uses OpenCASCADE cannot be imported: install it, or repair a
+    dependency."""
     if error.name == library:
         return how_to_install(library)
     return kernel_trouble() or note("it cannot be loaded ({error}); install the named package", error=error)

@@ -15,11 +15,11 @@ DRAWN = {
     "sheet": ("Sheet or str", "Material, or the name of a built-in sheet; omit it for a finished strip."),
     "max_width": ("float", "Largest width of the free part (mm); or set `min_width`, the least width."),
 }
-"""Type and help of the arguments that every function has which makes a strip of what is drawn."""
+"""Type and help of the arguments of every function that makes a strip of a drawn path."""
 
 
 def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
-    """Add the keys of `options` to the docstring of a class or function, but for those that it explains itself.
+    """Add the keys of `options` to the docstring of a class or function, except those that it explains itself.
 
     A key is declared as `Annotated["type", "help"]`; if two classes have the same key, the first describes it. With
     `drawn` path, sheet and width come first.

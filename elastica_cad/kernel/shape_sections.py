@@ -19,10 +19,12 @@ from elastica_cad.kernel.occt import plane_axes_of, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 
 POINTS = 120
-"""Places on each span of an edge of a section; on edges of more than four spans fewer on each."""
+"""Number of places on each span of an edge of a section; edges of more than four spans have fewer places on
+each."""
 
 MOST = 1000
-"""Points of a line; of lines with more those are kept that it bends at, and as many at even distances."""
+"""Largest number of points of a line. On lines with more points, those at bends and others at even distances are
+kept."""
 
 BETWEEN = 1e-3
 """Largest distance of omitted points from the chords between kept points, mm."""
@@ -57,7 +59,8 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
 
     def cut(frame: Frame) -> Shape:
         section = k.BRepAlgoAPI_Section(shape, k.gp_Pln(plane_axes_of(frame)), False)
-        section.Approximation(True)  # else a cut through a freeform face is a polyline of ten thousand points
+        # without it, a cut through a freeform face is a polyline of ten thousand points
+        section.Approximation(True)
         section.Build()
         return section.Shape()
 
@@ -106,7 +109,7 @@ def _places(edge: Edge) -> FloatArray:
     if edge.degree == 1 and count > 4 * POINTS:
         return edge.points
     stations = edge.stations(max(edge.degree + 2, min(POINTS, 4 * POINTS // count)))
-    rows = max(1, MOST * MOST // len(edge.points))  # the basis is dense
+    rows = max(1, MOST * MOST // len(edge.points))  # the matrix of basis functions is dense
     return np.concatenate([edge.at(stations[i : i + rows]) for i in range(0, len(stations), rows)])
 
 

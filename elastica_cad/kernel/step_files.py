@@ -46,15 +46,15 @@ PR_SET_PDEATHSIG = 1
 
 
 def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
-    """Run a task in a copy of this process, where the system makes copies; what it raises is left to the real run.
+    """Run a task in a copy of this process, if the system supports copies; its exceptions are ignored.
 
-    The copy limits itself, so that it ends whatever becomes of this process; on Linux it ends with it.
+    The copy limits its own time, so that it ends in any case. On Linux it also ends with this process.
 
     Parameters
     ----------
     task : callable
     size : int
-        Of the file that it reads, bytes.
+        Size of the file that the task reads, bytes.
 
     Raises
     ------
@@ -103,7 +103,7 @@ def _limit(parent: int, seconds: int) -> None:
         import ctypes
 
         ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-        if os.getppid() != parent:  # it has ended already
+        if os.getppid() != parent:  # the parent has ended already
             os._exit(1)
 
 
@@ -121,8 +121,8 @@ def _has_many_wires(shape: Shape) -> bool:
 def _with_wires_apart(shape: Shape) -> Shape:
     """Give every wire of a face vertices of its own, as OpenCASCADE does when it writes the shape.
 
-    OpenCASCADE compares all pairs of wires for this, which takes time in the square of their number. Here only
-    wires that share a vertex are copied.
+    OpenCASCADE compares all pairs of wires for this, which takes time in the square of their number. This function
+    copies only wires that share a vertex.
     """
     k = kernel()
     context, is_changed = k.ShapeBuild_ReShape(), False
@@ -287,9 +287,10 @@ def _is_elementary(shape: Shape) -> bool:
 
 @contextmanager
 def _own_settings(further: Mapping[str, str] = MappingProxyType({})) -> Iterator[None]:
-    """Silent, and with our own format of STEP, while OpenCASCADE works; its settings are then as they were."""
+    """Silence OpenCASCADE and set the format of STEP for the block; the previous settings are restored at the
+    end."""
     k, settings = kernel(), {**SETTINGS, **further}
-    k.STEPControl_Writer()  # settings are there from the first use on
+    k.STEPControl_Writer()  # the first writer creates the settings
     before = {name: k.Interface_Static.CVal_s(name) for name in settings}
     messenger = k.Message.DefaultMessenger_s()
     printers = list(messenger.Printers())

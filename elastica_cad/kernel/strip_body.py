@@ -50,9 +50,9 @@ class StripWarning(UserWarning):
 def model_parts(
     model: "Model", others: "Iterable[Holder]", make: "Callable[[AssemblyPart], T]"
 ) -> "Iterator[tuple[AssemblyPart, T]]":
-    """Return the parts of a model and further holders, each with what `make` makes of it for all equal parts.
+    """Return the parts of a model and further holders, each with its result of `make`, which equal parts share.
 
-    Warns of strips that run through each other without a slot.
+    Strips that run through each other without a slot cause a warning.
     """
     from elastica_cad.model.assembly import assembly_parts, require_model, shape_parts
 

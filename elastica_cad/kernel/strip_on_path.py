@@ -1,4 +1,4 @@
-"""The strip of a curve drawn in a CAD kernel, given as numbers, or made before."""
+"""Strip of a curve that is drawn in a CAD kernel, given as numbers, or belongs to a finished strip."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
@@ -41,9 +41,9 @@ FAR_SHARE = 0.01
 """Least deviation of a nearest strip from the drawn curve, as a fraction of the length, that is reported."""
 
 SHORTEST_MM = 5.0
-"""Length, mm, below which a curve shorter than the strip's width was probably drawn in metres."""
+"""Length, mm, below which a curve that is shorter than the width of its strip was probably drawn in metres."""
 
-KEPT_REQUESTS = 64  # requests whose strips are kept: a few models' worth
+KEPT_REQUESTS = 64  # number of requests whose strips are cached, enough for a few models
 FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)
 GIVEN_OTHERWISE = {
     "material": 'sheet="mdf-3" or another name of ec.sheet_names()',
@@ -66,7 +66,7 @@ NO_CURVES = {
     "Rod": "ec.Strip(rod, sheet, max_width=...)",
     "NearestRod": "ec.Strip(found.rod, sheet, max_width=...)",
 }
-"""Records that lead to a strip, and what of them a body is made of."""
+"""Records from which a strip follows, and the parts of these records that determine its body."""
 
 
 class FixtureOptions(StripOptions, FixtureSizes, total=False):

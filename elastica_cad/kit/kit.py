@@ -40,7 +40,7 @@ class Kit:
 
 
 def can_draw() -> bool:
-    """Return whether pictures and PDF files can be written here."""
+    """Return True if pictures and PDF files can be written, which needs matplotlib."""
     return find_spec("matplotlib") is not None
 
 
@@ -60,7 +60,7 @@ def cutting_files(
     Raises
     ------
     InputError
-        A kerf that is not known, or a cut that a service does not take.
+        The kerf is unknown, or a service does not accept a cut.
     """
     options = cutting.options(sheet)
     return tuple(

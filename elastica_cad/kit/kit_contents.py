@@ -101,7 +101,7 @@ def kit_contents(
     for request in spec.holders:
         new_holders, sentence = request.made(model, spec.shop, ignore_limits=spec.ignore_limits)
         plates = [holder for holder in new_holders if not isinstance(holder, EndFixture)]
-        often = Counter(plate.name for plate in plates)  # gussets of equal strips share a name
+        often = Counter(plate.name for plate in plates)  # gussets of equal strips have the same name
         once = {plate.name: plate.piece for plate in reversed(plates)}
         cut = tuple(
             replace(once[name], name=f"{model.name}-{name}", count=count) for name, count in often.items()
@@ -170,7 +170,7 @@ def _cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, 
 def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> tuple[str, ...]:
     """Return faults that are ignored on request: strips that cannot be cut with the slots for their neighbours."""
     messages: list[str] = []
-    clear: set[tuple[int, FabricationLimits]] = set()  # strips that are cut alike share their layers
+    clear: set[tuple[int, FabricationLimits]] = set()  # strips that are cut alike have the same layers
     for part in model.parts:
         request = requests.get(part.strip.label)
         shop, ignore_limits = (spec.shop, False) if request is None else (request.shop, request.ignore_limits)

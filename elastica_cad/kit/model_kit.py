@@ -260,7 +260,7 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
     small, drawings = [], []
     for piece in pieces:
         if np.all(np.sort(piece.size) + 2 * margin <= size):
-            # paper has no grain
+            # pages of paper ignore the grain
             small.append(replace(piece, count=1, sheet=replace(piece.sheet, grain="none")))
         else:
             drawings.append(replace(piece.drawing, name=called[piece.name]))
@@ -354,7 +354,7 @@ def _pack(files: Sequence[str], path: Path) -> None:
     with ZipFile(path, "w") as archive:
         for name in files:
             entry = ZipInfo(name)
-            entry.external_attr = 0o644 << 16  # else only root may read files unpacked on Unix
+            entry.external_attr = 0o644 << 16  # without it, only root can read the unpacked files on Unix
             archive.writestr(entry, (path.parent / name).read_bytes(), ZIP_DEFLATED)
 
 

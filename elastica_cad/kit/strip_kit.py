@@ -23,7 +23,7 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
 UPRIGHT = Frame(y_axis=(0.0, 0.0, 1.0))
-"""Plane of a curve without a plane of its own: upright, as on a screen."""
+"""Plane of a curve without a given plane: upright, as on a screen."""
 
 
 @dataclass(frozen=True)

@@ -26,13 +26,13 @@ from elastica_cad.plot.model_pictures import look_from, rule_strip, screen_of
 
 PAGE_INCHES = (11.69, 8.27)  # A4 in landscape
 ELEVATION_DEG, AZIMUTH_DEG = 24.0, -60.0  # of the eye
-APART = 0.3  # of the model's extent: how far plates and blocks are drawn from the strips
-SPREAD = 0.25  # of its distance from the middle: how much further out each strip is drawn
-ROWS = 34  # of a table on a page
-EDGE_MM = 0.5  # how closely outlines are followed
+APART = 0.3  # distance of plates and blocks from the strips, as a fraction of the extent of the model
+SPREAD = 0.25  # outward shift of each strip, as a fraction of its distance from the middle
+ROWS = 34  # number of rows of a table on a page
+EDGE_MM = 0.5  # largest distance, mm, of polylines from outlines
 PLATE, HOLE, LEAD = "#d9c9a3", "#ffffff", "#c2452d"
-PAINT_DPI = 300  # of painted strips: thousands of vector patches take minutes to open
-MOST_NUMBERS = 120  # more would cover the picture
+PAINT_DPI = 300  # resolution of painted strips; viewers take minutes to open thousands of vector patches
+MOST_NUMBERS = 120  # largest number of labels; more would cover the picture
 
 
 def save_assembly_sheet(
@@ -43,7 +43,7 @@ def save_assembly_sheet(
     cut_list: CutList | None = None,
     force: bool = False,
 ) -> tuple[AssemblyStep, ...]:
-    """Write a PDF for the bench: the model taken apart, numbered ends, order, places, and what is cut.
+    """Write a PDF for the workshop: exploded view, numbered ends, order of assembly, positions, and cut list.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def save_assembly_sheet(
         Its strips in the order of assembly.
     path : path-like
     holders : sequence of BasePlate, Ring, Rib, SlottedFrame or EndFixture
-        Besides the model's own plates.
+        Holders in addition to the plates of the model.
     cut_list : CutList, optional
         Printed on the last pages.
     force : bool
@@ -60,7 +60,7 @@ def save_assembly_sheet(
     Returns
     -------
     tuple of AssemblyStep
-        The order that is printed.
+        Printed steps in order.
 
     Raises
     ------
@@ -125,7 +125,7 @@ def _tables(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> I
 
 
 def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
-    """Strips spread out, holders drawn off their tabs, a line from every tab to where it goes."""
+    """Draw the exploded view: strips and holders moved apart, with a line from every tab to its place."""
     bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
     middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
     toward = look_from(ELEVATION_DEG, AZIMUTH_DEG)
@@ -143,7 +143,7 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     patches, colors = (np.concatenate(part) for part in zip(*shown, strict=True))
     outlines = list(_outlines([*model.plates, *holders], far))
     depths = [*(patches.mean(axis=1) @ toward), *(float(place @ toward) for _, place, _ in outlines)]
-    # from far to near; runs of equally sized patches are made much faster than single polygons
+    # paint from far to near; sequences of patches of equal size are drawn much faster than single polygons
     order = np.argsort(depths, kind="stable")
     whole = order >= len(patches)
     for run in np.split(order, np.flatnonzero(np.diff(whole)) + 1):

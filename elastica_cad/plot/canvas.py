@@ -168,7 +168,7 @@ def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axe
         raise missing_library("pictures need matplotlib", "matplotlib") from error
 
     class Page(MatplotlibFigure):
-        """A figure that a notebook shows where it is the last thing of a cell, once."""
+        """Figure that a notebook shows once if it is the last value of a cell."""
 
         def _repr_png_(self) -> bytes:
             stream = BytesIO()

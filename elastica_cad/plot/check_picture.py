@@ -1,4 +1,4 @@
-"""A picture of a verdict: the drawn curve, its inflections, the line for them, and what is wrong where."""
+"""Picture of a verdict: the drawn curve, its inflections, their line, and the places of faults."""
 
 from collections.abc import Iterator
 from textwrap import fill
@@ -29,7 +29,7 @@ ON_THE_LINE = 1e-6
 """Largest distance of an inflection from its line, as a fraction of the length, that is not visible."""
 
 LETTERS = 96
-"""In a line of the sentence above the picture."""
+"""Largest number of characters in a line of the sentence above the picture."""
 
 
 def check(check: EquilibriumCheck) -> Figure:
@@ -41,7 +41,7 @@ def check(check: EquilibriumCheck) -> Figure:
     Parameters
     ----------
     check : EquilibriumCheck
-        Of `check_equilibrium`, or of the exception `NotRealizable`.
+        Result of `check_equilibrium`, or attribute `check` of the exception `NotRealizable`.
 
     Raises
     ------
@@ -100,7 +100,7 @@ def check(check: EquilibriumCheck) -> Figure:
 
 
 def _marks(check: EquilibriumCheck) -> Iterator[tuple[str, str, str, list[float]]]:
-    """Label, colour, marker and places (mm) of each kind of place that there is."""
+    """Return label, colour, marker and places (mm) of each kind of place on the curve."""
     kinds: tuple[tuple[str, str, str, FloatArray | list[float]], ...] = (
         ("inflections", LINE, "o", list(check.inflections)),
         ("off the line", LINE, "D", [s for s, far in check.off_line if far > ON_THE_LINE * check.length]),

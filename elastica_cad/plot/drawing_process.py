@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 class DrawingProcess:
-    """The process, which is started here; `drawing_process` ends it.
+    """Second process, started by the constructor and ended by `drawing_process`.
 
     Raises
     ------
@@ -41,7 +41,7 @@ class DrawingProcess:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
-            # Ctrl-C reaches this process alone, which ends the other
+            # Ctrl-C reaches only this process, which ends the second process
             start_new_session=True,
             creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
         )
@@ -73,7 +73,7 @@ class DrawingProcess:
         try:
             yield [*others, *received, *archives]
         except BaseException:
-            self.end()  # its other pictures are not needed
+            self.end()  # the other pictures of the request are not needed
             raise
 
     def end(self) -> None:
@@ -81,7 +81,7 @@ class DrawingProcess:
         self._process.kill()
         self._process.wait()
         for pipe in (self._input, self._output):
-            with suppress(OSError):  # of a request that was not read
+            with suppress(OSError):  # closing fails if a request was not read
                 pipe.close()
         self._folder.cleanup()
 
@@ -120,7 +120,7 @@ def drawing_process(words: Sequence[str]) -> Iterator[DrawingProcess | None]:
 
 
 def serve() -> None:
-    """Import what draws, then draw the pictures of each request from standard input."""
+    """Import the drawing functions, then draw the pictures of each request from standard input."""
     warnings.simplefilter("ignore")
     import matplotlib.backends.backend_agg
     import matplotlib.figure  # noqa: F401

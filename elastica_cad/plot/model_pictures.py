@@ -1,4 +1,4 @@
-"""Models and bodies in space: patches of bent patterns and of what holds them, painted from behind to before."""
+"""Pictures of models and bodies in space: patches of bent patterns and of holders, painted from far to near."""
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
@@ -94,7 +94,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
 
 
 def _polygon_of(loop: Path, step: float) -> FloatArray:
-    """Points (n, 2) on a closed path, near enough for a picture: at corners, and some `step` mm apart on curves."""
+    """Return points (n, 2) on a closed path for a picture: at corners, and about `step` mm apart on curves."""
     rows = []
     for segment in loop.segments:
         parts = 1
@@ -157,7 +157,7 @@ def _patches(
 
 
 def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
-    """A trapezoid (2, 3) of x, lower and upper y, cut across y into parts no higher than `size`."""
+    """Return a trapezoid (2, 3) of x, lower and upper y, cut into parts of a height of at most `size`."""
     count = max(1, int(np.ceil((slab[:, 2] - slab[:, 1]).max() / size)))
     heights = slab[:, 1:2] + (slab[:, 2:] - slab[:, 1:2]) * np.linspace(0.0, 1.0, count + 1)
     for k, _ in pairwise(range(count + 1)):
@@ -174,7 +174,8 @@ def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
 
 
 RIM_SHARE, MODEL_RIM_SHARE = 0.035, 0.0015
-"""Width of the dark line along edges, as a fraction of the strip's width, at most of the model's extent."""
+"""Width of the dark line along edges, as a fraction of the width of the strip, and its limit as a fraction of the
+extent of the model."""
 
 ROUNDED_MM = 6
 """Decimals of a height above a face, mm; a patch with height 0.0 is on the face."""
@@ -189,7 +190,7 @@ STATIONS, CORNERS = 81, 40
 """Numbers of patch boundaries along a strip, and of corners of its drawn outline."""
 
 LIGHT = np.array([0.35, -0.45, 0.82])
-"""Towards the light: from above, the left and the front."""
+"""Direction to the light, which is above, to the left and in front."""
 
 
 def model(
@@ -234,20 +235,20 @@ def bodies(
     elevation: float = 25.0,
     azimuth: float = -60.0,
 ) -> Figure:
-    """Closed triangle meshes in space, as `tessellate` of CAD kernels gives them.
+    """Draw closed triangle meshes in space, such as those of `tessellate` in CAD kernels.
 
     Parameters
     ----------
     meshes : sequence of (vertices (n, 3), triangles (m, 3), color)
-        mm; rows of vertices, anticlockwise seen from outside; red, green, blue in 0..1.
+        Vertices in mm; triangles as rows of vertices, anticlockwise seen from outside; red, green, blue in 0..1.
     title : str
     elevation, azimuth : float
-        Where the eye is, degrees.
+        Direction of the viewer, degrees.
 
     Raises
     ------
     InputError
-        No meshes, or arrays of another shape.
+        There are no meshes, or arrays have another shape.
     """
     patches, colors = [], []
     if not is_series(meshes) or not all(is_series(mesh) and len(tuple(mesh)) == 3 for mesh in meshes):
@@ -287,7 +288,7 @@ def _seen(
     toward = look_from(elevation, azimuth)
     plane = patches @ screen_of(elevation, azimuth)
     middle = patches.mean(axis=1)
-    # behind each face, on it, before it
+    # patches behind each face, on it, and in front of it
     sides = [
         np.sign(np.round((middle - face.origin) @ face.z_axis, ROUNDED_MM)) * np.sign(face.z_axis @ toward)
         for face in faces
@@ -347,14 +348,14 @@ def screen_of(elevation: float, azimuth: float) -> FloatArray:
 
 
 def _lit(patches: FloatArray) -> FloatArray:
-    """Brightness (n, 1) of patches by their slope to the light, the same on both sides."""
+    """Return the brightness (n, 1) of patches from their angle to the light; both sides are equally bright."""
     normal = np.cross(patches[:, 2] - patches[:, 0], patches[:, -1] - patches[:, 1])
     normal = normal / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
     return np.asarray(0.6 + 0.4 * np.abs(normal @ LIGHT)[:, None], dtype=float)
 
 
 def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[FloatArray, FloatArray]:
-    """Triangles halved across their longest edge until none is longer than `longest`, to be sorted by depth."""
+    """Return triangles halved across their longest edge until edges are at most `longest`, for sorting by depth."""
     while True:
         edges = np.linalg.norm(np.roll(triangles, -1, axis=1) - triangles, axis=2)
         large = edges.max(axis=1) > longest

@@ -10,15 +10,15 @@ from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 
 CUT, FIRST, SECOND, WAY = "#8a8f98", "#1f5fa8", "#c2571a", "#d9dbe0"
-CHORD_SHARE = 1e-4  # of the length: how closely the picture follows splines
+CHORD_SHARE = 1e-4  # largest distance of polylines from splines, as a fraction of the length
 
-PUSHED_SHARE = 0.3  # of the way from state to state: the arrow
+PUSHED_SHARE = 0.3  # length of the arrow, as a fraction of the displacement between the states
 
 
 def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     """Draw a two-state part flat, at rest in both states with the holder's holes, and the push between them.
 
-    Both curves as they were drawn are dashed, where they are given.
+    The drawn curves are dashed, if they are given.
     """
     chord = CHORD_SHARE * part.pair.length
     lines = [part.line_through(rest.position) for rest in part.rests]
@@ -73,7 +73,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
 
 
 def _even(axes: Axes, title: str) -> None:
-    """Equal scales, no frame."""
+    """Set equal scales without a frame."""
     axes.set_aspect("equal")
     axes.axis("off")
     axes.set_title(title, fontsize=9, loc="left")

@@ -29,10 +29,10 @@ LAYER_COLORS = {
 COMB, LINE, FAINT = "#2f6db3", "#c2452d", "#8a8f98"
 
 NUMBERED = Panel(5.2, above=0.54, below=0.52, left=0.8, right=0.15)
-"""A drawing with both its axes, a title, and a legend below that."""
+"""Space around a drawing with both axes, a title, and a legend below the title."""
 
 STIFFNESS = NUMBERED._replace(height=1.6, above=0.32)
-"""K along the strip, under a title."""
+"""Space around the graph of K along the strip, with a title."""
 
 WIDE = WIDTH_INCHES - NUMBERED.left - NUMBERED.right
 """Width of the axes of these pages, inches."""
@@ -79,7 +79,7 @@ def drawing(drawing: Drawing) -> Figure:
     lines = [item.path.closed_points(SMOOTH_MM) for item in drawing.strokes]
     for layer in dict.fromkeys(item.layer for item in drawing.strokes):
         strokes = [line for item, line in zip(drawing.strokes, lines, strict=True) if item.layer == layer]
-        # on whole pixels, dots of letters would shrink to nothing
+        # not aligned to whole pixels, because dots of letters would vanish
         axes.add_collection(
             LineCollection(strokes, colors=LAYER_COLORS[layer], linewidths=0.9, label=layer, snap=False)
         )
@@ -134,11 +134,11 @@ def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)
     from matplotlib.path import Path as Outline
 
     for layer in strip.layers:
-        # what runs against the outline is left out of the filling
+        # loops in the direction opposite to the outline are not filled
         loops = [layer.outline, *(hole if hole.area < 0 else hole.reversed() for hole in layer.holes)]
         outlines = [Outline(loop.closed_points(SMOOTH_MM) + shift, closed=True) for loop in loops]
         seen_through = layer is not strip.layers[0]
-        # `add_patch` would look at every piece of every hole for limits that are set afterwards
+        # not `add_patch`, which computes limits from every piece of every hole; the limits are set later
         axes.add_artist(
             PathPatch(
                 Outline.make_compound_path(*outlines),
@@ -186,7 +186,7 @@ def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[He
         if line is not None:
             axes.plot(*line.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
             shown += [*line]
-    # a curve that is nearly straight has some room across, for its axis to be read
+    # leave room across a nearly straight curve, so that its axis can be read
     box = box_about(np.array(shown))
     least, middle = _widened(box[1] - box[0]) / 2, box.mean(axis=0)
     axes.set_xlim(middle[0] - least[0], middle[0] + least[0])
@@ -252,15 +252,17 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
 
 
 def _widened(size: FloatArray) -> FloatArray:
-    """Width and height shown of so large a drawing: the axis of a nearly straight curve can be read."""
+    """Return the displayed width and height for a drawing of this size, at least so high that its axis can be
+    read."""
     return np.asarray(1.1 * np.maximum(size, 0.3 * size.max()))
 
 
 def _stations_of(size: Profile) -> list[float]:
-    """Widest and narrowest place, the ends, then the quarters, as far as their labels keep apart."""
+    """Return the widest and narrowest place, the ends and the quarters, without those whose labels would
+    overlap."""
     length = size.length
     s = np.linspace(0.0, length, 801)
-    w = np.round(size(s), 9)  # where many places are widest, rounding does not choose
+    w = np.round(size(s), 9)  # if many places are equally wide, rounding must not select one of them
     wanted = [s[int(np.argmax(w))], s[int(np.argmin(w))], 0.0, length, length / 2, length / 4, 3 * length / 4]
     kept: list[float] = []
     for x in map(float, wanted):
@@ -270,7 +272,8 @@ def _stations_of(size: Profile) -> list[float]:
 
 
 def _inflections(rod: Rod) -> FloatArray:
-    """Points (k, 2) where the bending changes sign: of a flat blank, where the curvature does."""
+    """Return points (k, 2) where kappa - kappa_0 changes sign; these are the inflections if the strip is cut
+    flat."""
     if rod.shape is not None and not np.any(rod.natural_curvature):
         return np.asarray(rod.shape.at(rod.shape.inflections).position, dtype=float).reshape(-1, 2)
     kappa = rod.curvature - rod.natural_curvature
@@ -329,7 +332,7 @@ def _dimension(axes: Axes, start: tuple[float, float], end: tuple[float, float],
 
 
 def finish_axes(axes: Axes, title: str) -> None:
-    """Numbers along both axes, a title, and the legend."""
+    """Draw numbers along both axes, a title, and the legend."""
     _paint_both_axes(axes, title)
     _paint_legend(axes)
 
@@ -360,7 +363,8 @@ def _paint_legend(axes: Axes) -> None:
     )
 
 
-FIRST, LAST, UNSTABLE = "#a9c6e8", "#1d4f8c", "#c2452d"  # shapes from first to last; what snaps away
+# colours of the shapes from first to last, and of shapes after snaps
+FIRST, LAST, UNSTABLE = "#a9c6e8", "#1d4f8c", "#c2452d"
 SHAPES = Panel(3.2, above=0.3, below=0.52, left=0.8, right=0.8)
 COSTS = SHAPES._replace(height=2.4, above=NUMBERED.above)  # force on the left axis, energy on the right axis
 FORCE, ENERGY = "#1d4f8c", "#e0962b"
@@ -402,7 +406,7 @@ def travel(moved: Travel) -> Figure:
     beside = below.twinx()
     beside.plot(moved.path_length, moved.energy, color=ENERGY, linestyle="--")
     beside.set_ylabel("bending energy, N mm", color=ENERGY)
-    for axes in (below, beside):  # from 0, so that a force that hardly changes looks so
+    for axes in (below, beside):  # the axis begins at 0, so that a nearly constant force looks constant
         low, high = axes.get_ylim()
         room = 0.05 * (high - low) if low * high > 0 else 0.0
         axes.set_ylim(min(low - room, 0.0), max(high + room, 0.0))

@@ -19,15 +19,15 @@ PAPERS = {
     "A4": (210.0, 297.0), "A3": (297.0, 420.0), "A2": (420.0, 594.0), "A1": (594.0, 841.0), "A0": (841.0, 1189.0),
     "letter": (215.9, 279.4), "tabloid": (279.4, 431.8),
 }  # fmt: skip
-"""Width and height, mm (ISO 216; ANSI Y14.1)."""
+"""Width and height of papers, mm (ISO 216; ANSI Y14.1)."""
 
-MARGIN_MM = 10.0  # what home printers leave white
-OVERLAP_MM = 10.0  # of neighbouring tiles, for glue
-CHORD_MM = 0.01  # how closely lines follow splines: a fifth of a printer's dot at 600 dpi
-CROSS_MM = 4.0  # arms of a registration mark
-RULER_MM = 100.0  # of the bar that shows whether the printer scaled
+MARGIN_MM = 10.0  # margin, mm, that home printers do not print
+OVERLAP_MM = 10.0  # overlap of neighbouring tiles, mm, for glue
+CHORD_MM = 0.01  # largest distance of lines from splines, mm: a fifth of a dot of a printer with 600 dpi
+CROSS_MM = 4.0  # length of the arms of a registration mark, mm
+RULER_MM = 100.0  # length, mm, of the bar that shows whether the printer scaled
 POINTS_PER_MM = 72 / MM_PER_INCH
-MOST_TILES = 400  # sheets of paper; more are probably a mistake
+MOST_TILES = 400  # largest number of pages; more are probably a mistake
 
 
 def printed_size(paper: str) -> tuple[float, float]:
@@ -108,7 +108,7 @@ def _enters(segments: FloatArray, low: FloatArray, high: FloatArray) -> bool:
 
 
 def _letters(index: int) -> str:
-    """A, B, ... Z, AA, AB, ..."""
+    """Return the name of a column: A, B, ... Z, AA, AB, ..."""
     text = ""
     while True:
         text = chr(ord("A") + index % 26) + text
@@ -192,7 +192,7 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, title: str
     for item in drawing.strokes:
         points = item.path.closed_points(CHORD_MM)
         if np.any(points.max(axis=0) < low) or np.any(points.min(axis=0) > high):
-            continue  # on another page: an invisible line costs as much as a visible line
+            continue  # skip lines on other pages, because invisible lines take as much time as visible lines
         axes.plot(*points.T, color=LAYER_COLORS[item.layer], linewidth=0.6, solid_capstyle="butt")[
             0
         ].set_clip_path(window)

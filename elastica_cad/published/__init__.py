@@ -1,4 +1,4 @@
-"""The routes of the paper's own code, for comparisons: nothing else imports them."""
+"""Methods of the code published with the paper, for comparisons only; no other module imports them."""
 
 from elastica_cad._exports import exports
 

@@ -1,4 +1,4 @@
-"""The paper's moves of control points: sensitivities, and the least move that restores constraints."""
+"""Moves of control points as in the paper: sensitivities, and the least move that restores constraints."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -28,8 +28,8 @@ from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
 _ALONG = 0.1  # weight of a move along the curve relative to a move across it
 _BEND = 0.005  # size of a move that changes the curvature by 1 / length, as a fraction of the length
 _STRETCH = 0.05  # size of a move that changes the velocity d/dt by 100 %, as a fraction of the length
-_LINE_STEP = 0.02  # a move of the line counts as a move of the curve by this share of its length
-_RANK = 1e-11  # of the largest singular value: smaller changes are neglected
+_LINE_STEP = 0.02  # size of a move of the line, as a move of the curve in fractions of its length
+_RANK = 1e-11  # least singular value, as a fraction of the largest, of a change that is not neglected
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +93,7 @@ class CurveChanges:
             rows.append(np.column_stack([moved, np.ones(zeros.size), curve.evaluate(zeros)]))
         size, length = np.abs(self._moment).max(), curve.length
         centre = curve.evaluate(self._t).mean(axis=0)
-        # the line in numbers of order 1: moment at the middle of the curve, and its slope
+        # describe the line by numbers of order 1: the moment at the middle of the curve, and its slope
         line = np.array(
             [[1.0, -centre[0] / length, -centre[1] / length], [0, 1 / length, 0], [0, 0, 1 / length]]
         )
@@ -131,8 +131,9 @@ class CurveChanges:
     def compliance(self) -> PanelFunction:
         """Changes (r) of C = 1/K = kappa / M at fixed parameters.
 
-        dC = (d kappa - C dM) / M. Beside an inflection both vanish on the tangent space, and nowhere else:
-        the polynomial through the Gauss nodes carries their quotient across.
+        dC = (d kappa - C dM) / M. On the tangent space, numerator and denominator vanish only at an inflection,
+        where the quotient is
+        interpolated by the polynomial through the Gauss nodes.
         """
         state, curve = self.state, self.state.curve
         _, b = state.line
@@ -192,15 +193,18 @@ class CurveChanges:
         return np.asarray(by.stiffness @ K + by.angles @ angles + force + by.length * length)
 
 
-_PRICE = 0.1  # of a broken bound, against half the mean square distance in lengths: far above all multipliers
-_ROW_PRICE = 10.0  # of a row of the step that cannot be met: above every bound's
-_ACCURACY = 1e-12  # of a step, against the price: half a mean square distance of 1e-8 still counts
+# price of a violated bound relative to half the mean square distance in lengths, far above all multipliers
+_PRICE = 0.1
+_ROW_PRICE = 10.0  # price of a row of the step that cannot be met, above the price of every bound
+# accuracy of a step relative to the price, so that half a mean square distance of 1e-8 has an effect
+_ACCURACY = 1e-12
 _MARGIN_UNIT = 50.0  # typical error of the margin, as its unit
 _COARSE = 3.0  # largest factor of a step on the ratio or its bound; larger steps are refused
 _RATIO_PART, _MARGIN_PART = 0.9, 6.0  # target of a step: fraction of the ratio, increase of the margin
-_RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7  # of the trust region, in lengths of the curve
-_SETTLED = 1e-3  # a step with a smaller predicted gain, as a fraction of the distance, ends the search
-_RESOLUTION = 1e-12  # of half a mean square distance in lengths: smaller gains are rounding
+# radius of the trust region, in lengths of the curve
+_RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
+_SETTLED = 1e-3  # predicted gain of a step, as a fraction of the distance, below which the search ends
+_RESOLUTION = 1e-12  # gain in half the mean square distance, in lengths, below which it is rounding
 _INSIDE = 1e-5  # relative distance from the bounds, so that they hold between the samples too
 _ENFORCED = 1e-11  # largest error of a constraint that holds, in lengths and radians
 _ROUNDS = 12  # number of times that places are added where a step would break the bounds
@@ -358,7 +362,8 @@ def _moved(curve: PlaneCurve, step: _Step, constraints: Sequence[Constraint]) ->
 def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float) -> _Step:
     """Return the best step to first order.
 
-    Unknowns: coordinates u of the move in lengths; the largest compliance c = 1 / min K; what is left of
+    The unknowns are the coordinates u of the move in lengths, the largest compliance c = 1 / min K, and the slacks
+    of
     the two bounds.
     """
     length = changes.state.curve.length

@@ -1,4 +1,5 @@
-"""The paper's two algorithms on control points: smaller ratio (section 7.2), stability (section 6.4)."""
+"""Two algorithms of the paper on control points, for a smaller ratio (section 7.2) and for stability (section
+6.4)."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -30,14 +31,14 @@ class OptimizedRatio:
     Attributes
     ----------
     curve : PlaneCurve
-        Same knots, control points moved; a strip can take it.
+        Realizable curve with the same knots and moved control points.
     ratio : float
         R = max K / min K of the continuous curve.
     deviation : float
         Largest distance of its points from the drawn curve, mm.
     status : RatioStatus
     iterations : int
-        Steps tried.
+        Number of tried steps.
     history : tuple of RouteStep
         Ratio and distance of the start and of every accepted step.
     """
@@ -134,7 +135,7 @@ class RecoveredStability:
     Attributes
     ----------
     curve : PlaneCurve
-        Same knots, control points moved; a strip can take it.
+        Realizable curve with the same knots and moved control points.
     margin : float
         Stability margin as in `stability`; positive means stable.
     ratio : float
@@ -143,7 +144,7 @@ class RecoveredStability:
         Largest distance of its points from the drawn curve, mm.
     status : RecoveryStatus
     iterations : int
-        Steps tried.
+        Number of tried steps.
     history : tuple of RouteStep
         Ratio, margin and distance of the start and of every accepted step.
     """

@@ -1,4 +1,4 @@
-"""Requests of the page and their answers: JSON records in and out, one function for each request."""
+"""Requests of the page and their answers, both as JSON records; each request has a function."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -55,7 +55,7 @@ from elastica_cad.web.saved_design import (
 Record = dict[str, Any]
 
 DRAWN_NODES = 160
-"""Nodes of a strip that are sent: more are not seen on a screen."""
+"""Largest number of nodes of a strip that are sent; more are not visible on a screen."""
 
 CHORD_MM = 0.05
 """Accuracy of lines on the screen compared with the cut outline, mm."""
@@ -72,7 +72,7 @@ CURVE_KEYS = ("curve", "first", "second")
 CHANGED = "{name} was changed since this page read it"
 
 BENT_STEPS, PRESSED_STEPS = 32, 12
-"""Shapes from the design to flat, and from the design on as its ends are pressed together."""
+"""Number of shapes from the design to flat, and of shapes while the ends are pressed further together."""
 
 SLACK = 5e-3
 """Safety distance of a nearest curve from a limit, as a fraction of the limit; its spline must not exceed it."""
@@ -130,7 +130,7 @@ def refused(problem: ElasticaError) -> Record:
 
 
 def _refuse_files(value: object, key: str = "") -> None:
-    """Refuse whatever names a file: the page reads none but those that are dropped on it."""
+    """Refuse requests that name a file, because the page reads only files that are dropped on it."""
     if isinstance(value, Mapping):
         for name, item in value.items():
             _refuse_files(item, str(name))
@@ -195,7 +195,7 @@ def _drawn(spec: StripSpec) -> Record:
 
 
 def _theorem(check: EquilibriumCheck) -> Record:
-    """Inflections with their numbers, their line, and where it meets the curve and must not."""
+    """Return inflections with their numbers, their line, and its inadmissible contacts with the curve."""
 
     def places(s: Sequence[float]) -> list[Any]:
         return _rounded(check.curve.at(s).position, 3) if len(s) else []
@@ -211,7 +211,7 @@ def _theorem(check: EquilibriumCheck) -> Record:
 
 
 def _shape(strip: Strip, rod: Rod | None = None) -> Record:
-    """Places along a strip from tab to tab: where it is, how wide, how bent and how strained."""
+    """Return places along a strip from tab to tab, with position, width, curvature and strain."""
     rod = rod or strip.rod
     k = np.unique(np.linspace(0, rod.s.size - 1, DRAWN_NODES + 1).round().astype(int))
     s, kappa = rod.s[k], rod.curvature[k]
@@ -264,7 +264,7 @@ def _nearest(request: Mapping[str, Any]) -> Record:
             limits=Limits(margin=(1 + 4 * SLACK) * SAFE_MARGIN, sheet=spec.material, strain=strain),
             keep=Keep(),
         )
-        limits = spec.rod_spec.limits  # with the ratio that the widths allow
+        limits = spec.rod_spec.limits  # limits with the ratio that the widths allow
         if isinstance(limits, Limits) and limits.ratio is not None:
             spec = spec.changed(limits=replace(limits, ratio=max(1.0, (1 - SLACK) * limits.ratio)))
     near = solve_rod(spec.rod_spec)
@@ -272,7 +272,7 @@ def _nearest(request: Mapping[str, Any]) -> Record:
     assert isinstance(near, NearestRod)
     try:
         curve = near.curve
-    except NotConvergedError:  # it has no short description
+    except NotConvergedError:  # this kind has no short description
         curve = near.rod.curve
     return {
         "curve": curve_table(curve),
@@ -320,7 +320,8 @@ def _bend(request: Mapping[str, Any]) -> Record:
     parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
     pulled = bend_strip(strip, [led(part, flat, 1.0) for part in parts])
     frames = [_frame(strip, pulled, k, 1 - parts[k]) for k in range(len(parts))][::-1]
-    with suppress(ElasticaError):  # pressed beyond what it takes, it shows the way from flat alone
+    # if the strip cannot be pressed further, only the shapes from flat to the design are shown
+    with suppress(ElasticaError):
         more = np.arange(1, PRESSED_STEPS + 1) / PRESSED_STEPS
         pressed = bend_strip(strip, [led(part, end - PRESSED_SHARE * chord, 0.0) for part in more])
         frames += [_frame(strip, pressed, k, 1 + PRESSED_SHARE * more[k]) for k in range(len(more))]
@@ -394,7 +395,7 @@ def _plates(solids: Sequence[object]) -> Iterator[FlatSolid]:
 
 
 def _matrix(frame: Frame) -> list[float]:
-    """Column by column, as a graphics library takes it."""
+    """Return the matrix of a frame column by column, as graphics libraries expect."""
     rows = np.eye(4)
     rows[:3, :3], rows[:3, 3] = frame.axes.T, frame.origin
     return [round(float(x), 6) for x in rows.T.ravel()]
@@ -520,7 +521,8 @@ def _open(_: Mapping[str, Any], saved: FilePath | None) -> Record:
 
 
 def _save(request: Mapping[str, Any], saved: FilePath | None) -> Record:
-    """The text of the design file, which the server writes; or the changed file, if the page has not seen it."""
+    """Return the text of the design file for the server to write, or a changed file that the page does not have
+    yet."""
     before, mark = "", file_mark(saved)
     if saved is not None and not request.get("copy"):
         if request.get("mark") != mark:

@@ -1,4 +1,4 @@
-"""The studio in a notebook: the same page, answered by the notebook's own kernel."""
+"""The studio in a notebook: the same page, with answers from the kernel of the notebook."""
 
 import json
 from collections.abc import Mapping
@@ -29,20 +29,22 @@ MODULES = (
 
 @installed_modules()
 def studio(curve: PlaneCurve | None = None, **keys: Any) -> "AnyWidget":
-    """The studio as a widget of a notebook (Jupyter, with anywidget): draw a curve, and go on with what was drawn.
+    """Return the studio as a widget of a notebook (Jupyter, with anywidget), to draw a curve and use it in the
+    notebook.
 
     Parameters
     ----------
     curve : PlaneCurve, optional
-        To begin with; an empty drawing unless given.
+        Initial curve; by default the drawing is empty.
     **keys
-        As in a design file: `sheet="pom-1"`, `max_width=20`, `limits={"ratio": 3}`; lengths in mm.
+        Keys of a strip in a design file: `sheet="pom-1"`, `max_width=20`, `limits={"ratio": 3}`; lengths in mm.
 
     Returns
     -------
     AnyWidget
-        Its `value` is the curve (PlaneCurve) and the request (StripSpec) as they are drawn, `design` the tables of
-        a design file.
+        Widget. Its `value` is the drawn curve (PlaneCurve) and the request (StripSpec); `design` has the tables of
+        a
+        design file.
 
     Raises
     ------
@@ -77,7 +79,7 @@ def _widget() -> type["AnyWidget"]:
     texts = {f"./{name}": page.joinpath(name).read_text(encoding="utf-8") for name in MODULES}
 
     class Studio(AnyWidget):
-        """A page whose questions this process answers."""
+        """Page whose requests are answered in this process."""
 
         _esm = (
             f"const MODULES = {json.dumps(texts)};\n{page.joinpath('widget.js').read_text(encoding='utf-8')}"
@@ -98,7 +100,7 @@ def _widget() -> type["AnyWidget"]:
 
         @property
         def value(self) -> tuple[PlaneCurve, StripSpec]:
-            """The curve and the request as they are drawn."""
+            """The drawn curve and the request."""
             spec = requested_spec(self.design)
             return spec.curve, spec
 

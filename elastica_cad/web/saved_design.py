@@ -52,7 +52,7 @@ def file_mark(path: Path | None) -> str:
 
 
 def start_designs() -> dict[str, Tables]:
-    """Designs to start from, by name."""
+    """Return the designs that the page offers as templates, by name."""
     folder = Path(str(files("elastica_cad.cli").joinpath("templates")))
     return {name: parse_design(folder / f"{name}.toml") for name in STARTS}
 
@@ -111,7 +111,7 @@ def curve_table(curve: PlaneCurve) -> Tables:
 
 
 def compose_design(tables: Mapping[str, Any], before: str = "") -> str:
-    """The text of a design file with these tables, which keeps the comments of the text before where it can.
+    """Return the text of a design file with these tables; comments of the previous text are kept if possible.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""The server of the page: on this computer alone, for those who have its address, and for pages of its own."""
+"""Server of the page. It answers only this computer, requests with its token, and its own pages."""
 
 import asyncio
 import hmac
@@ -65,7 +65,7 @@ class Entrance:
         return f"elastica-studio-{self.port}"
 
     def refusal(self, seen: HTTPConnection) -> str:
-        """Return why a request is not answered; empty where it is."""
+        """Return the reason why a request is refused, or an empty text if it is permitted."""
         host = seen.headers.get("host", "")
         if host not in (f"{HOST}:{self.port}", f"localhost:{self.port}"):
             return "This server answers to its own name only.\n"
@@ -77,7 +77,8 @@ class Entrance:
 
 
 class Guard:
-    """Checks each request with the entrance and adds the security policy to each response."""
+    """Application layer that checks each request with the entrance and adds the security policy to each
+    response."""
 
     def __init__(self, app: ASGIApp, entrance: Entrance) -> None:
         self.app, self.entrance = app, entrance
@@ -124,7 +125,7 @@ class Studio:
     def __init__(self, entrance: Entrance, path: Path | None = None) -> None:
         self.path = path
         if path is not None and path.exists():
-            open_design(path)  # refused here, it is refused in the terminal
+            open_design(path)  # an invalid design is refused in the terminal, before the page opens
         file = None if path is None else path.name
         self._hello = page_words() | {
             "do": "hello",
@@ -162,7 +163,8 @@ class Studio:
             self._workers.request(page, {"do": "open"}, b'{"do": "open"}', greet)
             while True:
                 await self._take(page, await talk.receive_text(), send)
-        except (WebSocketDisconnect, KeyError):  # the page is gone, or sent bytes, which our page never does
+        # the page is closed, or sent bytes, which this page never does
+        except (WebSocketDisconnect, KeyError):
             with suppress(RuntimeError):
                 await talk.close()
         finally:
@@ -180,7 +182,8 @@ class Studio:
             await send(kind, content if path is None else _written(path, content))
 
         saves = request.get("do") == "save" and not request.get("copy")
-        line = text.replace("\n", " ").encode()  # a line feed of JSON is a space, and ends a worker's line
+        # line feeds in JSON are spaces, but would end the line for a worker
+        line = text.replace("\n", " ").encode()
         if not self._workers.request(page, head_of(request), line, written if saves else send):
             await send(b"text", refused_answer(request, InputError(TOO_MUCH)))
 
@@ -210,11 +213,11 @@ def bound_socket(port: int) -> socket.socket:
         The port is taken.
     """
     bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
-    if os.name == "posix":  # else connections that ended lately hold the port for a minute
+    if os.name == "posix":  # without it, recently ended connections block the port for a minute
         bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         bound.bind((HOST, port))
-        bound.listen()  # a browser that is quicker than the server waits
+        bound.listen()  # if the browser is ready before the server, it waits
     except (OSError, OverflowError) as problem:
         bound.close()
         raise InputError(

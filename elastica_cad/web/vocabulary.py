@@ -22,7 +22,7 @@ def page_words() -> dict[str, Any]:
     return {
         "fields": fields,
         "pair_fields": pair_fields,
-        "words": {  # without templates, which the page does not fill
+        "words": {  # templates are left out, because the page cannot fill them in
             language: {text: translation for text, translation in catalogue(name).items() if "{" not in text}
             for language, name in CATALOGUES.items()
         },

@@ -1,4 +1,4 @@
-"""Process that answers requests of the page one after another: lines of JSON in, answers out.
+"""Process that answers requests of the page, lines of JSON, one after another.
 
 An answer is its kind, `text` or `file`, its size in bytes, and its bytes. A worker that needs too much memory
 returns an error. The server replaces a worker that takes too long.
@@ -25,12 +25,12 @@ CATALOGUES = {"de": "de", "zh": "zh-CN"}
 
 
 def read_question(text: str | bytes) -> dict[str, Any]:
-    """Return a question of the page from its JSON.
+    """Return a request of the page from its JSON.
 
     Raises
     ------
     InputError
-        No JSON, or not the question of a page.
+        The text is not JSON, or not a request of a page.
     """
     try:
         question = json.loads(text, parse_constant=_refuse_constant)
@@ -45,7 +45,7 @@ def read_question(text: str | bytes) -> dict[str, Any]:
 
 
 def _refuse_constant(name: str) -> None:
-    raise ValueError(name)  # NaN and Infinity, which are not JSON
+    raise ValueError(name)  # refuse NaN and Infinity, which are not JSON
 
 
 def head_of(question: Mapping[str, Any]) -> dict[str, Any]:
@@ -54,7 +54,7 @@ def head_of(question: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def refused_answer(question: Mapping[str, Any], problem: ElasticaError) -> bytes:
-    """Return the answer to a question that no worker answers."""
+    """Return the answer to a request that no worker can answer."""
     return json.dumps(head_of(question) | refused(problem)).encode()
 
 
@@ -75,7 +75,8 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
         response = refused(problem)
     except MemoryError:
         response = refused(InputError("There is not enough memory. Request less, such as fewer strips."))
-    except Exception:  # a page of another version, or nonsense; the next question is answered all the same
+    # the request of a page of another version, or an invalid text; later requests are still answered
+    except Exception:
         traceback.print_exc()
         response = refused(
             InputError("The design cannot be read because values have the wrong type. Correct them.")
@@ -113,7 +114,7 @@ def _worded(value: Any, words: Wording) -> Any:
 
 
 def _limit_memory() -> None:
-    with suppress(ImportError, OSError, ValueError):  # Windows has no such limit
+    with suppress(ImportError, OSError, ValueError):  # Windows has no limit of address space
         import resource
 
         resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
@@ -124,7 +125,7 @@ def main() -> None:
     _limit_memory()
     saved = Path(sys.argv[1]) if sys.argv[1:] else None
     out = sys.stdout.buffer
-    sys.stdout = sys.stderr  # the output of a library is not an answer
+    sys.stdout = sys.stderr  # the output of a library must not be taken for an answer
     for line in sys.stdin.buffer:
         kind, content = reply(line, saved)
         out.write(b"%s %d\n" % (kind, len(content)) + content)

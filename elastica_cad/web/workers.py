@@ -21,7 +21,7 @@ MOST_WAITING = 12
 """Largest number of different waiting requests from a page; the page itself sends fewer."""
 
 Send = Callable[[bytes, bytes], Awaitable[None]]
-"""Takes kind and content of an answer."""
+"""Type of functions that receive kind and content of an answer."""
 
 
 class Workers:
@@ -57,7 +57,7 @@ class Workers:
         return True
 
     def forget(self, page: int) -> None:
-        """Drop what a page that has gone still waits for."""
+        """Drop the waiting requests of a closed page."""
         for key in [key for key in self._waiting if key[0] == page]:
             self._waiting[key] = ({}, b"", _nobody)
 
@@ -80,7 +80,7 @@ class Workers:
                     reason = f"took longer than {seconds:.0f} s" if late else "needed too much memory"
                     refusal = InputError(f"this {reason}. Request something smaller.")
                     kind, content = b"text", refused_answer(head, refusal)
-                with suppress(Exception):  # the page has gone meanwhile
+                with suppress(Exception):  # the page was closed while its request was computed
                     await send(kind, content)
         finally:
             if process is not None:
@@ -88,16 +88,15 @@ class Workers:
 
 
 async def _nobody(_: bytes, __: bytes) -> None:
-    """Take an answer that nobody waits for."""
+    """Receive an answer without a waiting page."""
 
 
 async def _started(saved: Path | None) -> asyncio.subprocess.Process:
     """Start a worker."""
     command = [*python_command("elastica_cad.web.worker", "main"), *([str(saved)] if saved else [])]
     pipe = asyncio.subprocess.PIPE
-    return await asyncio.create_subprocess_exec(  # in a session where Ctrl-C does not reach it: the server ends it
-        *command, stdin=pipe, stdout=pipe, start_new_session=True
-    )
+    # in a separate session, because Ctrl-C must not reach a worker; the server ends it
+    return await asyncio.create_subprocess_exec(*command, stdin=pipe, stdout=pipe, start_new_session=True)
 
 
 async def _answered(process: asyncio.subprocess.Process, line: bytes) -> tuple[bytes, bytes]:
