@@ -104,8 +104,10 @@ class Span(Listed):
         --------
         >>> f"{Span.of(20.83, 30)} wide", f"{Span.of(29.99, 30)} wide"
         ('20.8 to 30 mm wide', '30 mm wide')
+        >>> f"{Span.of(6.35 - 1e-14, 6.35, '.1f')} in diameter"
+        '6.35 mm in diameter'
         """
-        alike = f"{low:{digits}}" == f"{high:{digits}}"
+        alike = f"{low:{digits}}" == f"{high:{digits}}" or high - low <= 1e-9 * high
         return cls([Length(high)] if alike else [Length(low), Length(high)])
 
 

@@ -22,7 +22,7 @@ from elastica_cad.cli.voice import answer, say_row, say_table, wrote
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, write_files, write_json, write_text
-from elastica_cad.forming.limits import Limits
+from elastica_cad.forming.limits import FAR_SHARE, Limits
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.rod import csv_text
 from elastica_cad.mechanics.sheets import Sheet
@@ -98,9 +98,10 @@ def bow_command(curve: Path, **chosen: Any) -> None:
         "deviation_mm": made.deviation, "ratio": made.strip.rod.ratio, "max_strain": made.strip.max_strain,
         "strain_limit": made.strip.strain_limit if known else None,
         "margin": stability(made.strip.rod).margin, "warnings": list(made.strip.warnings) if known else [],
-        "shorter": table,
+        # JSON has no infinity: a straight rod has no strain
+        "shorter": {name: [v if np.isfinite(v) else None for v in values] for name, values in table.items()},
     }  # fmt: skip
-    written = _write(made, shorter, report, requested.name, chosen)
+    written = _write(made, shorter, table, report, requested.name, chosen)
     answer({"bow": report})
     for row in in_order(_rows(made, known=known)):
         say_row(row)
@@ -160,7 +161,7 @@ def _rows(made: Bow, *, known: bool) -> list[Row]:
     verdict = stability(strip.rod)
     rows = [
         size_row(strip) if known else Row("Size", f"{made.length:.1f} mm long, {strip.breadth('.1f')}"),
-        Row("Curve", f"at most {made.deviation:.3g} mm from the drawn curve"),
+        _curve_row(made),
         Row("Cord", f"{made.cord:.1f} mm long, pulls with {force}; {shape}"),
         Row("Stability", f"{verdict.rating} in its plane")
         if verdict.rating == "stable"
@@ -171,6 +172,14 @@ def _rows(made: Bow, *, known: bool) -> list[Row]:
     reported = {*strip.strain_warnings}
     others = [warning_row(text) for text in strip.warnings if text not in reported]
     return [*rows, *strain_rows(strip), *others]
+
+
+def _curve_row(made: Bow) -> Row:
+    """Return the row on the distance from the drawn curve, a warning if that is another curve."""
+    text = f"at most {made.deviation:.3g} mm from the drawn curve"
+    if made.deviation <= FAR_SHARE * made.length:
+        return Row("Curve", text)
+    return warning_row(f"{text}. Draw a curve that is more like an arch.", "Curve")
 
 
 def _table(shares: list[float], shorter: Travel, *, known: bool) -> dict[str, Any]:
@@ -208,12 +217,17 @@ def _print_table(table: dict[str, Any]) -> None:
 
 
 def _write(
-    made: Bow, shorter: Travel, report: dict[str, Any], name: str, chosen: dict[str, Any]
+    made: Bow,
+    shorter: Travel,
+    table: dict[str, Any],
+    report: dict[str, Any],
+    name: str,
+    chosen: dict[str, Any],
 ) -> tuple[Path, ...]:
     """Write report, table, picture, and the drawing of a taper or a strip."""
     stem, strip = f"{name}-bow", made.strip
     files = [
-        File(f"{stem}.csv", lambda path: write_text(path, csv_text(report["shorter"]))),
+        File(f"{stem}.csv", lambda path: write_text(path, csv_text(table))),
         File(f"{stem}.json", lambda path: write_json(path, report)),
     ]
     rod = chosen["rod"]

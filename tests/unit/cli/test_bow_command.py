@@ -75,6 +75,17 @@ def test_a_strip_of_constant_width_is_an_even_bow(arch):
     assert even["shorter"]["pull_N"][0] == pytest.approx(even["pull_N"], rel=1e-6)
 
 
+def test_a_bow_far_from_the_drawn_curve_is_a_warning(tmp_path):
+    wave = PlaneCurve.spline([(0, 0), (50, 80), (100, 0), (150, -80), (200, 0)], degree=3)
+    write_curves(wave, tmp_path / "wave.json")
+    done = run("bow", "wave.json", "--rod", "1/4in", "-o", "out", cwd=tmp_path)
+    assert (
+        "! Curve     at most 87.6 mm from the drawn curve. Draw a curve that is more like an arch."
+        in done.stderr
+    )
+    assert "6.35 mm in diameter" in done.output
+
+
 @pytest.mark.parametrize(
     ("words", "message"),
     [

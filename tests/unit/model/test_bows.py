@@ -73,6 +73,18 @@ def test_a_strip_of_constant_width_is_an_even_bow():
     assert made.rise == pytest.approx(rise, rel=1e-3)
 
 
+def test_a_shorter_cord_is_a_shorter_tie():
+    """The bow between pins against the rod with free ends and a tie of given length."""
+    made = bow(ec.PlaneCurve.arc((0, 0), 300, 2.5, 0.6), GLASS, law=EVEN)
+    curve = made.strip.rod.curve
+    tied = ec.optimal_rod(curve, supports=ec.Supports("free", "free"), between=ec.Tie(0, curve.length))
+    shorter = made.shortened([0.05, 0.2])
+    for k, share in enumerate((0.05, 0.2)):
+        bent = ec.bend(tied, between=ec.Tie(0, curve.length, length=(1 - share) * made.cord))
+        pull = np.hypot(*bent.between_forces[0]) * made.strip.bending_stiffness
+        assert np.hypot(*shorter.end_force[k]) == pytest.approx(pull, rel=1e-4)
+
+
 STRAIGHT_AT_ENDS = [(0, 0), (60, 90), (120, 180), (580, 180), (640, 90), (700, 0)]
 
 
