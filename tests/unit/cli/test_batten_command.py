@@ -222,14 +222,14 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
         ((), "The material of the batten is missing"),
         (
             ("--stock", 25, 8, "--at", 95),
-            r"asks for less at the thin end .*: move the camber to at most \d\d\.\d %",
+            r"needs less at the thin end .*Move the camber to at most \d\d\.\d %",
         ),
-        (("--stock", 25, 8, "--least", 6), r"asks for 3.3\d mm at the thin end"),
+        (("--stock", 25, 8, "--least", 6), r"needs 3.3\d mm at the thin end"),
         (
             ("--stock", 25, 8, "--least", 6, "--at", 30),
-            r"move the camber to at least \d\d\.\d % of the chord",
+            r"Move the camber to at least \d\d\.\d % of the chord",
         ),
-        (("--stock", 25, 8, "--least", 6, "--at", 70), r"move the camber to at most \d\d\.\d % of the chord"),
+        (("--stock", 25, 8, "--least", 6, "--at", 70), r"Move the camber to at most \d\d\.\d % of the chord"),
         (("--stock", 25, 8, "--bore", 0.5), "--bore applies to tubes"),
         (("--stock", 25, 8, "--every", 0.1), "--every is 0.1 mm"),
         (("--stock", 25, 8, "--name", "a/b"), "Leave out /"),

@@ -139,7 +139,7 @@ def test_refused_limits_are_told_with_advice(tmp_path):
     asked = ["strip", str(drawn), "--sheet", "mdf-3", "--max-width", "20", "-o", str(tmp_path / "out")]
     asked += ["--nearest", "--ratio", "1.2", "--keep-strain", "--keep-tangents", "--keep-length"]
     sheet = Sheet.named("mdf-3")
-    radius = f"least radius of {sheet.least_radius:.3g} mm is missed"
+    radius = f"low the limit of {sheet.least_radius:.3g} mm"
     done = run(*asked, code=1)
     assert radius in done.stderr
     assert "Relax the sheet's strain limit, " in done.stderr
