@@ -93,6 +93,8 @@ LINES = (
     "batten --sheet pom-1 --length 900 --camber 10 --at 40 --stock 25 8 --least 3 --weight -o out",
     "batten --sheet pom-1 --length 900 --camber 10 --at 40 --stock 25 8 --least 3 --leaves 4 -o out",
     "batten --sheet pom-1 --length 900 --camber 10 --at 40 --stock 25 8 --least 3 --full 30 -o out",
+    "bow arch.txt --rod 4 -o out", "bow arch.txt --rod 2:4 --sheet pom-1 --nearest --shorter 7 -o out",
+    "bow arch.txt --sheet pom-1 --max-width 20 -o out", "bow ring.svg --rod 4 -o out",
     "strip shallow.svg --sheet pom-1 --max-width 20 -o out --end pinned",
     "strip metres.svg --sheet pom-1 --max-width 20 -o out",
     "strip wave.txt --sheet birch-plywood-0.8 --max-width 60 -o out --gravity --nearest",
