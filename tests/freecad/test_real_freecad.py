@@ -404,7 +404,9 @@ def test_a_periodic_spline_by_the_mouse_and_strips_that_fail(tmp_path):
     fails = "The strip fails: snaps into another shape; tips over sideways."
     assert message.startswith(fails)
     assert margin < 0
-    assert re.findall(r">([\w ]+)&nbsp;&nbsp;</td><td style=\"color: #\w+;", numbers) == ["Stability"]
+    assert re.findall(r">([\w ]+)&nbsp;&nbsp;</td><td style=\"color: (#\w+);", numbers) == [
+        ("Stability", "#d92e2e")
+    ]
     first, *others, last = found["several"].splitlines()
     assert first.startswith(f"Strip, Strip001: {fails}")
     assert all(one.startswith("Strip, Strip001: ") for one in others)

@@ -43,11 +43,20 @@ def _strip_rows(obj: Any) -> Sequence[Row]:
         strip = shown_strip(obj)
     except FAILURES:
         return ()
-    size, verdict = size_row(strip), judged(strip.rod)
-    if {"Length", "NarrowestWidth"} & {*obj.Fails}:
-        size = replace(size, severity="warning")
+    verdict = judged(strip.rod)
     steady = [] if verdict is None else [stability_row(strip, verdict)]
-    return in_order([size, *strain_rows(strip), *steady, hold_row(strip), _accuracy(obj, strip)])
+    numbers = [
+        *_judged_rows(obj, [size_row(strip)], "Length", "NarrowestWidth"),
+        *_judged_rows(obj, strain_rows(strip), "LargestStrain"),
+        *_judged_rows(obj, steady, "Margin", "SidewaysMargin"),
+    ]
+    return in_order([*numbers, hold_row(strip), _accuracy(obj, strip)])
+
+
+def _judged_rows(obj: Any, rows: Iterable[Row], *results: str) -> list[Row]:
+    """Return rows, as errors if the strip fails by one of these results."""
+    failed = bool({*results} & {*obj.Fails})
+    return [replace(row, severity="error") if failed else row for row in rows]
 
 
 def _accuracy(obj: Any, strip: Strip) -> Row:

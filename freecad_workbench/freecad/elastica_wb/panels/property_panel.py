@@ -35,7 +35,11 @@ from freecad.elastica_wb.solving.verdicts import Verdict
 from elastica_cad._text import html_text
 from elastica_cad.report_rows import Row
 
-FAILING = f' style="color: {hex_of(COLORS[Verdict.BREAKS])};"'
+STYLES = {
+    severity: f' style="color: {hex_of(COLORS[verdict])};"'
+    for severity, verdict in (("error", Verdict.CANNOT), ("warning", Verdict.BREAKS))
+}
+"""Colours of rows by their severity: red if the strip fails by a number, orange for other warnings."""
 
 
 @dataclass(frozen=True)
@@ -240,7 +244,7 @@ class PropertyPanel(Panel):
             "\n".join(f"{worded(row.label)}: {self._explained(row)}" for row in rows if row.details)
         )
         table = "".join(
-            f"<tr><td>{worded(row.label)}&nbsp;&nbsp;</td><td{FAILING if row.stops else ''}>"
+            f"<tr><td>{worded(row.label)}&nbsp;&nbsp;</td><td{STYLES.get(row.severity, '')}>"
             f"{html_text(worded(row.text))}</td></tr>"
             for row in rows
         )
