@@ -116,7 +116,7 @@ class Kind:
 
     @cached_property
     def record(self) -> Record | None:
-        """The record that a table makes."""
+        """Class or function that makes a record from a table of this kind."""
         return resolve_name(self.source) if isinstance(self.source, str) else self.source
 
     @property

@@ -82,7 +82,7 @@ def elastic_strip(
             )
         context.pending_edges = bd.ShapeList()
         path = list(bd.Wire.combine(path)) if len(path) > 1 else path
-        # pending edges have been placed already, once for each active location
+        # the builder has placed pending edges at its active locations already
         drawn = bd.LocationList([bd.Location()]) if form == "bent" else nullcontext()
         with drawn:
             strips: list[Any] = [

@@ -287,7 +287,8 @@ class _RunIndex:
         self.axis = int(np.ptp(middles, axis=0).argmax())
         self.sorted = middles[:, self.axis].argsort()
         self.along = middles[self.sorted, self.axis]
-        self.by_length = np.argsort(-self.sizes.round(6), kind="stable")  # the longest run first
+        # numbers of the runs by decreasing length
+        self.by_length = np.argsort(-self.sizes.round(6), kind="stable")
         self.rank = np.argsort(self.by_length)
 
     def touching(self, j: int) -> Iterator[tuple[int, bool, bool]]:

@@ -106,7 +106,7 @@ def mark_file(path: Path) -> FileMark:
 
 @contextmanager
 def note_reads() -> Iterator[dict[Path, FileMark]]:
-    """Collect the files that the block requests by `require_file`, with fingerprints from just before."""
+    """Collect the files for which the block calls `require_file`, with fingerprints from just before each call."""
     noted: dict[Path, FileMark] = {}
     token = _read.set(noted)
     try:

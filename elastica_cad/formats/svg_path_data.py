@@ -200,7 +200,7 @@ def bezier_edge(points: FloatArray) -> Edge | None:
 
 
 def _is_straight(points: FloatArray) -> bool:
-    """Return True if the control points are in order on the chord, as in lines drawn with handles."""
+    """Return True if the control points are in order on the chord, so that the Bezier piece is a straight line."""
     chord = points[-1] - points[0]
     along = (points - points[0]) @ chord
     across = (points - points[0]) @ np.array([-chord[1], chord[0]])

@@ -348,7 +348,8 @@ class Iterate(Generic[Point]):
         return self._expected(step) + self._cost(self._broken(step), prices)
 
     def is_reliable(self, promise: float, highest_price: float) -> bool:
-        """Return True if the second-order change from closing is small compared with a predicted decrease."""
+        """Return True if the error of the predicted closed point, of second order, is small compared with the
+        decrease."""
         if not self.defect**2 * highest_price < SETTINGS.reliability * promise:  # whatever the objective
             return False
         weight = 1.0 if self.local.model.peaks.size else float(np.sqrt(2 * max(self.objective, 0.0)))

@@ -1,4 +1,4 @@
-"""Bending forward: from a rod and what is done to its ends to its rest shape."""
+"""Rest shape of a rod after its ends, loads or supports have changed."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -53,10 +53,10 @@ from elastica_cad.refusals import Length, Refusal, note
 
 Keep = Literal["keep"]
 
-ROUNDED_SHARE = 1e-12  # of a force: what the cosine of a right angle leaves of it
-STILL_SHARE = 1e-9  # of the length: less travel of the ends is rounding
-TURNED_RAD = 1e-9  # less turn of an end is rounding
-COARSE_DEG = 60.0  # angle between neighbouring edges; a shape with larger angles looks rough
+ROUNDED_SHARE = 1e-12  # component of a force, as a fraction of the force, that is a rounding error
+STILL_SHARE = 1e-9  # travel of the ends, as a fraction of the length, that is a rounding error
+TURNED_RAD = 1e-9  # turn of an end that is a rounding error
+COARSE_DEG = 60.0  # angle between neighbouring edges above which a shape looks rough
 
 
 def bend(
@@ -390,7 +390,8 @@ class Movement:
 
     @property
     def progress(self) -> FloatArray:
-        """Share of the whole movement (k,): of the travel, or else of the turn, or else of the steps."""
+        """Fraction of the whole movement (k,): of the travel, of the turn if there is no travel, or else of the
+        steps."""
         way = self.turn if self.is_turn else self.travel
         return way / way[-1] if way[-1] > 0 else np.linspace(0.0, 1.0, way.size)
 
@@ -448,7 +449,7 @@ def system_of(
 
 
 def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, float]]:
-    """Return the force and both moments on free ends, as arguments of `bend`, times a factor."""
+    """Return the force and both moments on free ends times a factor, as arguments of `bend`."""
     loads = system_of(rod, rod)
     first, last = (times * loads.moments).tolist()
     return times * loads.force, (first, last)
@@ -549,7 +550,7 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
         load = present.nodal_load + lumped(acting, present.s.size, present.length)
         at_ends = present.discrete.force[[0, -1]] + (-load[0], load[-1])
     for i, axis in enumerate("xy"):
-        # lambda at an end is minus what is applied at the last node, and what is applied at the first
+        # lambda is the applied force at the first node, and minus the applied force at the last node
         for node, sign in ((0, 1.0), (-1, -1.0)):
             if not getattr(now[node], axis) and not getattr(before[node], axis):
                 forces[i] = sign * at_ends[node, i]

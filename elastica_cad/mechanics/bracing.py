@@ -25,7 +25,7 @@ from elastica_cad.mechanics.loads import Supports
 SLACK_SHARE = 0.01
 """Force of a one-sided element, as a fraction of the largest force, below which it counts as slack."""
 
-_RANK = 1e-9  # relative singular value of dependent constraints
+_RANK = 1e-9  # largest relative singular value of dependent constraints
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,7 +202,7 @@ def bracing_of(
     ties = [action for action in between if isinstance(action.element, Tie)]
     turns_freely = free.all() and not any(end.angle for end in supports.ends)
     if ties and len(ties) == len(between) and turns_freely:
-        # a bow turns as a whole without a change of energy
+        # a bow can turn as a whole without a change of energy
         rows = np.concatenate([rows, edge_length * (tangents @ edges.chord(ties[0].s)[0])[None]])
     # a straight strip does not move along itself, to first order
     lengths = np.maximum(np.linalg.norm(terms, axis=1), _RANK * edge_length)

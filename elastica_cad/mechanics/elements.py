@@ -1,4 +1,4 @@
-"""Elements that hold or load a strip between its ends: rails, pins, ties and point forces.
+"""Rails, pins, ties and point forces, which hold or load a strip between its ends.
 
 A force f on the strip at the station p = gamma(s_j) makes the moment
 
@@ -185,9 +185,9 @@ NEAR_SHARE = 0.05
 """Largest distance of a point from the curve, as a fraction of the length, that is moved to the curve."""
 
 AT_END_SHARE = 1e-6
-"""Largest distance from an end, as a fraction of the length, of a station that counts as at the end."""
+"""Distance from an end, as a fraction of the length, below which a station counts as at the end."""
 
-_FOOT_STEPS = 20  # Newton steps to the nearest place from the nearest of some hundreds of samples
+_FOOT_STEPS = 20  # number of Newton steps from the nearest sample of a curve to its nearest place
 
 
 @dataclass(frozen=True, eq=False)
@@ -298,7 +298,8 @@ def _foot(curve: PlaneCurve, point: FloatArray) -> float:
     for _ in range(_FOOT_STEPS):
         here = curve.at(np.array([s]))
         off, tangent = point - here.position[0], np.array([np.cos(here.angle[0]), np.sin(here.angle[0])])
-        spread = max(1 - float(here.curvature[0] * (off @ left_of(tangent))), 0.3)  # away from the evolute
+        # at least 0.3, because the step diverges at the evolute
+        spread = max(1 - float(here.curvature[0] * (off @ left_of(tangent))), 0.3)
         before, s = s, float(np.clip(s + off @ tangent / spread, 0.0, curve.length))
         if abs(s - before) <= 1e-12 * curve.length:
             break

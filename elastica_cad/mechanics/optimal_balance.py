@@ -384,7 +384,7 @@ def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness
 
 
 def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> BoundedLaw:
-    """Return the law at the nodes of panels."""
+    """Return the law of the section at the nodes of panels."""
     return section.bent(panels.curvature, excess.rest_at(panels.t))
 
 

@@ -582,7 +582,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     points = np.concatenate([first.control_points, second.control_points[1:]])
     weights = None
     if first.weights is not None and second.weights is not None:
-        # all weights of a part may be scaled by a factor: scale the second part to continue the first
+        # a common factor on the weights does not change a part: scale the second part to continue the first
         onward = second.weights * (first.weights[-1] / second.weights[0])
         weights = np.concatenate([first.weights, onward[1:]])
     return PlaneCurve(knots, points, p, weights).drawn_as(drawn and drawn.of_part())

@@ -114,7 +114,7 @@ def _label_lines(strip: Strip) -> list[str]:
     """Return the lines of text below a side view."""
     law, sheet = strip.layout.section, strip.sheet
     flat = law is not None and law.quantity == "thickness"
-    # only the material is named, because the size of the stock differs from that of the sheet
+    # the name of the sheet without its thickness, because the stock has another thickness
     stock = sheet.full_name.removesuffix(f" {sheet.thickness:g} mm")
     wide = f"{stock}, {strip.width.extremes[1]:g} mm wide: plane both faces alike"
     instruction = wide if flat else f"{stock}, round: turn it to the diameters"

@@ -368,7 +368,8 @@ def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
 def _level(
     s_a: FloatArray, c_a: FloatArray, s_b: FloatArray, c_b: FloatArray
 ) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """Yield branches for a strip with constant height, along which the other strip's arc length is constant."""
+    """Yield branches for a strip of constant height; along each branch the arc length on the other strip is
+    constant."""
     if c_b[0] == c_b[-1] and c_a.min() < c_b[0] < c_a.max():
         yield np.repeat(_inverted(s_a, c_a, c_b[:1]), s_b.size), s_b
     if c_a[0] == c_a[-1] and c_b.min() < c_a[0] < c_b.max():

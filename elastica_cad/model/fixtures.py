@@ -268,8 +268,7 @@ class EndFixture(EqualByValue):
     def leaning(self, strip: Strip, end: StripEnd) -> "EndFixture":
         """Return the fixture with its pocket shifted and turned against the load of the strip's end.
 
-        The tab bends between the walls, as between two plates. The solid of the straight tab therefore overlaps the
-        walls slightly.
+        The loaded tab bends between the walls. The solid of the tab is straight, so it overlaps the walls slightly.
         """
         require_record(strip, Strip, "what is held", "a Strip")
         require_ends([end])

@@ -295,7 +295,8 @@ def _too_many_message(check: PairCheck, paired: "PairedPanels") -> str:
 
 @dataclass(frozen=True, eq=False)
 class PairedPanels:
-    """Moments of two states along both curves, as linear functions of a_1 - a_2, b_1, b_2 (times the length), a_1.
+    """Moments of two states along both curves, as linear functions of six numbers: a_1 - a_2, b_1, b_2 (the vectors
+    times the length), and a_1.
 
     Attributes
     ----------

@@ -135,7 +135,7 @@ def write_pages(
 
 
 def _properties() -> dict[str, str | None]:
-    """Metadata of a PDF: no time, and the running command."""
+    """Metadata of a PDF: the running command, without a time, so that equal pictures give equal files."""
     return {"CreationDate": None} | ({"Subject": command} if (command := MADE_BY.get()) else {})
 
 

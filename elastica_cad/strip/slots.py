@@ -486,7 +486,7 @@ LABEL_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25)
 """Fractions of the usual height of a label, in the order of trial, if cuts leave too little room."""
 
 LABEL_STEP_MM, LABEL_STEPS = 2.0, 100
-"""Least distance between the places tried for a label, and the largest number of places on either side."""
+"""Least distance, mm, between the places that are tried for a label, and largest number of places on each side."""
 
 LABEL_DISTANCES_MM = (TEXT_DISTANCE_MM, 0.0)
 """Clearances in the order of trial; on a very narrow strip any label is near the edges."""
