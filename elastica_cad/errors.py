@@ -41,7 +41,7 @@ R = TypeVar("R")
 
 class _Quoted(Repr):
     def repr_date(self, value: date | time, _: int) -> str:
-        """As files have them."""
+        """Return a date or time as in a TOML file."""
         return value.isoformat()
 
     repr_datetime = repr_time = repr_date

@@ -76,7 +76,7 @@ class FinishedStrip:
 
     @classmethod
     def read(cls, record: Any, curve: PlaneCurve) -> "FinishedStrip":
-        """Read what `request_record` wrote into a report whose rest shape is `curve`.
+        """Read the record of `request_record` in a report whose rest shape is `curve`.
 
         Raises
         ------

@@ -451,7 +451,7 @@ class Table:
         )
 
     def row(self, key: str) -> tuple[float, ...]:
-        """Return a list of numbers of any length, empty where it is not given."""
+        """Return a list of numbers of any length, empty if it is not given."""
         values = self.raw(key, ())
         if not isinstance(values, Sequence) or isinstance(values, str):
             raise InputError(

@@ -46,7 +46,8 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
     drawn -= drawn[0]
     s = np.append(0.0, np.cumsum(np.hypot(*np.diff(drawn, axis=0).T)))
     area = abs(float(drawn[:-1, 0] @ drawn[1:, 1] - drawn[1:, 0] @ drawn[:-1, 1])) / 2
-    width = (s[-1] - np.sqrt(max(s[-1] ** 2 - 16 * area, 0.0))) / 4  # of a rectangle
+    # width of a rectangle of this length and area
+    width = (s[-1] - np.sqrt(max(s[-1] ** 2 - 16 * area, 0.0))) / 4
     if not _EACH_SIDE * s[-1] / _MOST_SAMPLES < width < s[-1] / _SLENDER:
         return None
     count = int(np.ceil(_EACH_SIDE * s[-1] / width))
@@ -226,7 +227,7 @@ class DrawnCurve:
         return f"{part}curve {self.number}" + (f" ({', '.join(known)})" if known else "")
 
     def split_at_corners(self) -> tuple["DrawnCurve", ...]:
-        """Return the pieces between corners, or the curve itself where it has no corner or is not valid."""
+        """Return the pieces between corners, or the curve itself if it has no corner or is not valid."""
         cut = () if self.problem else split_at_corners(self.curve)
         if len(cut) < 2:
             return (self,)
@@ -282,7 +283,7 @@ class DrawnFile:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Messages on the unit and on what was skipped, and the remarks."""
+        """Messages on the unit and on skipped items, and the remarks."""
         left_out = note("left out because they are not curves: {things}", things=list_things(self.skipped))
         return (*filter(None, [self.unit.note, left_out if self.skipped else ""]), *self.remarks)
 
@@ -412,7 +413,7 @@ def _is_turned(chain: Run, flat: Run) -> bool:
 
 
 def _distance(curve: PlaneCurve, flat: Run) -> float:
-    """Return the largest distance of what is drawn, edges in the plane or points, from the curve, mm."""
+    """Return the largest distance, mm, of the drawing (edges in the plane, or points) from the curve."""
     record = curve.provenance
     if flat:
         if len(flat) == 1 and np.array_equal(flat[0].points, curve.control_points):

@@ -372,7 +372,7 @@ ACCURACY = 1e-12
 CURVE_TOLERANCE = 1e-10
 """Tolerance of the spline, as a share of the length of the meridian."""
 
-NODES = 601  # of the rod
+NODES = 601  # number of nodes of the rod of a meridian
 SOUGHT = 25
 """Number of points of a profile that the search uses."""
 
@@ -426,7 +426,7 @@ class Meridian:
         return Profile.fit(lambda s: self.curve.at(s).position[:, 0], self.curve.length, tolerance=1e-7)
 
     def width(self, strips: int) -> Profile:
-        """Width of each of so many strips, 2 tan(pi / strips) times the distance from the axis, mm."""
+        """Return the width of each of `strips` strips, mm: 2 tan(pi / strips) times the distance from the axis."""
         if strips < 3:
             raise InputError(f"strips={strips}: a surface of revolution needs 3 strips or more")
         return self.distance.scaled(2 * float(np.tan(np.pi / strips)))

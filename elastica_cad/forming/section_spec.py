@@ -352,7 +352,7 @@ class PointSplit:
 
 @dataclass(frozen=True)
 class CornerSplit:
-    """Splits a line at corners where it turns by more than `corners`, rad.
+    """Split at corners that turn by more than `corners`, rad.
 
     Raises
     ------

@@ -13,7 +13,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import Length
 
-_ROUNDING_SHARE = 1e-12  # of the moment
+_ROUNDING_SHARE = 1e-12  # rounding error, as a fraction of the moment
 
 
 class MaterialLaw(ABC):

@@ -217,7 +217,7 @@ class CurlingLaw(MaterialLaw):
         return self.with_slope(curvature)[1]
 
     def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """See `MaterialLaw`; of all nodes (n,) each."""
+        """See `MaterialLaw`; both for all nodes (n,)."""
         change = np.asarray(curvature, dtype=float)
         step = DIFFERENCE_SHARE * (float(np.abs(change).max()) or 1.0)
         here, beyond = self.share(np.stack([change, change + step]))

@@ -45,7 +45,7 @@ OPTIONAL_UNITS = {
 }
 """Units of the figures that a sheet may have."""
 
-# key -> (lowest, highest that any sheet has, what the unit is)
+# key -> (lowest value, highest value of any sheet, description of the unit)
 PLAUSIBLE: dict[str, tuple[float, float, str]] = {
     "thickness_mm": (1e-3, 1e3, "millimetres: 0.8 for a 0.8 mm sheet"),
     "youngs_modulus_MPa": (0.1, 1.5e6, "N/mm2: 9000 for 9 GPa"),
@@ -138,8 +138,7 @@ def _toml_value(value: str | float | tuple[float, float]) -> str:
 class NominalRatio(float):
     """Poisson's ratio for estimates, but not for widths, because it is not measured.
 
-    It computes as the number that it is, and stays nominal wherever it is passed on: by `dataclasses.replace`,
-    copies, pickles and files of sheets.
+    It is a float that stays nominal in `dataclasses.replace`, copies, pickles and files of sheets.
 
     Examples
     --------
@@ -177,7 +176,7 @@ LIBRARY_VARIABLE = "ELASTICA_SHEETS"
 _WORDS = ("kind", "grain")  # keys that are fields of `Sheet` without conversion
 _LIMITS = ("least_width_mm", "least_ligament_mm", "least_bridge_mm")
 
-# key in the file -> field of `Sheet`, what its source is called
+# key in the file -> field of `Sheet`, name of its source
 _FIGURES = {
     "thickness_mm": ("thickness", "thickness"),
     "youngs_modulus_MPa": ("youngs_modulus", "E"),
@@ -187,7 +186,7 @@ _FIGURES = {
     "shear_modulus_MPa": ("shear_modulus", "G"),
     "break_strain": ("break_strain", "break"),
 }
-_ESTIMATED = ("shear_modulus_MPa", "break_strain")  # from other properties, if not published
+_ESTIMATED = ("shear_modulus_MPa", "break_strain")  # estimated from other properties, if not published
 
 
 LARGEST_FILE = 2**20
@@ -240,7 +239,7 @@ def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict
         if "stock_mm" in entry:
             fields["stock"] = tuple(entry["stock_mm"])
         sources = [entry["note"]] if "note" in entry else []
-        known = entry["poisson_ratio"]  # a number alone, or { value, source }
+        known = entry["poisson_ratio"]  # a number, or { value, source }
         if isinstance(known, dict):
             fields["poisson_ratio"] = known["value"]
         else:
@@ -268,7 +267,7 @@ def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict
 
 
 def library_folders() -> tuple[Path, ...]:
-    """Return where a user keeps his own sheets: folders of TOML files, or such files.
+    """Return the locations of the sheets of a user: TOML files, or folders of TOML files.
 
     Those of the environment variable `ELASTICA_SHEETS`; without it `elastica/sheets` in the folder for settings:
     `%APPDATA%` on Windows, `~/Library/Application Support` on macOS, `$XDG_CONFIG_HOME` or `~/.config` elsewhere.
@@ -278,7 +277,7 @@ def library_folders() -> tuple[Path, ...]:
         return tuple(Path(part.strip()).expanduser() for part in named)
     try:
         home = Path.home()
-    except RuntimeError:  # a process of a user without a home
+    except RuntimeError:  # the user of this process has no home folder
         return ()
     if sys.platform == "win32":
         settings = Path(os.environ.get("APPDATA") or home / "AppData" / "Roaming")
@@ -309,7 +308,7 @@ def _read_table(path: str | Path) -> object:
     import tomllib
 
     path = require_path(path)
-    if os.path.isdir(path):  # False, not an error, for a name that no disk takes
+    if os.path.isdir(path):  # `isdir` returns False for invalid names, without an error
         raise InputError(f"{path} is a folder, not a file of sheets: name the TOML file inside it")
     if os.path.exists(path) and not path.is_file():
         raise InputError(f"{path} is a device or a pipe, not a file: name a file of sheets")
@@ -992,7 +991,7 @@ _COLOR_BY_KIND = {
     "plastic": (0.85, 0.87, 0.88),
     "composite": (0.78, 0.80, 0.60),
 }
-_USUAL_COLOR = (0.80, 0.74, 0.62)  # between wood and card
+_USUAL_COLOR = (0.80, 0.74, 0.62)  # a colour between wood and card
 
 
 def sheet_color(sheet: Sheet) -> Color:

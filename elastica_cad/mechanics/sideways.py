@@ -183,7 +183,8 @@ EDGES = 200
 
 RIBBON_NUMBER = 16.0
 """Largest w^2 kappa / h of a section that keeps its shape. Above it bending and twist are coupled (a ribbon), and
-only an ample margin is conclusive. By finite elements, ribbons are more stable than the rod."""
+only a large margin is conclusive. Finite elements show that
+ribbons are more stable than the rod."""
 
 MOST_RIBBON_NUMBER = 80.0
 """Largest w^2 kappa / h that was compared with finite elements."""
@@ -191,7 +192,7 @@ MOST_RIBBON_NUMBER = 80.0
 RIBBON_SLENDERNESS = 6.0
 """Least ratio of length to width of a strip; shorter strips are plates."""
 
-_POLE_SHARE = 64 * float(np.finfo(float).eps)  # of the stiffest entry: error of an eigenvalue
+_POLE_SHARE = 64 * float(np.finfo(float).eps)  # error of an eigenvalue, as a fraction of the largest entry
 _SIGN_SHARE = (
     1e-9  # fraction of the gap between the two lowest eigenvalues: within it the margin is the eigenvalue
 )
@@ -363,7 +364,7 @@ def sideways_stability_of(
     bend = np.abs(np.interp(s, rod.s, rod.curvature - rod.natural_curvature))
     return SidewaysStability(
         margin=sideways_margin(rod, section.edgewise, section.torsion),
-        # a section that is as thick as wide keeps its shape
+        # sections as thick as wide keep their shape
         ribbon_number=float(np.where(w > section.thickness, w**2 * bend / section.thickness, 0.0).max()),
         slenderness=float(rod.length / w.max()),
         most=None if most is None else sideways_margin(rod, most.edgewise, most.torsion),
@@ -430,7 +431,7 @@ def _band(
     N = left_of(T)
     spring = np.einsum("i,ij,ik->ijk", edgewise / weight, N, N) + np.einsum(
         "i,ij,ik->ijk", torsion / weight, T, T
-    )  # of every node, (n + 1, 2, 2)
+    )  # matrices of the nodes (n + 1, 2, 2)
     for node, is_free in zip((0, -1), free, strict=True):
         if is_free:
             spring[node] = 0.0
@@ -440,7 +441,7 @@ def _band(
     blocks = spring[:-1] + spring[1:] - edge * along[:, None, None] * m[:, :, None] * m[:, None]
     mixed = t[:, :, None] * m[:, None]
     blocks += edge / 2 * across[:, None, None] * (mixed + mixed.transpose(0, 2, 1))
-    # between neighbours: -spring, and -M (phi_i x phi_{i+1}), half of it either way
+    # terms of neighbouring edges: -spring, and half of -M (phi_i x phi_{i+1}) in each triangle of the matrix
     turn = np.array([[0.0, 1.0], [-1.0, 0.0]])
     links = -spring[1:-1] - moment[1:-1, None, None] / 2 * turn
     lower = np.zeros((4, 2 * n))
@@ -468,7 +469,7 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
     first, second = float(result[0][0]), float(result[0][1])
     if row is None:
         return first
-    full = np.zeros((10, lower.shape[1]))  # LAPACK needs three rows more
+    full = np.zeros((10, lower.shape[1]))  # LAPACK needs three additional rows
     full[6:] = lower
     for k in (1, 2, 3):
         full[6 - k, k:] = lower[k, : lower.shape[1] - k]
@@ -479,10 +480,10 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
         return float(row @ lapack().dgbsv(3, 3, shifted, row[:, None], overwrite_ab=1)[2][:, 0])
 
     gap = second - first
-    # clear of both poles, which are known to rounding of the stiffest entry
+    # keep away from both poles by the rounding error of the largest entry
     clear = max(_SIGN_SHARE * gap, _POLE_SHARE * float(np.abs(lower).max()))
     low, high = first + clear, second - clear
-    if low >= high or along(low) >= 0:  # the lowest mode keeps the row already
+    if low >= high or along(low) >= 0:  # the lowest mode satisfies the constraint already
         return first
     if along(high) <= 0:
         return second

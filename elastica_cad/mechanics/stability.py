@@ -123,26 +123,28 @@ def determinant_gradient(
     z = stability_determinant(rod)
     X, p = z.fields, z.fields.shape[1] - 1
 
-    # back through the determinants and the running integrals
+    # backward differentiation of the determinants and the integrals
     G = weights[:, None, None] * _cofactors(_matrices(X, z.integrals))
-    suffix = np.cumsum(G[:0:-1, 1:, :], axis=0)[::-1]  # of what hangs on the integrals up to each edge
+    suffix = np.cumsum(G[:0:-1, 1:, :], axis=0)[
+        ::-1
+    ]  # derivatives by the terms of the integrals: sums over later edges
     per_field = G[:, 0, :].copy()
     per_field[:-1] += np.einsum("kp,kpm->km", rows.T, suffix)
     per_row = np.einsum("kpm,km->kp", suffix, X[1:-1])
 
-    # back through the recursion
+    # backward differentiation of the recursion
     adjoint = np.zeros((n + 2, 1 + p))
     adjoint[1:-1] = _solve_recursion(rod, per_field, transposed=True)[1:]
     per_spring = np.einsum("km,km->k", np.diff(adjoint, axis=0), np.diff(X, axis=0))
     per_pull = -np.einsum("km,km->k", adjoint[1:-1], X[1:-1])
     per_row -= adjoint[1:-1, 1:]
 
-    # how Z depends on angles and forces directly
+    # direct derivatives of Z by angles and forces
     held = list(rod.held)
     per_angle = per_pull * lengths * rod.shear - lengths * np.einsum("kp,kp->k", per_row, T[:, held])
     per_force = (per_pull * lengths)[:, None] * T
 
-    # back through the equilibrium: its Jacobian is symmetric
+    # backward differentiation of the equilibrium, whose Jacobian is symmetric
     y, _ = solve_bordered(*rod.hessian, rows, right=per_angle, below=per_force[:, held].sum(axis=0))
     per_force -= (lengths * y)[:, None] * left_of(T)
     gradient = per_spring / rod.node_lengths - moments / rod.stiffness * np.diff(y, prepend=0.0, append=0.0)
@@ -173,7 +175,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     if count is None:
         return None
     ends = np.cumsum(lengths)
-    place = np.append(ends[:-1] + lengths[1:] / 2, ends[-1])  # where the piece of k edges is clamped
+    place = np.append(ends[:-1] + lengths[1:] / 2, ends[-1])  # place of the clamp of the piece of k edges
     if count == 1:
         return float(place[0])
     lower, upper = (

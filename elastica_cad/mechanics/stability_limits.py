@@ -23,7 +23,7 @@ Path: TypeAlias = "Callable[[float], PathStep] | ArrayLike | Sequence[Mapping[st
 
 LARGEST_TURN_RAD = 0.3  # largest turn of an edge in a step along the path
 FIRST_STEPS = 16  # initial number of steps for each leg of the path
-RESOLUTION_SHARE = 1e-9  # of the path
+RESOLUTION_SHARE = 1e-9  # accuracy of the limit, as a fraction of the path
 PUSH_RAD = 0.02  # push along the critical mode, after which the rod comes to rest
 
 

@@ -428,7 +428,7 @@ def _shown_on(curve: PlaneCurve, point: FloatArray) -> str:
 
 
 def require_bendable(curve: PlaneCurve) -> None:
-    """Refuse other values than curves, and curves with a corner, also where they close.
+    """Refuse values other than curves, and curves with a corner, including a corner where the curve closes.
 
     No strip can follow a corner.
 
@@ -487,7 +487,7 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
 
 
 def _seam_message(curve: PlaneCurve) -> str:
-    """Describe the corner of a closed curve whose only corner is where it closes."""
+    """Describe the only corner of a closed curve, at the place where the curve closes."""
     drawn = curve.provenance
     start = curve.evaluate(np.array(curve.domain[0]))
     if drawn is not None:
@@ -643,7 +643,8 @@ as wide as long turns by 10 degrees."""
 
 TINY = float(np.finfo(float).tiny)
 
-_DIP_SHARE = 0.01  # of the largest curvature: deeper dips are looked at closely
+# curvature of a dip, as a fraction of the largest, below which the dip is examined more closely
+_DIP_SHARE = 0.01
 
 
 def examine_curvature(
@@ -699,7 +700,8 @@ def examine_curvature(
 def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
     """Move the start of a closed curve away from a place without bending, and return a message about it."""
     curve = excess.curve
-    if not curve.is_closed or isinstance(excess.rest, RestCurvature):  # which counts from the start
+    # the arc length of a `RestCurvature` counts from the start, so the start must stay
+    if not curve.is_closed or isinstance(excess.rest, RestCurvature):
         return excess, ()
     if np.abs(excess.at(np.array(curve.domain))).min() > SEAM_SHARE * largest:
         return excess, ()
@@ -726,7 +728,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
         else:
             ends[at_end] = zero
     hardly_bent = np.abs(excess.survey[[0, -1]]) <= 2 * max(PINNED_SHARE, ALL_BUT_UNBENT_SHARE) * largest
-    if not (ends or hardly_bent.any()):  # nor does a slope make a zero of them
+    if not (ends or hardly_bent.any()):  # the ends are not zeros by extrapolation either
         return tuple(zeros)
     t_ends = np.array([low, high])
     at_ends = zip((low, high), excess.at(t_ends).tolist(), excess.slope_at(t_ends).tolist(), strict=True)
@@ -875,7 +877,7 @@ def _warn_of_widths(
     kinks = [b.s for b, _, _ in seen if b.continuity == 2]
     sharp = any(jump > STEP_SHARE or kink > SHARP_SHARE for b, jump, kink in seen if b.continuity == 2)
     straight = [end for flat in flats for end in (flat.s, flat.s_end)]
-    if curve.seam is not None:  # start and end are the same place
+    if curve.seam is not None:  # on a closed curve, start and end are the same place
         straight += [end - curve.length for end in straight]
     near = AT_END_SHARE * curve.length
     steps = [
@@ -907,7 +909,7 @@ def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatAr
     """Return jumps (n,) of the curvature and of its slope times the length, as fractions of the curvature."""
     after = np.array([place.t for place in breaks])
     low, high = curve.domain
-    before = np.where(after == low, high, after)  # at the start of a closed curve
+    before = np.where(after == low, high, after)  # a closed curve: its end is before its start
     kappa = curve.curvature_at(before, left=True), curve.curvature_at(after)
     slope = curve.curvature_slope_at(before, left=True), curve.curvature_slope_at(after)
     size = np.maximum(np.abs(kappa).max(axis=0), TINY)

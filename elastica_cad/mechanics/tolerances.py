@@ -98,7 +98,8 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
         float(angle) + delta if hold else None
         for angle, delta, hold in zip(rod.angle[[0, -1]], (v.start_angle, v.end_angle), held, strict=True)
     )
-    softer = 1 / (v.youngs_modulus * v.thickness**3 * B)  # loads on free ends are newtons: they stay
+    # loads on free ends are in newtons, so they are divided by the changed stiffness
+    softer = 1 / (v.youngs_modulus * v.thickness**3 * B)
     force, moment = dead_loads(rod, softer)
     return bend(changed, angles=(angles[0], angles[1]), force=force, moment=moment)
 
@@ -430,13 +431,13 @@ def tolerance_study(
 
 
 class _Outcome(NamedTuple):
-    """Deviation, mm, None where no rest shape was found; did the rod snap on the way?"""
+    """Deviation, mm, or None if no rest shape was found; and True if the rod snapped."""
 
     deviation: float | None
     snapped: bool
 
 
-# cause -> fields of Imperfection that it changes, with the range each is drawn from
+# cause -> changed fields of Imperfection, each with the name of its range
 _CAUSES: dict[str, dict[str, str]] = {
     "stiffness range": {"stiffness_range": "stiffness_range"},
     "weight": {"youngs_modulus": "youngs_modulus", "density": "density"},

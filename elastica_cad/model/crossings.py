@@ -264,7 +264,7 @@ def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
 
 @dataclass(frozen=True, eq=False)
 class _Heights:
-    """Heights of both curves along the direction n, and where they are equal."""
+    """Heights of both curves along the direction n, and the places of equal height."""
 
     a: RuledStrip
     b: RuledStrip

@@ -225,7 +225,7 @@ def _packed(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float,
     queue.sort(key=lambda ways: (-_rounded(ways[0].wide), -_rounded(ways[0].long)))
     shortest = min(box.long for ways in boxes for box in ways)
     rows: list[_Row] = []  # with room for the shortest box
-    ends: list[float] = []  # of the last row of each sheet, mm
+    ends: list[float] = []  # end of the last row of each sheet, mm
     places: list[_Place] = []
     for ways in queue:
         fits = [

@@ -99,7 +99,7 @@ Options = TypeVar("Options", bound=PlateOptions)
 def options_by_name(
     record: type[Options], options: Mapping[str, Any], what: str, without: Container[str] = ()
 ) -> Options:
-    """Return the record of options by name, and refuse names that `what` does not have.
+    """Return the record of options by name, and refuse unknown names; `what` names their object in the message.
 
     Examples
     --------

@@ -25,7 +25,7 @@ from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons, write_p
 from elastica_cad.plot.model_pictures import look_from, rule_strip, screen_of
 
 PAGE_INCHES = (11.69, 8.27)  # A4 in landscape
-ELEVATION_DEG, AZIMUTH_DEG = 24.0, -60.0  # of the eye
+ELEVATION_DEG, AZIMUTH_DEG = 24.0, -60.0  # direction of the viewer
 APART = 0.3  # distance of plates and blocks from the strips, as a fraction of the extent of the model
 SPREAD = 0.25  # outward shift of each strip, as a fraction of its distance from the middle
 ROWS = 34  # number of rows of a table on a page

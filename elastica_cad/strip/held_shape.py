@@ -250,7 +250,7 @@ OPEN_SHARES: Mapping[str, float] = {
 """Largest error of the model as a fraction of the effect of each cause (`docs/finite_elements.md`)."""
 
 OPEN_PLAIN, OPEN_CURLED, OPEN_BUILT, OPEN_GRAINED = 1e-4, 2.5e-4, 3e-4, 2.2e-3
-"""Uncertainties as fractions of the length, whatever the causes.
+"""Uncertainties as fractions of the length, independent of the causes.
 
 The first holds for any strip. The second holds for a sheet that curls across, at nu = 0.3, and scales with nu^2.
 The third holds for perforated and laminated strips. The last is added for perforated and laminated strips of sheets

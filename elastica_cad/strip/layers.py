@@ -217,7 +217,7 @@ def draw_layers(
 
 
 def _off_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, ...]:
-    """Return the parts of lines beside slots, where there is material to mark."""
+    """Return the parts of lines outside of slots, because there is no material in slots."""
     if not guides:
         return ()
     open_cuts = [rim.line for rim in layer.slots]

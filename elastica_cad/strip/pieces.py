@@ -44,7 +44,7 @@ WAYS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
 
 
 def cut_key(strip: Strip) -> Hashable:
-    """Return a key that is equal for strips that are made and cut alike, whatever their labels and mates."""
+    """Return a key that is equal for strips that are made and cut alike; labels and mates have no effect."""
     slots = [
         (slot.side, slot.relief, slot.depth is None, *np.round(_sizes(slot), SLOT_DIGITS).tolist())
         for slot in strip.slots

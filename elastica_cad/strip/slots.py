@@ -1,4 +1,4 @@
-"""Slots that let strips interlock, and engraved marks where there is room."""
+"""Slots of interlocking strips, and engraved marks that are clear of slots and holes."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
