@@ -1,7 +1,8 @@
 """Rest shape of a rod after its ends, loads or supports have changed."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import pairwise
 from typing import Any, Literal
 
@@ -178,13 +179,12 @@ def bend(
     if elements:
         return _bent_on_elements(wanted, rod, system, guess, settle=settle)
     state = state_of(rod, system) if guess is None else _guess_state(guess, system)
-    reached, at = _rest(state, side, mode, settle=settle)
-    return replace(reached.rod(wanted), warnings=_warnings(reached, at))
+    rest, at = _rest(reach(state, side, mode), settle=settle)
+    return replace(rest.rod(wanted), warnings=_warnings(rest, at))
 
 
-def _rest(state: RodState, side: int | None, mode: int, *, settle: bool) -> tuple[RodState, float | None]:
-    """Return the rest shape that is reached from a state, and the fraction of the path where it snaps, or None."""
-    reached = reach(state, side, mode)
+def _rest(reached: Reached, *, settle: bool) -> tuple[RodState, float | None]:
+    """Return the rest shape at or after the end of a path, and the fraction of the path where it snaps, or None."""
     balanced = reached.arrived and is_balanced(reached.state)
     if balanced and not (settle and reached.state.discrete.unstable_modes):
         return reached.state, None
@@ -243,32 +243,62 @@ def _bent_on_elements(
             state = _guess_state(guess, system)
         else:
             state = state_of(present, system)
-        state, at = _rest(state, None, 1, settle=settle)
-        snaps_at = snaps_at if at is None else at
-        rod = state.rod(wanted)
-        shape = ShapeOfRod(state.discrete.tangents, shape.edge_length, rod.position[0])
-        for i, action in zip(acting, state.actions, strict=True):
-            elements[i] = action
-        for i in range(len(elements)):
-            if not taut[i]:
-                elements[i] = touching(elements[i], shape)
-        largest = float(np.abs(state.discrete.force).max(initial=0.0))
-        wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
-        for i, action in enumerate(elements):
-            if taut[i]:
-                wrong[i] = wrong_force(action, shape)
-            else:
-                through[i] = violation(action, shape)
-        if wrong.max() > PULLS_SHARE * largest:
-            taut[int(wrong.argmax())] = False
-        elif through.max() > MEETS_SHARE * shape.length:
-            taut[int(through.argmax())] = True
-        else:
-            sided = tuple(with_side(action, shape) for action in elements)
-            return replace(rod, between=sided, warnings=_warnings(state, snaps_at))
+        reached = reach(state, None, 1, partial(_needs_change, elements, taut))
+        state = reached.state
+        changed = None if reached.arrived else _other_set(elements, taut, state)
+        if changed is None:
+            state, at = _rest(reached, settle=settle)
+            snaps_at = snaps_at if at is None else at
+            changed = _other_set(elements, taut, state)
+        if changed is None:
+            return replace(
+                state.rod(wanted),
+                between=_settled(elements, taut, state),
+                warnings=_warnings(state, snaps_at),
+            )
+        elements, taut = list(_settled(elements, taut, state)), changed
     raise NotConvergedError(
         "No set of taut elements was found for this rest shape. Move the ends or change the loads in smaller steps."
     )
+
+
+def _shape_of(state: RodState) -> ShapeOfRod:
+    return ShapeOfRod(state.discrete.tangents, state.system.edge_length, state.position[0])
+
+
+def _settled(
+    elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState
+) -> tuple[ElementForce, ...]:
+    """Return the elements with their forces and places in a state."""
+    shape, acting = _shape_of(state), iter(state.actions)
+    return tuple(
+        with_side(next(acting), shape) if is_taut else touching(action, shape)
+        for action, is_taut in zip(elements, taut, strict=True)
+    )
+
+
+def _needs_change(elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState) -> bool:
+    return _other_set(elements, taut, state) is not None
+
+
+def _other_set(elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState) -> list[bool] | None:
+    """Return the taut elements after the change that a state needs most, or None if it needs none."""
+    shape, acting = _shape_of(state), iter(state.actions)
+    largest = float(np.abs(state.discrete.force).max(initial=0.0))
+    wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
+    for i, action in enumerate(elements):
+        if taut[i]:
+            wrong[i] = wrong_force(next(acting), shape)
+        else:
+            through[i] = violation(action, shape)
+    changed = list(taut)
+    if wrong.max() > PULLS_SHARE * largest:
+        changed[int(wrong.argmax())] = False
+    elif through.max() > MEETS_SHARE * shape.length:
+        changed[int(through.argmax())] = True
+    else:
+        return None
+    return changed
 
 
 def _snap_warning(percent: float) -> Refusal:
@@ -310,7 +340,7 @@ def bend_path(
     rod : Rod
     path : (k, 2) array_like or sequence of mappings
         Successive positions of the end, mm, or for each step the keywords of `bend` (start, end,
-        angles, gravity, force, moment, supports).
+        angles, gravity, force, moment, supports, between, loads).
     side, mode
         As in `bend`, for the first step.
 
@@ -400,7 +430,9 @@ def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, 
     """Return a path as keywords of `bend`; rows of two numbers are positions of the end."""
     if isinstance(path, Sequence) and path and all(isinstance(step, Mapping) for step in path):
         steps = [dict(step) for step in path if isinstance(step, Mapping)]
-        known = {"start", "end", "angles", "gravity", "force", "moment", "supports"}
+        known = {
+            "start", "end", "angles", "gravity", "force", "moment", "supports", "between", "loads",
+        }  # fmt: skip
         for step in steps:
             if set(step) - known:
                 raise InputError(
@@ -463,8 +495,13 @@ def state_of(rod: Rod, system: RodSystem) -> RodState:
     return system.state(rod.discrete.angles, extra[list(system.held)])
 
 
-def reach(state: RodState, side: int | None, mode: int) -> Reached:
-    """Continue from `state` to an equilibrium; leave a straight state if it must bend or `side` is given."""
+def reach(
+    state: RodState, side: int | None, mode: int, stop: Callable[[RodState], bool] | None = None
+) -> Reached:
+    """Continue from `state` to an equilibrium; leave a straight state if it must bend or `side` is given.
+
+    With elements between the ends, the continuation ends where `stop` is True.
+    """
     system = state.system
     if system.held and float(np.linalg.norm(system.chord)) > system.length * (1 - 1e-12):
         taut = stretch(state)
@@ -475,8 +512,8 @@ def reach(state: RodState, side: int | None, mode: int) -> Reached:
                 length=Length(system.length),
             )
         return Reached(taut, 1.0, 0)
-    straight = is_straight(state) and system.elements is None
-    return leave_straight(state, side, mode) if straight else follow(state)
+    straight = is_straight(state) and stop is None
+    return leave_straight(state, side, mode) if straight else follow(state, stop)
 
 
 def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:

@@ -289,9 +289,11 @@ def _kept(action: ElementForce, curve: PlaneCurve) -> ElementForce:
 
 def _new(element: Element, before: ElementForce | None, curve: PlaneCurve) -> ElementForce:
     s = PlacedElement.on(element, curve, curve).s
-    none = np.zeros((s.size, 2))
+    force = np.zeros((s.size, 2))
+    if before is not None and type(before.element) is type(element):
+        force = before.force  # an element that acted is taut at first
     if isinstance(element, Tie):
-        return _kept(ElementForce(element, s, none), curve)
+        return _kept(ElementForce(element, s, force), curve)
     if isinstance(element, Pin) and before is not None and isinstance(before.element, Pin):
         s = before.s
     assert isinstance(element, Rail | Pin)
@@ -303,7 +305,7 @@ def _new(element: Element, before: ElementForce | None, curve: PlaneCurve) -> El
             side = _kept(before, curve).mounting.side
         elif abs(off) > MEETS_SHARE * curve.length:
             side = int(np.sign(off))
-    return ElementForce(element, s, none, Mount(_point(point), side))
+    return ElementForce(element, s, force, Mount(_point(point), side))
 
 
 def _normal(angle: float) -> FloatArray:

@@ -20,6 +20,7 @@ ASTRAY_RAD = float(np.pi)  # largest turn of an edge in a step of a descent befo
 NEAR_REST_RAD = 1e-2  # largest turn of an edge in a descent step from which Newton's method converges
 CONVERGED_RAD = 1e-9  # size of a Newton step after which the next step, about its square, is below rounding
 MOST_DESCENTS = 300  # largest number of steps of a descent
+STOP_SHARE = 1e-3  # accuracy, as a fraction of the path, of the place where an element becomes slack or taut
 LEAST_STEP = 1e-7  # least step, as a fraction of the path; it determines how precisely a fold is located
 
 
@@ -115,11 +116,12 @@ def correct(
     return None
 
 
-def follow(state: RodState) -> Reached:
+def follow(state: RodState, stop: Callable[[RodState], bool] | None = None) -> Reached:
     """Continue from a state to an equilibrium, by reducing its imbalance, taken as a load, to zero.
 
     End positions and angles change linearly from present to required values; weight, forces, stiffness and supports
-    change in proportion. Steps are adaptive. The continuation ends at a fold of the branch.
+    change in proportion. Steps are adaptive. It ends at a fold of the branch, and soon after the first
+    state for which `stop` is True.
     """
     if is_balanced(state):
         return Reached(_polish(state), 1.0, 0)
@@ -128,7 +130,7 @@ def follow(state: RodState) -> Reached:
     def kept(t: float) -> tuple[RodSystem, Residual]:
         return state.system, Residual((1 - t) * start.imbalance, (1 - t) * start.miss)
 
-    reached = trace(kept, state)
+    reached = trace(kept, state, stop=stop)
     if reached.arrived:
         return Reached(_polish(reached.state), 1.0, reached.steps)
     return reached
@@ -139,6 +141,7 @@ def trace(
     state: RodState,
     *,
     start: float = 0.0,
+    stop: Callable[[RodState], bool] | None = None,
 ) -> Reached:
     """Follow the equilibria of `problem(t)` from `state` at t = `start` towards t = 1, with adaptive steps.
 
@@ -162,7 +165,13 @@ def trace(
             if step < LEAST_STEP:
                 return Reached(state, t, count)
             continue
+        stops = stop is not None and stop(corrected[0])
+        if stops and t_next - t > STOP_SHARE:
+            step = (t_next - t) / 4
+            continue
         state, iterations = corrected
+        if stops:
+            return Reached(state, t_next, count)
         modes = modes if long else None
         t = t_next
         step *= 2 if iterations <= 4 else 1

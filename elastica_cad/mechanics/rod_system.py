@@ -347,6 +347,17 @@ class RodState:
         return replace(like, **self.record)
 
     @property
+    def position(self) -> FloatArray:
+        """Nodes (n+1, 2), mm, where the supports hold them."""
+        system, position = self.system, self.discrete.position.copy()
+        start = system.supports.ends[0]
+        for i, held_at_start in enumerate((start.x, start.y)):
+            position[:, i] += system.start[i] if held_at_start else system.end[i] - position[-1, i]
+        if system.elements is not None:
+            position += system.elements.shift(self._numbers)
+        return position
+
+    @property
     def record(self) -> dict[str, Any]:
         """Fields of the `Rod` record of this equilibrium, by name, without profile, weight and section."""
         system, edge, n = self.system, self.discrete.force, self.system.edges
@@ -368,14 +379,8 @@ class RodState:
         for node, sign in ((0, -1), (-1, 1)):
             held = system.held_angles[node]
             angle[node] = self.angles[node] + sign * bend[node] if held is None else held
-        position = self.discrete.position.copy()
-        start = system.supports.ends[0]
-        for i, held_at_start in enumerate((start.x, start.y)):
-            position[:, i] += system.start[i] if held_at_start else system.end[i] - position[-1, i]
-        if system.elements is not None:
-            position += system.elements.shift(self._numbers)
         return {
-            "s": np.linspace(0.0, system.length, n + 1), "position": position, "angle": angle,
+            "s": np.linspace(0.0, system.length, n + 1), "position": self.position, "angle": angle,
             "curvature": curvature, "stiffness": system.stiffness, "moment": self.moments, "force": force,
             "supports": system.supports, "residual": self.imbalance,
             "natural_curvature": system.natural_curvature, "law": system.law, "shape": None, "check": None,

@@ -74,7 +74,11 @@ def rod_as_built(rod: Rod, layout: Layout, layers: Sequence[Layer]) -> Rod:
     softer = layout.bending_stiffness * wanted / has
     EI = layout.bending_stiffness * _stiffness_of_cells(rod, wanted) / _cell_means(softer, n)
     least = float(EI.min())
-    built = replace(rod.with_stiffness(Profile.interpolate(rod.s, EI)), bending_stiffness=least)
+    softer_by = layout.bending_stiffness / least
+    loads = tuple(replace(load, force=softer_by * load.force) for load in rod.point_forces)
+    built = replace(
+        rod.with_stiffness(Profile.interpolate(rod.s, EI)), bending_stiffness=least, point_forces=loads
+    )
     if rod.gravity is None:
         return built
     weight = rod.weight or Weight()

@@ -698,7 +698,6 @@ class Strip:
         """Rod with the stiffness and weight of the cut strip, not yet bent: see `rod_as_built`."""
         from elastica_cad.strip.as_made import rod_as_built
 
-        require_free_between(self.rod, "The strip as built")
         return rod_as_built(self.rod, self.layout, self.layers)
 
     @cached_property
@@ -720,8 +719,9 @@ class Strip:
         """Rod whose ends can be moved, with the curling of the cut strip as it bends: see `bend_strip`."""
         from elastica_cad.strip.as_made import rod_to_bend
 
-        require_free_between(self.rod, "A strip that is bent further")
-        return rod_to_bend(self.rod, self.layout, corrected=self.correction is not None)
+        rod = rod_to_bend(self.rod, self.layout, corrected=self.correction is not None)
+        # loads are in newtons
+        return replace(rod, bending_stiffness=self.bending_stiffness) if self.rod.between else rod
 
     @cached_property
     def as_made(self) -> "StripAsMade":

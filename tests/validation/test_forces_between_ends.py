@@ -4,10 +4,13 @@ Nothing here shares code with the solver: the program samples the curve by SciPy
 of edges whose energy, constraints and second variation are differentiated here.
 """
 
+from dataclasses import replace
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from scipy.interpolate import BSpline, make_interp_spline
-from scipy.optimize import linprog
+from scipy.optimize import linprog, minimize
 
 import elastica_cad as ec
 
@@ -324,3 +327,152 @@ def test_the_drawn_shape_is_at_rest_and_as_stable_as_a_dense_chain(seed):
     margin, lowest, far = judged(seed, 6)
     assert far < 1e-4
     assert margin is None or margin == pytest.approx(lowest, rel=0.02)
+
+
+class LoadedChain(Chain):
+    """Chain on moved elements under point forces, whose energy is minimised with one-sided distances by SLSQP."""
+
+    def __init__(self, rod, elements, forces, edges=100):
+        super().__init__(replace(rod, between=()), edges)
+        self.loads = [(self.weighted(one.at), np.array(one.force)) for one in forces]
+        self.one_sided = np.zeros(2, dtype=bool)
+        for element, given in zip(elements, rod.between, strict=True):
+            places = rod.curve.at(given.s).position
+            if isinstance(element, ec.Tie):
+                distance, wanted = self.between(*given.s), np.array([element.length])
+                self.add(lambda nodes, d=distance: tuple(-one for one in d(nodes)), -wanted, one_sided=True)
+            elif isinstance(element, ec.Pin):
+                self.add(self.weighted(given.s[0]), np.array(element.at))
+            else:
+                angle = rod.curve.at(given.s).angle[0]
+                side = np.sign(given.force[0] @ [-np.sin(angle), np.cos(angle)])
+                distance = self.beside(given.s[0], np.array(element.at) if element.at else places[0])
+                self.add(
+                    lambda nodes, d=distance, side=side: tuple(side * one for one in d(nodes)), np.zeros(1),
+                    one_sided=element.one_sided,
+                )  # fmt: skip
+
+    def add(self, distance, wanted, one_sided=False):
+        self.distances.append((distance, wanted))
+        self.one_sided = np.append(self.one_sided, np.full(wanted.size, one_sided))
+
+    def energy(self, angles):
+        turns = np.diff(angles, prepend=self.ends[0], append=self.ends[1])
+        nodes = self.nodes(angles)
+        return self.spring @ turns**2 / 2 - sum(force @ place(nodes)[0] for place, force in self.loads)
+
+    def gradient(self, angles):
+        slope, nodes = super().gradient(angles), self.nodes(angles)
+        across = self.edge * np.column_stack([-np.sin(angles), np.cos(angles)])
+        for place, force in self.loads:
+            pull = np.einsum("c,cnk->nk", force, place(nodes)[1])
+            slope = slope - (np.cumsum(pull[::-1], axis=0)[::-1][1:] * across).sum(axis=1)
+        return slope
+
+    def rest(self):
+        """Nodes of least energy, and the multipliers of the distances."""
+        length, one = self.s[-1], self.one_sided
+        known = {}
+
+        def constraints(x):
+            key = x.tobytes()
+            if key not in known:
+                known.clear()
+                known[key] = self.constraints(x)
+            return known[key]
+
+        answer = minimize(
+            lambda x: (1e3 * length * self.energy(x), 1e3 * length * self.gradient(x)), self.angles, jac=True,
+            method="SLSQP", options={"maxiter": 600, "ftol": 1e-9},
+            constraints=[
+                {"type": kind, "fun": lambda x, m=mask: constraints(x)[0][m] / length,
+                 "jac": lambda x, m=mask: constraints(x)[1][m] / length}
+                for kind, mask in (("eq", ~one), ("ineq", one)) if mask.any()
+            ],
+        )  # fmt: skip
+        assert answer.status == 0, answer.message
+        angles = answer.x
+        acts = ~one | (self.constraints(angles)[0] < 1e-5 * length)
+        forces = np.zeros(len(one))
+        forces[acts] = np.linalg.lstsq(
+            self.constraints(angles)[1][acts].T, self.gradient(angles), rcond=None
+        )[0]
+        for _ in range(3):
+            values, rows = self.constraints(angles)
+            H, J, k = self.hessian(angles, forces), rows[acts], acts.sum()
+            matrix = np.block([[H, -J.T], [J, np.zeros((k, k))]])
+            right = -np.concatenate([self.gradient(angles) - forces @ rows, values[acts]])
+            step = np.linalg.lstsq(matrix, right, rcond=1e-13)[0]
+            angles = angles + step[: angles.size]
+            forces[acts] += step[angles.size :]
+        assert (forces[one] > -1e-8).all()
+        assert (self.constraints(angles)[0][one] > -1e-6 * length).all()
+        return self.nodes(angles), forces
+
+
+def moved_case(seed):
+    """A stable rod on elements, and these elements moved, shortened or made one-sided, with a force; or None."""
+    random = np.random.default_rng(1000 + seed)
+    points, _, elements = random_case(seed, 6)
+    rod = rod_or_none(points, elements)
+    if rod is None or rod.ratio > 8 or ec.stability(rod).margin < 5:
+        return None
+    size, moved = rod.length, []
+
+    def slack(*s):
+        """Length that the strip has more than the line between two places: a strip cannot be stretched."""
+        return np.ptp(s) - np.hypot(*np.diff(rod.curve.at(np.array(s)).position, axis=0)[0])
+
+    fixed = sorted(float(given.s[0]) for given in rod.between if not isinstance(given.element, ec.Tie))
+    room = min(slack(*piece) for piece in pairwise([0.0, *fixed, size]))
+    if room < 2e-3 * size:
+        return None
+    for given in rod.between:
+        places, element = rod.curve.at(given.s).position, given.element
+        shift = random.uniform(-0.3, 0.3, size=2) * room
+        if isinstance(element, ec.Tie):
+            apart = np.hypot(*(places[1] - places[0]))
+            length = apart + random.uniform(-0.5, 0.3) * min(slack(*given.s), room)
+            moved.append(ec.Tie(element.start, element.end, length=length))
+        elif isinstance(element, ec.Pin):
+            moved.append(ec.Pin((*(places[0] + shift),)))
+        else:
+            moved.append(ec.Rail((*(places[0] + shift),), one_sided=bool(random.integers(2))))
+    force = random.normal(size=2) * 0.3 * np.abs(rod.force).max()
+    return rod, moved, (ec.PointForce(random.uniform(0.2, 0.8) * size, (*force,)),)
+
+
+def differences_from_a_minimum(seed, edges):
+    """Distance of both shapes over the length, and of their forces over the largest."""
+    rod, elements, forces = moved_case(seed)
+    bent = ec.bend(replace(rod, bending_stiffness=1.0), between=elements, loads=forces, settle=True)
+    assert not any("snaps" in warning for warning in bent.warnings)
+    nodes, multipliers = LoadedChain(rod, elements, forces, edges).rest()
+    places = bent.curve.at(np.linspace(0, bent.length, len(nodes))).position
+    shape = np.hypot(*(nodes - places).T).max() / rod.length
+    largest, at, off = np.abs(bent.force).max(), 2, 0.0
+    for one in bent.between:
+        count = 2 if isinstance(one.element, ec.Pin) else 1
+        own = multipliers[at : at + count]
+        theirs = one.force[0] if count == 2 else np.hypot(*one.force[0])
+        off = max(off, np.abs((own if count == 2 else np.abs(own)) - theirs).max() / largest)
+        at += count
+    return shape, off
+
+
+def test_a_bent_rod_has_the_least_energy():
+    """A shorter cord and a force; the error of the chain falls with the square of its edges."""
+    shape, off = differences_from_a_minimum(26, 50)
+    assert shape < 1e-4
+    assert off < 0.03
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize(
+    ("seed", "edges"),
+    [*((seed, 200) for seed in (2, 16, 22, 26, 44, 45, 47, 57, 74, 80, 93)), (12, 100), (15, 100), (27, 100)],
+)
+def test_bent_rods_have_the_least_energy(seed, edges):
+    shape, off = differences_from_a_minimum(seed, edges)
+    assert shape < 1e-4
+    assert off < 0.01

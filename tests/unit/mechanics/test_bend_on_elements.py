@@ -7,6 +7,7 @@ from scipy.special import ellipe, ellipk
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
+from elastica_cad.mechanics.bending import bend_path
 
 WAVE = ec.PlaneCurve.spline(
     [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)], degree=5
@@ -22,7 +23,7 @@ def largest_move(first, second):
 
 def slat(gravity=DOWN, supports=SLIDES, load=LOAD):
     return ec.Rod.straight(
-        SPAN, samples=201, supports=supports, bending_stiffness=BENDING, gravity=gravity,
+        SPAN, samples=101, supports=supports, bending_stiffness=BENDING, gravity=gravity,
         weight=ec.Weight(alpha=load),
     )  # fmt: skip
 
@@ -62,7 +63,7 @@ def test_three_supports(one_sided):
     """Even load, small sag: 5/4 of the load of a span in the middle, 3/8 at the ends."""
     rest = ec.bend(slat(), between=ec.Rail(SPAN / 2, one_sided=one_sided))
     forces = BENDING * np.array([rest.force[0, 1], rest.between_forces[0, 1], -rest.force[-1, 1]])
-    assert forces / (LOAD * SPAN / 2) == pytest.approx([3 / 8, 5 / 4, 3 / 8], rel=1e-4)
+    assert forces / (LOAD * SPAN / 2) == pytest.approx([3 / 8, 5 / 4, 3 / 8], rel=3e-4)
     assert ec.stability(rest).stable
 
 
@@ -73,7 +74,7 @@ def test_a_strip_lifts_off_a_rail_and_comes_back():
     assert largest_move(lifted, free) < 1e-6
     assert largest_move(ec.bend(lifted, gravity=DOWN), held) < 1e-6
     slot = ec.bend(slat(load=2e-3), between=ec.Rail(SPAN / 2, one_sided=False))
-    assert ec.bend(slot, gravity=UP).position[100, 1] == pytest.approx(0.0, abs=1e-3)
+    assert ec.bend(slot, gravity=UP).position[50, 1] == pytest.approx(0.0, abs=4e-3)
 
 
 def test_a_rail_and_a_pin_move_the_strip():
@@ -127,6 +128,34 @@ def test_loads_replace_those_of_the_rod():
     assert ec.bend(pushed, loads=()).position[-1, 1] == pytest.approx(0.0, abs=1e-9)
     with pytest.raises(InputError, match="Loads are in newtons"):
         ec.bend(ec.Rod.straight(100.0), loads=ec.PointForce(50.0, (0, -1)))
+
+
+def test_a_strip_lifts_off_its_rail_where_the_path_says_so():
+    """With the rail as a slot, the shape at the end of the path would be an S."""
+    points = [(0, 0), (150, 45), (300, 60), (450, 45), (600, 0)]
+    curve = ec.PlaneCurve.spline(points, degree=4)
+    rod = ec.optimal_rod(curve, between=ec.Rail(curve.length / 2), samples=201)
+    closer = ec.bend(rod, end=(590.0, 0.0))
+    assert np.all(closer.between_forces == 0)
+    assert not closer.warnings
+    assert closer.position[100, 1] > rod.position[100, 1] + 10
+    assert ec.stability(closer).stable
+    path = bend_path(rod, [{"end": (600.0, 0.0)}, {"loads": ()}, {"between": ()}])
+    assert [len(one.between) for one in path] == [1, 1, 0]
+
+
+def test_a_strip_on_a_rail_under_a_mass():
+    """The strip as built keeps its rail; a slat that is bent further takes loads in newtons."""
+    points = [(0, 0), (150, 45), (300, 60), (450, 45), (600, 0)]
+    curve = ec.PlaneCurve.spline(points, degree=4)
+    rod = ec.optimal_rod(curve, between=ec.Rail(curve.length / 2), samples=201)
+    strip = ec.Strip(rod, "birch-plywood-4", max_width=60.0)
+    assert strip.deviation_as_built < 0.01
+    loaded = ec.bend(strip.rod_to_bend, loads=ec.PointForce(curve.length / 4, (0, -20.0)))
+    sag = rod.position[:, 1] - loaded.position[:, 1]
+    assert 1.0 < sag.max() < 3.0
+    doubled = ec.bend(strip.rod_to_bend, loads=ec.PointForce(curve.length / 4, (0, -40.0)))
+    assert (rod.position[:, 1] - doubled.position[:, 1]).max() == pytest.approx(2 * sag.max(), rel=0.1)
 
 
 def test_two_free_ends_need_an_element(bow):

@@ -113,9 +113,7 @@ def test_other_studies_refuse_them():
     assert strip.sideways is None
     for refused in (
         lambda: sideways_stability_of(rod, SidewaysSection.round(np.ones(201), 4.0, 0.38)),
-        lambda: strip.as_built,
         strip.held,
-        lambda: strip.rod_to_bend,
         lambda: ec.Strip(rod, "birch-plywood-0.8", max_width=30.0, creep=0.5).crept,
     ):
         with pytest.raises(InputError, match="does not take rails, pins, ties or point forces into account"):
